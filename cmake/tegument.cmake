@@ -1,0 +1,34 @@
+# Warnings, sanitizers, and the two functions that every folder uses.
+
+add_library(tegument_options INTERFACE)
+target_include_directories(tegument_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(tegument_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-missing-field-initializers> $<$<CXX_COMPILER_ID:GNU>:-Wno-missing-field-initializers>)
+if(TEGUMENT_SANITIZE)
+  target_compile_options(tegument_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(tegument_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(TEGUMENT_FUZZ)
+  target_compile_options(tegument_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# tegument_library(name LIBS...): a static library of every .cpp in the current folder.
+function(tegument_library name)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC tegument_options ${ARGN})
+endfunction()
+
+# tegument_tests(name LABEL libs...): one GoogleTest program of every *_test.cpp in the current folder, run from the repository root.
+function(tegument_tests name label)
+  file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE tegument_options ${ARGN} GTest::gtest GTest::gtest_main)
+  gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTIES LABELS ${label} DISCOVERY_MODE PRE_TEST)
+endfunction()

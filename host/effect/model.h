@@ -1,0 +1,149 @@
+#pragma once
+// What an effect file says, after preprocessing and parsing: parameters, textures, samplers, techniques, passes, states, scripts.
+// Nothing here knows Vulkan, a compiler or a scene.
+
+#include "host/effect/script.h"
+#include "host/support/result.h"
+#include "host/support/state.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace tegument {
+
+enum class BaseType { Bool, Int, Uint, Float, String, Texture1D, Texture2D, Texture3D, TextureCube, Sampler, Other };
+
+/// Scalar: rows = columns = 1. float3: rows 1, columns 3. float4x3: rows 4, columns 3. elements 0: not an array.
+struct Type {
+    BaseType base = BaseType::Float;
+    int rows = 1;
+    int columns = 1;
+    int elements = 0;
+    std::string name; // as written: "float4x4"
+
+    [[nodiscard]] bool isTexture() const {
+        return base == BaseType::Texture1D || base == BaseType::Texture2D || base == BaseType::Texture3D ||
+               base == BaseType::TextureCube;
+    }
+    [[nodiscard]] bool isNumeric() const {
+        return base == BaseType::Bool || base == BaseType::Int || base == BaseType::Uint || base == BaseType::Float;
+    }
+    /// Number of scalars in a value of this type.
+    [[nodiscard]] int scalarCount() const { return rows * columns * (elements == 0 ? 1 : elements); }
+};
+
+/// Numbers in row order (bool 0/1; int, uint and float exactly), or a string.
+using Value = std::variant<std::vector<double>, std::string>;
+
+struct Annotation {
+    std::string name;
+    Type type;
+    Value value;
+    SourcePosition at;
+};
+
+/// Case-insensitive look-up, as every DXSAS 0.8 host does it.
+struct Annotations {
+    std::vector<Annotation> list;
+
+    [[nodiscard]] const Annotation* find(std::string_view name) const;
+    [[nodiscard]] std::optional<std::string> string(std::string_view name) const;
+    [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view name) const;
+};
+
+/// A global variable that the host may set: numeric, string or texture. Samplers are apart.
+struct Parameter {
+    std::string name;
+    Type type;
+    std::string semantic; // as written, may be empty
+    Annotations annotations;
+    std::optional<Value> defaultValue; // compilers drop it silently; the host uploads it
+    SourcePosition at;
+};
+
+struct Sampler {
+    std::string name;
+    std::string texture; // the `Texture = <X>` form; else by our convention: sampler X reads texture XMap; else empty
+    SamplerState state;
+    Annotations annotations;
+    SourcePosition at;
+};
+
+/// `compile ps_3_0 F(2, true)`, `CompileShader(ps_5_0, F())`.
+struct ShaderReference {
+    std::string entry;
+    std::string profile;
+    std::vector<std::string> arguments; // for `uniform` parameters, as written
+    SourcePosition at;
+};
+
+struct Pass {
+    std::string name;
+    Annotations annotations;
+    std::optional<ShaderReference> vertexShader;
+    std::optional<ShaderReference> pixelShader;
+    std::optional<ShaderReference> geometryShader;
+    std::optional<ShaderReference> computeShader;
+    PipelineState state; // every assignment of the pass applied to the defaults of its Direct3D version
+    Script script;       // default: Draw=Geometry;
+    SourcePosition at;
+};
+
+enum class TechniqueKind { D3D9, D3D10, D3D11 };
+
+struct Technique {
+    std::string name;
+    TechniqueKind kind = TechniqueKind::D3D9;
+    Annotations annotations;
+    std::vector<Pass> passes;
+    Script script; // default: its passes in order
+    SourcePosition at;
+
+    [[nodiscard]] const Pass* findPass(std::string_view name) const; // ignores case
+};
+
+/// The STANDARDSGLOBAL block.
+struct StandardsGlobal {
+    double version = 0.8;
+    std::string scriptClass = "sceneorobject";
+    std::string scriptOrder = "standard";
+    std::string scriptOutput = "color";
+    Script script; // Technique=...;
+    SourcePosition at;
+};
+
+struct Effect {
+    std::filesystem::path file;
+    std::vector<Parameter> parameters; // numeric, string and texture, in file order
+    std::vector<Sampler> samplers;
+    std::vector<Technique> techniques;
+    std::optional<StandardsGlobal> standardsGlobal;
+
+    /// Plain HLSL for DXC and glslang: preprocessed with FX_ENTRY=1, effect syntax blanked out with its lines kept,
+    /// `#line N "file"` directives naming the sources.
+    std::string code;
+    std::vector<std::filesystem::path> includes; // every file read besides `file`
+    std::vector<std::pair<std::string, std::string>> defines; // as given at load
+    std::vector<Diagnostic> warnings;
+
+    [[nodiscard]] const Parameter* findParameter(std::string_view name) const; // exact
+    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;     // exact
+    [[nodiscard]] const Technique* findTechnique(std::string_view name) const; // ignores case
+    /// The technique that the global script names, else the first one; null when there is none.
+    [[nodiscard]] const Technique* defaultTechnique() const;
+};
+
+struct LoadOptions {
+    std::vector<std::pair<std::string, std::string>> defines; // name, value
+    std::vector<std::filesystem::path> includeFolders;        // searched after the including file's own folder
+};
+
+/// Reads, preprocesses (metadata view with FX_D3D11, code view with FX_ENTRY=1) and parses an effect file.
+[[nodiscard]] Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options = {});
+
+} // namespace tegument

@@ -1,0 +1,221 @@
+#pragma once
+// A thin Vulkan 1.3 layer: a headless device, textures, pipelines, and a recorder that tracks layouts and barriers itself.
+// It knows nothing of effects or scenes. No Vulkan type and no exception crosses this header.
+
+#include "host/support/result.h"
+#include "host/support/state.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tegument::gpu {
+
+enum class Format {
+    R8, RG8, RGBA8, BGRA8, RGBA8Srgb, RGBA16, RGB10A2,
+    R16F, RG16F, RGBA16F, R32F, RG32F, RGBA32F,
+    D16, D24S8, D32F, D32FS8
+};
+[[nodiscard]] bool isDepth(Format format);
+[[nodiscard]] std::uint32_t bytesPerPixel(Format format);
+[[nodiscard]] std::string_view name(Format format);
+
+struct DeviceOptions {
+    bool validation = false;      // Khronos validation with synchronization validation; a missing layer is an error
+    std::string prefer;           // part of a device name, ignoring case; default: discrete, integrated, CPU
+};
+
+struct DeviceInfo {
+    std::string name;   // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver; // "llvmpipe Mesa 22.3.6"
+    std::string apiVersion;
+    bool cpu = false; // a software device: its times are good as ratios only
+};
+
+namespace detail {
+struct DeviceState;
+struct TextureState;
+struct BufferState;
+struct SamplerHandle;
+struct PipelineHandle;
+struct RecorderState;
+} // namespace detail
+
+struct TextureDesc {
+    std::string name;
+    Format format = Format::RGBA8;
+    std::uint32_t width = 1;
+    std::uint32_t height = 1;
+    std::uint32_t mips = 1; // 0: full chain
+    bool cube = false;      // six layers
+    bool renderTarget = false;
+};
+
+class Texture {
+public:
+    Texture();
+    Texture(Texture&&) noexcept;
+    Texture& operator=(Texture&&) noexcept;
+    ~Texture();
+    [[nodiscard]] const TextureDesc& desc() const; // format and mips as really allocated
+    [[nodiscard]] std::uint64_t bytes() const;
+    std::unique_ptr<detail::TextureState> state;
+};
+
+enum class BufferUsage { Vertex, Index, Storage };
+
+class Buffer {
+public:
+    Buffer();
+    Buffer(Buffer&&) noexcept;
+    Buffer& operator=(Buffer&&) noexcept;
+    ~Buffer();
+    [[nodiscard]] std::uint64_t bytes() const;
+    std::unique_ptr<detail::BufferState> state;
+};
+
+class Sampler {
+public:
+    Sampler();
+    Sampler(Sampler&&) noexcept;
+    Sampler& operator=(Sampler&&) noexcept;
+    ~Sampler();
+    std::unique_ptr<detail::SamplerHandle> state;
+};
+
+class Pipeline {
+public:
+    Pipeline();
+    Pipeline(Pipeline&&) noexcept;
+    Pipeline& operator=(Pipeline&&) noexcept;
+    ~Pipeline();
+    std::unique_ptr<detail::PipelineHandle> state;
+};
+
+enum class BindingKind { UniformBuffer, Texture, Sampler, StorageBuffer };
+struct Binding {
+    std::uint32_t set = 0;
+    std::uint32_t binding = 0;
+    BindingKind kind = BindingKind::UniformBuffer;
+};
+
+/// One float attribute of the single vertex stream.
+struct VertexAttribute {
+    std::uint32_t location = 0;
+    std::uint32_t components = 4;
+    std::uint32_t offset = 0;
+};
+
+enum class Topology { TriangleList, TriangleStrip };
+
+struct ShaderCode {
+    std::span<const std::uint32_t> spirv; // empty: no such stage
+    std::string entry;
+};
+
+struct PipelineDesc {
+    std::string name; // for messages
+    ShaderCode vertex;
+    ShaderCode pixel;
+    std::vector<Binding> bindings; // union of both stages
+    std::vector<VertexAttribute> attributes;
+    std::uint32_t vertexStride = 0;
+    Topology topology = Topology::TriangleList;
+    std::vector<Format> colorFormats;
+    std::optional<Format> depthFormat;
+    PipelineState state;
+};
+
+struct ComputePipelineDesc {
+    std::string name;
+    ShaderCode shader;
+    std::vector<Binding> bindings;
+};
+
+/// What a binding gets. Uniform bytes are copied when the draw is recorded.
+struct BoundResource {
+    std::uint32_t set = 0;
+    std::uint32_t binding = 0;
+    std::variant<std::span<const std::byte>, Texture*, const Sampler*, Buffer*> resource;
+};
+
+struct Targets {
+    std::vector<Texture*> colors; // mip 0; previous contents are kept (clear explicitly)
+    Texture* depth = nullptr;
+};
+
+/// Clockwise or counter-clockwise as Direct3D sees it: the viewport is y-up like Direct3D's, depth 0..1.
+struct Draw {
+    const Pipeline* pipeline = nullptr;
+    std::vector<BoundResource> resources; // every binding of the pipeline exactly once
+    const Buffer* vertices = nullptr;
+    const Buffer* indices = nullptr; // 32-bit; null: `count` vertices
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t instances = 1;
+};
+
+/// Records one frame. Barriers and layouts are tracked here. A texture that is both a target and a bound resource of one draw is TG6xxx.
+class Recorder {
+public:
+    explicit Recorder(detail::RecorderState& state) : state_(state) {}
+    Result<void> clearColor(Texture& target, const std::array<float, 4>& rgba);
+    Result<void> clearDepthStencil(Texture& target, std::optional<float> depth, std::optional<std::uint32_t> stencil);
+    Result<void> draw(const Targets& targets, const Draw& draw);
+    Result<void> dispatch(const Pipeline& pipeline, const std::vector<BoundResource>& resources, std::array<std::uint32_t, 3> groups);
+    Result<void> generateMips(Texture& texture);
+    /// Named sections, not nested; repeated names are separate entries.
+    void beginTimer(std::string name);
+    void endTimer();
+
+private:
+    detail::RecorderState& state_;
+};
+
+struct TimedSection {
+    std::string name;
+    double milliseconds = 0;
+};
+
+/// Owns the Vulkan device. Everything made from it must be destroyed before it.
+class Device {
+public:
+    static Result<Device> create(const DeviceOptions& options = {});
+    Device(Device&&) noexcept;
+    Device& operator=(Device&&) noexcept;
+    ~Device();
+
+    [[nodiscard]] const DeviceInfo& info() const;
+
+    /// D24S8 becomes the nearest supported depth format; everything else that the device lacks is an error naming the format.
+    Result<Texture> createTexture(const TextureDesc& desc);
+    /// `pixels`: tightly packed rows of one mip of one layer.
+    Result<void> upload(Texture& texture, std::span<const std::byte> pixels, std::uint32_t mip = 0, std::uint32_t layer = 0);
+    Result<std::vector<std::byte>> readback(Texture& texture, std::uint32_t mip = 0, std::uint32_t layer = 0);
+    Result<Buffer> createBuffer(BufferUsage usage, std::span<const std::byte> bytes);
+    Result<std::vector<std::byte>> readback(Buffer& buffer);
+    Result<Sampler> createSampler(const SamplerState& state);
+    Result<Pipeline> createPipeline(const PipelineDesc& desc);
+    Result<Pipeline> createPipeline(const ComputePipelineDesc& desc);
+
+    /// Records, submits and waits. An error from `record` submits nothing.
+    Result<std::vector<TimedSection>> run(const std::function<Result<void>(Recorder&)>& record);
+
+    /// Every message of the validation layers so far (empty when validation is off).
+    [[nodiscard]] std::vector<std::string> validationMessages() const;
+    /// Bytes of textures and buffers alive now.
+    [[nodiscard]] std::uint64_t allocatedBytes() const;
+
+private:
+    explicit Device(std::shared_ptr<detail::DeviceState> state);
+    std::shared_ptr<detail::DeviceState> state_;
+};
+
+} // namespace tegument::gpu

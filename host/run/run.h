@@ -1,0 +1,59 @@
+#pragma once
+// Runs an effect on a scene: creates its targets, uploads its parameters, executes its scripts, reads targets back by name.
+
+#include "host/compile/compile.h"
+#include "host/effect/model.h"
+#include "host/gpu/gpu.h"
+#include "host/image/image.h"
+#include "host/scene/mesh.h"
+#include "host/scene/workspace.h"
+#include "host/support/result.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tegument {
+
+struct RunOptions {
+    std::string technique; // empty: the effect's default
+    int width = 1024;      // the final target, 1..16384
+    int height = 1024;
+    Compiler compiler = Compiler::Dxc;
+    std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
+    std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder
+    std::vector<std::string> dump;                         // target names; "all"
+    int warmUpFrames = 0;
+    int frames = 1; // pass times are medians over these
+};
+
+struct PassReport {
+    std::string name; // "ConvolutionU" ...; a pass run several times: one entry per run, in order
+    double milliseconds = 0;
+};
+
+struct TargetReport {
+    std::string name;
+    int width = 0;
+    int height = 0;
+    std::string format; // D3DFORMAT name as allocated
+    std::uint64_t bytes = 0;
+};
+
+struct RunResult {
+    Image image;                         // the caller's colour target, linear, RGBA 32-bit float
+    std::map<std::string, Image> dumped; // by target name, 1 to 4 channels; depth as one channel
+    std::vector<PassReport> passes;
+    std::vector<TargetReport> targets; // only what was allocated
+    std::uint64_t bytes = 0;           // of all targets
+    std::string technique;
+    std::vector<Diagnostic> warnings;
+};
+
+/// `mesh` may be null for effects that only draw buffers. Textures that name a producing effect (annotation `Producer = "Stretch.fx/gStretchMap"`)
+/// are rendered first and cached on disk. Texture files are found relative to the workspace file, then the effect.
+[[nodiscard]] Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
+                                          const RunOptions& options);
+
+} // namespace tegument

@@ -1,0 +1,79 @@
+#pragma once
+// Meshes as the effects see them: one vertex stream, millimetres, right-handed, counter-clockwise front faces, v down.
+
+#include "host/image/image.h"
+#include "host/support/result.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument {
+
+/// A run of triangles that shares a material or a group name.
+struct MeshPart {
+    std::string name;
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+};
+
+struct Bounds {
+    glm::vec3 minimum{0};
+    glm::vec3 maximum{0};
+    glm::vec3 centre{0}; // of the bounding sphere
+    float radius = 0;
+};
+
+/// A texture that travels inside the mesh file (glb).
+struct EmbeddedTexture {
+    std::string role; // "color" (sRGB), "normal", "kernelSize" ...
+    Image image;
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions; // mm
+    std::vector<glm::vec3> normals;   // unit
+    std::vector<glm::vec4> tangents;  // unit, w = +1 or -1: bitangent = w * cross(normal, tangent) (glTF, MikkTSpace)
+    std::vector<glm::vec2> uvs;       // v down (glTF); empty when the file has none
+    std::vector<std::uint32_t> indices;
+    std::vector<MeshPart> parts;
+    std::vector<EmbeddedTexture> textures;
+    std::string attribution; // shown with every picture of it; from glTF asset.copyright
+    double unitMm = 1;       // what one unit of the file was taken for
+    Bounds bounds;
+    std::vector<Diagnostic> warnings;
+};
+
+struct MeshOptions {
+    std::optional<double> unitMm;      // default: 1000 for glTF (metres), the file's own declaration, else 1
+    bool expectHead = false;           // refuse a size implausible for a human head, with a hint to --unit-mm
+    bool requireUvs = false;           // TG53xx when there are none
+    double overlapWarning = 1e-3;      // warn when more than this share of the UV area overlaps or lies outside [0,1]
+};
+
+/// glb/gltf, PLY, OBJ by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
+[[nodiscard]] Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options = {});
+
+/// Writes positions, normals, tangents, UVs, indices, parts, embedded textures (PNG) as one glb in metres.
+[[nodiscard]] Result<void> writeGlb(const std::filesystem::path& path, const Mesh& mesh);
+
+/// Fills `normals` (angle weighted over equal positions) when empty.
+void computeNormals(Mesh& mesh);
+/// Fills `tangents` by the MikkTSpace convention, also across mirrored charts; may split vertices.
+void computeTangents(Mesh& mesh);
+void computeBounds(Mesh& mesh);
+
+/// Shares of the total UV area: overlapping another triangle, and outside [0,1].
+struct UvReport {
+    double overlapping = 0;
+    double outside = 0;
+    double covered = 0; // of the unit square
+};
+[[nodiscard]] UvReport examineUvs(const Mesh& mesh);
+
+} // namespace tegument

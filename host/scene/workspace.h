@@ -1,0 +1,59 @@
+#pragma once
+// The workspace of seed-style tools: global values that effects take by semantic or name. JSON, schema in docs/workspace.md.
+
+#include "host/scene/mesh.h"
+#include "host/support/result.h"
+
+#include <glm/glm.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument {
+
+/// Right-handed, looks along -z of its own space. Angles in degrees, lengths in mm.
+struct Camera {
+    glm::vec3 position{0, 0, 700};
+    glm::vec3 target{0};
+    glm::vec3 up{0, 1, 0};
+    float horizontalFov = 25;
+    std::optional<float> nearPlane; // default: fitted to the mesh
+    std::optional<float> farPlane;
+};
+
+/// One point light. `color` is E/pi at the mesh centre (docs/conventions.md): a white Lambert surface facing it there reflects `color`.
+struct Light {
+    glm::vec3 position{300, 300, 600};
+    glm::vec3 color{1};
+};
+
+struct Workspace {
+    std::filesystem::path file; // empty: built in defaults
+    std::string meshPath;       // relative to the file
+    std::optional<double> unitMm;
+    std::string attribution;
+    bool head = true; // the mesh is a human head: its size is checked
+    /// "mesh" frame: position and target are relative to the mesh's bounding sphere centre in units of its radius; "world": mm.
+    bool cameraRelative = true;
+    bool lightRelative = true;
+    Camera camera;
+    Light light;
+    glm::vec3 background{0};
+    std::map<std::string, std::string> textures;             // parameter name or semantic -> file, relative to the workspace file
+    std::map<std::string, std::vector<double>> parameters;   // parameter name -> numbers
+};
+
+/// Unknown keys, wrong types and missing files are errors with the line.
+[[nodiscard]] Result<Workspace> loadWorkspace(const std::filesystem::path& path);
+
+/// Camera and light in world millimetres, planes fitted tightly to the bounds where they were not given.
+struct PlacedScene {
+    Camera camera; // near and far set
+    Light light;
+};
+[[nodiscard]] PlacedScene placeScene(const Workspace& workspace, const Bounds& bounds);
+
+} // namespace tegument

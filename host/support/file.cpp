@@ -1,0 +1,70 @@
+#include "host/support/file.h"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <unistd.h>
+
+namespace tegument {
+
+namespace fs = std::filesystem;
+
+Result<std::string> readFile(const fs::path& path) {
+    std::error_code code;
+    if (fs::is_directory(path, code)) return inputError(5001, {.file = path.string(), .byte = {}}, "is a folder, not a file");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (!in.is_open() || in.bad()) {
+        return inputError(5001, {.file = path.string(), .byte = {}}, fmt::format("cannot be read: {}", std::strerror(errno ? errno : EIO)));
+    }
+    return bytes;
+}
+
+Result<void> writeFile(const fs::path& path, std::string_view bytes) {
+    const auto failed = [&](const std::string& why) {
+        return machineError(5002, fmt::format("cannot write {}: {}", path.string(), why), "check the folder's rights and free space");
+    };
+    std::error_code code;
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), code);
+    if (code) return failed(code.message());
+
+    fs::path temporary = path;
+    temporary += fmt::format(".tmp.{}", ::getpid());
+    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) {
+        fs::remove(temporary, code);
+        return failed("the write did not complete");
+    }
+    fs::rename(temporary, path, code);
+    if (!code) return {};
+    const std::string why = code.message();
+    fs::remove(temporary, code);
+    return failed(why);
+}
+
+fs::path cacheFolder() {
+    const auto variable = [](const char* name) -> std::string {
+        const char* value = std::getenv(name);
+        return value ? value : "";
+    };
+    if (const std::string own = variable("TEGUMENT_CACHE"); !own.empty()) return own;
+    if (const std::string xdg = variable("XDG_CACHE_HOME"); !xdg.empty()) return fs::path(xdg) / "tegument";
+    const std::string home = variable("HOME");
+    return fs::path(home.empty() ? "/tmp" : home) / ".cache" / "tegument";
+}
+
+std::string contentHash(std::string_view bytes) {
+    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+} // namespace tegument

@@ -1,0 +1,27 @@
+#pragma once
+// Files: read whole, write to a temporary name and rename, cache folder, content hash.
+
+#include "host/support/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tegument {
+
+/// The file's bytes. TG5001 if it cannot be read.
+[[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path);
+
+/// Writes `<path>.tmp.<pid>` and renames it: a reader sees the old file or the whole new one. Creates missing folders. TG5002 on failure.
+[[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
+
+/// $TEGUMENT_CACHE, else $XDG_CACHE_HOME/tegument, else $HOME/.cache/tegument.
+[[nodiscard]] std::filesystem::path cacheFolder();
+
+/// 128-bit content hash (XXH3) as 32 hex digits.
+[[nodiscard]] std::string contentHash(std::string_view bytes);
+
+} // namespace tegument

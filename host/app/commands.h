@@ -1,0 +1,23 @@
+#pragma once
+// The subcommands. Each adds itself to the command line and runs when chosen; its return value is the exit code.
+
+#include "host/support/result.h"
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace tegument::app {
+
+/// What the chosen subcommand left to do after parsing.
+using Action = std::function<int()>;
+
+void addRender(CLI::App& program, Action& action);
+void addCheck(CLI::App& program, Action& action);
+void addInfo(CLI::App& program, Action& action);
+void addPrep(CLI::App& program, Action& action);
+
+} // namespace tegument::app

@@ -1,0 +1,84 @@
+#include "host/app/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace tegument::app {
+
+Json toJson(const Diagnostic& diagnostic) {
+    constexpr const char* kSeverity[] = {"note", "warning", "error"};
+    Json json{{"severity", kSeverity[static_cast<int>(diagnostic.severity)]}, {"code", fmt::format("TG{:04}", diagnostic.code)}};
+    if (!diagnostic.at.file.empty()) json["file"] = diagnostic.at.file;
+    if (diagnostic.at.line > 0) json["line"] = diagnostic.at.line;
+    if (diagnostic.at.column > 0) json["column"] = diagnostic.at.column;
+    if (diagnostic.at.byte) json["byte"] = *diagnostic.at.byte;
+    json["text"] = diagnostic.text;
+    if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+    return json;
+}
+
+Json toJson(const std::vector<Diagnostic>& diagnostics) {
+    Json list = Json::array();
+    for (const Diagnostic& diagnostic : diagnostics)
+        list.push_back(toJson(diagnostic));
+    return list;
+}
+
+void print(const Json& json) {
+    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+int fail(const Error& error, bool json) {
+    if (json) print({{"diagnostics", toJson(error.diagnostics)}});
+    fmt::print(stderr, "{}\n", format(error));
+    return static_cast<int>(error.blame);
+}
+
+void warn(const std::vector<Diagnostic>& warnings) {
+    for (const Diagnostic& warning : warnings)
+        fmt::print(stderr, "{}\n", format(warning));
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    clear();
+}
+
+void Progress::say(const std::string& line) {
+    if (!terminal_) return;
+    fmt::print(stderr, "\r{:<{}}", line, width_);
+    std::fflush(stderr);
+    width_ = line.size();
+}
+
+void Progress::clear() {
+    if (!terminal_ || width_ == 0) return;
+    fmt::print(stderr, "\r{:<{}}\r", "", width_);
+    width_ = 0;
+}
+
+std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const std::string& cell : header)
+        widths.push_back(cell.size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+
+    const auto line = [&](const std::vector<std::string>& cells) {
+        std::string text;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            text += i == 0 ? fmt::format("{:<{}}", cells[i], widths[i]) : fmt::format("  {:>{}}", cells[i], widths[i]);
+        return text + '\n';
+    };
+    std::string text = line(header);
+    for (const auto& row : rows)
+        text += line(row);
+    return text;
+}
+
+} // namespace tegument::app

@@ -27,8 +27,7 @@ struct Type {
     std::string name; // as written: "float4x4"
 
     [[nodiscard]] bool isTexture() const {
-        return base == BaseType::Texture1D || base == BaseType::Texture2D || base == BaseType::Texture3D ||
-               base == BaseType::TextureCube;
+        return base == BaseType::Texture1D || base == BaseType::Texture2D || base == BaseType::Texture3D || base == BaseType::TextureCube;
     }
     [[nodiscard]] bool isNumeric() const {
         return base == BaseType::Bool || base == BaseType::Int || base == BaseType::Uint || base == BaseType::Float;
@@ -127,7 +126,7 @@ struct Effect {
     /// Plain HLSL for DXC and glslang: preprocessed with FX_ENTRY=1, effect syntax blanked out with its lines kept,
     /// `#line N "file"` directives naming the sources.
     std::string code;
-    std::vector<std::filesystem::path> includes; // every file read besides `file`
+    std::vector<std::filesystem::path> includes;              // every file read besides `file`
     std::vector<std::pair<std::string, std::string>> defines; // as given at load
     std::vector<Diagnostic> warnings;
 

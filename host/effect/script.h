@@ -12,12 +12,12 @@ namespace tegument {
 enum class CommandKind {
     Technique,                // options: names, chosen by `selector`
     Pass,                     // options: pass names
-    RenderColorTarget,        // index 0..7; options[0] texture name or "" (the caller's target; index > 0: unbind)
+    RenderColorTarget,        // index 0..7; options: texture name or "" (the caller's target; index > 0: unbind)
     RenderDepthStencilTarget, // options[0] texture name or ""
     ClearSetColor,            // options[0] parameter name
     ClearSetDepth,
     ClearSetStencil,
-    Clear,          // options[0] Color | Depth | Stencil, index for Color
+    Clear,          // options[0] Color | Depth | Stencil; Color1: index 1; Color: index -1, every bound colour target, as Direct3D 9 does
     Draw,           // options[0] Geometry | Buffer | Scene
     ScriptExternal, // options[0] Color
     LoopByCount,    // options[0] parameter name
@@ -48,8 +48,8 @@ struct ScriptResult {
     std::vector<Diagnostic> warnings;
 };
 
-/// Parses one script. Unknown commands, commands on the wrong level, unbalanced loops are errors with the position of the string in the file.
-/// Names (techniques, passes, textures, parameters) are resolved later, by the effect's own check.
+/// Parses one script. Unknown commands, commands on the wrong level, unbalanced loops are errors with the position of the string in the
+/// file. Names (techniques, passes, textures, parameters) are resolved later, by the effect's own check.
 [[nodiscard]] Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, const SourcePosition& at);
 
 } // namespace tegument

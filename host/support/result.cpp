@@ -38,8 +38,7 @@ Error single(Blame blame, int code, SourcePosition at, std::string text, std::st
 } // namespace
 
 std::string format(const Diagnostic& diagnostic) {
-    std::string line =
-        fmt::format("{}{} TG{:04}: {}", place(diagnostic.at), name(diagnostic.severity), diagnostic.code, diagnostic.text);
+    std::string line = fmt::format("{}{} TG{:04}: {}", place(diagnostic.at), name(diagnostic.severity), diagnostic.code, diagnostic.text);
     if (!diagnostic.hint.empty()) line += "; " + diagnostic.hint;
     if (diagnostic.sourceLine.empty() || diagnostic.at.column == 0) return line;
     return fmt::format("{}\n    {}\n    {}", line, diagnostic.sourceLine, caretLine(diagnostic.sourceLine, diagnostic.at.column));

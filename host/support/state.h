@@ -10,8 +10,23 @@ enum class CompareOp { Never, Less, Equal, LessEqual, Greater, NotEqual, Greater
 enum class CullMode { None, Front, Back };
 enum class FillMode { Solid, Wireframe, Point };
 enum class BlendFactor {
-    Zero, One, SrcColor, InvSrcColor, SrcAlpha, InvSrcAlpha, DestAlpha, InvDestAlpha, DestColor, InvDestColor,
-    SrcAlphaSat, BlendFactor, InvBlendFactor, Src1Color, InvSrc1Color, Src1Alpha, InvSrc1Alpha
+    Zero,
+    One,
+    SrcColor,
+    InvSrcColor,
+    SrcAlpha,
+    InvSrcAlpha,
+    DestAlpha,
+    InvDestAlpha,
+    DestColor,
+    InvDestColor,
+    SrcAlphaSat,
+    BlendFactor,
+    InvBlendFactor,
+    Src1Color,
+    InvSrc1Color,
+    Src1Alpha,
+    InvSrc1Alpha
 };
 enum class BlendOp { Add, Subtract, RevSubtract, Min, Max };
 enum class StencilOp { Keep, Zero, Replace, IncrSat, DecrSat, Invert, Incr, Decr };

@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""Rules that hold for the repository as a whole: `repository.py CHECK [ROOT]`, or `repository.py --list`.
+
+A check is a function that yields findings, one line each. Exit code 0: none, 1: some, 77: the check cannot run here (ctest: skipped).
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+SKIPPED = 77
+SOURCES = {".cpp", ".h", ".fx", ".fxh"}
+PROSE = {".md"}
+SCRIPTS = {".py", ".sh", ".cmake", ".txt", ".json", ".yml", ""}
+OUTSIDE = {".git", "build", "out", "__pycache__"}
+MAX_SOURCE_LINES = 500
+MAX_README_LINES = 30
+
+
+class Skip(Exception):
+    """The check needs something that this machine lacks."""
+
+
+def files(root, suffixes):
+    """Paths of the repository's files with one of these endings, in a fixed order."""
+    found = []
+    for path in sorted(root.iterdir()) if root.is_dir() else []:
+        if path.name in OUTSIDE:
+            continue
+        if path.is_dir():
+            found += files(path, suffixes)
+        elif path.suffix in suffixes:
+            found.append(path)
+    return found
+
+
+def text_of(path):
+    return path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
+
+
+def lines_with(root, suffixes, pattern):
+    """(path, line number, match) of every match."""
+    for path in files(root, suffixes):
+        for number, line in enumerate(text_of(path).splitlines(), 1):
+            for match in re.finditer(pattern, line):
+                yield path, number, match
+
+
+def without_comments(code):
+    """C++ or HLSL with comments blanked out, lines and strings kept."""
+    pattern = r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/'
+    return re.sub(pattern, lambda m: m[0] if m[0][0] in "\"'" else re.sub(r"[^\n]", " ", m[0]), code, flags=re.S)
+
+
+def sources_have_at_most_500_lines(root):
+    for path in files(root, SOURCES):
+        count = len(text_of(path).splitlines())
+        if count > MAX_SOURCE_LINES:
+            yield f"{path}: {count} lines"
+
+
+def no_file_names_a_registry_host_or_a_path_of_one_machine(root):
+    hosts = r"\b(?:[\w-]+\.)*(?:pypi|pythonhosted|debian|npmjs|crates|maven|anaconda|nuget)\.(?:org|io|com)\b"
+    paths = r"(?<![\w.])/(?:root|home|Users|work|opt)/[\w.-]+"
+    for path, number, match in lines_with(root, SOURCES | PROSE | SCRIPTS, f"{hosts}|{paths}"):
+        yield f"{path}:{number}: {match[0]}"
+
+
+def nothing_is_left_unfinished(root):
+    marks = "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"])
+    for path, number, match in lines_with(root, SOURCES | PROSE | SCRIPTS, rf"\b(?:{marks})\b"):
+        yield f"{path}:{number}: {match[0]}"
+
+
+def documented_codes(root):
+    """Code -> place of every row `| TGnnnn | meaning | what to do |`; a second row of one code is a finding by itself."""
+    places = {}
+    repeated = []
+    for path, number, match in lines_with(root / "docs" / "diagnostics", PROSE, r"^\| *TG(\d{4}) *\|[^|]+\S[^|]*\|[^|]+\|"):
+        code, place = int(match[1]), f"{path}:{number}"
+        if code in places:
+            repeated.append(f"{place}: TG{code} again, first in {places[code]}")
+        places.setdefault(code, place)
+    return places, repeated
+
+
+def program_code(root):
+    for folder in ("host", "meshprep"):
+        for path in files(root / folder, {".cpp", ".h"}):
+            yield path, without_comments(text_of(path))
+
+
+def every_diagnostic_code_is_documented(root):
+    documented, repeated = documented_codes(root)
+    yield from repeated
+    raised = r"\b\w*(?:[Ee]rror|[Ww]arning|[Ww]arn|[Nn]ote|[Ff]ail|[Dd]iagnose)\w*\(\s*([1-8]\d{3})\b|\bcode\s*=\s*([1-8]\d{3})\b|\bTG(\d{4})\b"
+    for path, code in program_code(root):
+        for match in re.finditer(raised, code):
+            number = int(next(group for group in match.groups() if group))
+            if number not in documented:
+                yield f"{path}:{code.count(chr(10), 0, match.start()) + 1}: TG{number} has no row in docs/diagnostics"
+
+
+def every_documented_code_can_be_raised(root):
+    literals = set()
+    for _, code in program_code(root):
+        literals |= {int(number) for number in re.findall(r"(?<![\w.])([1-8]\d{3})(?![\w.])", code)}
+        literals |= {int(number) for number in re.findall(r"\bTG(\d{4})\b", code)}
+    for code, place in sorted(documented_codes(root)[0].items()):
+        if code not in literals:
+            yield f"{place}: no source raises TG{code}"
+
+
+def cpp_files_are_formatted(root):
+    if not shutil.which("clang-format"):
+        raise Skip("clang-format is not installed")
+    version = subprocess.run(["clang-format", "--version"], capture_output=True, text=True, check=True).stdout
+    if " 14." not in version:
+        raise Skip("versions of clang-format differ in details; the files follow version 14, this is " + version.strip())
+    for path in files(root, {".cpp", ".h"}):
+        run = subprocess.run(["clang-format", "--dry-run", "-Werror", str(path)], capture_output=True, text=True, check=False)
+        if run.returncode:
+            yield run.stderr.splitlines()[0]
+
+
+def listed_switches(root):
+    return set(re.findall(r"`((?:FX|TEGUMENT)_\w+)", text_of(root / "docs" / "settings.md")))
+
+
+def guard_of(path):
+    """hlsl/scatter/seams.fxh: TEGUMENT_SCATTER_SEAMS_FXH."""
+    parts = [part for part in path.with_suffix("").parts if part not in (".", "hlsl", "effects")]
+    return f"TEGUMENT_{'_'.join(parts).upper()}_FXH"
+
+
+def shaders_branch_on_targets_only_in_platform(root):
+    """Conditionals elsewhere: include guards, FX_TECHNIQUES, and the switches that docs/settings.md lists."""
+    allowed = listed_switches(root) | {"FX_TECHNIQUES"}
+    for path in files(root / "hlsl", SOURCES) + files(root / "effects", SOURCES):
+        if path.name in ("platform.fxh", "settings.fxh"):
+            continue
+        for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
+            match = re.match(r"\s*#\s*(?:if|ifdef|ifndef|elif)\b(.*)", line)
+            names = set(re.findall(r"[A-Za-z_]\w*", match[1])) - {"defined"} if match else set()
+            for name in sorted(names - allowed - {guard_of(path)}):
+                yield f"{path}:{number}: conditional on {name}"
+
+
+def includes_of_shaders_are_guarded_by_their_name(root):
+    for path in files(root / "hlsl", {".fxh"}) + files(root / "effects", {".fxh"}):
+        guard = guard_of(path)
+        if not re.match(rf"\s*#ifndef {guard}\s+#define {guard}\b", without_comments(text_of(path))):
+            yield f"{path}: the first two directives should be #ifndef {guard}, #define {guard}"
+
+
+def folders_explain_themselves_in_at_most_30_lines(root):
+    folders = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tests"]
+    folders += sorted(f"host/{path.name}" for path in (root / "host").iterdir() if path.is_dir())
+    for folder in folders:
+        readme = root / folder / "README.md"
+        if not readme.exists():
+            yield f"{folder}: no README.md"
+        elif folder != "docs" and len(text_of(readme).splitlines()) > MAX_README_LINES:
+            yield f"{readme}: more than {MAX_README_LINES} lines"
+
+
+def links_lead_somewhere(root):
+    for path, number, match in lines_with(root, PROSE, r"\]\(([^)#\s]+)(?:#[^)]*)?\)"):
+        if not re.match(r"[a-z]+:", match[1]) and not (path.parent / match[1]).exists():
+            yield f"{path}:{number}: {match[1]}"
+
+
+def nothing_but_tests_reads_the_shared_folder(root):
+    """A test may default an environment variable to it; documents and the program make sense without it."""
+    for path, number, match in lines_with(root, SOURCES | PROSE | SCRIPTS, r"\.\./" + r"shared\b"):
+        if path.relative_to(root).parts[0] != "tests":
+            yield f"{path}:{number}: {match[0]}"
+
+
+def dependencies_are_those_that_bootstrap_installs(root):
+    script = text_of(root / "bootstrap")
+    page = text_of(root / "docs" / "dependencies.md")
+    groups = re.findall(r"^\w+_packages=\(([^)]*)\)", script, re.M)
+    installed = {name for group in groups for name in group.split()}
+    listed = set(re.findall(r"^\| apt \| `([^`]+)`", page, re.M))
+    yield from (f"bootstrap installs {name}, docs/dependencies.md does not list it" for name in sorted(installed - listed))
+    yield from (f"docs/dependencies.md lists {name}, bootstrap does not install it" for name in sorted(listed - installed))
+    for pin in re.findall(r"\b[0-9a-f]{64}\b|[\w.]+==[\d.]+", script):
+        if pin not in page:
+            yield f"bootstrap pins {pin}, docs/dependencies.md does not say so"
+
+
+CHECKS = {
+    function.__name__: function
+    for function in (
+        sources_have_at_most_500_lines,
+        no_file_names_a_registry_host_or_a_path_of_one_machine,
+        nothing_is_left_unfinished,
+        every_diagnostic_code_is_documented,
+        every_documented_code_can_be_raised,
+        cpp_files_are_formatted,
+        shaders_branch_on_targets_only_in_platform,
+        includes_of_shaders_are_guarded_by_their_name,
+        folders_explain_themselves_in_at_most_30_lines,
+        links_lead_somewhere,
+        nothing_but_tests_reads_the_shared_folder,
+        dependencies_are_those_that_bootstrap_installs,
+    )
+}
+
+
+def main(arguments):
+    if arguments == ["--list"]:
+        print("\n".join(CHECKS))
+        return 0
+    if not arguments or arguments[0] not in CHECKS:
+        print(__doc__, file=sys.stderr)
+        return 2
+    os.chdir(arguments[1] if len(arguments) > 1 else pathlib.Path(__file__).resolve().parents[2])
+    try:
+        findings = list(CHECKS[arguments[0]](pathlib.Path(".")))
+    except Skip as reason:
+        print(f"skipped: {reason}")
+        return SKIPPED
+    print("\n".join(findings) or "no findings")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

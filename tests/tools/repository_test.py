@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Each repository check finds the flaw that it is there for, and nothing in a tree without it."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(__file__).with_name("repository.py")
+ROOMS = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tests"]
+GUARDED = "// Purpose.\n#ifndef TEGUMENT_SCATTER_BLUR_FXH\n#define TEGUMENT_SCATTER_BLUR_FXH\n{}\n#endif\n"
+
+
+def run(check, tree):
+    """Exit code and findings of a check on a repository made of these files over a sound one."""
+    sound = {f"{room}/README.md": "What belongs here.\n" for room in ROOMS}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in {**sound, **tree}.items():
+            path = pathlib.Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        done = subprocess.run([sys.executable, PROGRAM, check, folder], capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+class Checks(unittest.TestCase):
+    def finds(self, check, tree, expected):
+        code, out = run(check, tree)
+        self.assertEqual((code, expected in out), (1, True), out)
+
+    def accepts(self, check, tree):
+        code, out = run(check, tree)
+        self.assertEqual(code, 0, out)
+
+    def test_a_source_of_501_lines_is_too_long(self):
+        check = "sources_have_at_most_500_lines"
+        self.accepts(check, {"host/a.cpp": "\n" * 500})
+        self.finds(check, {"host/a.cpp": "\n" * 501}, "host/a.cpp: 501 lines")
+
+    def test_a_home_folder_is_a_path_of_one_machine(self):
+        check = "no_file_names_a_registry_host_or_a_path_of_one_machine"
+        self.accepts(check, {"docs/a.md": "see ~/.cache/tegument and out/home/head.png, packages of Debian"})
+        self.finds(check, {"docs/a.md": "see /" + "home/me/x"}, "docs/a.md:1: /" + "home/me")
+
+    def test_a_registry_host_is_found_in_a_script(self):
+        host = "files.python" + "hosted.org"
+        self.finds("no_file_names_a_registry_host_or_a_path_of_one_machine", {"bootstrap": f"curl {host}"}, host)
+
+    def test_an_unfinished_mark_is_found(self):
+        mark = "TO" + "DO"
+        self.finds("nothing_is_left_unfinished", {"host/a.h": f"int a; // {mark}: more"}, f"host/a.h:1: {mark}")
+
+    def test_a_raised_code_needs_a_row(self):
+        check = "every_diagnostic_code_is_documented"
+        source = {"host/a.cpp": 'auto a() { return inputError(\n  5001, "x"); }'}
+        self.accepts(check, {**source, "docs/diagnostics/a.md": "| TG5001 | meaning | what to do |\n"})
+        self.finds(check, source, "TG5001 has no row")
+
+    def test_a_code_in_a_comment_is_not_raised(self):
+        self.accepts("every_diagnostic_code_is_documented", {"host/a.cpp": '// inputError(5001, "x")'})
+
+    def test_two_rows_of_one_code_are_found(self):
+        rows = "| TG5001 | meaning | what to do |\n" * 2
+        self.finds("every_diagnostic_code_is_documented", {"docs/diagnostics/a.md": rows}, "TG5001 again")
+
+    def test_a_documented_code_must_be_raised(self):
+        check = "every_documented_code_can_be_raised"
+        row = {"docs/diagnostics/a.md": "| TG5001 | meaning | what to do |\n"}
+        self.accepts(check, {**row, "host/a.cpp": "constexpr int kMissing = 5001;"})
+        self.finds(check, {**row, "host/a.cpp": "int a = 15001;"}, "no source raises TG5001")
+
+    def test_a_conditional_needs_a_listed_switch(self):
+        check = "shaders_branch_on_targets_only_in_platform"
+        shader = {"hlsl/scatter/blur.fxh": GUARDED.format("#if TEGUMENT_FAST\n#endif")}
+        self.accepts(check, {**shader, "docs/settings.md": "`TEGUMENT_FAST` halves the taps"})
+        self.accepts(check, {"hlsl/platform.fxh": "#if FX_D3D9\n#endif"})
+        self.finds(check, shader, "blur.fxh:4: conditional on TEGUMENT_FAST")
+
+    def test_an_include_is_guarded_by_its_path(self):
+        check = "includes_of_shaders_are_guarded_by_their_name"
+        self.accepts(check, {"hlsl/scatter/blur.fxh": GUARDED})
+        self.finds(check, {"hlsl/blur.fxh": GUARDED}, "TEGUMENT_BLUR_FXH")
+
+    def test_a_folder_without_readme_is_found(self):
+        check = "folders_explain_themselves_in_at_most_30_lines"
+        self.accepts(check, {"host/run/README.md": "What belongs here.\n"})
+        self.finds(check, {"host/run/run.h": ""}, "host/run: no README.md")
+        self.finds(check, {"hlsl/README.md": "\n" * 31}, "hlsl/README.md: more than 30 lines")
+
+    def test_a_broken_link_is_found(self):
+        check = "links_lead_somewhere"
+        self.accepts(check, {"docs/a.md": "[b](b.md#part) [c](https://example.com) [d](#here)", "docs/b.md": ""})
+        self.finds(check, {"docs/a.md": "[b](b.md)"}, "docs/a.md:1: b.md")
+
+    def test_only_tests_may_name_the_shared_folder(self):
+        check = "nothing_but_tests_reads_the_shared_folder"
+        folder = "../" + "shared/data"
+        self.accepts(check, {"tests/a_test.cpp": folder})
+        self.finds(check, {"docs/a.md": folder}, "docs/a.md:1")
+
+    def test_packages_and_their_table_agree(self):
+        check = "dependencies_are_those_that_bootstrap_installs"
+        script = {"bootstrap": "build_packages=(cmake\n  g++)\nwheel=(a==1.2 " + "a" * 64 + ")\n"}
+        page = "| apt | `cmake` |\n| apt | `g++` |\n| pip | a==1.2 | " + "a" * 64
+        self.accepts(check, {**script, "docs/dependencies.md": page})
+        self.finds(check, {**script, "docs/dependencies.md": page.replace("| apt | `g++` |\n", "")}, "bootstrap installs g++")
+        self.finds(check, {**script, "docs/dependencies.md": page + "\n| apt | `git` |"}, "lists git")
+        self.finds(check, {**script, "docs/dependencies.md": page.replace("a==1.2", "a")}, "bootstrap pins a==1.2")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,48 @@
+// Beckmann: precomputes 0.5 PH^0.1 (x = N.H, y = roughness m) for engines that prefer a look-up to an exponential, and shows it.
+// Error of the texture against the formula: docs/modules/Beckmann.md.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/specular.fxh"
+#include "passes/quad.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=Beckmann;";
+> = 0.8;
+
+Texture2D gBeckmannMap : RENDERCOLORTARGET < int Width = 512; int Height = 512; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+SAMPLER2D(gBeckmann, POINT, CLAMP);
+
+float4 BeckmannPS(QuadVarying input) : SV_Target0
+{
+    float encoded = beckmannEncode(beckmannPH(input.uv.x, input.uv.y));
+    return float4(encoded, encoded, encoded, 1.0);
+}
+
+float4 ShowPS(QuadVarying input) : SV_Target0
+{
+    return tex2Dlod(gBeckmann, float4(input.uv, 0.0, 0.0));
+}
+
+#ifdef FX_TECHNIQUES
+technique Beckmann < string Script =
+    "RenderColorTarget0=gBeckmannMap; RenderDepthStencilTarget=; Pass=Precompute;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    pass Precompute < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL BeckmannPS();
+        STATE_BUFFER;
+    }
+    pass Show < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ShowPS();
+        STATE_BUFFER;
+    }
+}
+#endif

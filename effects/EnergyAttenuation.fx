@@ -1,0 +1,48 @@
+// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1) and shows it.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/specular.fxh"
+#include "passes/quad.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=EnergyAttenuation;";
+> = 0.8;
+
+Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < int Width = 128; int Height = 128; int MipLevels = 1; string Format = "R32F"; >;
+SAMPLER2D(gEnergyAttenuation, POINT, CLAMP);
+
+float4 EnergyAttenuationPS(QuadVarying input) : SV_Target0
+{
+    float albedo = energyDirectionalAlbedo(input.uv.x, input.uv.y);
+    return float4(albedo, albedo, albedo, 1.0);
+}
+
+float4 ShowPS(QuadVarying input) : SV_Target0
+{
+    float albedo = tex2Dlod(gEnergyAttenuation, float4(input.uv, 0.0, 0.0)).x;
+    return float4(albedo, albedo, albedo, 1.0);
+}
+
+#ifdef FX_TECHNIQUES
+technique EnergyAttenuation < string Script =
+    "RenderColorTarget0=gEnergyAttenuationMap; RenderDepthStencilTarget=; Pass=Precompute;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    pass Precompute < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL EnergyAttenuationPS();
+        STATE_BUFFER;
+    }
+    pass Show < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ShowPS();
+        STATE_BUFFER;
+    }
+}
+#endif

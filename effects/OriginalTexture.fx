@@ -1,0 +1,44 @@
+// OriginalTexture: the mesh with its colour map, unlit. Shows that mesh, texture coordinates and colour space are read as meant.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "passes/materials.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=OriginalTexture;";
+> = 0.8;
+
+struct TextureVarying
+{
+    float4 position : SV_Position;
+    float2 uv : TEXCOORD0;
+};
+
+TextureVarying TextureVS(MeshInput input)
+{
+    TextureVarying output;
+    float4 clip = mul(float4(worldPosition(input.position), 1.0), gViewProjection);
+    output.position = HALF_PIXEL(clip, gViewportSize);
+    output.uv = input.uv;
+    return output;
+}
+
+float4 TexturePS(TextureVarying input) : SV_Target0
+{
+    return float4(tex2D(gSkin, input.uv).rgb, 1.0);
+}
+
+#ifdef FX_TECHNIQUES
+technique OriginalTexture < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Texture;"; >
+{
+    pass Texture < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL TextureVS();
+        PixelShader = compile PS_MODEL TexturePS();
+        STATE_SOLID;
+    }
+}
+#endif

@@ -1,0 +1,33 @@
+// Pass TSM: the mesh seen from the light into gTsmMap. A32B32G32R32F, because one step of a half is 0.5 mm at 600 mm.
+#ifndef TEGUMENT_PASSES_TSM_FXH
+#define TEGUMENT_PASSES_TSM_FXH
+
+Texture2D gTsmMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A32B32G32R32F"; >;
+Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+SAMPLER2D(gTsm, POINT, CLAMP);
+
+struct TsmVarying
+{
+    float4 position : SV_Position;
+    float2 uv : TEXCOORD0;
+    float3 fromLight : TEXCOORD1;
+    float4 lightClip : TEXCOORD2;
+};
+
+TsmVarying TsmVS(MeshInput input)
+{
+    TsmVarying output;
+    float3 world = worldPosition(input.position);
+    output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    output.position = HALF_PIXEL(output.lightClip, gViewportSize);
+    output.uv = input.uv;
+    output.fromLight = world - gLightPosition;
+    return output;
+}
+
+float4 TsmPS(TsmVarying input) : SV_Target0
+{
+    return float4(tsmDepth(input.lightClip, input.fromLight), input.uv, 1.0);
+}
+
+#endif

@@ -1,0 +1,83 @@
+// The only file in which targets differ. Effects are written once: Direct3D 9 call spelling, Direct3D 10 type names and system values.
+//   (nothing defined)   Direct3D 9 effect, fx_2_0, shader model 3
+//   FX_D3D10, FX_D3D11  Direct3D 10 effect (fx_4_0), Direct3D 11 effect (fx_5_0)
+//   FX_ENTRY            entry points only: DXC, glslang, fxc /T ps_5_0
+// Convention: sampler gX reads texture gXMap. Techniques stand inside #ifdef FX_TECHNIQUES. No variadic macro, no empty argument: glslang and fxc lack them.
+#ifndef TEGUMENT_PLATFORM_FXH
+#define TEGUMENT_PLATFORM_FXH
+
+#if defined(__hlsl_dx_compiler) && !defined(FX_ENTRY)
+#define FX_ENTRY 1
+#endif
+#if defined(FX_D3D10) || defined(FX_D3D11) || defined(FX_ENTRY)
+#define FX_SM4 1
+#endif
+#ifndef FX_ENTRY
+#define FX_TECHNIQUES 1
+#endif
+
+// Samplers, look-ups, and the half pixel by which Direct3D 9 misses texel centres: viewport = size of the current target.
+#ifdef FX_SM4
+#ifdef FX_ENTRY
+#define SAMPLER2D(s, filter, address) SamplerState s
+#else
+#define SAMPLER2D(s, filter, address) SamplerState s { Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
+#endif
+#define SAMPLER2D_SRGB(s, filter, address) SAMPLER2D(s, filter, address)
+#define tex2D(s, uv) s##Map.Sample(s, uv)
+#define tex2Dlod(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
+#define SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
+#define SAMPLER2D_ARG(s) s##Map, s
+#define HALF_PIXEL(position, viewport) (position)
+#else
+#define SAMPLER2D(s, filter, address) sampler2D s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
+#define SAMPLER2D_SRGB(s, filter, address) sampler2D s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; SRGBTexture = TRUE; }
+#define SAMPLER2D_PARAM(s) sampler2D s
+#define SAMPLER2D_ARG(s) s
+#define HALF_PIXEL(position, viewport) ((position) + float4(float2(-1, 1) / (viewport) * (position).w, 0, 0))
+#endif
+
+// Full state sets, one per pass: Direct3D 9 keeps what the pass before has set. Front faces are counter-clockwise (docs/conventions.md).
+//   STATE_BUFFER    no depth test, both faces: full-screen quads, unwrapped meshes
+//   STATE_SOLID     depth test and write, back faces culled
+//   STATE_TWOSIDED  depth test and write, both faces: maps seen from the light
+//   STATE_EQUAL     drawn where the depth target holds the depth of the fragment, both faces
+//   STATE_PREPASS   writes depth where it is greater, no colour, both faces
+#ifdef FX_TECHNIQUES
+#ifdef FX_SM4
+#ifdef FX_D3D11
+#define technique technique11
+#define VS_MODEL vs_5_0
+#define PS_MODEL ps_5_0
+#else
+#define technique technique10
+#define VS_MODEL vs_4_0
+#define PS_MODEL ps_4_0
+#endif
+DepthStencilState fxDepthOff { DepthEnable = FALSE; DepthWriteMask = ZERO; };
+DepthStencilState fxDepthLess { DepthEnable = TRUE; DepthWriteMask = ALL; DepthFunc = LESS_EQUAL; };
+DepthStencilState fxDepthEqual { DepthEnable = TRUE; DepthWriteMask = ZERO; DepthFunc = EQUAL; };
+DepthStencilState fxDepthGreater { DepthEnable = TRUE; DepthWriteMask = ALL; DepthFunc = GREATER; };
+BlendState fxOpaque { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 15; };
+BlendState fxNoColour { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 0; };
+RasterizerState fxBothFaces { CullMode = NONE; FrontCounterClockwise = TRUE; };
+RasterizerState fxFrontFaces { CullMode = BACK; FrontCounterClockwise = TRUE; };
+#define FX_STATE(depth, blend, faces) SetDepthStencilState(depth, 0); SetBlendState(blend, float4(0, 0, 0, 0), 0xffffffff); SetRasterizerState(faces)
+#define STATE_BUFFER FX_STATE(fxDepthOff, fxOpaque, fxBothFaces)
+#define STATE_SOLID FX_STATE(fxDepthLess, fxOpaque, fxFrontFaces)
+#define STATE_TWOSIDED FX_STATE(fxDepthLess, fxOpaque, fxBothFaces)
+#define STATE_EQUAL FX_STATE(fxDepthEqual, fxOpaque, fxBothFaces)
+#define STATE_PREPASS FX_STATE(fxDepthGreater, fxNoColour, fxBothFaces)
+#else
+#define VS_MODEL vs_3_0
+#define PS_MODEL ps_3_0
+#define FX_STATE(test, write, compare, colour, cull) ZEnable = test; ZWriteEnable = write; ZFunc = compare; ColorWriteEnable = colour; CullMode = cull; AlphaBlendEnable = FALSE; AlphaTestEnable = FALSE; StencilEnable = FALSE; SRGBWriteEnable = FALSE
+#define STATE_BUFFER FX_STATE(FALSE, FALSE, ALWAYS, 15, NONE)
+#define STATE_SOLID FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CW)
+#define STATE_TWOSIDED FX_STATE(TRUE, TRUE, LESSEQUAL, 15, NONE)
+#define STATE_EQUAL FX_STATE(TRUE, FALSE, EQUAL, 15, NONE)
+#define STATE_PREPASS FX_STATE(TRUE, TRUE, GREATER, 0, NONE)
+#endif
+#endif
+
+#endif

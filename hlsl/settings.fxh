@@ -1,0 +1,75 @@
+// Every constant that differs between the three settings, and the sizes and formats of maps. docs/settings.md lists each with its source.
+//   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
+//   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
+//   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
+// SKIN_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
+#ifndef TEGUMENT_SETTINGS_FXH
+#define TEGUMENT_SETTINGS_FXH
+
+#ifndef TEGUMENT_SETTING
+#define TEGUMENT_SETTING 2
+#endif
+#ifndef TEGUMENT_MAP_SIZE
+#define TEGUMENT_MAP_SIZE 1024
+#endif
+#ifndef TEGUMENT_MAP_BITS
+#define TEGUMENT_MAP_BITS 16
+#endif
+#if TEGUMENT_MAP_BITS == 32
+#define SKIN_MAP_FORMAT "A32B32G32R32F"
+#else
+#define SKIN_MAP_FORMAT "A16B16G16R16F"
+#endif
+
+#if TEGUMENT_SETTING == 0
+#define SKIN_MIX 0.4
+#define SKIN_SHADOW_TOLERANCE 0.005
+#elif TEGUMENT_SETTING == 1
+#define SKIN_MIX 0.5
+#define SKIN_SHADOW_TOLERANCE 1.0
+#else
+#define SKIN_MIX 0.5
+#define SKIN_SHADOW_TOLERANCE 0.1
+#endif
+
+static const float kPi = 3.14159265;
+static const float kMapSize = TEGUMENT_MAP_SIZE;
+static const bool kSeed = TEGUMENT_SETTING == 0;
+static const bool kCorrected = TEGUMENT_SETTING == 2;
+
+// Specular. Reflectance at normal incidence of an interface with index 1.4, ((1.4 - 1) / (1.4 + 1))^2, as the paper rounds it.
+static const float kFresnel0 = 0.028;
+// The printed lobe integrates to pi, not 1 (docs/conventions.md): as an albedo it must be divided by pi, which the printed listings omit.
+static const float kAlbedoScale = kCorrected ? 1.0 / kPi : 1.0;
+// Seed equations 38 and 39 print 1 - atten, without rho_s.
+static const bool kAttenuateByIntensity = !kSeed;
+
+// Shadow. Depth in the translucent shadow map: z/w, or the distance to the light in mm.
+static const bool kDepthInMillimetres = !kSeed;
+static const bool kFilterShadow = kCorrected;
+
+// Transmission: distance at which nothing passes, mm; decay of the stored exp(-k t), per mm (the paper's exp(-20 t) with 100 mm to the unit);
+// largest alpha, because 1 marks texels outside the charts; first Gaussian that transmits; exponent -t^2 * k / v.
+static const float kOpaqueDistance = 5000.0;
+static const float kThicknessDecay = 0.2;
+static const float kLargestAlpha = 0.99;
+static const bool kThicknessAsDepth = kSeed;
+static const int kFirstTransmitted = kSeed ? 2 : 4;
+static const float kTransmissionExponent = kSeed ? 1.0 : 0.5;
+static const bool kFadeNearLitSide = !kSeed;
+
+// Convolution. Sum and variance of the printed kernel {.006 .061 .242 .383 .242 .061 .006} in units of its spacing.
+static const float kKernelSum = 1.001;
+static const float kKernelVariance = 1.0789;
+static const float kKernelGain = kCorrected ? 1.0 / kKernelSum : 1.0;
+static const bool kConvolveIncrement = !kSeed;
+static const bool kConvolveExactly = kCorrected;
+
+// Stretch maps hold kStretchScale * (texels of a 1024 map per mm): c = 0.1 of the seed's equation 27 brings heads into 0..1.
+static const float kStretchScale = 0.1 * 1024.0;
+
+// Culling. Largest channel of a colour that counts as black, linear: exactly black, or up to 2/255 in sRGB.
+static const float kBlack = kCorrected ? 2.0 / 255.0 / 12.92 : 0.0;
+static const bool kCullPerPixel = kCorrected;
+
+#endif

@@ -1,0 +1,19 @@
+// Specular reflection of Kelemen and Szirmay-Kalos (2001), the choice of d'Eon and Luebke (2007).
+//   specular = N.L rho_s PH(N.H, m) F(V.H) / |L + V|^2 , no 1/pi, like the diffuse term (docs/conventions.md)
+// Unit vectors from the surface: toLight, toEye. intensity = rho_s.
+#ifndef TEGUMENT_SPECULAR_KELEMEN_FXH
+#define TEGUMENT_SPECULAR_KELEMEN_FXH
+
+// |L + V|^2 is 4 (L.H)^2: it vanishes when the light stands behind the point, where N.L of a visible point is 0 or small too.
+static const float kSmallestHalfSquare = 1e-4;
+
+float kelemenSpecular(float3 normal, float3 toLight, float3 toEye, float roughness, float intensity)
+{
+    float3 h = toLight + toEye;
+    float3 halfway = safeNormalize(h);
+    float ph = beckmannPH(dot(normal, halfway), roughness);
+    float fresnel = fresnelSchlick(dot(toEye, halfway), kFresnel0);
+    return saturate(dot(normal, toLight)) * intensity * ph * fresnel / max(dot(h, h), kSmallestHalfSquare);
+}
+
+#endif

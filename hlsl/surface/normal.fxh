@@ -1,0 +1,23 @@
+// Unit vectors, and normals from a tangent-space normal map.
+// Conventions: +Y normal maps (glTF); bitangent = tangent.w * cross(normal, tangent.xyz) (MikkTSpace).
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#define TEGUMENT_SURFACE_NORMAL_FXH
+
+// Squared lengths below this count as zero: normalising them would overflow. The square of 1e-10, far below any vector of a mesh in mm.
+static const float kTinySquare = 1e-20;
+
+// Zero stays zero, so that nothing downstream becomes NaN.
+float3 safeNormalize(float3 v)
+{
+    return v * rsqrt(max(dot(v, v), kTinySquare));
+}
+
+// texel: RGB of the map, 0..1. The basis is not renormalised: MikkTSpace bakes against the interpolated vectors as they are.
+float3 surfaceNormal(float3 normal, float4 tangent, float3 texel)
+{
+    float3 bitangent = tangent.w * cross(normal, tangent.xyz);
+    float3 t = texel * 2.0 - 1.0;
+    return safeNormalize(t.x * tangent.xyz + t.y * bitangent + t.z * normal);
+}
+
+#endif

@@ -80,6 +80,7 @@ class Checks(unittest.TestCase):
     def test_an_include_is_guarded_by_its_path(self):
         check = "includes_of_shaders_are_guarded_by_their_name"
         self.accepts(check, {"hlsl/scatter/blur.fxh": GUARDED})
+        self.accepts(check, {"hlsl/scatter.fxh": '// All of scatter.\n#include "scatter/blur.fxh"\n'})
         self.finds(check, {"hlsl/blur.fxh": GUARDED}, "TEGUMENT_BLUR_FXH")
 
     def test_a_folder_without_readme_is_found(self):

@@ -51,8 +51,9 @@ struct RunResult {
     std::vector<Diagnostic> warnings;
 };
 
-/// `mesh` may be null for effects that only draw buffers. Textures that name a producing effect (annotation `Producer = "Stretch.fx/gStretchMap"`)
-/// are rendered first and cached on disk. Texture files are found relative to the workspace file, then the effect.
+/// `mesh` may be null for effects that only draw buffers. Textures that name a producing effect (annotation `Producer =
+/// "Stretch.fx/gStretchMap"`) are rendered first and cached on disk. Texture files are found relative to the workspace file, then the
+/// effect.
 [[nodiscard]] Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
                                           const RunOptions& options);
 

@@ -1,0 +1,197 @@
+#include "host/run/frame.h"
+
+#include "host/run/constants.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <optional>
+
+namespace tegument::run {
+
+namespace {
+
+struct Builder {
+    const RunInput& input;
+    const Prepared& prepared;
+    Resources& resources;
+    Frame frame;
+};
+
+/// A shader that does not write a bound target leaves it as it is in Direct3D; in Vulkan it would write undefined values.
+PipelineState maskUnwritten(const Pass& pass, const PassProgram& program) {
+    PipelineState state = pass.state;
+    for (std::size_t slot = 0; slot < state.targets.size(); ++slot)
+        if ((program.use.writtenColors >> slot & 1U) == 0) state.targets[slot].writeMask = 0;
+    return state;
+}
+
+gpu::ShaderCode codeOf(const Shader& shader) {
+    return {.spirv = shader.spirv, .entry = shader.entry};
+}
+
+Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step, const gpu::Targets& targets) {
+    std::vector<gpu::Format> formats;
+    for (const gpu::Texture* color : targets.colors)
+        formats.push_back(color->desc().format);
+    const std::optional<gpu::Format> depth = targets.depth ? std::optional(targets.depth->desc().format) : std::nullopt;
+    const PipelineKey key{step.pass, formats, depth};
+    if (const auto found = builder.frame.pipelines.find(key); found != builder.frame.pipelines.end())
+        return static_cast<const gpu::Pipeline*>(&found->second);
+    const PassProgram& program = builder.prepared.programs.at(step.pass);
+    auto pipeline = builder.input.device.createPipeline({.name = step.pass->name,
+                                                         .vertex = codeOf(program.vertex),
+                                                         .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
+                                                         .bindings = program.bindings,
+                                                         .attributes = program.attributes,
+                                                         .vertexStride = kVertexStride,
+                                                         .topology = gpu::Topology::TriangleList,
+                                                         .colorFormats = std::move(formats),
+                                                         .depthFormat = depth,
+                                                         .state = maskUnwritten(*step.pass, program)});
+    if (!pipeline) return pipeline.error();
+    return static_cast<const gpu::Pipeline*>(&builder.frame.pipelines.emplace(key, std::move(*pipeline)).first->second);
+}
+
+gpu::Targets targetsOf(Builder& builder, const DrawStep& step) {
+    gpu::Targets targets;
+    for (const auto& color : step.colors)
+        targets.colors.push_back(&builder.resources.targets.at(*color));
+    if (step.depth) targets.depth = &builder.resources.targets.at(*step.depth);
+    return targets;
+}
+
+/// VIEWPORTPIXELSIZE is the size of what is drawn into, loop indices are those of this execution.
+Result<Numbers> valueAt(const Builder& builder, const DrawStep& step, const Parameter& parameter, const Extent& viewport) {
+    if (const auto written = step.written.find(parameter.name); written != step.written.end()) return Numbers{written->second};
+    if (isViewportSize(parameter) && !builder.prepared.values.fixedByUser(parameter.name)) {
+        Numbers size{static_cast<double>(viewport.width), static_cast<double>(viewport.height), 0, 0};
+        size.resize(static_cast<std::size_t>(parameter.type.scalarCount()));
+        return size;
+    }
+    return builder.prepared.values.require(parameter);
+}
+
+Result<std::vector<std::byte>> layOut(const Builder& builder, const DrawStep& step, const UniformBlock& block, const Extent& viewport) {
+    std::vector<std::byte> bytes(block.size);
+    for (const BlockMember& member : block.members) {
+        if (!member.used) continue;
+        const Parameter* parameter = builder.input.effect.findParameter(member.name);
+        assert(parameter); // prepare() has seen to it
+        const auto value = valueAt(builder, step, *parameter, viewport);
+        if (!value) return value.error();
+        if (const auto packed = pack(member, *parameter, *value, bytes); !packed) return packed.error();
+    }
+    return bytes;
+}
+
+Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& shader, const Extent& viewport, FrameDraw& item) {
+    const Reflection& reflection = shader.reflection;
+    for (const UniformBlock* block : blocksOf(reflection)) {
+        auto bytes = layOut(builder, step, *block, viewport);
+        if (!bytes) return bytes.error();
+        item.blocks.push_back(std::move(*bytes));
+        item.draw.resources.push_back({block->set, block->binding, std::span<const std::byte>(item.blocks.back())});
+    }
+    for (const Resource& resource : reflection.resources) {
+        if (!resource.used) continue;
+        gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = {}};
+        if (resource.kind == ResourceKind::Sampler || resource.kind == ResourceKind::CompareSampler)
+            bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.samplers.at(resource.name));
+        else
+            bound.resource = builder.resources.texture(resource.name);
+        item.draw.resources.push_back(bound);
+    }
+    return {};
+}
+
+Result<std::uint32_t> instancesOf(const Builder& builder, const DrawStep& step) {
+    const Annotation* annotation = step.pass->annotations.find("Instances");
+    if (!annotation) return 1U;
+    const std::string name = step.pass->annotations.string("Instances").value_or("");
+    const Parameter* parameter = builder.input.effect.findParameter(name);
+    if (!parameter || parameter->type.scalarCount() != 1 || !parameter->type.isNumeric())
+        return inputError(
+            4006, annotation->at,
+            fmt::format("Instances of pass {} names '{}', which is not a single number of this effect", step.pass->name, name));
+    const auto value = builder.prepared.values.require(*parameter);
+    if (!value) return value.error();
+    constexpr double kMost = 65536;
+    if (value->front() < 0 || value->front() > kMost)
+        return inputError(4006, parameter->at, fmt::format("pass {} would draw {} instances", step.pass->name, value->front()),
+                          "0 to 65536");
+    return static_cast<std::uint32_t>(value->front());
+}
+
+Extent extentOf(const gpu::Targets& targets) {
+    const gpu::Texture* any = targets.colors.empty() ? targets.depth : targets.colors.front();
+    assert(any);
+    return {any->desc().width, any->desc().height};
+}
+
+Result<void> addDraw(Builder& builder, const DrawStep& step) {
+    const auto instances = instancesOf(builder, step);
+    if (!instances) return instances.error();
+    FrameDraw item{.name = step.pass->name, .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
+    const auto pipeline = pipelineFor(builder, step, item.targets);
+    if (!pipeline) return pipeline.error();
+    const Geometry& geometry = step.kind == DrawKind::Buffer ? *builder.resources.quad : *builder.resources.mesh;
+    item.draw.pipeline = *pipeline;
+    item.draw.vertices = &geometry.vertices;
+    item.draw.indices = &geometry.indices;
+    item.draw.count = geometry.indexCount;
+    item.draw.instances = *instances;
+    const PassProgram& program = builder.prepared.programs.at(step.pass);
+    const Extent viewport = extentOf(item.targets);
+    if (const auto bound = bindStage(builder, step, program.vertex, viewport, item); !bound) return bound;
+    if (program.pixel)
+        if (const auto bound = bindStage(builder, step, *program.pixel, viewport, item); !bound) return bound;
+    if (*instances > 0) builder.frame.items.emplace_back(std::move(item));
+    return {};
+}
+
+Result<void> addStep(Builder& builder, const Step& step) {
+    if (const auto* draw = std::get_if<DrawStep>(&step)) return addDraw(builder, *draw);
+    if (const auto* clear = std::get_if<ClearStep>(&step))
+        builder.frame.items.emplace_back(FrameClear{&builder.resources.targets.at(clear->target), *clear});
+    if (const auto* mips = std::get_if<MipStep>(&step))
+        builder.frame.items.emplace_back(FrameMips{&builder.resources.targets.at(mips->target)});
+    return {};
+}
+
+Result<void> recordClear(const FrameClear& item, gpu::Recorder& recorder) {
+    gpu::Texture& target = *item.target;
+    if (item.step.what == ClearKind::Color) return recorder.clearColor(target, item.step.color);
+    if (item.step.what == ClearKind::Depth) return recorder.clearDepthStencil(target, item.step.depth, std::nullopt);
+    if (!gpu::hasStencil(target.desc().format)) return {};
+    return recorder.clearDepthStencil(target, std::nullopt, item.step.stencil);
+}
+
+Result<void> recordDraw(const FrameDraw& item, gpu::Recorder& recorder) {
+    recorder.beginTimer(item.name);
+    auto drawn = recorder.draw(item.targets, item.draw);
+    recorder.endTimer();
+    return drawn;
+}
+
+} // namespace
+
+Result<Frame> buildFrame(const RunInput& input, const Prepared& prepared, Resources& resources) {
+    Builder builder{.input = input, .prepared = prepared, .resources = resources, .frame = {}};
+    for (const Step& step : prepared.plan.steps)
+        if (const auto added = addStep(builder, step); !added) return added.error();
+    return std::move(builder.frame);
+}
+
+Result<void> record(const Frame& frame, gpu::Recorder& recorder) {
+    for (const auto& item : frame.items) {
+        Result<void> done;
+        if (const auto* draw = std::get_if<FrameDraw>(&item)) done = recordDraw(*draw, recorder);
+        if (const auto* clear = std::get_if<FrameClear>(&item)) done = recordClear(*clear, recorder);
+        if (const auto* mips = std::get_if<FrameMips>(&item)) done = recorder.generateMips(*mips->target);
+        if (!done) return done;
+    }
+    return {};
+}
+
+} // namespace tegument::run

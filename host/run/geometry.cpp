@@ -1,0 +1,94 @@
+#include "host/run/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace tegument::run {
+
+namespace {
+
+struct StreamElement {
+    std::string_view semantic;
+    std::uint32_t components;
+    std::uint32_t offset;
+};
+
+constexpr std::array kStream = {StreamElement{"POSITION0", 3, 0}, StreamElement{"NORMAL0", 3, 12}, StreamElement{"TANGENT0", 4, 24},
+                                StreamElement{"TEXCOORD0", 2, 40}};
+
+bool reads(const Reflection& vertex, std::string_view semantic) {
+    return std::ranges::any_of(vertex.inputs, [&](const StageVariable& input) { return input.semantic == semantic; });
+}
+
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+} // namespace
+
+std::vector<float> interleave(const Mesh& mesh) {
+    std::vector<float> stream;
+    stream.reserve(mesh.positions.size() * 12);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 position = mesh.positions[i];
+        const glm::vec3 normal = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
+        const glm::vec4 tangent = mesh.tangents.empty() ? glm::vec4(0) : mesh.tangents[i];
+        const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
+        stream.insert(stream.end(), {position.x, position.y, position.z, normal.x, normal.y, normal.z});
+        stream.insert(stream.end(), {tangent.x, tangent.y, tangent.z, tangent.w, uv.x, uv.y});
+    }
+    return stream;
+}
+
+Mesh fullScreenQuad() {
+    Mesh quad;
+    quad.positions = {{-1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {1, -1, 0}};
+    quad.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    quad.normals.assign(4, {0, 0, 1});
+    quad.tangents.assign(4, {1, 0, 0, 1});
+    quad.indices = {0, 1, 2, 2, 1, 3};
+    return quad;
+}
+
+Result<Geometry> uploadGeometry(gpu::Device& device, const Mesh& mesh) {
+    auto vertices = device.createBuffer(gpu::BufferUsage::Vertex, bytesOf(interleave(mesh)));
+    if (!vertices) return vertices.error();
+    auto indices = device.createBuffer(gpu::BufferUsage::Index, bytesOf(mesh.indices));
+    if (!indices) return indices.error();
+    return Geometry{std::move(*vertices), std::move(*indices), static_cast<std::uint32_t>(mesh.indices.size())};
+}
+
+Result<std::vector<gpu::VertexAttribute>> bindStream(const Pass& pass, const Reflection& vertex) {
+    std::vector<gpu::VertexAttribute> attributes;
+    for (const StageVariable& input : vertex.inputs) {
+        const auto* found = std::ranges::find(kStream, input.semantic, &StreamElement::semantic);
+        if (found == kStream.end())
+            return inputError(4042, pass.vertexShader->at,
+                              fmt::format("{} of pass {} reads {}", pass.vertexShader->entry, pass.name, input.semantic),
+                              "the vertex stream has POSITION, NORMAL, TANGENT and TEXCOORD0");
+        if (input.base != MemberBase::Float)
+            return inputError(4042, pass.vertexShader->at,
+                              fmt::format("{} of pass {} reads {} as integers", pass.vertexShader->entry, pass.name, input.semantic),
+                              "the vertex stream holds floats");
+        attributes.push_back({.location = input.location, .components = found->components, .offset = found->offset});
+    }
+    return attributes;
+}
+
+Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* mesh) {
+    if (!mesh || mesh->indices.empty())
+        return inputError(4040, pass.at, fmt::format("pass {} draws a mesh, and there is none", pass.name),
+                          "name one with --mesh or in the workspace");
+    if (mesh->uvs.empty() && (reads(vertex, "TEXCOORD0") || reads(vertex, "TANGENT0")))
+        return inputError(4041, {.file = mesh->name, .byte = {}},
+                          fmt::format("the mesh has no texture coordinates, and pass {} needs them", pass.name),
+                          "unwrap it in a modelling program and export the UVs");
+    return {};
+}
+
+} // namespace tegument::run

@@ -1,0 +1,135 @@
+#include "host/run/pixels.h"
+
+#include "host/run/target_desc.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace tegument::run {
+
+namespace {
+
+enum class Storage { Unorm8, Unorm16, Half, Float, Packed10 };
+
+Storage storageOf(gpu::Format format) {
+    switch (format) {
+    case gpu::Format::R8:
+    case gpu::Format::RG8:
+    case gpu::Format::RGBA8:
+    case gpu::Format::BGRA8:
+    case gpu::Format::RGBA8Srgb: return Storage::Unorm8;
+    case gpu::Format::RGBA16: return Storage::Unorm16;
+    case gpu::Format::RGB10A2: return Storage::Packed10;
+    case gpu::Format::R16F:
+    case gpu::Format::RG16F:
+    case gpu::Format::RGBA16F: return Storage::Half;
+    default: return Storage::Float;
+    }
+}
+
+template <class T>
+void append(std::vector<std::byte>& out, T value) {
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    out.insert(out.end(), bytes, bytes + sizeof value);
+}
+
+template <class T>
+T load(std::span<const std::byte> texels, std::size_t index) {
+    T value;
+    std::memcpy(&value, texels.data() + index * sizeof value, sizeof value);
+    return value;
+}
+
+template <class T>
+T unorm(float value) {
+    constexpr auto kMax = static_cast<float>(static_cast<T>(~T{0}));
+    return static_cast<T>(std::lround(std::clamp(value, 0.0F, 1.0F) * kMax));
+}
+
+void appendChannel(std::vector<std::byte>& out, float value, Storage storage) {
+    switch (storage) {
+    case Storage::Unorm8: append(out, unorm<std::uint8_t>(value)); break;
+    case Storage::Unorm16: append(out, unorm<std::uint16_t>(value)); break;
+    case Storage::Half: append(out, glm::packHalf1x16(value)); break;
+    default: append(out, value); break;
+    }
+}
+
+float loadChannel(std::span<const std::byte> texels, std::size_t index, Storage storage) {
+    switch (storage) {
+    case Storage::Unorm8: return static_cast<float>(load<std::uint8_t>(texels, index)) / 255.0F;
+    case Storage::Unorm16: return static_cast<float>(load<std::uint16_t>(texels, index)) / 65535.0F;
+    case Storage::Half: return glm::unpackHalf1x16(load<std::uint16_t>(texels, index));
+    default: return load<float>(texels, index);
+    }
+}
+
+/// Ten bits each, red lowest, then two bits of alpha.
+void unpack10(std::uint32_t texel, float* rgba) {
+    for (int channel = 0; channel < 3; ++channel)
+        rgba[channel] = static_cast<float>(texel >> (10 * channel) & 1023U) / 1023.0F;
+    rgba[3] = static_cast<float>(texel >> 30) / 3.0F;
+}
+
+/// One pixel spread to four channels.
+std::array<float, 4> pixel(const Image& image, std::size_t index, bool decode) {
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const float* source = image.pixels.data() + index * channels;
+    const bool grey = channels < 3;
+    std::array<float, 4> rgba{source[0], grey ? source[0] : source[1], grey ? source[0] : source[2], 1.0F};
+    if (channels == 4) rgba[3] = source[3];
+    if (channels == 2) rgba[3] = source[1];
+    if (decode)
+        for (std::size_t i = 0; i < 3; ++i)
+            rgba[i] = srgbToLinear(rgba[i]);
+    return rgba;
+}
+
+} // namespace
+
+gpu::Format formatFor(const Image& image, bool srgb) {
+    if (image.bitsPerChannel == 8) return srgb ? gpu::Format::RGBA8Srgb : gpu::Format::RGBA8;
+    if (image.bitsPerChannel == 16 && !srgb) return gpu::Format::RGBA16;
+    return gpu::Format::RGBA32F;
+}
+
+std::vector<std::byte> texels(const Image& image, gpu::Format format, bool decode) {
+    const int channels = channelCount(format);
+    const Storage storage = storageOf(format);
+    assert(storage != Storage::Packed10 && (channels == 4 || channels <= image.channels));
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    std::vector<std::byte> out;
+    out.reserve(count * gpu::bytesPerPixel(format));
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<float, 4> rgba = pixel(image, i, decode);
+        if (channels == 2) rgba[1] = image.pixels[i * static_cast<std::size_t>(image.channels) + 1];
+        for (int channel = 0; channel < channels; ++channel)
+            appendChannel(out, rgba[static_cast<std::size_t>(channel)], storage);
+    }
+    return out;
+}
+
+Image imageFrom(std::span<const std::byte> texels, int width, int height, gpu::Format format) {
+    Image image{.width = width, .height = height, .channels = channelCount(format)};
+    const Storage storage = storageOf(format);
+    image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(image.channels));
+    if (storage == Storage::Packed10) {
+        for (std::size_t i = 0; i * 4 < image.pixels.size(); ++i)
+            unpack10(load<std::uint32_t>(texels, i), image.pixels.data() + i * 4);
+        return image;
+    }
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = loadChannel(texels, i, storage);
+    if (format == gpu::Format::BGRA8)
+        for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+            std::swap(image.pixels[i], image.pixels[i + 2]);
+    return image;
+}
+
+} // namespace tegument::run

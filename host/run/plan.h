@@ -1,0 +1,86 @@
+#pragma once
+// One frame of an effect as a flat list: its scripts executed, loops unrolled, names resolved. Nothing here knows a GPU. Only what stands
+// in the plan is compiled and allocated.
+
+#include "host/effect/script_run.h"
+#include "host/run/values.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tegument::run {
+
+/// Names of the caller's targets in a plan; no effect can declare them.
+inline constexpr const char* kPicture = "<picture>";
+inline constexpr const char* kPictureDepth = "<picture depth>";
+
+struct ClearStep {
+    std::string target;
+    ClearKind what = ClearKind::Color;
+    std::array<float, 4> color{};
+    float depth = 1;
+    std::uint32_t stencil = 0;
+};
+
+/// One execution of a pass.
+struct DrawStep {
+    const Technique* technique = nullptr;
+    const Pass* pass = nullptr;
+    DrawKind kind = DrawKind::Geometry;
+    std::vector<std::optional<std::string>> colors; // up to the last bound one
+    std::optional<std::string> depth;
+    std::map<std::string, double> written; // loop indices and counts at this moment
+};
+
+/// The mip chain of a target is made anew because the next step samples it.
+struct MipStep {
+    std::string target;
+};
+
+using Step = std::variant<ClearStep, DrawStep, MipStep>;
+
+struct Plan {
+    const Technique* technique = nullptr; // the first that draws; else the one chosen
+    std::vector<Step> steps;
+
+    /// Every texture name that a step binds or clears, the caller's included.
+    [[nodiscard]] std::set<std::string> targets() const;
+    [[nodiscard]] std::set<const Pass*> passes() const;
+};
+
+/// `background` is what ScriptExternal leaves in the bound targets: this host has nothing below the effect.
+[[nodiscard]] Result<Plan> planFrame(const Effect& effect, const std::string& technique, const Values& values,
+                                     const std::array<float, 4>& background);
+
+/// What a pass really uses, known after compiling it.
+struct PassUse {
+    std::set<std::string> sampled;   // texture parameters read by either stage, targets or not
+    std::uint32_t writtenColors = 0; // bit n: the pixel shader writes SV_Targetn
+};
+
+/// Completes the plan with what the shaders use:
+///  * attachments that a pass cannot change (write mask 0, no output, depth and stencil tests off) and that do not fit are dropped,
+///  * TG4024 when a pass samples a target that it has bound; TG4025 when two of its targets differ in size,
+///  * targets that the frame uses before clearing them are cleared first (0, depth 1), so that a frame never depends on the one before;
+///    warning TG4026 when the first use is sampling,
+///  * mip chains are made before they are sampled.
+struct TargetShape {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t mips = 1;
+    bool depth = false;
+};
+[[nodiscard]] Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses,
+                                        const std::map<std::string, TargetShape>& shapes, const std::array<float, 4>& background,
+                                        std::vector<Diagnostic>& warnings);
+
+/// What of a target a pass with this state can change.
+[[nodiscard]] bool usesDepth(const PipelineState& state);
+
+} // namespace tegument::run

@@ -1,0 +1,166 @@
+// The second half of planning: what the compiled shaders use decides attachments, first clears and mip chains.
+
+#include "host/run/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::run {
+
+namespace {
+
+struct Completion {
+    const std::map<const Pass*, PassUse>& uses;
+    const std::map<std::string, TargetShape>& shapes;
+    const std::array<float, 4>& background;
+    std::vector<Diagnostic>& warnings;
+};
+
+bool writesColor(const Pass& pass, const PassUse& use, std::size_t slot) {
+    return (use.writtenColors >> slot & 1U) != 0 && pass.state.targets[slot].writeMask != 0;
+}
+
+bool sameSize(const TargetShape& a, const TargetShape& b) {
+    return a.width == b.width && a.height == b.height;
+}
+
+/// The target whose size the pass draws at: the first colour it writes, else its depth, else whatever is bound.
+const std::string* leadingTarget(const DrawStep& draw, const PassUse& use) {
+    for (std::size_t slot = 0; slot < draw.colors.size(); ++slot)
+        if (draw.colors[slot] && writesColor(*draw.pass, use, slot)) return &*draw.colors[slot];
+    if (draw.depth && usesDepth(draw.pass->state)) return &*draw.depth;
+    for (const auto& color : draw.colors)
+        if (color) return &*color;
+    return draw.depth ? &*draw.depth : nullptr;
+}
+
+Error differentSizes(const Pass& pass, const std::string& a, const TargetShape& sizeA, const std::string& b, const TargetShape& sizeB) {
+    return inputError(4025, pass.at,
+                      fmt::format("pass {} has targets of different sizes: {} is {} x {}, {} is {} x {}", pass.name, a, sizeA.width,
+                                  sizeA.height, b, sizeB.width, sizeB.height),
+                      "bind targets of one size, or switch the depth test off if the pass needs no depth");
+}
+
+/// Drops attachments that do not fit and cannot change; what is left has one size.
+Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
+    const PassUse& use = with.uses.at(draw.pass);
+    const std::string* leading = leadingTarget(draw, use);
+    if (!leading) return inputError(4027, draw.pass->at, fmt::format("pass {} draws with no target bound", draw.pass->name));
+    const std::string name = *leading;
+    const TargetShape& size = with.shapes.at(name);
+    for (std::size_t slot = 0; slot < draw.colors.size(); ++slot) {
+        auto& color = draw.colors[slot];
+        if (!color || sameSize(with.shapes.at(*color), size)) continue;
+        if (writesColor(*draw.pass, use, slot)) return differentSizes(*draw.pass, name, size, *color, with.shapes.at(*color));
+        color.reset();
+    }
+    while (!draw.colors.empty() && !draw.colors.back())
+        draw.colors.pop_back();
+    for (const auto& color : draw.colors)
+        if (!color)
+            return inputError(4028, draw.pass->at, fmt::format("pass {} leaves a gap between its colour targets", draw.pass->name),
+                              "bind them from 0 upwards");
+    if (!draw.depth || sameSize(with.shapes.at(*draw.depth), size)) return {};
+    if (usesDepth(draw.pass->state)) return differentSizes(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
+    draw.depth.reset();
+    return {};
+}
+
+Result<void> refuseFeedback(const DrawStep& draw, const PassUse& use) {
+    std::vector<std::optional<std::string>> bound = draw.colors;
+    bound.push_back(draw.depth);
+    for (const auto& name : bound)
+        if (name && use.sampled.contains(*name))
+            return inputError(4024, draw.pass->at, fmt::format("pass {} samples {} while drawing into it", draw.pass->name, *name),
+                              "draw into a second target and swap the two");
+    return {};
+}
+
+/// Follows the frame: what has been written, which mip chains are stale, what must be cleared before the first step.
+class Tracker {
+public:
+    explicit Tracker(const Completion& with) : with_(with) {}
+
+    /// Depth targets are cleared at first sight whatever the script clears: it may clear the depth and leave the stencil.
+    void clear(const ClearStep& step) {
+        if (step.what != ClearKind::Color && !known_.contains(step.target)) addClear(step.target, true);
+        touch(step.target);
+    }
+
+    void draw(const DrawStep& step, std::vector<Step>& steps) {
+        for (const std::string& name : with_.uses.at(step.pass).sampled)
+            if (with_.shapes.contains(name)) sample(name, step, steps);
+        for (const auto& color : step.colors)
+            if (color) use(*color, false);
+        if (step.depth) use(*step.depth, true);
+    }
+
+    [[nodiscard]] std::vector<Step> firstClears() const { return clears_; }
+
+private:
+    void touch(const std::string& name) {
+        known_.insert(name);
+        stale_.insert(name);
+    }
+
+    void use(const std::string& name, bool depth) {
+        if (!known_.contains(name)) addClear(name, depth);
+        touch(name);
+    }
+
+    void addClear(const std::string& name, bool depth) {
+        ClearStep step{.target = name, .what = depth ? ClearKind::Depth : ClearKind::Color};
+        if (name == kPicture) step.color = with_.background;
+        clears_.emplace_back(step);
+        if (depth) clears_.emplace_back(ClearStep{.target = name, .what = ClearKind::Stencil});
+        touch(name);
+    }
+
+    void sample(const std::string& name, const DrawStep& step, std::vector<Step>& steps) {
+        if (!known_.contains(name)) {
+            with_.warnings.push_back(
+                {.severity = Severity::Warning,
+                 .code = 4026,
+                 .at = step.pass->at,
+                 .text = fmt::format("pass {} samples {} before anything was drawn into it: it reads zeros", step.pass->name, name),
+                 .hint = "clear the target in the script, or draw into it first",
+                 .sourceLine = {}});
+            addClear(name, with_.shapes.at(name).depth);
+        }
+        if (with_.shapes.at(name).mips != 1 && stale_.erase(name) > 0) steps.emplace_back(MipStep{name});
+    }
+
+    const Completion& with_;
+    std::set<std::string> known_;
+    std::set<std::string> stale_;
+    std::vector<Step> clears_;
+};
+
+} // namespace
+
+bool usesDepth(const PipelineState& state) {
+    return state.depthTest || state.stencilTest;
+}
+
+Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses, const std::map<std::string, TargetShape>& shapes,
+                          const std::array<float, 4>& background, std::vector<Diagnostic>& warnings) {
+    const Completion with{uses, shapes, background, warnings};
+    Tracker tracker(with);
+    std::vector<Step> steps;
+    for (Step& step : plan.steps) {
+        if (auto* draw = std::get_if<DrawStep>(&step)) {
+            if (const auto fitted = fitAttachments(*draw, with); !fitted) return fitted;
+            if (const auto checked = refuseFeedback(*draw, uses.at(draw->pass)); !checked) return checked;
+            tracker.draw(*draw, steps);
+        }
+        if (const auto* clear = std::get_if<ClearStep>(&step)) tracker.clear(*clear);
+        steps.push_back(std::move(step));
+    }
+    std::vector<Step> first = tracker.firstClears();
+    first.insert(first.end(), std::make_move_iterator(steps.begin()), std::make_move_iterator(steps.end()));
+    plan.steps = std::move(first);
+    return {};
+}
+
+} // namespace tegument::run

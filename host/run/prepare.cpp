@@ -1,0 +1,146 @@
+#include "host/run/prepare.h"
+
+#include "host/run/geometry.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::run {
+
+namespace {
+
+Result<void> checkSize(const RunInput& input) {
+    const RunOptions& options = input.options;
+    for (const int side : {options.width, options.height})
+        if (side < 1 || side > static_cast<int>(kMaxExtent))
+            return inputError(4004, {.file = input.effect.file.string(), .byte = {}},
+                              fmt::format("a picture of {} x {} pixels cannot be drawn", options.width, options.height),
+                              fmt::format("each side is 1 to {}", kMaxExtent));
+    return {};
+}
+
+/// --set of a file must name a texture of this effect, by name or semantic.
+Result<void> checkTextureNames(const RunInput& input) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : input.effect.parameters)
+        if (parameter.type.isTexture()) names.push_back(parameter.name);
+    for (const auto& [name, file] : input.options.textures) {
+        const bool known = std::ranges::any_of(input.effect.parameters, [&](const Parameter& parameter) {
+            return parameter.type.isTexture() && !isTarget(parameter) &&
+                   (parameter.name == name || equalsIgnoreCase(parameter.semantic, name));
+        });
+        if (!known)
+            return inputError(4010, {.file = input.effect.file.string(), .byte = {}},
+                              fmt::format("no texture '{}' to set to {}", name, file), didYouMean(name, names));
+    }
+    return {};
+}
+
+Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
+    for (const Pass* pass : prepared.plan.passes()) {
+        auto program = compilePass(input.effect, *pass, input.options.compiler);
+        if (!program) return program.error();
+        for (const Diagnostic& warning : program->vertex.warnings)
+            prepared.warnings.push_back(warning);
+        if (program->pixel)
+            prepared.warnings.insert(prepared.warnings.end(), program->pixel->warnings.begin(), program->pixel->warnings.end());
+        prepared.programs.emplace(pass, std::move(*program));
+    }
+    return {};
+}
+
+Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
+    const Extent picture{static_cast<std::uint32_t>(input.options.width), static_cast<std::uint32_t>(input.options.height)};
+    std::set<std::string> names = prepared.plan.targets();
+    for (const auto& program : prepared.programs)
+        names.insert(program.second.use.sampled.begin(), program.second.use.sampled.end());
+    for (const std::string& name : names) {
+        const Parameter* parameter = input.effect.findParameter(name);
+        if (!parameter || !isTarget(*parameter)) continue;
+        const auto target = describeTarget(*parameter, picture);
+        if (!target) return target.error();
+        prepared.targets.emplace(name, *target);
+    }
+    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = gpu::Format::RGBA32F});
+    prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = gpu::Format::D24S8});
+    return {};
+}
+
+Result<void> complete(const RunInput& input, Prepared& prepared) {
+    std::map<const Pass*, PassUse> uses;
+    for (const auto& [pass, program] : prepared.programs)
+        uses.emplace(pass, program.use);
+    std::map<std::string, TargetShape> shapes;
+    for (const auto& [name, target] : prepared.targets)
+        shapes.emplace(name, TargetShape{target.extent.width, target.extent.height, target.mips, gpu::isDepth(target.format)});
+    if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings); !done) return done;
+    std::set<std::string> needed = prepared.plan.targets();
+    needed.insert(kPicture);
+    for (const auto& use : uses)
+        needed.insert(use.second.sampled.begin(), use.second.sampled.end());
+    std::erase_if(prepared.targets, [&](const auto& target) { return !needed.contains(target.first); });
+    return {};
+}
+
+Result<void> checkDraws(const RunInput& input, Prepared& prepared) {
+    for (const Step& step : prepared.plan.steps) {
+        const auto* draw = std::get_if<DrawStep>(&step);
+        if (!draw || draw->kind == DrawKind::Buffer) continue;
+        prepared.drawsMesh = true;
+        if (const auto checked = checkMesh(*draw->pass, prepared.programs.at(draw->pass).vertex.reflection, input.mesh); !checked)
+            return checked;
+    }
+    return {};
+}
+
+/// Every number that a shader reads has a value; loop indices and the target's size get theirs at each draw.
+Result<void> checkNumbers(const RunInput& input, const Prepared& prepared) {
+    std::set<std::string> written;
+    for (const Step& step : prepared.plan.steps)
+        if (const auto* draw = std::get_if<DrawStep>(&step))
+            for (const auto& entry : draw->written)
+                written.insert(entry.first);
+    for (const auto& [pass, program] : prepared.programs)
+        for (const std::string& name : program.numbers) {
+            const Parameter* parameter = input.effect.findParameter(name);
+            if (!parameter)
+                return inputError(4005, pass->at,
+                                  fmt::format("pass {} reads {}, which the effect does not declare outside FX_ENTRY", pass->name, name),
+                                  "declare it outside the #ifdef");
+            if (written.contains(name) || isViewportSize(*parameter)) continue;
+            if (const auto value = prepared.values.require(*parameter); !value) return value.error();
+        }
+    return {};
+}
+
+} // namespace
+
+std::array<float, 4> background(const Workspace& workspace) {
+    return {workspace.background.x, workspace.background.y, workspace.background.z, 0};
+}
+
+Result<Prepared> prepare(const RunInput& input) {
+    if (const auto checked = checkSize(input); !checked) return checked.error();
+    if (const auto checked = checkTextureNames(input); !checked) return checked.error();
+    Prepared prepared;
+    const Extent picture{static_cast<std::uint32_t>(input.options.width), static_cast<std::uint32_t>(input.options.height)};
+    prepared.scene = viewScene(input.workspace, input.mesh, picture);
+    const ValueSources sources{.set = &input.options.parameters,
+                               .workspace = &input.workspace.parameters,
+                               .workspaceFile = input.workspace.file.string(),
+                               .scene = &prepared.scene};
+    auto values = Values::resolve(input.effect, sources, prepared.warnings);
+    if (!values) return values.error();
+    prepared.values = std::move(*values);
+    auto plan = planFrame(input.effect, input.options.technique, prepared.values, background(input.workspace));
+    if (!plan) return plan.error();
+    prepared.plan = std::move(*plan);
+    for (const auto step : {compilePasses, describeTargets, complete, checkDraws})
+        if (const auto done = step(input, prepared); !done) return done.error();
+    if (const auto checked = checkNumbers(input, prepared); !checked) return checked.error();
+    return prepared;
+}
+
+} // namespace tegument::run

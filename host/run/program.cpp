@@ -1,0 +1,96 @@
+#include "host/run/program.h"
+
+#include "host/run/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::run {
+
+namespace {
+
+Result<void> checkStages(const Pass& pass) {
+    if (pass.geometryShader)
+        return inputError(4003, pass.geometryShader->at, fmt::format("pass {} has a geometry shader", pass.name),
+                          "this host runs vertex and pixel shaders");
+    if (pass.computeShader)
+        return inputError(4003, pass.computeShader->at, fmt::format("pass {} has a compute shader", pass.name),
+                          "this host runs vertex and pixel shaders");
+    if (!pass.vertexShader)
+        return inputError(4002, pass.at, fmt::format("pass {} has no vertex shader", pass.name), "every pass that draws needs one");
+    for (const auto* stage : {&pass.vertexShader, &pass.pixelShader})
+        if (*stage && !(*stage)->arguments.empty())
+            return inputError(4003, (*stage)->at, fmt::format("{} of pass {} is compiled with arguments", (*stage)->entry, pass.name),
+                              "write a function without uniform parameters that calls it: DXC takes no arguments here");
+    return {};
+}
+
+Result<Shader> compileStage(const Effect& effect, const ShaderReference& reference, Stage stage, Compiler compiler) {
+    const ShaderRequest request{
+        .code = effect.code, .file = effect.file.string(), .entry = reference.entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    return compileShader(request, compiler);
+}
+
+gpu::BindingKind kindOf(ResourceKind kind) {
+    switch (kind) {
+    case ResourceKind::Sampler:
+    case ResourceKind::CompareSampler: return gpu::BindingKind::Sampler;
+    case ResourceKind::StorageBuffer: return gpu::BindingKind::StorageBuffer;
+    default: return gpu::BindingKind::Texture;
+    }
+}
+
+void gatherBlock(const UniformBlock& block, PassProgram& program) {
+    program.bindings.push_back({block.set, block.binding, gpu::BindingKind::UniformBuffer});
+    for (const BlockMember& member : block.members)
+        if (member.used) program.numbers.insert(member.name);
+}
+
+void gather(const Reflection& reflection, PassProgram& program) {
+    for (const UniformBlock* block : blocksOf(reflection))
+        gatherBlock(*block, program);
+    for (const Resource& resource : reflection.resources) {
+        if (!resource.used) continue;
+        const gpu::BindingKind kind = kindOf(resource.kind);
+        program.bindings.push_back({resource.set, resource.binding, kind});
+        if (kind == gpu::BindingKind::Texture) program.use.sampled.insert(resource.name);
+        if (kind == gpu::BindingKind::Sampler) program.samplers.insert(resource.name);
+    }
+}
+
+} // namespace
+
+std::vector<const UniformBlock*> blocksOf(const Reflection& reflection) {
+    std::vector<const UniformBlock*> blocks;
+    if (reflection.globals) blocks.push_back(&*reflection.globals);
+    for (const UniformBlock& block : reflection.constantBuffers)
+        blocks.push_back(&block);
+    return blocks;
+}
+
+Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler) {
+    if (const auto checked = checkStages(pass); !checked) return checked.error();
+    PassProgram program;
+    auto vertex = compileStage(effect, *pass.vertexShader, Stage::Vertex, compiler);
+    if (!vertex) return vertex.error();
+    program.vertex = std::move(*vertex);
+    if (pass.pixelShader) {
+        auto pixel = compileStage(effect, *pass.pixelShader, Stage::Pixel, compiler);
+        if (!pixel) return pixel.error();
+        program.pixel = std::move(*pixel);
+        if (const auto linked = linkStages(program.vertex, *program.pixel); !linked) return linked.error();
+    }
+    auto attributes = bindStream(pass, program.vertex.reflection);
+    if (!attributes) return attributes.error();
+    program.attributes = std::move(*attributes);
+    gather(program.vertex.reflection, program);
+    if (program.pixel) {
+        gather(program.pixel->reflection, program);
+        for (const StageVariable& output : program.pixel->reflection.outputs)
+            program.use.writtenColors |= 1U << output.location;
+    }
+    return program;
+}
+
+} // namespace tegument::run

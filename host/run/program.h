@@ -1,0 +1,32 @@
+#pragma once
+// A pass compiled and linked, and what it uses.
+
+#include "host/compile/compile.h"
+#include "host/effect/model.h"
+#include "host/gpu/gpu.h"
+#include "host/run/plan.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace tegument::run {
+
+struct PassProgram {
+    Shader vertex;
+    std::optional<Shader> pixel; // none: depth only
+    std::vector<gpu::VertexAttribute> attributes;
+    std::vector<gpu::Binding> bindings; // of both stages
+    std::set<std::string> numbers;      // parameters that either stage reads
+    std::set<std::string> samplers;
+    PassUse use;
+};
+
+/// $Globals and every cbuffer.
+[[nodiscard]] std::vector<const UniformBlock*> blocksOf(const Reflection& reflection);
+
+/// TG4002 a pass without vertex shader, TG4003 a stage or an argument that this host does not have; and what compiler and linker say.
+[[nodiscard]] Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler);
+
+} // namespace tegument::run

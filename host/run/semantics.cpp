@@ -1,0 +1,176 @@
+#include "host/run/semantics.h"
+
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace tegument::run {
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+Numbers numbers(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// Rows of the row-vector matrix: `m[row][column]` (host/scene/view.h).
+Numbers numbers(const glm::mat4& m) {
+    Numbers result;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            result.push_back(m[row][column]);
+    return result;
+}
+
+struct MatrixName {
+    std::string_view name;
+    const glm::mat4 Matrices::*matrix; // null: identity
+    const glm::mat4 Matrices::*inverse;
+};
+
+// The mesh is in world millimetres already: WORLD is the identity.
+constexpr std::array kMatrices = {
+    MatrixName{"WORLD", nullptr, nullptr},
+    MatrixName{"VIEW", &Matrices::view, &Matrices::inverseView},
+    MatrixName{"PROJECTION", &Matrices::projection, &Matrices::inverseProjection},
+    MatrixName{"WORLDVIEW", &Matrices::view, &Matrices::inverseView},
+    MatrixName{"VIEWPROJECTION", &Matrices::viewProjection, &Matrices::inverseViewProjection},
+    MatrixName{"WORLDVIEWPROJECTION", &Matrices::viewProjection, &Matrices::inverseViewProjection},
+};
+
+struct MatrixForm {
+    std::string_view suffix;
+    bool inverse;
+    bool transpose;
+};
+
+constexpr std::array kForms = {MatrixForm{"", false, false}, MatrixForm{"INVERSE", true, false}, MatrixForm{"TRANSPOSE", false, true},
+                               MatrixForm{"INVERSETRANSPOSE", true, true}};
+
+constexpr std::array<std::string_view, 11> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",    "NEARCLIP",
+                                                      "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",    "BOUNDINGBOXMIN",
+                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE"};
+constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
+
+std::optional<glm::mat4> matrixOf(std::string_view semantic, const Matrices& view) {
+    for (const MatrixName& base : kMatrices)
+        for (const MatrixForm& form : kForms) {
+            if (!equalsIgnoreCase(semantic, fmt::format("{}{}", base.name, form.suffix))) continue;
+            const glm::mat4 Matrices::*member = form.inverse ? base.inverse : base.matrix;
+            const glm::mat4 matrix = member ? view.*member : glm::mat4(1);
+            return form.transpose ? glm::transpose(matrix) : matrix;
+        }
+    return std::nullopt;
+}
+
+enum class Owner { Camera, Light };
+
+Result<Owner> ownerOf(const Parameter& parameter) {
+    const std::string object = parameter.annotations.string("Object").value_or("Camera");
+    for (const std::string_view light : {"PointLight0", "PointLight", "Light0", "Light"})
+        if (equalsIgnoreCase(object, light)) return Owner::Light;
+    for (const std::string_view camera : {"Camera", "Geometry"})
+        if (equalsIgnoreCase(object, camera)) return Owner::Camera;
+    const std::vector<std::string> known = {"PointLight0", "Camera", "Geometry"};
+    const std::string near = didYouMean(object, known);
+    return inputError(4014, parameter.at, fmt::format("{} names an unknown object '{}'", parameter.name, object),
+                      near.empty() ? "this host has PointLight0, Camera and Geometry" : near);
+}
+
+std::optional<Numbers> ofOwner(std::string_view semantic, Owner owner, const SceneView& scene) {
+    const bool light = owner == Owner::Light;
+    const Matrices& view = light ? scene.light : scene.camera;
+    if (semantic == "position" && light) return numbers(view.position);
+    if (semantic == "cameraposition") return numbers(scene.camera.position);
+    if (semantic == "diffuse" && light) return numbers(scene.placed.light.color);
+    if (semantic == "nearclip") return Numbers{view.nearPlane};
+    if (semantic == "farclip") return Numbers{view.farPlane};
+    if (semantic == "fieldofview") return Numbers{view.horizontalFov};
+    if (semantic == "time" || semantic == "elapsedtime") return Numbers{0.0};
+    return std::nullopt;
+}
+
+std::optional<Numbers> ofBounds(std::string_view semantic, const Bounds& bounds) {
+    if (semantic == "boundingcenter") return numbers(bounds.centre);
+    if (semantic == "boundingboxmin") return numbers(bounds.minimum);
+    if (semantic == "boundingboxmax") return numbers(bounds.maximum);
+    if (semantic == "boundingboxsize") return numbers(bounds.maximum - bounds.minimum);
+    if (semantic == "boundingspheresize") return Numbers{bounds.radius};
+    return std::nullopt;
+}
+
+/// The top left corner of a matrix, for float3x3 and float4x3.
+Numbers corner(const Numbers& matrix, const Type& type) {
+    Numbers result;
+    for (int row = 0; row < type.rows; ++row)
+        for (int column = 0; column < type.columns; ++column)
+            result.push_back(matrix[static_cast<std::size_t>(row * 4 + column)]);
+    return result;
+}
+
+/// float4 takes a float3 with 1 behind it: a position's w, a colour's alpha.
+Result<std::optional<Numbers>> fitted(const Parameter& parameter, Numbers value) {
+    const Type& type = parameter.type;
+    if (type.elements == 0 && value.size() == 16 && type.rows > 1) return std::optional(corner(value, type));
+    if (type.elements == 0 && type.rows == 1 && type.columns == 4 && value.size() == 3) value.push_back(1);
+    if (type.elements != 0 || type.base != BaseType::Float || type.scalarCount() != static_cast<int>(value.size()))
+        return inputError(
+            4013, parameter.at,
+            fmt::format("{} is a {}; the semantic {} has {} numbers", parameter.name, type.name, parameter.semantic, value.size()),
+            "docs/conventions.md lists the types");
+    return std::optional(std::move(value));
+}
+
+Bounds unitBounds() {
+    return {.minimum = glm::vec3(-1), .maximum = glm::vec3(1), .centre = glm::vec3(0), .radius = 1};
+}
+
+} // namespace
+
+SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture) {
+    SceneView scene{.hasMesh = mesh != nullptr, .bounds = mesh ? mesh->bounds : unitBounds(), .placed = {}, .camera = {}, .light = {}};
+    scene.placed = placeScene(workspace, scene.bounds);
+    scene.camera = cameraMatrices(scene.placed.camera, static_cast<double>(picture.width) / picture.height);
+    scene.light = lightMatrices(scene.placed.light, scene.bounds);
+    return scene;
+}
+
+Result<std::optional<std::vector<double>>> semanticValue(const Parameter& parameter, const SceneView& scene) {
+    if (parameter.semantic.empty() || !parameter.type.isNumeric()) return std::optional<Numbers>();
+    const auto owner = ownerOf(parameter);
+    if (!owner) return owner.error();
+    const std::string semantic = toLower(parameter.semantic);
+    if (const auto matrix = matrixOf(semantic, *owner == Owner::Light ? scene.light : scene.camera))
+        return fitted(parameter, numbers(*matrix));
+    if (auto value = ofOwner(semantic, *owner, scene)) return fitted(parameter, std::move(*value));
+    if (auto value = ofBounds(semantic, scene.bounds); value && scene.hasMesh) return fitted(parameter, std::move(*value));
+    return std::optional<Numbers>();
+}
+
+bool asksForMesh(const Parameter& parameter) {
+    return ofBounds(toLower(parameter.semantic), {}).has_value();
+}
+
+bool isViewportSize(const Parameter& parameter) {
+    return parameter.type.isNumeric() && equalsIgnoreCase(parameter.semantic, "VIEWPORTPIXELSIZE");
+}
+
+const std::vector<std::string>& numericSemantics() {
+    static const std::vector<std::string> kNames = [] {
+        std::vector<std::string> names;
+        for (const MatrixName& base : kMatrices)
+            for (const MatrixForm& form : kForms)
+                names.push_back(fmt::format("{}{}", base.name, form.suffix));
+        names.insert(names.end(), kOthers.begin(), kOthers.end());
+        names.insert(names.end(), kFrame.begin(), kFrame.end());
+        return names;
+    }();
+    return kNames;
+}
+
+} // namespace tegument::run

@@ -1,0 +1,40 @@
+#pragma once
+// Values that the host binds to parameters by semantic (docs/conventions.md, "What the host binds").
+
+#include "host/effect/model.h"
+#include "host/run/target_desc.h"
+#include "host/scene/mesh.h"
+#include "host/scene/view.h"
+#include "host/scene/workspace.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument::run {
+
+/// Everything that semantics can ask for, in world millimetres.
+struct SceneView {
+    bool hasMesh = false;
+    Bounds bounds;
+    PlacedScene placed;
+    Matrices camera;
+    Matrices light;
+};
+
+/// `mesh` may be null: then camera and light look at a unit sphere, and bounds have no value.
+[[nodiscard]] SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture);
+
+/// Numbers in row order as Parameter::defaultValue holds them. nullopt: the host binds nothing to this parameter, or it asks for a mesh
+/// that is not there. TG4013: the semantic's value does not have the parameter's type; TG4014: unknown Object. VIEWPORTPIXELSIZE depends on
+/// the target and is not bound here.
+[[nodiscard]] Result<std::optional<std::vector<double>>> semanticValue(const Parameter& parameter, const SceneView& scene);
+
+/// One of the BOUNDING... semantics.
+[[nodiscard]] bool asksForMesh(const Parameter& parameter);
+[[nodiscard]] bool isViewportSize(const Parameter& parameter);
+
+/// Every semantic that numbers can have, for hints.
+[[nodiscard]] const std::vector<std::string>& numericSemantics();
+
+} // namespace tegument::run

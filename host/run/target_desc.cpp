@@ -1,0 +1,156 @@
+#include "host/run/target_desc.h"
+
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tegument::run {
+
+namespace {
+
+struct NamedFormat {
+    std::string_view name;
+    gpu::Format format;
+};
+
+// The first name of a format is the one reported. A16R16G16B16F is a misspelling that NVIDIA's files spread.
+constexpr std::array kFormats = {
+    NamedFormat{"A8R8G8B8", gpu::Format::BGRA8},
+    NamedFormat{"X8R8G8B8", gpu::Format::BGRA8},
+    NamedFormat{"A8B8G8R8", gpu::Format::RGBA8},
+    NamedFormat{"X8B8G8R8", gpu::Format::RGBA8},
+    NamedFormat{"A16B16G16R16", gpu::Format::RGBA16},
+    NamedFormat{"A2B10G10R10", gpu::Format::RGB10A2},
+    NamedFormat{"L8", gpu::Format::R8},
+    NamedFormat{"A8L8", gpu::Format::RG8},
+    NamedFormat{"R16F", gpu::Format::R16F},
+    NamedFormat{"G16R16F", gpu::Format::RG16F},
+    NamedFormat{"A16B16G16R16F", gpu::Format::RGBA16F},
+    NamedFormat{"A16R16G16B16F", gpu::Format::RGBA16F},
+    NamedFormat{"R32F", gpu::Format::R32F},
+    NamedFormat{"G32R32F", gpu::Format::RG32F},
+    NamedFormat{"A32B32G32R32F", gpu::Format::RGBA32F},
+    NamedFormat{"D16", gpu::Format::D16},
+    NamedFormat{"D24S8", gpu::Format::D24S8},
+    NamedFormat{"D24X8", gpu::Format::D24S8},
+    NamedFormat{"D24S8_SHADOWMAP", gpu::Format::D24S8},
+    NamedFormat{"D32F_LOCKABLE", gpu::Format::D32F},
+    NamedFormat{"D24FS8", gpu::Format::D32FS8},
+};
+
+std::string_view withoutPrefix(std::string_view name) {
+    for (const std::string_view prefix : {"D3DFMT_", "FMT_"})
+        if (name.size() > prefix.size() && equalsIgnoreCase(name.substr(0, prefix.size()), prefix)) return name.substr(prefix.size());
+    return name;
+}
+
+std::string formatHint(std::string_view name) {
+    std::vector<std::string> names;
+    for (const NamedFormat& known : kFormats)
+        names.emplace_back(known.name);
+    const std::string near = didYouMean(withoutPrefix(name), names);
+    return near.empty() ? "docs/running.md lists the D3DFORMAT names" : near;
+}
+
+Result<gpu::Format> targetFormat(const Parameter& parameter) {
+    const bool depth = isDepthTarget(parameter);
+    const Annotation* annotation = parameter.annotations.find("Format");
+    if (!annotation) return depth ? gpu::Format::D24S8 : gpu::Format::BGRA8;
+    const std::string name = parameter.annotations.string("Format").value_or("");
+    const auto format = formatFromD3D(name);
+    if (!format) return inputError(4020, annotation->at, fmt::format("unknown format '{}' of {}", name, parameter.name), formatHint(name));
+    if (gpu::isDepth(*format) != depth)
+        return inputError(4022, annotation->at,
+                          fmt::format("{} is a {} target, {} is not such a format", parameter.name, depth ? "depth" : "colour", name),
+                          depth ? "use D24S8, D16 or D32F_LOCKABLE" : "use A16B16G16R16F, A32B32G32R32F, ...");
+    return *format;
+}
+
+std::optional<double> firstNumber(const Annotations& annotations, std::string_view name, std::size_t index = 0) {
+    const auto numbers = annotations.numbers(name);
+    if (!numbers || numbers->size() <= index) return std::nullopt;
+    return (*numbers)[index];
+}
+
+struct Size {
+    double width = 0;
+    double height = 0;
+    bool own = true;
+};
+
+/// ViewportRatio wins over Dimensions, Dimensions over Width and Height.
+Size targetSize(const Annotations& annotations, Extent picture) {
+    if (const auto x = firstNumber(annotations, "ViewportRatio")) {
+        const double y = firstNumber(annotations, "ViewportRatio", 1).value_or(*x);
+        return {std::max(1.0, std::floor(*x * picture.width)), std::max(1.0, std::floor(y * picture.height)), false};
+    }
+    if (const auto x = firstNumber(annotations, "Dimensions")) return {*x, firstNumber(annotations, "Dimensions", 1).value_or(*x)};
+    if (const auto x = firstNumber(annotations, "Width")) return {*x, firstNumber(annotations, "Height").value_or(*x)};
+    return {static_cast<double>(picture.width), static_cast<double>(picture.height), false};
+}
+
+bool isSemantic(const Parameter& parameter, std::string_view semantic) {
+    return parameter.type.isTexture() && equalsIgnoreCase(parameter.semantic, semantic);
+}
+
+} // namespace
+
+std::optional<gpu::Format> formatFromD3D(std::string_view name) {
+    const std::string_view bare = withoutPrefix(name);
+    const auto found = std::ranges::find_if(kFormats, [&](const NamedFormat& known) { return equalsIgnoreCase(known.name, bare); });
+    if (found == kFormats.end()) return std::nullopt;
+    return found->format;
+}
+
+std::string_view d3dName(gpu::Format format) {
+    const auto found = std::ranges::find(kFormats, format, &NamedFormat::format);
+    return found == kFormats.end() ? gpu::name(format) : found->name;
+}
+
+int channelCount(gpu::Format format) {
+    switch (format) {
+    case gpu::Format::R8:
+    case gpu::Format::R16F:
+    case gpu::Format::R32F: return 1;
+    case gpu::Format::RG8:
+    case gpu::Format::RG16F:
+    case gpu::Format::RG32F: return 2;
+    default: return gpu::isDepth(format) ? 1 : 4;
+    }
+}
+
+bool isColorTarget(const Parameter& parameter) {
+    return isSemantic(parameter, "RENDERCOLORTARGET");
+}
+
+bool isDepthTarget(const Parameter& parameter) {
+    return isSemantic(parameter, "RENDERDEPTHSTENCILTARGET");
+}
+
+Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture) {
+    const auto format = targetFormat(parameter);
+    if (!format) return format.error();
+    const Size size = targetSize(parameter.annotations, picture);
+    for (const double side : {size.width, size.height})
+        if (!(side >= 1 && side <= kMaxExtent) || side != std::floor(side))
+            return inputError(4021, parameter.at, fmt::format("target {} would be {} x {} texels", parameter.name, size.width, size.height),
+                              fmt::format("each side is a whole number from 1 to {}", kMaxExtent));
+    if (parameter.type.base != BaseType::Texture2D)
+        return inputError(4023, parameter.at, fmt::format("target {} is a {}", parameter.name, parameter.type.name),
+                          "targets are Texture2D");
+    const double mips = firstNumber(parameter.annotations, "MipLevels").value_or(firstNumber(parameter.annotations, "Levels").value_or(1));
+    if (mips < 0 || mips > 15 || mips != std::floor(mips))
+        return inputError(4021, parameter.at, fmt::format("target {} would have {} mip levels", parameter.name, mips),
+                          "0 means the full chain");
+    return TargetDesc{.extent = {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)},
+                      .format = *format,
+                      .mips = static_cast<std::uint32_t>(mips),
+                      .ownSize = size.own};
+}
+
+} // namespace tegument::run

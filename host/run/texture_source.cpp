@@ -1,0 +1,106 @@
+#include "host/run/texture_source.h"
+
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+namespace tegument::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string* byNameOrSemantic(const std::map<std::string, std::string>& files, const Parameter& parameter) {
+    if (const auto found = files.find(parameter.name); found != files.end()) return &found->second;
+    if (parameter.semantic.empty()) return nullptr;
+    const auto found = std::ranges::find_if(files, [&](const auto& entry) { return equalsIgnoreCase(entry.first, parameter.semantic); });
+    return found == files.end() ? nullptr : &found->second;
+}
+
+/// Semantics name what mesh files call roles.
+std::string_view roleOf(const Parameter& parameter) {
+    if (equalsIgnoreCase(parameter.semantic, "DIFFUSE")) return "color";
+    if (equalsIgnoreCase(parameter.semantic, "NORMAL")) return "normal";
+    if (equalsIgnoreCase(parameter.semantic, "KERNELSIZE")) return "kernelSize";
+    return {};
+}
+
+const EmbeddedTexture* embedded(const Parameter& parameter, const Mesh* mesh) {
+    const std::string_view role = roleOf(parameter);
+    if (!mesh || role.empty()) return nullptr;
+    const auto found = std::ranges::find(mesh->textures, role, &EmbeddedTexture::role);
+    return found == mesh->textures.end() ? nullptr : &*found;
+}
+
+/// ResourceName is a suggestion: effects name files that their authors had.
+std::optional<fs::path> resource(const Parameter& parameter, const Effect& effect) {
+    const auto name = parameter.annotations.string("ResourceName");
+    if (!name || name->empty()) return std::nullopt;
+    const fs::path path = effect.file.parent_path() / *name;
+    std::error_code code;
+    return fs::is_regular_file(path, code) ? std::optional(path) : std::nullopt;
+}
+
+Result<TextureSource> producer(const Parameter& parameter, const Effect& effect) {
+    const Annotation* annotation = parameter.annotations.find("Producer");
+    const std::string text = parameter.annotations.string("Producer").value_or("");
+    const std::size_t slash = text.rfind('/');
+    if (slash == std::string::npos || slash == 0 || slash + 1 == text.size())
+        return inputError(4033, annotation->at, fmt::format("Producer \"{}\" of {} names no target", text, parameter.name),
+                          "write \"Stretch.fx/gStretchMap\"");
+    return TextureSource(ProducerSource{effect.file.parent_path() / text.substr(0, slash), text.substr(slash + 1)});
+}
+
+Result<TextureSource> fallback(const Parameter& parameter) {
+    const Annotation* annotation = parameter.annotations.find("Fallback");
+    const auto numbers = parameter.annotations.numbers("Fallback");
+    if (!numbers || numbers->empty() || numbers->size() > 4)
+        return inputError(4034, annotation->at, fmt::format("Fallback of {} is not one to four numbers", parameter.name),
+                          "write float4 Fallback = float4(1, 1, 1, 1);");
+    ConstantSource constant{0, 0, 0, 1};
+    for (std::size_t i = 0; i < numbers->size(); ++i)
+        constant[i] = static_cast<float>((*numbers)[i]);
+    return TextureSource(constant);
+}
+
+Error notFound(const Parameter& parameter, const Mesh* mesh) {
+    std::string looked = "--set, the workspace";
+    if (const std::string_view role = roleOf(parameter); mesh && !role.empty()) looked += fmt::format(", the mesh's {} texture", role);
+    if (const auto name = parameter.annotations.string("ResourceName"); name && !name->empty())
+        looked += fmt::format(", the file {}", *name);
+    return inputError(4030, parameter.at, fmt::format("no texture for {}: looked in {}", parameter.name, looked),
+                      fmt::format("give a file: --set {}=FILE", parameter.name));
+}
+
+} // namespace
+
+Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect, const std::map<std::string, std::string>& set,
+                                  const Workspace& workspace, const Mesh* mesh) {
+    if (const std::string* file = byNameOrSemantic(set, parameter)) return TextureSource(FileSource{*file, "--set"});
+    if (const std::string* file = byNameOrSemantic(workspace.textures, parameter))
+        return TextureSource(FileSource{workspace.file.parent_path() / *file, fmt::format("the workspace {}", workspace.file.string())});
+    if (const EmbeddedTexture* texture = embedded(parameter, mesh)) return TextureSource(texture);
+    if (auto path = resource(parameter, effect)) return TextureSource(FileSource{std::move(*path), "ResourceName"});
+    if (parameter.annotations.find("Producer")) return producer(parameter, effect);
+    if (parameter.annotations.find("Fallback")) return fallback(parameter);
+    return notFound(parameter, mesh);
+}
+
+Result<Image> loadNamed(const Parameter& parameter, const FileSource& source) {
+    auto image = loadImage(source.path);
+    if (image) return image;
+    Error error = image.error();
+    error.diagnostics.push_back({.severity = Severity::Note,
+                                 .code = 4031,
+                                 .at = parameter.at,
+                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, source.namedBy),
+                                 .hint = {},
+                                 .sourceLine = {}});
+    return error;
+}
+
+} // namespace tegument::run

@@ -1,0 +1,37 @@
+#pragma once
+// Where the texture of a parameter comes from, in the order of docs/running.md: --set, workspace, mesh, ResourceName, Producer, Fallback.
+
+#include "host/effect/model.h"
+#include "host/image/image.h"
+#include "host/scene/mesh.h"
+#include "host/scene/workspace.h"
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+
+namespace tegument::run {
+
+struct FileSource {
+    std::filesystem::path path;
+    std::string namedBy; // "--set", "workspace file.json", "ResourceName"
+};
+/// Another effect renders it.
+struct ProducerSource {
+    std::filesystem::path effect;
+    std::string target;
+};
+using ConstantSource = std::array<float, 4>;
+using TextureSource = std::variant<FileSource, const EmbeddedTexture*, ProducerSource, ConstantSource>;
+
+/// TG4030 nothing gives it a texture; TG4033 the Producer annotation is not "File.fx/target"; TG4034 Fallback is not one to four numbers.
+[[nodiscard]] Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect,
+                                                const std::map<std::string, std::string>& set, const Workspace& workspace,
+                                                const Mesh* mesh);
+
+/// Named files must exist: an error of loadImage, with a note that names the parameter (TG4031).
+[[nodiscard]] Result<Image> loadNamed(const Parameter& parameter, const FileSource& source);
+
+} // namespace tegument::run

@@ -1,0 +1,133 @@
+#include "host/run/values.h"
+
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace tegument::run {
+
+namespace {
+
+std::vector<std::string> namesOf(const Effect& effect) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : effect.parameters)
+        names.push_back(parameter.name);
+    return names;
+}
+
+SourcePosition fileOnly(std::string file) {
+    return {.file = std::move(file), .byte = {}};
+}
+
+Result<void> checkNumbers(const Parameter& parameter, const Numbers& value, const SourcePosition& at) {
+    const Type& type = parameter.type;
+    if (!type.isNumeric())
+        return inputError(4011, at, fmt::format("{} is a {}, not a number", parameter.name, type.name),
+                          type.isTexture() ? fmt::format("give a file: --set {}=FILE", parameter.name) : "");
+    const auto expected = static_cast<std::size_t>(type.scalarCount());
+    if (value.size() != expected)
+        return inputError(4011, at,
+                          fmt::format("{} is a {}{}: it takes {} numbers, {} given", parameter.name, type.name,
+                                      type.elements ? fmt::format("[{}]", type.elements) : "", expected, value.size()));
+    const bool whole = std::ranges::all_of(value, [](double number) { return number == std::floor(number); });
+    if (type.base != BaseType::Float && !whole)
+        return inputError(4016, at, fmt::format("{} is a {} and takes whole numbers only", parameter.name, type.name));
+    const double largest = type.base == BaseType::Float ? std::numeric_limits<float>::max() : std::numeric_limits<std::int32_t>::max();
+    const bool fits = std::ranges::all_of(value, [&](double number) { return std::abs(number) <= largest; });
+    if (!fits) return inputError(4016, at, fmt::format("{} got a number that does not fit into 32 bits", parameter.name));
+    return {};
+}
+
+/// UIMin and UIMax bound each number of a value; a bound has one number or as many as the value.
+bool outside(const Numbers& value, const std::optional<Numbers>& bound, double sign) {
+    if (!bound || bound->empty()) return false;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const double limit = bound->size() == 1 ? bound->front() : i < bound->size() ? (*bound)[i] : value[i];
+        if (sign * value[i] > sign * limit) return true;
+    }
+    return false;
+}
+
+void warnOutside(const Parameter& parameter, const Numbers& value, std::vector<Diagnostic>& warnings) {
+    const auto minimum = parameter.annotations.numbers("UIMin");
+    const auto maximum = parameter.annotations.numbers("UIMax");
+    if (!outside(value, minimum, -1) && !outside(value, maximum, 1)) return;
+    const auto text = [](const std::optional<Numbers>& bound) {
+        return bound && !bound->empty() ? fmt::format("{}", bound->front()) : "open";
+    };
+    warnings.push_back({.severity = Severity::Warning,
+                        .code = 4012,
+                        .at = parameter.at,
+                        .text = fmt::format("{} is set outside its range {} .. {}", parameter.name, text(minimum), text(maximum)),
+                        .hint = "the effect was tested inside UIMin and UIMax only",
+                        .sourceLine = {}});
+}
+
+Result<void> checkGiven(const Parameter& parameter, const Numbers& value, const SourcePosition& at, std::vector<Diagnostic>& warnings) {
+    const auto checked = checkNumbers(parameter, value, at);
+    if (checked) warnOutside(parameter, value, warnings);
+    return checked;
+}
+
+Error missing(const Parameter& parameter) {
+    const std::string name = parameter.name;
+    const std::string set = fmt::format("give one: --set {}=VALUE", name);
+    if (parameter.semantic.empty())
+        return inputError(4018, parameter.at, fmt::format("{} is used, has no default value, and nothing sets it", name), set);
+    if (asksForMesh(parameter))
+        return inputError(4015, parameter.at, fmt::format("{} : {} asks for the mesh, and there is none", name, parameter.semantic),
+                          "name a mesh with --mesh or in the workspace");
+    const std::string near = didYouMean(parameter.semantic, numericSemantics());
+    return inputError(4017, parameter.at, fmt::format("unknown semantic '{}' of {}, which has no default value", parameter.semantic, name),
+                      near.empty() ? set : near);
+}
+
+} // namespace
+
+Result<Values> Values::resolve(const Effect& effect, const ValueSources& sources, std::vector<Diagnostic>& warnings) {
+    Values values;
+    for (const Parameter& parameter : effect.parameters) {
+        if (!parameter.type.isNumeric()) continue;
+        if (parameter.defaultValue)
+            if (const auto* numbers = std::get_if<Numbers>(&*parameter.defaultValue)) values.known_[parameter.name] = *numbers;
+        auto bound = semanticValue(parameter, *sources.scene);
+        if (!bound) values.failed_.emplace(parameter.name, bound.error());
+        if (bound && *bound) values.known_[parameter.name] = std::move(**bound);
+    }
+    for (const auto& [name, value] : *sources.workspace) {
+        const Parameter* parameter = effect.findParameter(name);
+        if (!parameter) continue;
+        if (const auto checked = checkGiven(*parameter, value, fileOnly(sources.workspaceFile), warnings); !checked) return checked.error();
+        values.known_[name] = value;
+        values.fixed_[name] = true;
+    }
+    for (const auto& [name, value] : *sources.set) {
+        const Parameter* parameter = effect.findParameter(name);
+        if (!parameter)
+            return inputError(4010, fileOnly(effect.file.string()), fmt::format("no parameter '{}' to set", name),
+                              didYouMean(name, namesOf(effect)));
+        if (const auto checked = checkGiven(*parameter, value, parameter->at, warnings); !checked) return checked.error();
+        values.known_[name] = value;
+        values.fixed_[name] = true;
+    }
+    return values;
+}
+
+const Numbers* Values::find(const std::string& name) const {
+    const auto found = known_.find(name);
+    return found == known_.end() ? nullptr : &found->second;
+}
+
+Result<Numbers> Values::require(const Parameter& parameter) const {
+    if (const auto failed = failed_.find(parameter.name); failed != failed_.end() && !fixed_.contains(parameter.name))
+        return failed->second;
+    if (const Numbers* value = find(parameter.name)) return *value;
+    return missing(parameter);
+}
+
+} // namespace tegument::run

@@ -12,8 +12,8 @@
 
 namespace tegument {
 
-/// Row 0 is the top row. `pixels` holds width * height * channels floats. Values are as stored in the file: 8 and 16 bit files give 0..1 still encoded
-/// (sRGB or not is the reader's knowledge, see `srgbToLinear`), EXR gives its floats.
+/// Row 0 is the top row. `pixels` holds width * height * channels floats. Values are as stored in the file: 8 and 16 bit files give 0..1
+/// still encoded (sRGB or not is the reader's knowledge, see `srgbToLinear`), EXR gives its floats.
 struct Image {
     int width = 0;
     int height = 0;
@@ -36,7 +36,8 @@ struct Image {
 /// The one tone map of this project (docs/conventions.md): linear radiance to 0..1 linear display light.
 [[nodiscard]] float toneMap(float radiance);
 
-/// PNG (8 and 16 bit), JPEG, EXR, by content. Truncated or foreign files are one clear TG52xx with the byte where it broke. At most 16384 x 16384.
+/// PNG (8 and 16 bit), JPEG, EXR, by content. Truncated or foreign files are one clear TG52xx with the byte where it broke. At most 16384 x
+/// 16384.
 [[nodiscard]] Result<Image> loadImage(const std::filesystem::path& path);
 [[nodiscard]] Result<Image> decodeImage(std::span<const std::byte> bytes, const std::string& nameForMessages);
 
@@ -51,5 +52,7 @@ enum class PngEncoding {
 };
 /// 8-bit PNG with metadata as tEXt chunks; alpha is written only for 2 and 4 channel images with Raw or Srgb.
 [[nodiscard]] Result<void> writePng(const std::filesystem::path& path, const Image& image, PngEncoding encoding);
+/// The bytes that writePng writes.
+[[nodiscard]] Result<std::string> encodePng(const Image& image, PngEncoding encoding);
 
 } // namespace tegument

@@ -50,10 +50,10 @@ struct Mesh {
 };
 
 struct MeshOptions {
-    std::optional<double> unitMm;      // default: 1000 for glTF (metres), the file's own declaration, else 1
-    bool expectHead = false;           // refuse a size implausible for a human head, with a hint to --unit-mm
-    bool requireUvs = false;           // TG53xx when there are none
-    double overlapWarning = 1e-3;      // warn when more than this share of the UV area overlaps or lies outside [0,1]
+    std::optional<double> unitMm; // default: 1000 for glTF (metres), the file's own declaration, else 1
+    bool expectHead = false;      // refuse a size implausible for a human head, with a hint to --unit-mm
+    bool requireUvs = false;      // TG53xx when there are none
+    double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
 };
 
 /// glb/gltf, PLY, OBJ by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.

@@ -42,8 +42,8 @@ struct Workspace {
     Camera camera;
     Light light;
     glm::vec3 background{0};
-    std::map<std::string, std::string> textures;             // parameter name or semantic -> file, relative to the workspace file
-    std::map<std::string, std::vector<double>> parameters;   // parameter name -> numbers
+    std::map<std::string, std::string> textures;           // parameter name or semantic -> file, relative to the workspace file
+    std::map<std::string, std::vector<double>> parameters; // parameter name -> numbers
 };
 
 /// Unknown keys, wrong types and missing files are errors with the line.

@@ -1,0 +1,135 @@
+// Images by content: which decoder, and the conversion to eight bits.
+
+#include "host/image/image.h"
+
+#include "host/image/codecs.h"
+#include "host/support/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+namespace tegument {
+
+namespace codec {
+
+Error truncated(const Encoded& in, std::size_t byte, const std::string& detail) {
+    return inputError(5201, {.file = in.name, .byte = byte}, "the image ends early: " + detail, "fetch or export the file again");
+}
+
+Error damaged(const Encoded& in, std::size_t byte, const std::string& detail) {
+    return inputError(5202, {.file = in.name, .byte = byte}, "the image is damaged: " + detail, "fetch or export the file again");
+}
+
+std::optional<Error> sizeError(const Encoded& in, std::uint64_t width, std::uint64_t height) {
+    if (width > 0 && height > 0 && width <= kMaxSize && height <= kMaxSize) return std::nullopt;
+    return inputError(5203, {.file = in.name, .byte = {}}, fmt::format("the image is {} x {} pixels", width, height),
+                      fmt::format("from 1 to {} in each direction can be read", kMaxSize));
+}
+
+Error unsupported(const Encoded& in, const std::string& what, const std::string& hint) {
+    return inputError(5204, {.file = in.name, .byte = {}}, what + " cannot be read", hint);
+}
+
+Error outOfMemory(const std::string& name) {
+    return machineError(5205, fmt::format("{}: not enough memory for the image", name));
+}
+
+} // namespace codec
+
+namespace {
+
+bool startsWith(std::span<const std::byte> bytes, std::initializer_list<unsigned char> magic) {
+    return bytes.size() >= magic.size() &&
+           std::equal(magic.begin(), magic.end(), bytes.begin(), [](unsigned char a, std::byte b) { return std::byte{a} == b; });
+}
+
+Error unknownFormat(const codec::Encoded& in) {
+    std::string start;
+    for (std::size_t i = 0; i < std::min<std::size_t>(8, in.bytes.size()); ++i)
+        start += fmt::format("{}{:02x}", i ? " " : "", std::to_integer<unsigned>(in.bytes[i]));
+    const std::string text = in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG or EXR image: it starts with {}", start);
+    return inputError(5200, {.file = in.name, .byte = 0}, text, "convert it to PNG, JPEG or EXR");
+}
+
+Result<Image> decodeByContent(const codec::Encoded& in) {
+    if (startsWith(in.bytes, {0x89, 'P', 'N', 'G'})) return codec::decodePng(in);
+    if (startsWith(in.bytes, {0xff, 0xd8})) return codec::decodeJpeg(in);
+    if (startsWith(in.bytes, {0x76, 0x2f, 0x31, 0x01})) return codec::decodeExr(in);
+    return unknownFormat(in);
+}
+
+[[maybe_unused]] bool consistent(const Image& image) {
+    return image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4 &&
+           image.pixels.size() ==
+               static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels);
+}
+
+unsigned char toByte(float value) {
+    if (!(value > 0)) return 0; // NaN too
+    return static_cast<unsigned char>(std::lround(std::min(value, 1.0f) * 255));
+}
+
+unsigned char encodeSample(float value, bool isAlpha, PngEncoding encoding) {
+    if (isAlpha || encoding == PngEncoding::Raw) return toByte(value);
+    return toByte(linearToSrgb(encoding == PngEncoding::Display ? toneMap(value) : std::max(value, 0.0f)));
+}
+
+codec::Samples8 toSamples(const Image& image, PngEncoding encoding) {
+    const bool hasAlpha = image.channels == 2 || image.channels == 4;
+    const bool keepAlpha = hasAlpha && encoding != PngEncoding::Display;
+    codec::Samples8 samples{.width = static_cast<std::uint32_t>(image.width),
+                            .height = static_cast<std::uint32_t>(image.height),
+                            .channels = keepAlpha || !hasAlpha ? image.channels : image.channels - 1,
+                            .srgb = encoding != PngEncoding::Raw,
+                            .bytes = {}};
+    const auto stride = static_cast<std::size_t>(image.channels);
+    samples.bytes.reserve(image.pixels.size());
+    for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += stride)
+        for (std::size_t c = 0; c < static_cast<std::size_t>(samples.channels); ++c)
+            samples.bytes.push_back(encodeSample(image.pixels[pixel + c], hasAlpha && c + 1 == stride, encoding));
+    return samples;
+}
+
+} // namespace
+
+Result<Image> decodeImage(std::span<const std::byte> bytes, const std::string& nameForMessages) {
+    try {
+        return decodeByContent({.bytes = bytes, .name = nameForMessages});
+    } catch (const std::bad_alloc&) {
+        return codec::outOfMemory(nameForMessages);
+    }
+}
+
+Result<Image> loadImage(const std::filesystem::path& path) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    return decodeImage(std::as_bytes(std::span(*bytes)), path.string());
+}
+
+Result<void> writeExr(const std::filesystem::path& path, const Image& image) {
+    assert(consistent(image));
+    const Result<std::string> bytes = codec::encodeExr(image);
+    if (!bytes) return bytes.error();
+    return writeFile(path, *bytes);
+}
+
+Result<void> writePng(const std::filesystem::path& path, const Image& image, PngEncoding encoding) {
+    const Result<std::string> bytes = encodePng(image, encoding);
+    if (!bytes) return bytes.error();
+    return writeFile(path, *bytes);
+}
+
+Result<std::string> encodePng(const Image& image, PngEncoding encoding) {
+    assert(consistent(image));
+    try {
+        return codec::encodePng(toSamples(image, encoding), image.metadata);
+    } catch (const std::bad_alloc&) {
+        return codec::outOfMemory("PNG");
+    }
+}
+
+} // namespace tegument

@@ -1,0 +1,153 @@
+// JPEG by libjpeg-turbo. Errors leave by longjmp: see png.cpp. Truncated data is only a warning to libjpeg, which then invents grey; here
+// it is an error.
+
+#include "host/image/codecs.h"
+
+#include <cstddef>
+#include <cstdio>
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include <fmt/format.h>
+
+#include <csetjmp>
+
+namespace tegument::codec {
+
+namespace {
+
+/// More scans than any encoder writes (libjpeg's own script has 10); each one costs a walk over all coefficients.
+constexpr int kMaxScans = 200;
+
+/// `errors` is first, so that libjpeg's pointer to it is a pointer to this.
+struct Errors {
+    jpeg_error_mgr errors{};
+    std::jmp_buf jump{};
+    char message[JMSG_LENGTH_MAX] = {};
+    bool ended = false;
+};
+
+struct Reader {
+    jpeg_decompress_struct jpeg{};
+    Errors errors;
+    jpeg_progress_mgr progress{};
+    std::size_t size = 0;
+    std::vector<unsigned char> row;
+
+    Reader() = default;
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    ~Reader() { jpeg_destroy_decompress(&jpeg); }
+
+    /// Where the decoder stands. At the end libjpeg reads from a buffer of its own (a made-up end marker).
+    [[nodiscard]] std::size_t byte(std::span<const std::byte> bytes) const {
+        const auto* begin = reinterpret_cast<const unsigned char*>(bytes.data());
+        const unsigned char* next = jpeg.src ? jpeg.src->next_input_byte : nullptr;
+        return next >= begin && next <= begin + bytes.size() ? static_cast<std::size_t>(next - begin) : bytes.size();
+    }
+};
+
+[[noreturn]] void leave(j_common_ptr common) {
+    auto* errors = reinterpret_cast<Errors*>(common->err);
+    common->err->format_message(common, errors->message);
+    const int code = common->err->msg_code;
+    errors->ended = code == JWRN_JPEG_EOF || code == JERR_INPUT_EOF || code == JERR_INPUT_EMPTY;
+    std::longjmp(errors->jump, 1);
+}
+
+/// Level -1 is "the data is corrupt": refused, but for four that do not change a pixel.
+void onMessage(j_common_ptr common, int level) {
+    const int code = common->err->msg_code;
+    const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_JFIF_MAJOR || code == JWRN_ADOBE_XFORM || code == JWRN_TOO_MUCH_DATA;
+    if (level < 0 && !harmless) leave(common);
+}
+
+void onProgress(j_common_ptr common) {
+    if (reinterpret_cast<j_decompress_ptr>(common)->input_scan_number > kMaxScans) {
+        common->err->msg_code = JERR_BAD_PROGRESSION;
+        leave(common);
+    }
+}
+
+bool readHeader(Reader& reader, const unsigned char* bytes, unsigned long size) {
+    if (setjmp(reader.errors.jump)) return false;
+    jpeg_create_decompress(&reader.jpeg);
+    reader.progress.progress_monitor = onProgress;
+    reader.jpeg.progress = &reader.progress;
+    jpeg_mem_src(&reader.jpeg, bytes, size);
+    jpeg_read_header(&reader.jpeg, TRUE);
+    return true;
+}
+
+bool start(Reader& reader) {
+    if (setjmp(reader.errors.jump)) return false;
+    reader.jpeg.out_color_space = reader.jpeg.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    reader.jpeg.dct_method = JDCT_ISLOW;
+    jpeg_start_decompress(&reader.jpeg);
+    return true;
+}
+
+bool readRow(Reader& reader) {
+    if (setjmp(reader.errors.jump)) return false;
+    JSAMPROW row = reader.row.data();
+    jpeg_read_scanlines(&reader.jpeg, &row, 1);
+    return true;
+}
+
+bool finish(Reader& reader) {
+    if (setjmp(reader.errors.jump)) return false;
+    jpeg_finish_decompress(&reader.jpeg);
+    return true;
+}
+
+Error readError(const Encoded& in, const Reader& reader) {
+    const std::size_t byte = reader.byte(in.bytes);
+    return reader.errors.ended ? truncated(in, byte, "the picture data is cut off") : damaged(in, byte, reader.errors.message);
+}
+
+std::optional<Error> refuse(const Encoded& in, const jpeg_decompress_struct& jpeg) {
+    if (auto wrong = sizeError(in, jpeg.image_width, jpeg.image_height)) return wrong;
+    if (jpeg.num_components != 1 && jpeg.num_components != 3)
+        return unsupported(in, fmt::format("a JPEG of {} components", jpeg.num_components), "convert it to RGB");
+    if (jpeg.arith_code) return unsupported(in, "an arithmetic-coded JPEG", "save it as baseline or progressive JPEG");
+    // Huffman coding spends at least one bit on each 8 x 8 block, so this many bytes are needed before memory is taken by the header's
+    // word.
+    const std::uint64_t leastBytes = std::uint64_t{jpeg.image_width} * jpeg.image_height / (64 * 8);
+    if (in.bytes.size() < leastBytes)
+        return truncated(in, in.bytes.size(), fmt::format("{} x {} pixels need more bytes", jpeg.image_width, jpeg.image_height));
+    return std::nullopt;
+}
+
+Result<Image> readPixels(const Encoded& in, Reader& reader) {
+    const jpeg_decompress_struct& jpeg = reader.jpeg;
+    Image image{.width = static_cast<int>(jpeg.output_width),
+                .height = static_cast<int>(jpeg.output_height),
+                .channels = jpeg.output_components,
+                .pixels = {},
+                .bitsPerChannel = 8,
+                .metadata = {}};
+    reader.row.resize(std::size_t{jpeg.output_width} * static_cast<std::size_t>(jpeg.output_components));
+    while (jpeg.output_scanline < jpeg.output_height) {
+        if (!readRow(reader)) return readError(in, reader);
+        for (const unsigned char sample : reader.row)
+            image.pixels.push_back(static_cast<float>(sample) / 255.0f);
+    }
+    if (!finish(reader)) return readError(in, reader);
+    return image;
+}
+
+} // namespace
+
+Result<Image> decodeJpeg(const Encoded& in) {
+    Reader reader;
+    reader.jpeg.err = jpeg_std_error(&reader.errors.errors);
+    reader.errors.errors.error_exit = leave;
+    reader.errors.errors.emit_message = onMessage;
+    if (!readHeader(reader, reinterpret_cast<const unsigned char*>(in.bytes.data()), in.bytes.size())) return readError(in, reader);
+    if (const auto wrong = refuse(in, reader.jpeg)) return *wrong;
+    if (!start(reader)) return readError(in, reader);
+    return readPixels(in, reader);
+}
+
+} // namespace tegument::codec

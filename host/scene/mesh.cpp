@@ -1,0 +1,209 @@
+// loadMesh: which reader, then everything that holds for every format.
+
+#include "host/scene/mesh.h"
+
+#include "host/scene/mesh_file.h"
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+namespace tegument {
+
+namespace {
+
+using meshfile::Source;
+
+enum class MeshFormat { Gltf, Ply, Obj };
+
+/// glb and PLY by their first bytes; JSON and OBJ are text, so their file names must help.
+std::optional<MeshFormat> formatOf(const std::filesystem::path& path, std::string_view bytes) {
+    if (bytes.starts_with("glTF")) return MeshFormat::Gltf;
+    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ")) return MeshFormat::Ply;
+    const std::string extension = toLower(path.extension().string());
+    if (extension == ".gltf") return MeshFormat::Gltf;
+    if (extension == ".obj") return MeshFormat::Obj;
+    return std::nullopt;
+}
+
+Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
+    const std::string extension = toLower(path.extension().string());
+    std::string text = bytes.empty() ? "the file is empty" : "not a mesh in glb, glTF, PLY or OBJ form";
+    if (!bytes.empty() && (extension == ".glb" || extension == ".ply"))
+        text = fmt::format("the file is named {} but does not start like one", extension);
+    return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), "convert it to glb");
+}
+
+Result<Mesh> readByFormat(MeshFormat format, const Source& source) {
+    switch (format) {
+    case MeshFormat::Gltf: return meshfile::readGltf(source);
+    case MeshFormat::Ply: return meshfile::readPly(source);
+    case MeshFormat::Obj: return meshfile::readObj(source);
+    }
+    return unknownFormat(source.path, source.bytes);
+}
+
+/// Triangles that repeat a corner have no area and no normal. Parts keep their order; empty ones go.
+void dropDegenerate(Mesh& mesh, const Source& source) {
+    std::vector<std::uint32_t> kept;
+    kept.reserve(mesh.indices.size());
+    std::vector<MeshPart> parts;
+    for (const MeshPart& part : mesh.parts) {
+        const auto first = static_cast<std::uint32_t>(kept.size());
+        for (std::size_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
+            const auto* t = &mesh.indices[i];
+            if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) kept.insert(kept.end(), t, t + 3);
+        }
+        const auto count = static_cast<std::uint32_t>(kept.size()) - first;
+        if (count > 0) parts.push_back({.name = part.name, .firstIndex = first, .indexCount = count});
+    }
+    if (const std::size_t dropped = (mesh.indices.size() - kept.size()) / 3; dropped > 0)
+        meshfile::warn(mesh, 5322, source.whole(), fmt::format("{} triangles that repeat a vertex are left out", dropped));
+    mesh.indices = std::move(kept);
+    mesh.parts = std::move(parts);
+}
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
+    if (values.empty()) return;
+    std::vector<T> compact;
+    compact.reserve(kept.size());
+    for (const std::uint32_t index : kept)
+        compact.push_back(values[index]);
+    values = std::move(compact);
+}
+
+/// Vertices of no triangle go, so that a stray point cannot stretch the bounds; the order of the others stays.
+void dropUnreferenced(Mesh& mesh) {
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const std::uint32_t index : mesh.indices)
+        used[index] = true;
+    std::vector<std::uint32_t> kept;
+    std::vector<std::uint32_t> newIndex(mesh.positions.size());
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+        newIndex[i] = static_cast<std::uint32_t>(kept.size());
+        if (used[i]) kept.push_back(i);
+    }
+    if (kept.size() == mesh.positions.size()) return;
+    keep(mesh.positions, kept);
+    keep(mesh.normals, kept);
+    keep(mesh.tangents, kept);
+    keep(mesh.uvs, kept);
+    for (std::uint32_t& index : mesh.indices)
+        index = newIndex[index];
+}
+
+/// Rounding alone leaves a float unit vector within this of length 1, so such vectors are kept bit for bit.
+constexpr double kUnitTolerance = 1e-6;
+
+/// Makes the file's normals unit; false when one is not usable.
+bool normalise(std::vector<glm::vec3>& vectors) {
+    for (glm::vec3& vector : vectors) {
+        const glm::dvec3 exact(vector);
+        const double length = glm::length(exact);
+        if (!std::isfinite(length) || !(length > 0)) return false;
+        if (std::abs(length - 1) > kUnitTolerance) vector = glm::vec3(exact / length);
+    }
+    return true;
+}
+
+bool usableTangents(const Mesh& mesh) {
+    return std::ranges::all_of(mesh.tangents, [](const glm::vec4& tangent) {
+        const double length = glm::length(glm::dvec3(tangent));
+        return std::abs(length - 1) < 1e-3 && (tangent.w == 1 || tangent.w == -1);
+    });
+}
+
+void finishFrames(Mesh& mesh, const Source& source) {
+    if (!mesh.normals.empty() && !normalise(mesh.normals)) {
+        meshfile::warn(mesh, 5324, source.whole(), "some normals of the file have no length: all are made anew");
+        mesh.normals.clear();
+        mesh.tangents.clear();
+    }
+    computeNormals(mesh);
+    if (mesh.uvs.empty() || !usableTangents(mesh)) mesh.tangents.clear();
+    if (mesh.tangents.empty() && !mesh.uvs.empty()) computeTangents(mesh);
+}
+
+std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOptions& options) {
+    if (mesh.uvs.empty()) {
+        if (!options.requireUvs) return std::nullopt;
+        return inputError(5308, source.whole(), "the mesh has no texture coordinates",
+                          "unwrap it before export: skin is lit in texture space");
+    }
+    if (!std::ranges::all_of(mesh.uvs, [](const glm::vec2& uv) { return std::isfinite(uv.x) && std::isfinite(uv.y); }))
+        return meshfile::notFinite(source.whole(), "a texture coordinate is not finite");
+    const UvReport report = examineUvs(mesh);
+    if (report.overlapping > options.overlapWarning)
+        meshfile::warn(mesh, 5320, source.whole(),
+                       fmt::format("{:.1f} % of the UV area is used by more than one triangle", 100 * report.overlapping),
+                       "light that is gathered in texture space will mix there: unwrap the mesh without overlap");
+    if (report.outside > options.overlapWarning)
+        meshfile::warn(mesh, 5321, source.whole(),
+                       fmt::format("{:.1f} % of the UV area lies outside the unit square", 100 * report.outside),
+                       "it is not lit in texture space: move the charts into the square");
+    return std::nullopt;
+}
+
+constexpr double kLeastHead = 150; // mm: a small child's head without neck
+constexpr double kMostHead = 700;  // mm: a bust to below the chest
+
+/// The unit that makes a height of `height` units a head: a common one if it fits, else what makes it 280 mm (head and neck).
+double likelyUnit(double height) {
+    for (const double unit : {1.0, 10.0, 25.4, 100.0, 1000.0})
+        if (height * unit >= kLeastHead && height * unit <= kMostHead) return unit;
+    const double exact = 280 / height;
+    const double step = std::pow(10, std::floor(std::log10(exact)) - 1); // two digits
+    return std::round(exact / step) * step;
+}
+
+std::optional<Error> checkHead(const Mesh& mesh, const Source& source) {
+    const double height = static_cast<double>(mesh.bounds.maximum.y) - static_cast<double>(mesh.bounds.minimum.y);
+    if (height >= kLeastHead && height <= kMostHead) return std::nullopt;
+    const std::string suggestion = height > 0 ? fmt::format(": try {:g}", likelyUnit(height / source.unitMm)) : "";
+    return inputError(5309, source.whole(),
+                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit; {:g} to {:g} mm is plausible", height, source.unitMm,
+                                  kLeastHead, kMostHead),
+                      fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}", suggestion));
+}
+
+Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    const auto format = formatOf(path, *bytes);
+    if (!format) return unknownFormat(path, *bytes);
+    const double unit = options.unitMm.value_or(*format == MeshFormat::Gltf ? 1000 : 1);
+    if (!(unit > 0 && std::isfinite(unit)))
+        return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");
+    const Source source{.path = path, .bytes = *bytes, .unitMm = unit};
+    Result<Mesh> mesh = readByFormat(*format, source);
+    if (!mesh) return mesh;
+    mesh->unitMm = unit;
+    if (mesh->name.empty()) mesh->name = path.stem().string();
+    dropDegenerate(*mesh, source);
+    if (mesh->indices.empty()) return meshfile::noTriangles(source.whole());
+    dropUnreferenced(*mesh);
+    computeBounds(*mesh);
+    if (options.expectHead)
+        if (auto error = checkHead(*mesh, source)) return *error;
+    if (auto error = checkUvs(*mesh, source, options)) return *error;
+    finishFrames(*mesh, source);
+    return mesh;
+}
+
+} // namespace
+
+Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options) {
+    try {
+        return load(path, options);
+    } catch (const std::bad_alloc&) {
+        return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()));
+    }
+}
+
+} // namespace tegument

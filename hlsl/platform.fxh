@@ -2,7 +2,7 @@
 //   (nothing defined)   Direct3D 9 effect, fx_2_0, shader model 3
 //   FX_D3D10, FX_D3D11  Direct3D 10 effect (fx_4_0), Direct3D 11 effect (fx_5_0)
 //   FX_ENTRY            entry points only: DXC, glslang, fxc /T ps_5_0
-// Convention: sampler gX reads texture gXMap. Techniques stand inside #ifdef FX_TECHNIQUES. No variadic macro, no empty argument: glslang and fxc lack them.
+// Convention: sampler gX reads texture gXMap; a second sampler of that texture is declared with SAMPLER2D_OF and passed with SAMPLER2D_ARG_OF. Techniques stand inside #ifdef FX_TECHNIQUES. No variadic macro, no empty argument: glslang and fxc lack them.
 #ifndef TEGUMENT_PLATFORM_FXH
 #define TEGUMENT_PLATFORM_FXH
 
@@ -24,16 +24,20 @@
 #define SAMPLER2D(s, filter, address) SamplerState s { Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
 #endif
 #define SAMPLER2D_SRGB(s, filter, address) SAMPLER2D(s, filter, address)
+#define SAMPLER2D_OF(s, map, filter, address) SAMPLER2D(s, filter, address)
 #define tex2D(s, uv) s##Map.Sample(s, uv)
 #define tex2Dlod(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
 #define SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
 #define SAMPLER2D_ARG(s) s##Map, s
+#define SAMPLER2D_ARG_OF(s, map) map, s
 #define HALF_PIXEL(position, viewport) (position)
 #else
 #define SAMPLER2D(s, filter, address) sampler2D s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
 #define SAMPLER2D_SRGB(s, filter, address) sampler2D s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; SRGBTexture = TRUE; }
+#define SAMPLER2D_OF(s, map, filter, address) sampler2D s { Texture = <map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
 #define SAMPLER2D_PARAM(s) sampler2D s
 #define SAMPLER2D_ARG(s) s
+#define SAMPLER2D_ARG_OF(s, map) s
 #define HALF_PIXEL(position, viewport) ((position) + float4(float2(-1, 1) / (viewport) * (position).w, 0, 0))
 #endif
 

@@ -61,7 +61,6 @@ static const bool kFadeNearLitSide = !kSeed;
 // Convolution. Sum and variance of the printed kernel {.006 .061 .242 .383 .242 .061 .006} in units of its spacing.
 static const float kKernelSum = 1.001;
 static const float kKernelVariance = 1.0789;
-static const float kKernelGain = kCorrected ? 1.0 / kKernelSum : 1.0;
 static const bool kConvolveIncrement = !kSeed;
 static const bool kConvolveExactly = kCorrected;
 

@@ -1,4 +1,4 @@
-// The colour map. sRGB; alpha: 1 skin, 0 plain material (eyeballs), which neither scatters nor receives scattered light.
+// The maps of the material. gSkinMap: sRGB; alpha 1 skin, 0 plain material (eyeballs), which neither scatters nor receives scattered light.
 #ifndef TEGUMENT_PASSES_MATERIALS_FXH
 #define TEGUMENT_PASSES_MATERIALS_FXH
 

@@ -1,5 +1,5 @@
 // Translucent shadow map, modified: depth and texture coordinates of the surface nearest to the light (d'Eon and Luebke 2007, "Modified translucent
-// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1 where there is a surface).
+// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); (1e9, 0, 0, 0) where there is no surface.
 // Depth: setting seed z/w; else the distance to the light in mm, so that along one ray the difference of two depths is the length inside the body.
 #ifndef TEGUMENT_SHADOW_TSM_FXH
 #define TEGUMENT_SHADOW_TSM_FXH
@@ -19,40 +19,59 @@ float tsmDepth(float4 lightClip, float3 fromLight)
     return kDepthInMillimetres ? length(fromLight) : lightClip.z / max(lightClip.w, 1e-6);
 }
 
-// Tolerance of the depth comparison. Corrected: `tolerance` mm plus what the surface's slope towards the light adds within the filter's reach.
-// cosine = N.L of the unperturbed normal; fov = angle of the light's pyramid, radians; distance to the light in mm.
-float tsmTolerance(float tolerance, float cosine, float distance, float fov)
+// mm across a texel at this distance from the light (depth, mm); fov = angle of its pyramid, radians.
+float tsmFootprint(float depth, float fov)
 {
-    float footprint = 2.0 * distance * tan(0.5 * fov) / kMapSize;
+    return 2.0 * depth * tan(0.5 * fov) / kMapSize;
+}
+
+// Tolerance of the depth comparison. Corrected: `tolerance` mm plus what the surface's slope towards the light adds within the filter's reach.
+// cosine = N.L of the unperturbed normal.
+float tsmTolerance(float tolerance, float cosine, float footprint)
+{
     float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-3), kSteepestSlope);
     return kFilterShadow ? tolerance + kFilterReach * footprint * slope : tolerance;
 }
 
-float tsmLit(float4 texel, float depth, float tolerance)
+// Normal of the lit surface, from the slope of its depths. axisX, axisY: the light's right and up; footprint: mm of a texel; range: mm of a unit depth.
+float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 axisY, float3 toLight, float footprint, float range)
 {
-    return texel.w < 0.5 || depth - tolerance <= texel.x ? 1.0 : 0.0;
+    float2 texel = float2(1.0, 0.0) / kMapSize;
+    float dx = tex2Dlod(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x - tex2Dlod(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
+    float dy = tex2Dlod(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x - tex2Dlod(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
+    return safeNormalize(2.0 * footprint * toLight + range * (dx * axisX + dy * axisY));
 }
 
-// Box three texels wide over bilinear comparisons: 16 taps weighted (1 - f, 1, 1, f) in both directions.
-float tsmFilteredShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth, float tolerance)
+// Lit where the nearest surface is not before this depth. Texels without surface hold a depth beyond any (the clear value of the script).
+float tsmLit(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth)
+{
+    return depth <= tex2Dlod(tsm, float4(coordinate, 0.0, 0.0)).x ? 1.0 : 0.0;
+}
+
+// Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions.
+float tsmFilteredShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth)
 {
     float2 position = coordinate * kMapSize - 0.5;
     float2 f = frac(position);
     float2 corner = (position - f - 0.5) / kMapSize;
-    float4 wu = float4(1.0 - f.x, 1.0, 1.0, f.x);
-    float4 wv = float4(1.0 - f.y, 1.0, 1.0, f.y);
+    float4 rowWeight = float4(1.0 - f.y, 1.0, 1.0, f.y);
     float sum = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
+    {
+        float4 row;
         [unroll] for (int i = 0; i < 4; i++)
-            sum += wu[i] * wv[j] * tsmLit(tex2Dlod(tsm, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)), depth, tolerance);
+            row[i] = tex2Dlod(tsm, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
+        sum += rowWeight[j] * dot(step(depth, row), float4(1.0 - f.x, 1.0, 1.0, f.x));
+    }
     return sum / 9.0;
 }
 
-float tsmShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth, float tolerance)
+// depth: of the receiver, less the tolerance.
+float tsmShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth)
 {
     if (kFilterShadow)
-        return tsmFilteredShadow(SAMPLER2D_ARG(tsm), coordinate, depth, tolerance);
-    return tsmLit(tex2Dlod(tsm, float4(coordinate, 0.0, 0.0)), depth, tolerance);
+        return tsmFilteredShadow(SAMPLER2D_ARG(tsm), coordinate, depth);
+    return tsmLit(SAMPLER2D_ARG(tsm), coordinate, depth);
 }
 
 #endif

@@ -1,0 +1,240 @@
+// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile.
+// Technique White feeds it the constant gConstantIrradiance instead, over the charts of the mesh: what comes out is the sum of the weights.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/specular.fxh"
+#include "../hlsl/shadow.fxh"
+#include "../hlsl/scatter.fxh"
+#include "passes/quad.fxh"
+#include "passes/materials.fxh"
+#include "passes/skin_parameters.fxh"
+#include "passes/tsm.fxh"
+#include "passes/surface.fxh"
+#include "passes/irradiance.fxh"
+#include "passes/stretch.fxh"
+#include "passes/profile.fxh"
+#include "passes/convolution.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=Convolution;";
+> = 0.8;
+
+float4 gConstantIrradiance < string UIName = "Light of technique White"; string UIWidget = "Color"; > = { 1.0, 1.0, 1.0, 0.5 };
+
+struct ConstantVarying
+{
+    float4 position : SV_Position;
+};
+
+ConstantVarying ConstantVS(MeshInput input)
+{
+    ConstantVarying output;
+    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    return output;
+}
+
+float4 ConstantPS(ConstantVarying input) : SV_Target0
+{
+    return gConstantIrradiance;
+}
+
+// Alpha: 1 inside the charts of the irradiance, 0 outside.
+float4 ShowPS(QuadVarying input) : SV_Target0
+{
+    float4 uv = float4(input.uv, 0.0, 0.0);
+    float4 first = tex2Dlod(gIrradiance, uv);
+    float3 sum = first.rgb * gGaussianWeight[0].rgb + tex2Dlod(gIrradiance2, uv).rgb * gGaussianWeight[1].rgb +
+                 tex2Dlod(gIrradiance3, uv).rgb * gGaussianWeight[2].rgb + tex2Dlod(gIrradiance4, uv).rgb * gGaussianWeight[3].rgb +
+                 tex2Dlod(gIrradiance5, uv).rgb * gGaussianWeight[4].rgb + tex2Dlod(gIrradiance6, uv).rgb * gGaussianWeight[5].rgb;
+    return float4(sum, 1.0) * seamValidity(first);
+}
+
+#ifdef FX_TECHNIQUES
+technique Convolution < string Script =
+    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
+    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;"
+    "RenderColorTarget0=gIrradiance2Map; Clear=Color; Pass=ConvolutionUV1;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU2;"
+    "RenderColorTarget0=gIrradiance3Map; Clear=Color; Pass=ConvolutionUV2;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU3;"
+    "RenderColorTarget0=gIrradiance4Map; Clear=Color; Pass=ConvolutionUV3;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU4;"
+    "RenderColorTarget0=gIrradiance5Map; Clear=Color; Pass=ConvolutionUV4;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;"
+    "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    pass TSM < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL TsmVS();
+        PixelShader = compile PS_MODEL TsmPS();
+        STATE_TWOSIDED;
+    }
+    pass Irradiance < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL IrradianceVS();
+        PixelShader = compile PS_MODEL IrradiancePS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU1 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU1PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV1 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV1PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU2 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU2PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV2 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV2PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU3 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU3PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV3 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV3PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU4 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU4PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV4 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV4PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU5 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU5PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV5 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV5PS();
+        STATE_BUFFER;
+    }
+    pass Show < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ShowPS();
+        STATE_BUFFER;
+    }
+}
+
+technique White < string Script =
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Constant;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;"
+    "RenderColorTarget0=gIrradiance2Map; Clear=Color; Pass=ConvolutionUV1;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU2;"
+    "RenderColorTarget0=gIrradiance3Map; Clear=Color; Pass=ConvolutionUV2;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU3;"
+    "RenderColorTarget0=gIrradiance4Map; Clear=Color; Pass=ConvolutionUV3;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU4;"
+    "RenderColorTarget0=gIrradiance5Map; Clear=Color; Pass=ConvolutionUV4;"
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;"
+    "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    pass Constant < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL ConstantVS();
+        PixelShader = compile PS_MODEL ConstantPS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU1 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU1PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV1 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV1PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU2 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU2PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV2 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV2PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU3 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU3PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV3 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV3PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU4 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU4PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV4 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV4PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionU5 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionU5PS();
+        STATE_BUFFER;
+    }
+    pass ConvolutionUV5 < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ConvolutionUV5PS();
+        STATE_BUFFER;
+    }
+    pass Show < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ShowPS();
+        STATE_BUFFER;
+    }
+}
+#endif

@@ -1,0 +1,53 @@
+// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/specular.fxh"
+#include "../hlsl/shadow.fxh"
+#include "../hlsl/scatter.fxh"
+#include "passes/quad.fxh"
+#include "passes/materials.fxh"
+#include "passes/skin_parameters.fxh"
+#include "passes/tsm.fxh"
+#include "passes/surface.fxh"
+#include "passes/irradiance.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=Irradiance;";
+> = 0.8;
+
+float4 ShowPS(QuadVarying input) : SV_Target0
+{
+    return float4(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)).rgb, 1.0);
+}
+
+#ifdef FX_TECHNIQUES
+technique Irradiance < string Script =
+    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
+    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    pass TSM < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL TsmVS();
+        PixelShader = compile PS_MODEL TsmPS();
+        STATE_TWOSIDED;
+    }
+    pass Irradiance < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL IrradianceVS();
+        PixelShader = compile PS_MODEL IrradiancePS();
+        STATE_BUFFER;
+    }
+    pass Show < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL ShowPS();
+        STATE_BUFFER;
+    }
+}
+#endif

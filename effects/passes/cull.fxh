@@ -1,0 +1,59 @@
+// Passes PrePass1 and PrePass2: depth 1 in the texture-space depth target where nothing needs to be drawn. The script clears it to 0 in any case.
+#ifndef TEGUMENT_PASSES_CULL_FXH
+#define TEGUMENT_PASSES_CULL_FXH
+
+Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+
+struct CullVarying
+{
+    float4 position : SV_Position;
+    float4 clip : TEXCOORD0;
+    float3 normal : TEXCOORD1;
+    float3 toEye : TEXCOORD2;
+};
+
+// A black texel survives while a coloured one is this near (texels): the seams' repair writes there.
+static const float kRepairRadius = 2.0;
+
+bool blackAround(float2 uv)
+{
+    bool black = true;
+    [unroll] for (int j = -1; j <= 1; j++)
+        [unroll] for (int i = -1; i <= 1; i++)
+            black = black && cullBlack(tex2Dlod(gSkin, float4(uv + float2(i, j) * kRepairRadius / kMapSize, 0.0, 0.0)).rgb);
+    return black;
+}
+
+QuadVarying PrePass1VS(QuadInput input)
+{
+    QuadVarying output = QuadVS(input);
+    output.position.z = 1.0;
+    return output;
+}
+
+float4 PrePass1PS(QuadVarying input) : SV_Target0
+{
+    clip(blackAround(input.uv) ? 1.0 : -1.0);
+    return 0.0;
+}
+
+// Setting seed culls whole vertices, by their depth; corrected culls fragments.
+CullVarying PrePass2VS(MeshInput input)
+{
+    CullVarying output;
+    float3 world = worldPosition(input.position);
+    output.clip = mul(float4(world, 1.0), gViewProjection);
+    output.normal = mul(input.normal, (float3x3)gWorldInverseTranspose);
+    output.toEye = gCameraPosition - world;
+    float z = kCullPerPixel || cullHidden(output.clip, output.normal, output.toEye) ? 1.0 : 0.0;
+    output.position = HALF_PIXEL(unwrapPosition(input.uv, z), gViewportSize);
+    return output;
+}
+
+float4 PrePass2PS(CullVarying input) : SV_Target0
+{
+    clip(!kCullPerPixel || cullHidden(input.clip, input.normal, input.toEye) ? 1.0 : -1.0);
+    return 0.0;
+}
+
+#endif

@@ -1,0 +1,91 @@
+// Pass Final: six maps weighted by the profile, light through thin parts, the rest of the colour, specular reflection.
+#ifndef TEGUMENT_PASSES_FINAL_FXH
+#define TEGUMENT_PASSES_FINAL_FXH
+
+float gPlainRoughness < string UIName = "Roughness of plain material"; string UIWidget = "Slider"; float UIMin = 0.05; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "Beckmann m"; > = 0.1;
+float gPlainIntensity < string UIName = "Specular intensity of plain material"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "rho_s"; > = 0.5;
+float gTransmission < string UIName = "Transmission"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "weight of the light through thin parts"; > = 1.0;
+int gUsePrePass < string UIName = "Cull texels that do not show"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1; > = 0;
+
+SurfaceVarying FinalVS(MeshInput input)
+{
+    SurfaceVarying output = surfaceVarying(input);
+    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    return output;
+}
+
+// Maps 2 to 6 are filled around the charts by their convolution, so they may be filtered.
+SAMPLER2D_OF(gFinal2, gIrradiance2Map, LINEAR, CLAMP);
+SAMPLER2D_OF(gFinal3, gIrradiance3Map, LINEAR, CLAMP);
+SAMPLER2D_OF(gFinal4, gIrradiance4Map, LINEAR, CLAMP);
+SAMPLER2D_OF(gFinal5, gIrradiance5Map, LINEAR, CLAMP);
+SAMPLER2D_OF(gFinal6, gIrradiance6Map, LINEAR, CLAMP);
+
+// Table 7, last row: where no texel is valid, diffusion is left out.
+float4 lightHere(float4 texel, float3 unblurred)
+{
+    return seamValidity(texel) > 0.0 ? texel : float4(unblurred, transmissionEncode(kOpaqueDistance));
+}
+
+float4 fetchHere(SAMPLER2D_PARAM(map), float2 uv, float3 unblurred)
+{
+    return lightHere(tex2Dlod(map, float4(uv, 0.0, 0.0)), unblurred);
+}
+
+// Light of one map where it entered the body. `before`: the map here that carries the thickness.
+float3 fetchThere(SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaussian, float apart)
+{
+    float4 texel = tex2Dlod(map, float4(uv, 0.0, 0.0));
+    float thickness = transmissionDecode(before.w, gLightFar - gLightNear);
+    return gaussian.rgb * texel.rgb * (seamValidity(texel) * transmissionShare(thickness, gaussian.w, apart));
+}
+
+float3 diffusedLight(SurfaceVarying input, LitPoint p)
+{
+    float3 unblurred = enteringLight(p);
+    float4 m1 = lightHere(seamBilinear(SAMPLER2D_ARG(gIrradiance), input.uv), unblurred);
+    float4 m2 = fetchHere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), input.uv, unblurred);
+    float4 m3 = fetchHere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), input.uv, unblurred);
+    float4 m4 = fetchHere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), input.uv, unblurred);
+    float4 m5 = fetchHere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), input.uv, unblurred);
+    float4 m6 = fetchHere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), input.uv, unblurred);
+    float3 here = m1.rgb * gGaussianWeight[0].rgb + m2.rgb * gGaussianWeight[1].rgb + m3.rgb * gGaussianWeight[2].rgb +
+                  m4.rgb * gGaussianWeight[3].rgb + m5.rgb * gGaussianWeight[4].rgb + m6.rgb * gGaussianWeight[5].rgb;
+    float4 lit = tex2Dlod(gTsm, float4(p.tsmUv, 0.0, 0.0));
+    float apart = transmissionScale(input.world, input.uv) * length(input.uv - lit.yz);
+    float3 there = fetchThere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), lit.yz, m3, gGaussianWeight[3], apart) +
+                   fetchThere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), lit.yz, m4, gGaussianWeight[4], apart) +
+                   fetchThere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), lit.yz, m5, gGaussianWeight[5], apart);
+    if (kFirstTransmitted == 2)
+        there += fetchThere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), lit.yz, m1, gGaussianWeight[1], apart) +
+                 fetchThere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), lit.yz, m2, gGaussianWeight[2], apart);
+    return here + gTransmission * lit.w * there;
+}
+
+float3 reflectedLight(LitPoint p, float3 toEye)
+{
+    float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
+    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
+    return gLightColor * p.shadow * kelemenSpecular(p.normal, p.toLight, toEye, roughness, intensity);
+}
+
+float4 FinalPS(SurfaceVarying input) : SV_Target0
+{
+    LitPoint p = litPoint(input);
+    float3 toEye = safeNormalize(gCameraPosition - input.world);
+    float3 skin = diffusedLight(input, p) * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
+    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+}
+
+// The same material without diffusion, to set beside the picture.
+float4 LambertPS(SurfaceVarying input) : SV_Target0
+{
+    LitPoint p = litPoint(input);
+    float3 toEye = safeNormalize(gCameraPosition - input.world);
+    float3 skin = enteringLight(p) * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
+    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+}
+
+#endif

@@ -1,0 +1,32 @@
+// Pass Irradiance: light entering the skin, in texture space; alpha: thickness towards the light, or 1 (outside) for what does not scatter.
+#ifndef TEGUMENT_PASSES_IRRADIANCE_FXH
+#define TEGUMENT_PASSES_IRRADIANCE_FXH
+
+Texture2D gIrradianceMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
+SAMPLER2D(gIrradiance, POINT, CLAMP);
+
+SurfaceVarying IrradianceVS(MeshInput input)
+{
+    SurfaceVarying output = surfaceVarying(input);
+    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    return output;
+}
+
+float thicknessTowardsLight(LitPoint p)
+{
+    float range = kDepthInMillimetres ? 1.0 : gLightFar - gLightNear;
+    float3 axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
+    float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.tsmUv, axisX, axisY, p.toLight, p.footprint, range);
+    float4 lit = tex2Dlod(gTsm, float4(p.tsmUv, 0.0, 0.0));
+    return lit.w > 0.5 ? transmissionThickness(p.depth - lit.x, p.cosine, p.normal, litNormal) : kOpaqueDistance;
+}
+
+float4 IrradiancePS(SurfaceVarying input) : SV_Target0
+{
+    LitPoint p = litPoint(input);
+    float alpha = transmissionEncode(thicknessTowardsLight(p));
+    return float4(enteringLight(p), p.scatters > 0.5 ? alpha : 1.0);
+}
+
+#endif

@@ -1,0 +1,8 @@
+// The precomputed Stretch map, made by Stretch.fx.
+#ifndef TEGUMENT_PASSES_STRETCH_FXH
+#define TEGUMENT_PASSES_STRETCH_FXH
+
+Texture2D gStretchMap < string Producer = "Stretch.fx/gStretchMap"; string ResourceName = "stretch.dds"; >;
+SAMPLER2D(gStretch, POINT, CLAMP);
+
+#endif

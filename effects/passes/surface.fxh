@@ -1,0 +1,75 @@
+// What a lit pass knows of a point: from the mesh, the maps, the light and the translucent shadow map.
+#ifndef TEGUMENT_PASSES_SURFACE_FXH
+#define TEGUMENT_PASSES_SURFACE_FXH
+
+Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
+Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
+SAMPLER2D(gNormal, LINEAR, CLAMP);
+SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+
+struct SurfaceVarying
+{
+    float4 position : SV_Position;
+    float2 uv : TEXCOORD0;
+    float3 world : TEXCOORD1;
+    float3 normal : TEXCOORD2;
+    float4 tangent : TEXCOORD3;
+    float4 lightClip : TEXCOORD4;
+};
+
+struct LitPoint
+{
+    float3 albedo;
+    float scatters; // 1 skin, 0 plain material
+    float3 normal;
+    float3 toLight;
+    float cosine; // N.L, signed
+    float shadow; // 1 lit
+    float2 tsmUv;
+    float depth;     // as in the translucent shadow map
+    float footprint; // of one of its texels, mm
+};
+
+SurfaceVarying surfaceVarying(MeshInput input)
+{
+    SurfaceVarying output;
+    output.uv = input.uv;
+    output.world = worldPosition(input.position);
+    output.normal = mul(input.normal, (float3x3)gWorldInverseTranspose);
+    output.tangent = float4(mul(input.tangent.xyz, (float3x3)gWorld), input.tangent.w);
+    output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
+    output.position = float4(0.0, 0.0, 0.0, 1.0);
+    return output;
+}
+
+LitPoint litPoint(SurfaceVarying input)
+{
+    LitPoint p;
+    float4 colour = tex2D(gSkin, input.uv);
+    float3 fromLight = input.world - gLightPosition;
+    p.albedo = colour.rgb;
+    p.scatters = colour.a;
+    p.normal = surfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
+    p.toLight = safeNormalize(-fromLight);
+    p.cosine = dot(p.normal, p.toLight);
+    p.tsmUv = tsmCoordinate(input.lightClip);
+    p.depth = tsmDepth(input.lightClip, fromLight);
+    p.footprint = tsmFootprint(length(fromLight), gLightFov);
+    float tolerance = tsmTolerance(gShadowTolerance, dot(safeNormalize(input.normal), p.toLight), p.footprint);
+    p.shadow = tsmShadow(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth - tolerance);
+    return p;
+}
+
+// What the specular layer leaves of light that crosses the surface at this cosine.
+float diffuseShare(float cosine)
+{
+    float albedo = tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).x;
+    return energyDiffuseShare(albedo, gSpecularIntensity);
+}
+
+float3 enteringLight(LitPoint p)
+{
+    return irradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
+}
+
+#endif

@@ -1,0 +1,3 @@
+// Group cull: which texels the picture needs. About the paths see surface.fxh.
+#include "../hlsl/settings.fxh"
+#include "../hlsl/cull/visibility.fxh"

@@ -153,9 +153,9 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
 constexpr double kLeastHead = 150; // mm: a small child's head without neck
 constexpr double kMostHead = 700;  // mm: a bust to below the chest
 
-/// The unit that makes a height of `height` units a head: a common one if it fits, else what makes it 280 mm (head and neck).
+/// The unit that makes a height of `height` units a head: a common one if it fits, else what makes it 280 mm, head and neck.
 double likelyUnit(double height) {
-    for (const double unit : {1.0, 10.0, 25.4, 100.0, 1000.0})
+    for (const double unit : {1.0, 10.0, 100.0, 1000.0})
         if (height * unit >= kLeastHead && height * unit <= kMostHead) return unit;
     const double exact = 280 / height;
     const double step = std::pow(10, std::floor(std::log10(exact)) - 1); // two digits
@@ -172,6 +172,13 @@ std::optional<Error> checkHead(const Mesh& mesh, const Source& source) {
                       fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}", suggestion));
 }
 
+/// The file's tangents were made for the other direction, so they go.
+void flipV(Mesh& mesh) {
+    for (glm::vec2& uv : mesh.uvs)
+        uv.y = 1 - uv.y;
+    mesh.tangents.clear();
+}
+
 Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
     const Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
@@ -185,6 +192,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     if (!mesh) return mesh;
     mesh->unitMm = unit;
     if (mesh->name.empty()) mesh->name = path.stem().string();
+    if (options.flipV) flipV(*mesh);
     dropDegenerate(*mesh, source);
     if (mesh->indices.empty()) return meshfile::noTriangles(source.whole());
     dropUnreferenced(*mesh);

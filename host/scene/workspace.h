@@ -35,7 +35,8 @@ struct Workspace {
     std::string meshPath;       // relative to the file
     std::optional<double> unitMm;
     std::string attribution;
-    bool head = true; // the mesh is a human head: its size is checked
+    bool flipV = false; // the mesh file's v runs against its format's convention
+    bool head = true;   // the mesh is a human head: its size is checked
     /// "mesh" frame: position and target are relative to the mesh's bounding sphere centre in units of its radius; "world": mm.
     bool cameraRelative = true;
     bool lightRelative = true;
@@ -46,8 +47,19 @@ struct Workspace {
     std::map<std::string, std::vector<double>> parameters; // parameter name -> numbers
 };
 
-/// Unknown keys, wrong types and missing files are errors with the line.
-[[nodiscard]] Result<Workspace> loadWorkspace(const std::filesystem::path& path);
+struct WorkspaceOptions {
+    bool requireMesh = true; // false: the mesh is given elsewhere, so neither it nor the textures made for it need exist
+};
+
+/// Unknown and repeated keys, wrong types, values out of range, unset variables and missing files are errors with line and column.
+/// "${NAME}" in a path is the environment variable NAME; ${TEGUMENT_CACHE} is always set (cacheFolder()).
+[[nodiscard]] Result<Workspace> loadWorkspace(const std::filesystem::path& path, const WorkspaceOptions& options = {});
+/// The same from text; `path` names it in messages, and relative paths start from its folder.
+[[nodiscard]] Result<Workspace> parseWorkspace(const std::string& text, const std::filesystem::path& path,
+                                               const WorkspaceOptions& options = {});
+
+/// How the workspace wants its mesh read.
+[[nodiscard]] MeshOptions meshOptions(const Workspace& workspace);
 
 /// Camera and light in world millimetres, planes fitted tightly to the bounds where they were not given.
 struct PlacedScene {

@@ -1,0 +1,33 @@
+#pragma once
+// Inside host/scene only: JSON in which every value knows where it stands, for messages with line and column.
+
+#include "host/support/result.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tegument {
+
+struct LocatedJson {
+    enum class Kind { Null, Boolean, Number, Text, List, Object };
+    Kind kind = Kind::Null;
+    bool boolean = false;
+    double number = 0;
+    std::string text;
+    std::vector<LocatedJson> items;                           // of a list
+    std::vector<std::pair<std::string, LocatedJson>> members; // of an object, in the file's order
+    std::size_t offset = 0; // byte of its key; for list items and the whole, just behind its first character
+
+    [[nodiscard]] const char* kindName() const;
+};
+
+/// Line, column and text of a byte offset.
+[[nodiscard]] SourcePosition positionAt(std::string_view text, std::size_t offset, const std::string& file);
+[[nodiscard]] std::string lineAt(std::string_view text, std::size_t offset);
+
+/// Strict JSON (RFC 8259), nesting at most 32 deep. TG5400 syntax, TG5404 a key that its object already has.
+[[nodiscard]] Result<LocatedJson> parseLocatedJson(std::string_view text, const std::string& file);
+
+} // namespace tegument

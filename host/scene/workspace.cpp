@@ -1,0 +1,249 @@
+// Workspace files: JSON -> Workspace, key by key. docs/workspace.md is the schema.
+
+#include "host/scene/workspace.h"
+
+#include "host/scene/located_json.h"
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+namespace tegument {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads the tree into the workspace. The first error is kept and everything after it is passed over.
+class WorkspaceReader {
+public:
+    WorkspaceReader(std::string_view text, const fs::path& path, const WorkspaceOptions& options)
+        : text_(text), path_(path), options_(options) {}
+
+    Result<Workspace> read(const LocatedJson& root) {
+        workspace_.file = path_;
+        readObject(root, "the workspace",
+                   {{"mesh", [&](const LocatedJson& v) { readMeshPath(v); }},
+                    {"unit_mm", [&](const LocatedJson& v) { workspace_.unitMm = number(v, "unit_mm", kLeast, kMost); }},
+                    {"flip_v", [&](const LocatedJson& v) { workspace_.flipV = boolean(v, "flip_v"); }},
+                    {"head", [&](const LocatedJson& v) { workspace_.head = boolean(v, "head"); }},
+                    {"attribution", [&](const LocatedJson& v) { workspace_.attribution = string(v, "attribution"); }},
+                    {"camera", [&](const LocatedJson& v) { readCamera(v); }},
+                    {"light", [&](const LocatedJson& v) { readLight(v); }},
+                    {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
+                    {"textures", [&](const LocatedJson& v) { readTextures(v); }},
+                    {"parameters", [&](const LocatedJson& v) { readParameters(v); }}});
+        if (error_) return *error_;
+        return std::move(workspace_);
+    }
+
+private:
+    static constexpr double kLeast = 1e-6; // of lengths and units; nothing smaller is meant
+    static constexpr double kMost = 1e9;
+
+    struct Key {
+        std::string name;
+        std::function<void(const LocatedJson&)> read;
+    };
+
+    /// Hands each member to its key; "comment" is allowed everywhere and means nothing.
+    void readObject(const LocatedJson& value, const std::string& what, const std::vector<Key>& keys) {
+        if (!expect(value, LocatedJson::Kind::Object, what)) return;
+        for (const auto& [name, member] : value.members) {
+            if (error_) return;
+            if (name == "comment") continue;
+            const auto key = std::ranges::find(keys, name, &Key::name);
+            if (key == keys.end()) return unknownKey(name, member, what, keys);
+            key->read(member);
+        }
+    }
+
+    void unknownKey(const std::string& name, const LocatedJson& member, const std::string& what, const std::vector<Key>& keys) {
+        std::vector<std::string> names;
+        std::string all;
+        for (const Key& key : keys) {
+            names.push_back(key.name);
+            all += (all.empty() ? "" : ", ") + key.name;
+        }
+        const std::string near = didYouMean(name, names);
+        fail(5401, member, fmt::format("unknown key '{}' in {}", name, what), near.empty() ? "known keys: " + all + ", comment" : near);
+    }
+
+    void readMeshPath(const LocatedJson& value) {
+        const std::string path = expandedPath(value, "mesh");
+        if (error_) return;
+        workspace_.meshPath = path;
+        const std::string hint = path.find("human") != std::string::npos ? "run: tegument prep human" : "";
+        if (options_.requireMesh) requireFile(value, path, hint);
+    }
+
+    void readCamera(const LocatedJson& value) {
+        Camera& camera = workspace_.camera;
+        readObject(value, "camera",
+                   {{"frame", [&](const LocatedJson& v) { workspace_.cameraRelative = frameIsMesh(v); }},
+                    {"position", [&](const LocatedJson& v) { camera.position = vector(v, "position"); }},
+                    {"target", [&](const LocatedJson& v) { camera.target = vector(v, "target"); }},
+                    {"up", [&](const LocatedJson& v) { camera.up = vector(v, "up"); }},
+                    {"horizontal_fov", [&](const LocatedJson& v) { camera.horizontalFov = real(v, "horizontal_fov", 0.1, 170); }},
+                    {"near", [&](const LocatedJson& v) { camera.nearPlane = real(v, "near", kLeast, kMost); }},
+                    {"far", [&](const LocatedJson& v) { camera.farPlane = real(v, "far", kLeast, kMost); }}});
+        if (error_) return;
+        if (camera.position == camera.target) fail(5407, value, "the camera's position is its target", "move one of them");
+        if (camera.up == glm::vec3(0)) fail(5407, value, "the camera's up has no length", "the default is [0, 1, 0]");
+        if (camera.nearPlane && camera.farPlane && !(*camera.nearPlane < *camera.farPlane))
+            fail(5407, value, "the camera's near plane is not before its far plane", "leave both out: they are then fitted to the mesh");
+    }
+
+    void readLight(const LocatedJson& value) {
+        readObject(value, "light",
+                   {{"frame", [&](const LocatedJson& v) { workspace_.lightRelative = frameIsMesh(v); }},
+                    {"position", [&](const LocatedJson& v) { workspace_.light.position = vector(v, "position"); }},
+                    {"color", [&](const LocatedJson& v) { workspace_.light.color = color(v, "color"); }}});
+    }
+
+    void readTextures(const LocatedJson& value) {
+        if (!expect(value, LocatedJson::Kind::Object, "textures")) return;
+        for (const auto& [name, member] : value.members) {
+            if (name == "comment") continue;
+            const std::string path = expandedPath(member, "textures." + name);
+            if (error_) return;
+            if (options_.requireMesh) requireFile(member, path, "");
+            workspace_.textures[name] = path;
+        }
+    }
+
+    void readParameters(const LocatedJson& value) {
+        if (!expect(value, LocatedJson::Kind::Object, "parameters")) return;
+        for (const auto& [name, member] : value.members) {
+            if (name == "comment") continue;
+            workspace_.parameters[name] = parameterValue(member, "parameters." + name);
+        }
+    }
+
+    /// One number, true or false, or a list of numbers.
+    std::vector<double> parameterValue(const LocatedJson& value, const std::string& what) {
+        if (value.kind == LocatedJson::Kind::Number) return {value.number};
+        if (value.kind == LocatedJson::Kind::Boolean) return {value.boolean ? 1.0 : 0.0};
+        std::vector<double> numbers;
+        for (const LocatedJson& item : value.items)
+            if (item.kind == LocatedJson::Kind::Number) numbers.push_back(item.number);
+        if (value.kind != LocatedJson::Kind::List || numbers.empty() || numbers.size() != value.items.size())
+            fail(5402, value, fmt::format("{} must be a number, true, false or a list of numbers", what), {});
+        return numbers;
+    }
+
+    bool frameIsMesh(const LocatedJson& value) {
+        const std::string frame = string(value, "frame");
+        if (!error_ && frame != "mesh" && frame != "world")
+            fail(5403, value, fmt::format("the frame '{}' does not exist", frame),
+                 "\"mesh\": from the bounding sphere's centre in its radii; \"world\": millimetres");
+        return frame == "mesh";
+    }
+
+    bool expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what) {
+        if (error_) return false;
+        if (value.kind == kind) return true;
+        fail(5402, value, fmt::format("{} is {}, but must be {}", what, value.kindName(), LocatedJson{.kind = kind}.kindName()), {});
+        return false;
+    }
+
+    std::string string(const LocatedJson& value, const std::string& what) {
+        return expect(value, LocatedJson::Kind::Text, what) ? value.text : std::string();
+    }
+
+    bool boolean(const LocatedJson& value, const std::string& what) {
+        return expect(value, LocatedJson::Kind::Boolean, what) && value.boolean;
+    }
+
+    double number(const LocatedJson& value, const std::string& what, double least, double most) {
+        if (!expect(value, LocatedJson::Kind::Number, what)) return least;
+        if (value.number >= least && value.number <= most) return value.number;
+        fail(5403, value, fmt::format("{} is {:g}, but must lie between {:g} and {:g}", what, value.number, least, most), {});
+        return least;
+    }
+
+    float real(const LocatedJson& value, const std::string& what, double least, double most) {
+        return static_cast<float>(number(value, what, least, most));
+    }
+
+    glm::vec3 vector(const LocatedJson& value, const std::string& what, double least = -kMost, double most = kMost) {
+        if (!expect(value, LocatedJson::Kind::List, what)) return glm::vec3(0);
+        if (value.items.size() != 3) {
+            fail(5402, value, fmt::format("{} is a list of {}, but must be one of 3 numbers", what, value.items.size()), {});
+            return glm::vec3(0);
+        }
+        return {real(value.items[0], what + "[0]", least, most), real(value.items[1], what + "[1]", least, most),
+                real(value.items[2], what + "[2]", least, most)};
+    }
+
+    glm::vec3 color(const LocatedJson& value, const std::string& what) { return vector(value, what, 0, 1e6); }
+
+    /// "${NAME}" replaced by the variable's value.
+    std::string expandedPath(const LocatedJson& value, const std::string& what) {
+        std::string path = string(value, what);
+        for (std::size_t start = path.find("${"); start != std::string::npos && !error_; start = path.find("${", start)) {
+            const std::size_t end = path.find('}', start);
+            if (end == std::string::npos) {
+                fail(5406, value, fmt::format("{}: '${{' without '}}'", what), {});
+                break;
+            }
+            const std::string replacement = variable(path.substr(start + 2, end - start - 2), value);
+            path.replace(start, end + 1 - start, replacement);
+            start += replacement.size(); // a value is taken as it is
+        }
+        if (!error_ && path.empty()) fail(5403, value, fmt::format("{} is an empty path", what), {});
+        return path;
+    }
+
+    std::string variable(const std::string& name, const LocatedJson& value) {
+        if (name == "TEGUMENT_CACHE") return cacheFolder().string();
+        const char* found = name.empty() ? nullptr : std::getenv(name.c_str());
+        if (found && *found) return found;
+        fail(5406, value, fmt::format("the environment variable {} is not set", name.empty() ? "''" : name),
+             fmt::format("set it to the folder that is meant: {}=FOLDER tegument ...", name.empty() ? "NAME" : name));
+        return {};
+    }
+
+    void requireFile(const LocatedJson& value, const std::string& path, const std::string& hint) {
+        const fs::path whole = fs::path(path).is_absolute() ? fs::path(path) : path_.parent_path() / path;
+        std::error_code code;
+        if (!fs::is_regular_file(whole, code)) fail(5405, value, fmt::format("the file {} does not exist", whole.string()), hint);
+    }
+
+    void fail(int code, const LocatedJson& value, std::string text, std::string hint) {
+        if (error_) return;
+        error_ = inputError(code, positionAt(text_, value.offset, path_.string()), std::move(text), std::move(hint));
+        error_->diagnostics.front().sourceLine = lineAt(text_, value.offset);
+    }
+
+    std::string_view text_;
+    const fs::path& path_;
+    const WorkspaceOptions& options_;
+    Workspace workspace_;
+    std::optional<Error> error_;
+};
+
+} // namespace
+
+Result<Workspace> parseWorkspace(const std::string& text, const fs::path& path, const WorkspaceOptions& options) {
+    const Result<LocatedJson> root = parseLocatedJson(text, path.string());
+    if (!root) return root.error();
+    return WorkspaceReader(text, path, options).read(*root);
+}
+
+Result<Workspace> loadWorkspace(const fs::path& path, const WorkspaceOptions& options) {
+    const Result<std::string> text = readFile(path);
+    if (!text) return text.error();
+    return parseWorkspace(*text, path, options);
+}
+
+MeshOptions meshOptions(const Workspace& workspace) {
+    return {.unitMm = workspace.unitMm, .flipV = workspace.flipV, .expectHead = workspace.head};
+}
+
+} // namespace tegument

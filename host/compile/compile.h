@@ -28,7 +28,8 @@ struct ShaderRequest {
 
 enum class MemberBase { Bool, Int, Uint, Float };
 
-/// A member of the $Globals block. Offsets, sizes and strides in bytes, taken from the SPIR-V.
+/// A member of a uniform block. Offsets, sizes and strides in bytes, taken from the SPIR-V. `size` reaches from the first to the last byte
+/// that holds a value. An HLSL bool arrives as Uint: SPIR-V has no bool in memory.
 struct BlockMember {
     std::string name;
     MemberBase base = MemberBase::Float;
@@ -40,10 +41,12 @@ struct BlockMember {
     std::uint32_t arrayStride = 0;
     std::uint32_t matrixStride = 0;
     bool spirvRowMajor = false; // the SPIR-V decoration; an HLSL column_major matrix shows RowMajor (docs/conventions.md)
+    bool used = true;           // read by this entry point after optimisation
     bool operator==(const BlockMember&) const = default;
 };
 
 struct UniformBlock {
+    std::string name; // "$Globals", or as written behind `cbuffer`
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::uint32_t size = 0;
@@ -57,10 +60,12 @@ struct Resource {
     ResourceKind kind = ResourceKind::Texture2D;
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    bool used = true; // statically used by this entry point
+    bool used = true; // read by this entry point after optimisation
 };
 
-/// A vertex input, varying or pixel output. Semantic in upper case with its index: "TEXCOORD0"; system values are not listed.
+/// A vertex input, varying or pixel output. Semantic in upper case, always with its index: "TEXCOORD0", "NORMAL0", pixel outputs
+/// "SV_TARGET0". Every other system value (SV_Position, SV_Depth, SV_VertexID...) is not listed. An element of an array, a row of a matrix
+/// is a variable of its own with the next index and location. Inputs that the code does not read are not listed.
 struct StageVariable {
     std::string semantic;
     std::uint32_t location = 0;
@@ -68,9 +73,11 @@ struct StageVariable {
     MemberBase base = MemberBase::Float;
 };
 
-/// The vertex stage uses descriptor set 0, the pixel stage set 1, the compute stage set 0: stages never collide.
+/// The vertex stage uses descriptor set 0, the pixel stage set 1, the compute stage set 0: stages never collide. Bindings count from 0:
+/// $Globals first, then constant buffers, then the other resources by name, so that both compilers agree wherever they see the same use.
 struct Reflection {
     std::optional<UniformBlock> globals;
+    std::vector<UniformBlock> constantBuffers; // `cbuffer` blocks; effects of this project have none
     std::vector<Resource> resources;
     std::vector<StageVariable> inputs;
     std::vector<StageVariable> outputs;
@@ -79,6 +86,7 @@ struct Reflection {
 
 struct Shader {
     Stage stage = Stage::Pixel;
+    std::string file;  // as given in the request, for messages
     std::string entry; // the name inside the SPIR-V
     std::vector<std::uint32_t> spirv;
     Reflection reflection;
@@ -92,10 +100,16 @@ struct Shader {
 /// DXC when available, else glslang.
 [[nodiscard]] Compiler defaultCompiler();
 
-/// Compiles, validates (vulkan1.1), reflects. Results come from the disk cache when source, entry, stage, defines, flags and compiler are the same.
+/// Compiles, validates (vulkan1.1), reflects. Results come from the disk cache when source, entry, stage, defines, flags and compiler are
+/// the same.
 [[nodiscard]] Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler);
 
-/// Differences between the two compilers' views of one entry point: members, types, sizes, offsets, resources used, semantics. Empty: they agree.
+/// Makes `pixel` read what `vertex` writes: inputs are matched by semantic, and the locations inside the pixel shader's SPIR-V and
+/// reflection are changed where the two structs differ. TG3004: an input without an output, TG3005: another type or fewer components.
+[[nodiscard]] Result<void> linkStages(const Shader& vertex, Shader& pixel);
+
+/// Differences between the two compilers' views of one entry point: members, types, sizes, offsets, resources used, semantics. Empty: they
+/// agree.
 [[nodiscard]] std::vector<std::string> compareReflections(const Reflection& a, const Reflection& b);
 
 } // namespace tegument

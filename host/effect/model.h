@@ -44,6 +44,7 @@ struct Annotation {
     Type type;
     Value value;
     SourcePosition at;
+    std::vector<TextPiece> pieces; // of a string: where its literals stand
 };
 
 /// Case-insensitive look-up, as every DXSAS 0.8 host does it.
@@ -141,6 +142,14 @@ struct LoadOptions {
     std::vector<std::pair<std::string, std::string>> defines; // name, value
     std::vector<std::filesystem::path> includeFolders;        // searched after the including file's own folder
 };
+
+/// The D3DFORMAT that a `Format` annotation names: upper case, without D3DFMT_ or FMT_, known misspellings corrected. Nullopt when unknown.
+/// The list is in docs/effect-files.md.
+[[nodiscard]] std::optional<std::string> canonicalFormat(std::string_view name);
+
+/// The first Direct3D 9 intrinsic or sampler type (tex2D, sampler2D, texture, ...) left in the effect's code: DXC and glslang do not know
+/// it, so SPIR-V targets of such a file are reported as not checked.
+[[nodiscard]] std::optional<Diagnostic> direct3D9Intrinsic(const Effect& effect);
 
 /// Reads, preprocesses (metadata view with FX_D3D11, code view with FX_ENTRY=1) and parses an effect file.
 [[nodiscard]] Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options = {});

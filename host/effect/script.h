@@ -3,6 +3,8 @@
 
 #include "host/support/result.h"
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,8 +50,14 @@ struct ScriptResult {
     std::vector<Diagnostic> warnings;
 };
 
+/// Where the characters of a text from `offset` on were written: adjacent string literals concatenate.
+struct TextPiece {
+    std::size_t offset = 0;
+    SourcePosition at;
+};
+
 /// Parses one script. Unknown commands, commands on the wrong level, unbalanced loops are errors with the position of the string in the
 /// file. Names (techniques, passes, textures, parameters) are resolved later, by the effect's own check.
-[[nodiscard]] Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, const SourcePosition& at);
+[[nodiscard]] Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces);
 
 } // namespace tegument

@@ -42,8 +42,8 @@ class ScriptSink {
 public:
     virtual ~ScriptSink() = default;
 
-    /// The bound targets are now these: after every command that binds one, and when a script's return restores the former ones
-    /// (not called when nothing differs). ViewportPixelSize follows colors[0].
+    /// The bound targets are now these: after a command that changed one, and when a script's return or ScriptExternal restores the former
+    /// ones. ViewportPixelSize follows colors[0].
     virtual Result<void> targetsChanged(const BoundTargets& targets) = 0;
 
     /// Clears one bound target now; `Clear=Color` without an index comes as one call per bound colour target, ascending.

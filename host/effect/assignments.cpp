@@ -1,0 +1,195 @@
+// `Name[index] = value;` in sampler blocks, state objects and passes, and what the values mean.
+
+#include "host/effect/parser.h"
+#include "host/effect/vocabularies.h"
+#include "host/support/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace tegument {
+
+namespace {
+
+constexpr double kLargestWord = 4294967295.0;
+
+std::optional<double> named(std::string_view name, Vocabulary vocabulary) {
+    for (const NamedValue& value : vocabulary)
+        if (sameStateName(value.name, name)) return value.value;
+    return std::nullopt;
+}
+
+bool allowed(double number, Vocabulary vocabulary) {
+    if (vocabulary.data() == kWriteMask.data()) return number >= 0 && number <= 15 && number == std::floor(number);
+    if (vocabulary.data() == kBool.data()) return true;
+    return std::ranges::any_of(vocabulary, [&](const NamedValue& value) { return value.value == number; });
+}
+
+std::string valueHint(std::string_view name, Vocabulary vocabulary) {
+    std::vector<std::string> names;
+    std::string all;
+    for (const NamedValue& value : vocabulary) {
+        names.emplace_back(value.name);
+        all += (all.empty() ? "one of " : ", ") + names.back();
+    }
+    const std::string near = didYouMean(name, names);
+    return near.empty() ? all : near;
+}
+
+template <class Target>
+std::string nameHint(std::string_view name, std::span<const StateEntry<Target>> table) {
+    std::vector<std::string> names;
+    for (const StateEntry<Target>& entry : table)
+        names.emplace_back(entry.name);
+    return didYouMean(name, names);
+}
+
+template <class Target>
+const StateEntry<Target>* findEntry(std::string_view name, std::span<const StateEntry<Target>> table) {
+    const auto found = std::ranges::find_if(table, [&](const StateEntry<Target>& entry) { return sameStateName(entry.name, name); });
+    return found == table.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+bool Parser::assignment(std::vector<Assignment>& result) {
+    Assignment assignment;
+    if (!expectName(assignment.name, "a state's name")) return false;
+    if (accept('[')) {
+        const Token at = peek();
+        const std::optional<Constant> index = expression();
+        if (!index || !expect(']', "after the index")) return false;
+        if (index->numbers.size() != 1 || !(index->numbers[0] >= 0 && index->numbers[0] < 8)) return fail(2002, at, "an index is 0 to 7");
+        assignment.index = static_cast<int>(index->numbers[0]);
+    }
+    if (!expect('=', "after the state's name")) return false;
+    assignment.value.first = at_;
+    while (!atEnd() && !peek().is(';') && !peek().is('}')) {
+        if (!peek().is('{') && !peek().is('(')) {
+            take();
+        } else if (!skipBalanced()) {
+            return false;
+        }
+    }
+    assignment.value.last = at_;
+    if (assignment.value.first == at_) return unexpected("the state's value");
+    result.push_back(assignment);
+    return expect(';', "after the state");
+}
+
+/// A block `{ Name = value; ... }`. Goes on after errors, so that all of them are found.
+bool Parser::assignments(std::vector<Assignment>& result) {
+    const Token opened = take();
+    while (!accept('}')) {
+        if (atEnd()) return fail(1102, opened, "this '{' is never closed");
+        if (accept(';')) continue;
+        const std::size_t before = at_;
+        if (!assignment(result)) recover();
+        if (at_ == before) return unexpected("a state");
+    }
+    return true;
+}
+
+std::optional<std::vector<double>> Parser::stateValue(const Assignment& assignment, Vocabulary vocabulary) {
+    const std::size_t after = at_;
+    at_ = assignment.value.first;
+    std::string unknown;
+    const Resolver resolve = [&](std::string_view name) {
+        const std::optional<double> value = named(name, vocabulary);
+        if (!value && unknown.empty() && !equalsIgnoreCase(name, "true") && !equalsIgnoreCase(name, "false")) unknown = name;
+        return value                             ? value
+               : equalsIgnoreCase(name, "true")  ? std::optional(1.0)
+               : equalsIgnoreCase(name, "false") ? std::optional(0.0)
+                                                 : value;
+    };
+    const Token& start = peek();
+    std::optional<std::vector<double>> result;
+    if (start.is('{')) {
+        std::vector<double> numbers;
+        if (bracedValues(numbers, 0)) result = std::move(numbers);
+    } else if (std::optional<Constant> value = expression(resolve)) {
+        result = std::move(value->numbers);
+    }
+    if (result && at_ != assignment.value.last) {
+        unexpected("';' after the state's value");
+        result.reset();
+    }
+    at_ = after;
+    if (!unknown.empty())
+        fail(2002, start, fmt::format("'{}' is not a value of {}", unknown, assignment.name.text), valueHint(unknown, vocabulary));
+    if (!unknown.empty() || !result) return std::nullopt;
+    const auto outside = [&](double n) { return vocabulary.empty() ? !(std::abs(n) <= kLargestWord) : !allowed(n, vocabulary); };
+    if (!result->empty() && (vocabulary.empty() ? result->size() <= 4 : result->size() == 1) && std::ranges::none_of(*result, outside))
+        return result;
+    fail(2002, start, fmt::format("this is not a value of {}", assignment.name.text), valueHint("", vocabulary));
+    return std::nullopt;
+}
+
+template <class Target>
+bool Parser::apply(const Assignment& assignment, std::span<const StateEntry<Target>> table, Target& target, std::string_view what) {
+    const StateEntry<Target>* entry = findEntry(assignment.name.text, table);
+    if (entry == nullptr)
+        return fail(2001, assignment.name, fmt::format("unknown {} '{}'", what, assignment.name.text),
+                    nameHint(assignment.name.text, table));
+    const std::optional<std::vector<double>> value = stateValue(assignment, entry->vocabulary);
+    if (!value) return false;
+    if (entry->apply != nullptr) {
+        entry->apply(target, assignment.index, *value);
+        return true;
+    }
+    if (value->size() == 1 && (*value)[0] == entry->onlyValue) return true;
+    return fail(2003, assignment.name, fmt::format("{} cannot be expressed", entry->name), std::string(entry->hint));
+}
+
+bool Parser::applyState(const Assignment& assignment, std::string_view objectType, States& states) {
+    if (objectType == "DepthStencilState") return apply(assignment, depthStencilStates(), states, "depth-stencil state");
+    if (objectType == "BlendState") return apply(assignment, blendStates(), states, "blend state");
+    if (objectType == "RasterizerState") return apply(assignment, rasterizerStates(), states, "rasterizer state");
+    const std::string_view name = assignment.name.text;
+    const bool known = findEntry(name, direct3D9States()) != nullptr;
+    if (!known && isFixedFunction(name)) return fixedFunction(assignment);
+    if (!known &&
+        (findEntry(name, samplerStateEntries()) != nullptr || equalsIgnoreCase(name, "Sampler") || equalsIgnoreCase(name, "Texture")))
+        return fail(2003, assignment.name, fmt::format("{} cannot be expressed in a pass", name), "write it in the sampler's block");
+    return apply(assignment, direct3D9States(), states, "render state");
+}
+
+/// Turning a fixed-function stage off says nothing new, and many files do it.
+bool Parser::fixedFunction(const Assignment& assignment) {
+    const Token& value = tokens_[assignment.value.first];
+    const bool single = assignment.value.last - assignment.value.first == 1;
+    for (const std::string_view off : {"FALSE", "NONE", "DISABLE", "0"})
+        if (single && equalsIgnoreCase(value.text, off)) return true;
+    return fail(2003, assignment.name, fmt::format("fixed-function state {}: not expressible", assignment.name.text),
+                "write it in a shader");
+}
+
+/// `Texture = <gMap>`, `Texture = (gMap)`, `Texture = gMap`.
+bool Parser::samplerTexture(Sampler& sampler, const Assignment& assignment) {
+    for (std::size_t i = assignment.value.first; i < assignment.value.last; ++i)
+        if (tokens_[i].kind == TokenKind::Word && sampler.texture.empty()) sampler.texture = tokens_[i].text;
+    if (sampler.texture.empty()) return fail(1101, assignment.name, "Texture takes the name of a texture: Texture = <gMap>;");
+    result_.textureReferences.emplace_back(sampler.texture, position(tokens_[assignment.value.first]));
+    return true;
+}
+
+bool Parser::samplerStates(Sampler& sampler, bool block, bool direct3D9) {
+    sampler.state = direct3D9 ? direct3D9SamplerDefaults() : direct3D10SamplerDefaults();
+    std::vector<Assignment> list;
+    if (block && !assignments(list)) return false;
+    for (const Assignment& assignment : list) {
+        if (equalsIgnoreCase(assignment.name.text, "Texture")) {
+            samplerTexture(sampler, assignment);
+        } else if (equalsIgnoreCase(assignment.name.text, "SRGBTexture")) {
+            const std::optional<std::vector<double>> value = stateValue(assignment, kBool);
+            if (value && (*value)[0] != 0) result_.srgbSamplers.insert(sampler.name);
+        } else {
+            apply(assignment, samplerStateEntries(), sampler.state, "sampler state");
+        }
+    }
+    return true;
+}
+
+} // namespace tegument

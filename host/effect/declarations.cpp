@@ -1,0 +1,291 @@
+// Types and global declarations.
+
+#include "host/effect/parser.h"
+#include "host/effect/types.h"
+#include "host/support/text.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace tegument {
+
+namespace {
+
+constexpr int kLongestArray = 65536; // sixteen times what a constant buffer holds
+
+constexpr std::array<std::string_view, 21> kModifiers{
+    "static",       "const",  "uniform",       "extern",      "shared",   "volatile",        "row_major",
+    "column_major", "inline", "precise",       "export",      "snorm",    "nointerpolation", "linear",
+    "centroid",     "sample", "noperspective", "groupshared", "unsigned", "unorm",           "globallycoherent"};
+
+bool isModifier(const Token& token) {
+    return token.kind == TokenKind::Word && std::ranges::find(kModifiers, token.text) != kModifiers.end();
+}
+
+bool isStateObject(const Token& token) {
+    return token.is("DepthStencilState") || token.is("BlendState") || token.is("RasterizerState");
+}
+
+bool isShaderObject(const Token& token) {
+    return token.is("VertexShader") || token.is("PixelShader") || token.is("GeometryShader") || token.is("ComputeShader");
+}
+
+/// float4[8]: `vector<float, 4>` and `matrix<float, 4, 4>` say their dimensions in angle brackets.
+void applyTemplate(Type& type, const std::vector<Token>& arguments) {
+    if (type.name != "vector" && type.name != "matrix") return;
+    const std::optional<Type> scalar = arguments.empty() ? std::nullopt : builtInType(arguments[0].text);
+    if (scalar) type.base = scalar->base;
+    std::vector<int> dimensions;
+    for (const Token& token : arguments)
+        if (token.kind == TokenKind::Number && token.text.size() == 1 && token.text[0] >= '1' && token.text[0] <= '4')
+            dimensions.push_back(token.text[0] - '0');
+    if (type.name == "vector" && dimensions.size() == 1) type.columns = dimensions[0];
+    if (type.name == "matrix" && dimensions.size() == 2) {
+        type.rows = dimensions[0];
+        type.columns = dimensions[1];
+    }
+}
+
+} // namespace
+
+std::optional<Type> Parser::type() {
+    Token name;
+    if (!expectName(name, "a type")) return std::nullopt;
+    Type type{.base = BaseType::Other, .name = std::string(name.text)};
+    if (const auto known = aliases_.find(name.text); known != aliases_.end()) {
+        type = known->second;
+    } else if (const std::optional<Type> builtIn = builtInType(name.text)) {
+        type = *builtIn;
+    }
+    while (peek().is(':') && peek(1).is(':') && !peek(1).space) {
+        take();
+        take();
+        if (!expectName(name, "a name after '::'")) return std::nullopt;
+        type = {.base = BaseType::Other, .name = type.name + "::" + std::string(name.text)};
+    }
+    if (peek().is('<')) {
+        const std::size_t first = at_;
+        if (!skipAngles()) return std::nullopt;
+        applyTemplate(type, {tokens_.begin() + static_cast<std::ptrdiff_t>(first), tokens_.begin() + static_cast<std::ptrdiff_t>(at_)});
+    }
+    return type;
+}
+
+bool Parser::structure() {
+    take();
+    acceptWord("class"); // enum class
+    if (peek().kind == TokenKind::Word) structures_.insert(std::string(take().text));
+    return skipStatement();
+}
+
+bool Parser::alias() {
+    take();
+    while (isModifier(peek()))
+        take();
+    if (peek().is("struct")) return structure();
+    std::optional<Type> target = type();
+    Token name;
+    if (!target || !expectName(name, "the new type's name")) return false;
+    if (peek().is('[') && !arraySize(*target)) return false;
+    aliases_[std::string(name.text)] = *target;
+    return skipStatement();
+}
+
+bool Parser::constantBuffer() {
+    take();
+    if (peek().kind == TokenKind::Word) take();
+    while (!atEnd() && !peek().is('{') && !peek().is(';'))
+        take(); // : register(b0)
+    const Token opened = peek();
+    if (!expect('{', "of the constant buffer")) return false;
+    while (!accept('}')) {
+        if (atEnd()) return fail(1102, opened, "this '{' is never closed");
+        if (full()) return false;
+        if (accept(';')) continue;
+        const std::size_t before = at_;
+        if (!declaration()) recover();
+        if (at_ == before) return unexpected("a declaration");
+    }
+    accept(';');
+    return true;
+}
+
+bool Parser::arraySize(Type& type) {
+    while (accept('[')) {
+        const Token at = peek();
+        const std::optional<Constant> size = expression();
+        if (!size || !expect(']', "after the array size")) return false;
+        const double n = size->numbers[0];
+        if (size->numbers.size() != 1 || !(n >= 1) || n * std::max(type.elements, 1) > kLongestArray)
+            return fail(1107, at, fmt::format("an array has 1 to {} elements", kLongestArray));
+        type.elements = std::max(type.elements, 1) * static_cast<int>(n);
+    }
+    return true;
+}
+
+/// `: SEMANTIC`, `: register(c0)`, `: packoffset(c0)`, any number of them. Only the semantic is effect syntax.
+bool Parser::semantic(std::string& text) {
+    while (peek().is(':')) {
+        const std::size_t first = at_;
+        take();
+        Token name;
+        if (!expectName(name, "a semantic")) return false;
+        if (peek().is('(')) {
+            if (!skipBalanced()) return false;
+        } else {
+            text = name.text;
+            blankFrom(first);
+        }
+    }
+    return true;
+}
+
+bool Parser::function(const Token& name) {
+    result_.functions.insert(std::string(name.text));
+    if (!skipBalanced()) return false;
+    while (!atEnd() && !peek().is('{') && !peek().is(';'))
+        take(); // : COLOR0
+    if (peek().is('{')) return skipBalanced();
+    return expect(';', "after the function's declaration");
+}
+
+bool Parser::declaration() {
+    const std::size_t start = at_;
+    Modifiers modifiers;
+    while (isModifier(peek())) {
+        const Token& token = take();
+        modifiers.isStatic |= token.is("static") || token.is("groupshared");
+        modifiers.isConst |= token.is("const");
+    }
+    if (isStateObject(peek())) return stateObject(start);
+    if (isShaderObject(peek()) && peek(1).kind == TokenKind::Word) return shaderObject(start);
+    const Token typeName = peek();
+    const std::optional<Type> type = this->type();
+    if (!type) return false;
+    for (bool first = true;; first = false) {
+        Token name;
+        if (!expectName(name, "a name")) return false;
+        if (first && peek().is('(')) return function(name);
+        if (!declarator({start, typeName, name, *type, modifiers})) return false;
+        if (accept(';')) break;
+        if (!expect(',', "or ';' after the declaration")) return false;
+    }
+    return true;
+}
+
+bool Parser::declarator(Declarator d) {
+    if (!arraySize(d.type)) return false;
+    Parameter parameter{.name = std::string(d.name.text), .type = d.type, .at = position(d.name)};
+    if (!semantic(parameter.semantic)) return false;
+    const bool effectSyntax = peek().is('<') || (peek().is('=') && !d.modifiers.isStatic);
+    const bool unknown = d.type.base == BaseType::Other && !builtInType(d.typeName.text) && !structures_.contains(d.type.name) &&
+                         d.type.name.find(':') == std::string::npos;
+    if (effectSyntax && unknown)
+        return fail(1103, d.typeName, fmt::format("unknown type '{}'", d.typeName.text), didYouMean(d.typeName.text, commonTypeNames()));
+    if (peek().is('<') && !annotations(parameter.annotations)) return false;
+    if (d.type.base == BaseType::Sampler) return samplerDeclarator(d, std::move(parameter.annotations));
+    if (d.modifiers.isStatic) return staticValue(d);
+    if (peek().is('=') && !defaultValue(parameter)) return false;
+    if (d.type.base != BaseType::Other) addParameter(std::move(parameter), d);
+    return true;
+}
+
+/// Remembers the value of a numeric constant; everything else up to the end of the declarator is the compiler's business.
+bool Parser::staticValue(const Declarator& d) {
+    if (!accept('=')) return true;
+    if (d.modifiers.isConst && d.type.isNumeric() && d.type.elements == 0 && !peek().is('{')) {
+        const std::size_t first = at_;
+        const std::size_t errors = result_.errors.size();
+        std::optional<Constant> value = expression();
+        result_.errors.resize(std::min(errors, result_.errors.size()));
+        if (value && (peek().is(';') || peek().is(','))) {
+            value->integral = d.type.base != BaseType::Float;
+            if (value->numbers.size() == 1) value->numbers.resize(static_cast<std::size_t>(d.type.scalarCount()), value->numbers[0]);
+            constants_[std::string(d.name.text)] = std::move(*value);
+        }
+        at_ = first;
+    }
+    while (!atEnd() && !peek().is(';') && !peek().is(',')) {
+        if (peek().is('{') || peek().is('(') || peek().is('[')) {
+            if (!skipBalanced()) return false;
+        } else {
+            take();
+        }
+    }
+    return true;
+}
+
+bool Parser::defaultValue(Parameter& parameter) {
+    const std::size_t first = at_;
+    take(); // '='
+    if (parameter.type.base == BaseType::String) {
+        std::string text;
+        std::vector<TextPiece> pieces;
+        if (!string(text, pieces)) return false;
+        parameter.defaultValue = std::move(text);
+    } else if (parameter.type.isNumeric()) {
+        if (!initialiser(parameter.type, parameter.defaultValue.emplace())) return false;
+    } else {
+        return fail(1101, peek(), fmt::format("'{}' takes no initial value", parameter.type.name));
+    }
+    blankFrom(first);
+    return true;
+}
+
+/// Strings and the global script mean nothing to the compilers: their whole declaration is blanked out. (The script's own float would also
+/// break the layout rule for parameters: every 16 bytes filled exactly.)
+void Parser::addParameter(Parameter parameter, const Declarator& d) {
+    const bool onlyEffect = parameter.type.base == BaseType::String || equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL");
+    if (onlyEffect && peek().is(';')) result_.blanks.push_back({d.start, at_ + 1});
+    result_.effect.parameters.push_back(std::move(parameter));
+}
+
+bool Parser::samplerDeclarator(const Declarator& d, Annotations annotations) {
+    Sampler sampler{.name = std::string(d.name.text), .annotations = std::move(annotations), .at = position(d.name)};
+    const bool direct3D9 = isDirect3D9Sampler(d.type.name);
+    const std::size_t first = at_;
+    bool block = peek().is('{');
+    if (accept('=')) {
+        if (!acceptWord("sampler_state")) return unexpected("'sampler_state'");
+        block = true;
+        if (!peek().is('{')) return unexpected("'{' after sampler_state");
+    }
+    if (!samplerStates(sampler, block, direct3D9)) return false;
+    if (block) blankFrom(first);
+    if (const int dimension = samplerDimension(d.type.name); dimension != 0) result_.samplerDimensions[sampler.name] = dimension;
+    result_.effect.samplers.push_back(std::move(sampler));
+    return true;
+}
+
+bool Parser::stateObject(std::size_t start) {
+    StateObject object{.type = std::string(take().text)};
+    Token name;
+    if (!expectName(name, "the state object's name")) return false;
+    Annotations ignored;
+    if (peek().is('<') && !annotations(ignored)) return false;
+    const bool hasBlock = peek().is('{');
+    if (hasBlock && !assignments(object.assignments)) return false;
+    if (stateObjects_.contains(name.text)) fail(2015, name, fmt::format("state object '{}' is declared twice", name.text));
+    stateObjects_.insert_or_assign(std::string(name.text), std::move(object));
+    if (!hasBlock && !peek().is(';')) return unexpected("'{' or ';'");
+    accept(';');
+    blankFrom(start);
+    return true;
+}
+
+/// VertexShader X = CompileShader(vs_5_0, F());
+bool Parser::shaderObject(std::size_t start) {
+    take();
+    const Token name = take();
+    if (!expect('=', "after the shader object's name")) return false;
+    std::optional<ShaderReference> shader;
+    if (!shaderValue(shader)) return false;
+    if (shader) shaderObjects_.insert_or_assign(std::string(name.text), *shader);
+    if (!expect(';', "after the shader object")) return false;
+    blankFrom(start);
+    return true;
+}
+
+} // namespace tegument

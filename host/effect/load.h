@@ -1,0 +1,11 @@
+#pragma once
+// Loading from texts that are in no file: tests and the fuzzer.
+
+#include "host/effect/model.h"
+#include "host/effect/preprocess.h"
+
+namespace tegument {
+
+[[nodiscard]] Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read);
+
+} // namespace tegument

@@ -1,0 +1,97 @@
+#include "host/effect/model.h"
+
+#include "host/effect/formats.h"
+#include "host/support/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tegument {
+
+namespace {
+
+template <class T>
+const T* findExact(const std::vector<T>& list, std::string_view name) {
+    const auto found = std::ranges::find(list, name, &T::name);
+    return found == list.end() ? nullptr : &*found;
+}
+
+template <class T>
+const T* findIgnoringCase(const std::vector<T>& list, std::string_view name) {
+    const auto found = std::ranges::find_if(list, [&](const T& item) { return equalsIgnoreCase(item.name, name); });
+    return found == list.end() ? nullptr : &*found;
+}
+
+/// The option that a selector's default value picks; the first when it has none or is out of range.
+std::size_t defaultOption(const Effect& effect, const Command& command) {
+    const Parameter* selector = effect.findParameter(command.selector);
+    if (selector == nullptr || !selector->defaultValue) return 0;
+    const auto* numbers = std::get_if<std::vector<double>>(&*selector->defaultValue);
+    if (numbers == nullptr || numbers->empty()) return 0;
+    if (selector->type.base == BaseType::Bool) return (*numbers)[0] != 0 ? 0 : 1;
+    const double index = std::trunc((*numbers)[0]);
+    return index >= 0 && index < static_cast<double>(command.options.size()) ? static_cast<std::size_t>(index) : 0;
+}
+
+} // namespace
+
+const Annotation* Annotations::find(std::string_view name) const {
+    return findIgnoringCase(list, name);
+}
+
+std::optional<std::string> Annotations::string(std::string_view name) const {
+    const Annotation* annotation = find(name);
+    const auto* text = annotation != nullptr ? std::get_if<std::string>(&annotation->value) : nullptr;
+    return text != nullptr ? std::optional(*text) : std::nullopt;
+}
+
+std::optional<std::vector<double>> Annotations::numbers(std::string_view name) const {
+    const Annotation* annotation = find(name);
+    const auto* numbers = annotation != nullptr ? std::get_if<std::vector<double>>(&annotation->value) : nullptr;
+    return numbers != nullptr ? std::optional(*numbers) : std::nullopt;
+}
+
+const Pass* Technique::findPass(std::string_view passName) const {
+    return findIgnoringCase(passes, passName);
+}
+
+const Parameter* Effect::findParameter(std::string_view name) const {
+    return findExact(parameters, name);
+}
+
+const Sampler* Effect::findSampler(std::string_view name) const {
+    return findExact(samplers, name);
+}
+
+const Technique* Effect::findTechnique(std::string_view name) const {
+    return findIgnoringCase(techniques, name);
+}
+
+const Technique* Effect::defaultTechnique() const {
+    if (standardsGlobal)
+        for (const Command& command : standardsGlobal->script.commands)
+            if (command.kind == CommandKind::Technique)
+                return findTechnique(command.options[command.selector.empty() ? 0 : defaultOption(*this, command)]);
+    return techniques.empty() ? nullptr : &techniques[0];
+}
+
+std::optional<std::string> canonicalFormat(std::string_view name) {
+    std::string text = toLower(name);
+    for (const std::string_view prefix : {"d3dfmt_", "fmt_"})
+        if (text.starts_with(prefix)) text.erase(0, prefix.size());
+    if (text == "a16r16g16b16f") text = "a16b16g16r16f";
+    if (text == "a32r32g32b32f") text = "a32b32g32r32f";
+    for (const std::string& format : formatNames())
+        if (equalsIgnoreCase(format, text)) return format;
+    return std::nullopt;
+}
+
+std::span<const std::string> formatNames() {
+    static const std::array<std::string, 18> kNames{
+        "A8R8G8B8", "X8R8G8B8", "A8B8G8R8", "A2B10G10R10", "A16B16G16R16F", "A32B32G32R32F", "R16F", "G16R16F",       "R32F",
+        "G32R32F",  "L8",       "A8",       "D16",         "D24X8",         "D24S8",         "D32F", "D32F_LOCKABLE", "D24S8_SHADOWMAP"};
+    return kNames;
+}
+
+} // namespace tegument

@@ -1,0 +1,167 @@
+#include "host/effect/parser.h"
+
+#include "host/support/text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace tegument {
+
+namespace {
+
+constexpr std::size_t kMostErrors = 20;
+
+char closing(char opening) {
+    return opening == '(' ? ')' : opening == '[' ? ']' : '}';
+}
+
+} // namespace
+
+Parser::Parser(const Sources& sources, const std::vector<Token>& tokens) : sources_(sources), tokens_(tokens) {
+    if (!tokens.empty()) end_ = tokens.back();
+    end_.kind = TokenKind::Newline;
+    end_.text = "the end of the file";
+}
+
+const Token& Parser::peek(std::size_t ahead) const {
+    return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead] : end_;
+}
+
+const Token& Parser::take() {
+    const Token& token = peek();
+    if (!atEnd()) ++at_;
+    return token;
+}
+
+bool Parser::accept(char sign) {
+    if (!peek().is(sign)) return false;
+    ++at_;
+    return true;
+}
+
+bool Parser::isWord(std::string_view word) const {
+    return peek().kind == TokenKind::Word && equalsIgnoreCase(peek().text, word);
+}
+
+bool Parser::acceptWord(std::string_view word) {
+    if (!isWord(word)) return false;
+    ++at_;
+    return true;
+}
+
+bool Parser::expect(char sign, std::string_view where) {
+    return accept(sign) || unexpected(fmt::format("'{}' {}", sign, where));
+}
+
+bool Parser::expectName(Token& name, std::string_view what) {
+    if (peek().kind != TokenKind::Word) return unexpected(what);
+    name = take();
+    return true;
+}
+
+bool Parser::fail(int code, const Token& at, std::string text, std::string hint) {
+    if (!full())
+        result_.errors.push_back({.code = code, .at = position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+    return false;
+}
+
+bool Parser::unexpected(std::string_view expected) {
+    return fail(1101, peek(),
+                atEnd() ? fmt::format("{} expected before the end of the file", expected)
+                        : fmt::format("{} expected, not '{}'", expected, peek().text));
+}
+
+void Parser::warn(int code, const SourcePosition& at, std::string text, std::string hint) {
+    result_.effect.warnings.push_back(
+        {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+}
+
+bool Parser::full() const {
+    return result_.errors.size() >= kMostErrors;
+}
+
+bool Parser::skipBalanced() {
+    const Token opened = peek();
+    const char open = opened.text[0];
+    int depth = 0;
+    do {
+        if (atEnd()) return fail(1102, opened, fmt::format("this '{}' is never closed", open));
+        const Token& token = take();
+        depth += token.is(open) ? 1 : token.is(closing(open)) ? -1 : 0;
+    } while (depth > 0);
+    return true;
+}
+
+bool Parser::skipAngles() {
+    const Token opened = peek();
+    int depth = 0;
+    do {
+        if (atEnd() || peek().is(';') || peek().is('{')) return fail(1102, opened, "this '<' is never closed");
+        const Token& token = take();
+        depth += token.is('<') ? 1 : token.is('>') ? -1 : 0;
+    } while (depth > 0);
+    return true;
+}
+
+void Parser::recover() {
+    while (!atEnd() && !peek().is('}')) {
+        if (accept(';')) return;
+        if (peek().is('{')) {
+            skipBalanced();
+            accept(';');
+            return;
+        }
+        take();
+    }
+}
+
+bool Parser::skipStatement() {
+    while (!atEnd() && !peek().is(';') && !peek().is('}')) {
+        if (peek().is('{') || peek().is('(') || peek().is('[')) {
+            if (!skipBalanced()) return false;
+        } else {
+            take();
+        }
+    }
+    return expect(';', "at the end of the declaration");
+}
+
+Parsed Parser::run() {
+    while (!atEnd() && !full()) {
+        const std::size_t before = at_;
+        if (!topLevel()) recover();
+        if (at_ == before) {
+            unexpected("a declaration");
+            take();
+        }
+    }
+    return std::move(result_);
+}
+
+bool Parser::topLevel() {
+    if (accept(';')) return true;
+    if (peek().is('[')) return skipBalanced();
+    if (peek().kind == TokenKind::BadString) return unexpected("a declaration");
+    for (const std::string_view word : {"technique", "technique10", "technique11"})
+        if (isWord(word)) return technique();
+    if (isWord("fxgroup")) return group();
+    if (isWord("cbuffer") || isWord("tbuffer")) return constantBuffer();
+    for (const std::string_view word : {"struct", "class", "interface", "enum"})
+        if (peek().is(word)) return structure();
+    if (peek().is("typedef")) return alias();
+    if (peek().is("using")) return skipStatement();
+    if (peek().is("namespace")) {
+        take();
+        while (peek().kind == TokenKind::Word || peek().is(':'))
+            take();
+        return peek().is('{') ? skipBalanced() : unexpected("'{' of the namespace");
+    }
+    if (peek().is("template")) {
+        take();
+        return peek().is('<') ? skipAngles() : unexpected("'<' of the template");
+    }
+    return declaration();
+}
+
+} // namespace tegument

@@ -1,0 +1,42 @@
+#pragma once
+// The C preprocessor as HLSL uses it: no variadic macros; `#line` is read and ignored, because every token keeps the place where it was
+// written.
+
+#include "host/effect/source.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tegument {
+
+/// Reads a file, or says why not. Tests and the fuzzer give texts that are in no file.
+using FileReader = std::function<Result<std::string>(const std::filesystem::path&)>;
+
+struct PreprocessOptions {
+    std::vector<std::pair<std::string, std::string>> defines;
+    std::vector<std::filesystem::path> includeFolders;
+    FileReader read;
+};
+
+/// A `#pragma` that the compilers should see, before tokens[before].
+struct Pragma {
+    std::size_t before = 0;
+    int file = 0;
+    int line = 0;
+    std::string text;
+};
+
+struct Preprocessed {
+    std::vector<Token> tokens;
+    std::vector<Pragma> pragmas;
+    std::vector<std::filesystem::path> includes; // each once, in the order of first reading
+    std::vector<Diagnostic> warnings;
+};
+
+/// TG1001..TG1012. The tokens point into `sources`.
+[[nodiscard]] Result<Preprocessed> preprocess(const std::filesystem::path& file, const PreprocessOptions& options, Sources& sources);
+
+} // namespace tegument

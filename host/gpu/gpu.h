@@ -19,24 +19,41 @@
 namespace tegument::gpu {
 
 enum class Format {
-    R8, RG8, RGBA8, BGRA8, RGBA8Srgb, RGBA16, RGB10A2,
-    R16F, RG16F, RGBA16F, R32F, RG32F, RGBA32F,
-    D16, D24S8, D32F, D32FS8
+    R8,
+    RG8,
+    RGBA8,
+    BGRA8,
+    RGBA8Srgb,
+    RGBA16,
+    RGB10A2,
+    R16F,
+    RG16F,
+    RGBA16F,
+    R32F,
+    RG32F,
+    RGBA32F,
+    D16,
+    D24S8,
+    D32F,
+    D32FS8
 };
 [[nodiscard]] bool isDepth(Format format);
+[[nodiscard]] bool hasStencil(Format format);
+/// Of one pixel in memory. D32FS8 counts 8.
 [[nodiscard]] std::uint32_t bytesPerPixel(Format format);
 [[nodiscard]] std::string_view name(Format format);
 
 struct DeviceOptions {
-    bool validation = false;      // Khronos validation with synchronization validation; a missing layer is an error
-    std::string prefer;           // part of a device name, ignoring case; default: discrete, integrated, CPU
+    bool validation = false; // Khronos validation with synchronization validation; a missing layer is an error
+    std::string prefer;      // part of a device name, ignoring case; empty: $TEGUMENT_DEVICE, else discrete, integrated, virtual, CPU
 };
 
 struct DeviceInfo {
     std::string name;   // "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string driver; // "llvmpipe Mesa 22.3.6"
     std::string apiVersion;
-    bool cpu = false; // a software device: its times are good as ratios only
+    bool cpu = false;        // a software device: its times are good as ratios only
+    bool timestamps = false; // else every TimedSection reports 0 ms
 };
 
 namespace detail {
@@ -53,9 +70,9 @@ struct TextureDesc {
     Format format = Format::RGBA8;
     std::uint32_t width = 1;
     std::uint32_t height = 1;
-    std::uint32_t mips = 1; // 0: full chain
-    bool cube = false;      // six layers
-    bool renderTarget = false;
+    std::uint32_t mips = 1;    // 0: full chain
+    bool cube = false;         // six layers, in Direct3D's order +X -X +Y -Y +Z -Z
+    bool renderTarget = false; // not with cube
 };
 
 class Texture {
@@ -69,7 +86,7 @@ public:
     std::unique_ptr<detail::TextureState> state;
 };
 
-enum class BufferUsage { Vertex, Index, Storage };
+enum class BufferUsage { Vertex, Index, Storage }; // storage: read by draws, read and written by dispatches
 
 class Buffer {
 public:
@@ -130,6 +147,7 @@ struct PipelineDesc {
     Topology topology = Topology::TriangleList;
     std::vector<Format> colorFormats;
     std::optional<Format> depthFormat;
+    /// depthBias counts smallest steps of the depth format, as in Direct3D 10 and 11. A scissor rectangle is never set: scissorTest passes.
     PipelineState state;
 };
 
@@ -184,7 +202,7 @@ struct TimedSection {
     double milliseconds = 0;
 };
 
-/// Owns the Vulkan device. Everything made from it must be destroyed before it.
+/// Owns the Vulkan device, together with everything made from it: they may be destroyed in any order. One thread at a time.
 class Device {
 public:
     static Result<Device> create(const DeviceOptions& options = {});
@@ -194,10 +212,12 @@ public:
 
     [[nodiscard]] const DeviceInfo& info() const;
 
-    /// D24S8 becomes the nearest supported depth format; everything else that the device lacks is an error naming the format.
+    /// Filled with zeros. D24S8 becomes the nearest supported depth format; everything else that the device lacks is an error naming the
+    /// format.
     Result<Texture> createTexture(const TextureDesc& desc);
-    /// `pixels`: tightly packed rows of one mip of one layer.
+    /// `pixels`: tightly packed rows of one mip of one layer, row 0 first. Colour formats only.
     Result<void> upload(Texture& texture, std::span<const std::byte> pixels, std::uint32_t mip = 0, std::uint32_t layer = 0);
+    /// Tightly packed rows. Of a depth format: the depth as one 32-bit float per pixel, whatever the format.
     Result<std::vector<std::byte>> readback(Texture& texture, std::uint32_t mip = 0, std::uint32_t layer = 0);
     Result<Buffer> createBuffer(BufferUsage usage, std::span<const std::byte> bytes);
     Result<std::vector<std::byte>> readback(Buffer& buffer);
@@ -205,7 +225,8 @@ public:
     Result<Pipeline> createPipeline(const PipelineDesc& desc);
     Result<Pipeline> createPipeline(const ComputePipelineDesc& desc);
 
-    /// Records, submits and waits. An error from `record` submits nothing.
+    /// Records, submits and waits. An error from `record` submits nothing. What is given to the recorder must live until `run` returns.
+    /// While recording, textures and buffers may be created, but not uploaded to or read back once the frame has used them.
     Result<std::vector<TimedSection>> run(const std::function<Result<void>(Recorder&)>& record);
 
     /// Every message of the validation layers so far (empty when validation is off).

@@ -1,0 +1,103 @@
+#include "host/gpu/error.h"
+#include "host/gpu/format.h"
+#include "host/gpu/instance.h"
+
+#include <algorithm>
+
+namespace tegument::gpu::detail {
+
+namespace {
+
+using FeatureChain = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features, vk::PhysicalDeviceVulkan12Features,
+                                        vk::PhysicalDeviceVulkan13Features, vk::PhysicalDeviceCustomBorderColorFeaturesEXT>;
+
+bool hasExtension(const vk::raii::PhysicalDevice& device, std::string_view name) {
+    return std::ranges::any_of(device.enumerateDeviceExtensionProperties(), [name](const vk::ExtensionProperties& extension) {
+        return std::string_view(extension.extensionName) == name;
+    });
+}
+
+FeatureChain presentFeatures(const vk::raii::PhysicalDevice& device) {
+    return device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features, vk::PhysicalDeviceVulkan12Features,
+                               vk::PhysicalDeviceVulkan13Features, vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();
+}
+
+/// Of what is present, only what this library and HLSL's usual capabilities use.
+FeatureChain wantedFeatures(const FeatureChain& present) {
+    FeatureChain wanted;
+    const vk::PhysicalDeviceFeatures& has = present.get<vk::PhysicalDeviceFeatures2>().features;
+    wanted.get<vk::PhysicalDeviceFeatures2>().features = vk::PhysicalDeviceFeatures{
+        .robustBufferAccess = has.robustBufferAccess, // indices beyond the vertices read zeros instead of ending the process
+        .independentBlend = has.independentBlend,
+        .geometryShader = has.geometryShader, // SV_PrimitiveID in pixel shaders asks for it
+        .dualSrcBlend = has.dualSrcBlend,
+        .depthClamp = has.depthClamp,
+        .fillModeNonSolid = has.fillModeNonSolid,
+        .samplerAnisotropy = has.samplerAnisotropy,
+        .shaderImageGatherExtended = has.shaderImageGatherExtended,
+        .shaderClipDistance = has.shaderClipDistance,
+        .shaderCullDistance = has.shaderCullDistance,
+    };
+    wanted.get<vk::PhysicalDeviceVulkan11Features>().shaderDrawParameters =
+        present.get<vk::PhysicalDeviceVulkan11Features>().shaderDrawParameters;
+    wanted.get<vk::PhysicalDeviceVulkan12Features>().samplerMirrorClampToEdge =
+        present.get<vk::PhysicalDeviceVulkan12Features>().samplerMirrorClampToEdge;
+    auto& vulkan13 = wanted.get<vk::PhysicalDeviceVulkan13Features>(); // these two are part of every Vulkan 1.3
+    vulkan13.synchronization2 = true;
+    vulkan13.dynamicRendering = true;
+    vulkan13.shaderDemoteToHelperInvocation = present.get<vk::PhysicalDeviceVulkan13Features>().shaderDemoteToHelperInvocation;
+    const auto& border = present.get<vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();
+    auto& wantedBorder = wanted.get<vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();
+    wantedBorder.customBorderColors = border.customBorderColors && border.customBorderColorWithoutFormat;
+    wantedBorder.customBorderColorWithoutFormat = wantedBorder.customBorderColors;
+    return wanted;
+}
+
+Features summary(const FeatureChain& enabled) {
+    const vk::PhysicalDeviceFeatures& core = enabled.get<vk::PhysicalDeviceFeatures2>().features;
+    return {
+        .wireframe = core.fillModeNonSolid == VK_TRUE,
+        .depthClamp = core.depthClamp == VK_TRUE,
+        .dualSourceBlend = core.dualSrcBlend == VK_TRUE,
+        .independentBlend = core.independentBlend == VK_TRUE,
+        .anisotropy = core.samplerAnisotropy == VK_TRUE,
+        .mirrorOnce = enabled.get<vk::PhysicalDeviceVulkan12Features>().samplerMirrorClampToEdge == VK_TRUE,
+        .customBorderColor = enabled.get<vk::PhysicalDeviceCustomBorderColorFeaturesEXT>().customBorderColors == VK_TRUE,
+    };
+}
+
+/// Vulkan guarantees at least one of D24S8 and D32FS8 as a depth target.
+Format packedDepthStencil(const vk::raii::PhysicalDevice& device) {
+    const vk::FormatProperties properties = device.getFormatProperties(vulkanFormat(Format::D24S8));
+    const bool supported = static_cast<bool>(properties.optimalTilingFeatures & vk::FormatFeatureFlagBits::eDepthStencilAttachment);
+    return supported ? Format::D24S8 : Format::D32FS8;
+}
+
+} // namespace
+
+Result<void> makeLogicalDevice(DeviceState& state) {
+    const bool borderExtension = hasExtension(state.physical, VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME);
+    FeatureChain features = wantedFeatures(presentFeatures(state.physical));
+    std::vector<const char*> extensions;
+    if (borderExtension)
+        extensions.push_back(VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME);
+    else
+        features.unlink<vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();
+    constexpr float kPriority = 1.0f;
+    const vk::DeviceQueueCreateInfo queue{.queueFamilyIndex = state.queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
+    state.device = state.physical.createDevice({
+        .pNext = &features.get<vk::PhysicalDeviceFeatures2>(),
+        .queueCreateInfoCount = 1,
+        .pQueueCreateInfos = &queue,
+        .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+        .ppEnabledExtensionNames = extensions.data(),
+    });
+    state.queue = state.device.getQueue(state.queueFamily, 0);
+    state.commandPool =
+        state.device.createCommandPool({.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = state.queueFamily});
+    state.features = summary(features);
+    state.packedDepthStencil = packedDepthStencil(state.physical);
+    return {};
+}
+
+} // namespace tegument::gpu::detail

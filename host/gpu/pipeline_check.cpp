@@ -1,0 +1,73 @@
+#include "host/gpu/pipeline_check.h"
+
+#include "host/gpu/error.h"
+#include "host/gpu/format.h"
+#include "host/gpu/spirv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::gpu::detail {
+
+namespace {
+
+Result<void> checkShaders(const PipelineDesc& desc) {
+    if (const auto vertex = checkShader(desc.vertex.spirv, desc.vertex.entry, ShaderStage::Vertex, desc.name); !vertex) return vertex;
+    if (desc.pixel.spirv.empty()) return {};
+    return checkShader(desc.pixel.spirv, desc.pixel.entry, ShaderStage::Pixel, desc.name);
+}
+
+Result<void> checkAttachments(const DeviceState& device, const PipelineDesc& desc) {
+    const std::size_t limit = std::min<std::size_t>(device.limits.maxColorAttachments, desc.state.targets.size());
+    if (desc.colorFormats.size() > limit)
+        return requestError(6026, fmt::format("pipeline '{}' writes {} colour targets, and {} allows {}", desc.name,
+                                              desc.colorFormats.size(), device.info.name, limit));
+    if (desc.colorFormats.empty() && !desc.depthFormat)
+        return requestError(6026, fmt::format("pipeline '{}' has no target, neither colour nor depth", desc.name));
+    if (std::ranges::any_of(desc.colorFormats, isDepth))
+        return requestError(6026, fmt::format("pipeline '{}' has a depth format among its colour targets", desc.name));
+    if (desc.depthFormat && !isDepth(*desc.depthFormat))
+        return requestError(6026,
+                            fmt::format("pipeline '{}' has depth target format {}, a colour format", desc.name, name(*desc.depthFormat)));
+    return {};
+}
+
+bool readsSecondSource(const TargetBlend& blend) {
+    const auto second = [](BlendFactor factor) { return factor >= BlendFactor::Src1Color; };
+    return blend.enable && (second(blend.src) || second(blend.dst) || second(blend.srcAlpha) || second(blend.dstAlpha));
+}
+
+/// The first thing that the state asks for and the device lacks; empty: nothing.
+std::string_view missingFeature(const DeviceState& device, const PipelineDesc& desc) {
+    const auto used = std::span(desc.state.targets).first(desc.colorFormats.size());
+    if (desc.state.fill != FillMode::Solid && !device.features.wireframe) return "fill modes other than Solid";
+    if (!desc.state.depthClip && !device.features.depthClamp) return "rendering without depth clipping";
+    if (std::ranges::any_of(used, readsSecondSource) && !device.features.dualSourceBlend) return "dual-source blending";
+    const bool different = std::ranges::adjacent_find(used, std::not_equal_to<>()) != used.end();
+    if (different && !device.features.independentBlend) return "different blend states on several targets";
+    return {};
+}
+
+Result<void> checkBlendable(const DeviceState& device, const PipelineDesc& desc) {
+    for (std::size_t i = 0; i < desc.colorFormats.size(); ++i) {
+        if (!desc.state.targets[i].enable) continue;
+        const auto features = device.physical.getFormatProperties(vulkanFormat(desc.colorFormats[i])).optimalTilingFeatures;
+        if (!(features & vk::FormatFeatureFlagBits::eColorAttachmentBlend))
+            return machineError(6025, fmt::format("pipeline '{}' blends into target {}, and {} cannot blend {}", desc.name, i,
+                                                  device.info.name, name(desc.colorFormats[i])));
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> checkPipeline(const DeviceState& device, const PipelineDesc& desc) {
+    if (const auto shaders = checkShaders(desc); !shaders) return shaders;
+    if (const auto attachments = checkAttachments(device, desc); !attachments) return attachments;
+    if (const auto missing = missingFeature(device, desc); !missing.empty())
+        return machineError(6024, fmt::format("pipeline '{}': {} has no {}", desc.name, device.info.name, missing));
+    return checkBlendable(device, desc);
+}
+
+} // namespace tegument::gpu::detail

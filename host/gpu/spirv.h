@@ -1,0 +1,18 @@
+#pragma once
+// As much of SPIR-V as keeps a broken module away from the driver, which is allowed to crash on it.
+
+#include "host/support/result.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tegument::gpu::detail {
+
+enum class ShaderStage : std::uint32_t { Vertex = 0, Pixel = 4, Compute = 5 }; // SPIR-V's execution models
+
+/// The words are a SPIR-V module that declares this entry point for this stage: TG6020, TG6021.
+[[nodiscard]] Result<void> checkShader(std::span<const std::uint32_t> words, const std::string& entry, ShaderStage stage,
+                                       const std::string& pipeline);
+
+} // namespace tegument::gpu::detail

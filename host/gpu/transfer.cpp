@@ -1,0 +1,97 @@
+// Copies between textures and the host, each submitted on its own.
+
+#include "host/gpu/device_state.h"
+#include "host/gpu/error.h"
+#include "host/gpu/format.h"
+#include "host/gpu/memory.h"
+#include "host/gpu/recorder_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace tegument::gpu {
+
+namespace detail {
+namespace {
+
+/// One mip of one layer, as a copy sees it.
+vk::BufferImageCopy2 region(const TextureState& texture, std::uint32_t mip, std::uint32_t layer) {
+    return {
+        .imageSubresource = {.aspectMask = isDepth(texture.desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor,
+                             .mipLevel = mip,
+                             .baseArrayLayer = layer,
+                             .layerCount = 1},
+        .imageExtent = {std::max(texture.desc.width >> mip, 1u), std::max(texture.desc.height >> mip, 1u), 1},
+    };
+}
+
+std::uint64_t copiedBytes(const TextureState& texture, const vk::BufferImageCopy2& region) {
+    return std::uint64_t{region.imageExtent.width} * region.imageExtent.height * copiedBytesPerPixel(texture.desc.format);
+}
+
+Result<void> checkCopy(const DeviceState& device, const TextureState& texture, std::uint32_t mip, std::uint32_t layer) {
+    if (mip >= texture.desc.mips || layer >= texture.layers())
+        return requestError(6014, fmt::format("texture '{}' has no mip {} of layer {}: it has {} mips and {} layers", texture.desc.name,
+                                              mip, layer, texture.desc.mips, texture.layers()));
+    return checkIdle(device, texture.track, fmt::format("texture '{}'", texture.desc.name));
+}
+
+std::vector<std::byte> copyOut(DeviceState& device, TextureState& texture, const vk::BufferImageCopy2& region) {
+    const HostBuffer staging =
+        makeHostBuffer(device, copiedBytes(texture, region), vk::BufferUsageFlagBits::eTransferDst, HostAccess::Read);
+    submitAndWait(device, [&](const vk::raii::CommandBuffer& commands) {
+        transition(commands, texture, kCopySource);
+        commands.copyImageToBuffer2({.srcImage = *texture.image,
+                                     .srcImageLayout = texture.track.layout,
+                                     .dstBuffer = *staging.buffer,
+                                     .regionCount = 1,
+                                     .pRegions = &region});
+        recordHostBarrier(commands);
+    });
+    return {staging.data, staging.data + staging.size};
+}
+
+} // namespace
+} // namespace detail
+
+Result<void> Device::upload(Texture& texture, std::span<const std::byte> pixels, std::uint32_t mip, std::uint32_t layer) {
+    assert(texture.state);
+    detail::TextureState& state = *texture.state;
+    if (const auto possible = detail::checkCopy(*state_, state, mip, layer); !possible) return possible.error();
+    if (isDepth(state.desc.format))
+        return detail::requestError(
+            6013, fmt::format("texture '{}' is a depth texture: it can be cleared or drawn to, not uploaded to", state.desc.name));
+    const vk::BufferImageCopy2 region = detail::region(state, mip, layer);
+    if (pixels.size() != detail::copiedBytes(state, region))
+        return detail::requestError(6013, fmt::format("texture '{}' takes {} bytes in mip {}, and {} were given", state.desc.name,
+                                                      detail::copiedBytes(state, region), mip, pixels.size()));
+    return detail::guarded(fmt::format("uploading texture '{}'", state.desc.name), [&]() -> Result<void> {
+        const detail::HostBuffer staging =
+            detail::makeHostBuffer(*state_, pixels.size(), vk::BufferUsageFlagBits::eTransferSrc, detail::HostAccess::Write);
+        std::memcpy(staging.data, pixels.data(), pixels.size());
+        detail::submitAndWait(*state_, [&](const vk::raii::CommandBuffer& commands) {
+            detail::transition(commands, state, detail::kCopyTarget);
+            commands.copyBufferToImage2({.srcBuffer = *staging.buffer,
+                                         .dstImage = *state.image,
+                                         .dstImageLayout = state.track.layout,
+                                         .regionCount = 1,
+                                         .pRegions = &region});
+        });
+        return {};
+    });
+}
+
+Result<std::vector<std::byte>> Device::readback(Texture& texture, std::uint32_t mip, std::uint32_t layer) {
+    assert(texture.state);
+    detail::TextureState& state = *texture.state;
+    if (const auto possible = detail::checkCopy(*state_, state, mip, layer); !possible) return possible.error();
+    return detail::guarded(fmt::format("reading back texture '{}'", state.desc.name), [&]() -> Result<std::vector<std::byte>> {
+        auto texels = detail::copyOut(*state_, state, detail::region(state, mip, layer));
+        if (isDepth(state.desc.format)) return detail::depthAsFloats(state.desc.format, texels);
+        return texels;
+    });
+}
+
+} // namespace tegument::gpu

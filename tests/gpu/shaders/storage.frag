@@ -1,0 +1,5 @@
+#version 450
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 target;
+layout(set = 0, binding = 0) readonly buffer Values { float values[]; };
+void main() { target = vec4(values[int(gl_FragCoord.x)]); }

@@ -24,6 +24,12 @@ SourcePosition fileOnly(std::string file) {
     return {.file = std::move(file), .byte = {}};
 }
 
+bool fitsInto(BaseType base, double number) {
+    if (base == BaseType::Float) return std::abs(number) <= double{std::numeric_limits<float>::max()};
+    if (base == BaseType::Int) return std::abs(number) <= double{std::numeric_limits<std::int32_t>::max()};
+    return number >= 0 && number <= double{std::numeric_limits<std::uint32_t>::max()};
+}
+
 Result<void> checkNumbers(const Parameter& parameter, const Numbers& value, const SourcePosition& at) {
     const Type& type = parameter.type;
     if (!type.isNumeric())
@@ -37,8 +43,7 @@ Result<void> checkNumbers(const Parameter& parameter, const Numbers& value, cons
     const bool whole = std::ranges::all_of(value, [](double number) { return number == std::floor(number); });
     if (type.base != BaseType::Float && !whole)
         return inputError(4016, at, fmt::format("{} is a {} and takes whole numbers only", parameter.name, type.name));
-    const double largest = type.base == BaseType::Float ? std::numeric_limits<float>::max() : std::numeric_limits<std::int32_t>::max();
-    const bool fits = std::ranges::all_of(value, [&](double number) { return std::abs(number) <= largest; });
+    const bool fits = std::ranges::all_of(value, [&](double number) { return fitsInto(type.base, number); });
     if (!fits) return inputError(4016, at, fmt::format("{} got a number that does not fit into 32 bits", parameter.name));
     return {};
 }

@@ -1,0 +1,131 @@
+#include "host/run/plan.h"
+#include "tests/run/fixture.h"
+
+namespace tegument::run {
+namespace {
+
+const std::array<float, 4> kGrey = {0.5F, 0.5F, 0.5F, 0};
+
+/// A plan of draws written by hand, on targets of two sizes.
+class Completing : public testing::Test {
+protected:
+    Completing() {
+        pass_.name = "P";
+        pass_.state.depthTest = false;
+        uses_[&pass_] = {.sampled = {}, .writtenColors = 1};
+    }
+
+    DrawStep& draw(std::vector<std::optional<std::string>> colors, std::optional<std::string> depth = std::nullopt) {
+        plan_.steps.emplace_back(DrawStep{.pass = &pass_, .colors = std::move(colors), .depth = std::move(depth)});
+        return std::get<DrawStep>(plan_.steps.back());
+    }
+
+    Result<void> complete() { return completePlan(plan_, uses_, shapes_, kGrey, warnings_); }
+
+    template <class T>
+    std::vector<T> steps() const {
+        std::vector<T> found;
+        for (const Step& step : plan_.steps)
+            if (const auto* match = std::get_if<T>(&step)) found.push_back(*match);
+        return found;
+    }
+
+    Pass pass_;
+    Plan plan_;
+    std::map<const Pass*, PassUse> uses_;
+    std::map<std::string, TargetShape> shapes_ = {{kPicture, {64, 64, 1, false}}, {kPictureDepth, {64, 64, 1, true}},
+                                                  {"gSmall", {32, 32, 1, false}}, {"gChain", {32, 32, 0, false}},
+                                                  {"gDepth", {32, 32, 1, true}},  {"gOther", {32, 32, 1, false}}};
+    std::vector<Diagnostic> warnings_;
+};
+
+TEST_F(Completing, a_depth_target_of_another_size_is_dropped_when_the_pass_tests_no_depth) {
+    draw({"gSmall"}, kPictureDepth);
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_FALSE(steps<DrawStep>().front().depth);
+}
+
+TEST_F(Completing, a_depth_target_of_another_size_is_an_error_when_the_pass_tests_depth) {
+    pass_.state.depthTest = true;
+    draw({"gSmall"}, kPictureDepth);
+    EXPECT_EQ(test::code(complete()), 4025);
+}
+
+TEST_F(Completing, a_colour_target_that_is_masked_out_does_not_decide_the_size) {
+    pass_.state.depthTest = true;
+    pass_.state.targets[0].writeMask = 0;
+    draw({kPicture}, "gDepth");
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_TRUE(steps<DrawStep>().front().colors.empty());
+    EXPECT_EQ(steps<DrawStep>().front().depth, "gDepth");
+}
+
+TEST_F(Completing, two_written_targets_of_different_sizes_are_an_error) {
+    uses_[&pass_].writtenColors = 3;
+    draw({kPicture, "gSmall"});
+    EXPECT_EQ(test::code(complete()), 4025);
+}
+
+TEST_F(Completing, sampling_a_bound_target_is_an_error_that_names_pass_and_texture) {
+    uses_[&pass_].sampled = {"gSmall"};
+    draw({"gSmall"});
+    const auto completed = complete();
+    ASSERT_EQ(test::code(completed), 4024);
+    EXPECT_EQ(completed.error().diagnostics.front().text, "pass P samples gSmall while drawing into it");
+}
+
+TEST_F(Completing, sampling_a_bound_depth_target_is_an_error) {
+    uses_[&pass_].sampled = {"gDepth"};
+    draw({"gSmall"}, "gDepth");
+    EXPECT_EQ(test::code(complete()), 4024);
+}
+
+TEST_F(Completing, a_target_sampled_before_it_is_drawn_warns_and_is_cleared) {
+    uses_[&pass_].sampled = {"gSmall"};
+    draw({kPicture});
+    ASSERT_TRUE(test::succeeded(complete()));
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_.front().code, 4026);
+    EXPECT_EQ(std::get<ClearStep>(plan_.steps.front()).target, "gSmall");
+}
+
+TEST_F(Completing, the_picture_starts_as_the_background) {
+    draw({kPicture});
+    ASSERT_TRUE(test::succeeded(complete()));
+    const auto clears = steps<ClearStep>();
+    ASSERT_EQ(clears.size(), 1U);
+    EXPECT_EQ(clears.front().color, kGrey);
+}
+
+TEST_F(Completing, a_target_that_the_script_clears_is_not_cleared_twice) {
+    plan_.steps.emplace_back(ClearStep{.target = "gSmall"});
+    draw({"gSmall"});
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_EQ(steps<ClearStep>().size(), 1U);
+}
+
+TEST_F(Completing, a_mip_chain_is_made_once_between_drawing_and_sampling) {
+    draw({"gChain"});
+    Pass reader;
+    reader.name = "Reader";
+    reader.state.depthTest = false;
+    uses_[&reader] = {.sampled = {"gChain"}, .writtenColors = 1};
+    draw({"gSmall"}).pass = &reader;
+    draw({"gOther"}).pass = &reader;
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_EQ(steps<MipStep>().size(), 1U);
+}
+
+TEST_F(Completing, a_gap_between_colour_targets_is_an_error) {
+    uses_[&pass_].writtenColors = 4;
+    draw({"gSmall", std::nullopt, "gOther"});
+    EXPECT_EQ(test::code(complete()), 4028);
+}
+
+TEST_F(Completing, drawing_with_nothing_bound_is_an_error) {
+    draw({});
+    EXPECT_EQ(test::code(complete()), 4027);
+}
+
+} // namespace
+} // namespace tegument::run

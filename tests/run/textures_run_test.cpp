@@ -1,0 +1,234 @@
+// Textures: who names them, who draws them, how they are decoded.
+
+#include "host/run/producer.h"
+#include "host/support/file.h"
+#include "tests/run/fixture.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Works in a folder and with a cache of its own.
+class Textures : public Run {
+protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("tegument_run_" + std::to_string(::getpid()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        if (const char* old = std::getenv("TEGUMENT_CACHE")) oldCache_ = old;
+        ::setenv("TEGUMENT_CACHE", (folder_ / "cache").c_str(), 1);
+        Run::SetUp();
+    }
+
+    void TearDown() override {
+        Run::TearDown();
+        if (oldCache_)
+            ::setenv("TEGUMENT_CACHE", oldCache_->c_str(), 1);
+        else
+            ::unsetenv("TEGUMENT_CACHE");
+        fs::remove_all(folder_);
+    }
+
+    /// 2 x 2 pixels: black, white; white, black.
+    fs::path checker(const std::string& name) const {
+        Image image{.width = 2, .height = 2, .channels = 3, .pixels = {0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0}};
+        const fs::path path = folder_ / name;
+        EXPECT_TRUE(succeeded(writePng(path, image, PngEncoding::Raw)));
+        return path;
+    }
+
+    fs::path grey(const std::string& name, float value) const {
+        Image image{.width = 1, .height = 1, .channels = 3, .pixels = {value, value, value}};
+        const fs::path path = folder_ / name;
+        EXPECT_TRUE(succeeded(name.ends_with(".exr") ? writeExr(path, image) : writePng(path, image, PngEncoding::Raw)));
+        return path;
+    }
+
+    static RunOptions pixel(const std::string& technique, std::map<std::string, std::string> textures = {}) {
+        RunOptions options = row(8, technique);
+        options.height = 4;
+        options.textures = std::move(textures);
+        return options;
+    }
+
+    Result<RunResult> draw(const RunOptions& options, const Mesh* mesh = nullptr, const Workspace& workspace = {},
+                           const LoadOptions& load = {}) {
+        return run("textures.fx", options, mesh, workspace, load);
+    }
+
+    std::vector<fs::path> products() const {
+        std::vector<fs::path> found;
+        std::error_code code;
+        for (const auto& entry : fs::directory_iterator(folder_ / "cache" / "produced", code))
+            found.push_back(entry.path());
+        return found;
+    }
+
+    fs::path folder_;
+    std::optional<std::string> oldCache_;
+};
+
+TEST_F(Textures, eight_bit_colour_maps_are_decoded_from_srgb) {
+    const auto result = draw(pixel("Color", {{"gColorMap", grey("g.png", 188.0F / 255)}}));
+    ASSERT_TRUE(succeeded(result));
+    const float expected = srgbToLinear(188.0F / 255);
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {expected, expected, expected, 1}, 0.002F)); // devices may decode with 8 or more bits
+}
+
+TEST_F(Textures, float_colour_maps_are_linear_already) {
+    const auto result = draw(pixel("Color", {{"gColorMap", grey("g.exr", 0.73F)}}));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.73F, 0.73F, 0.73F, 1}, 1e-6F));
+}
+
+TEST_F(Textures, other_maps_are_not_decoded) {
+    const auto result = draw(pixel("Plain", {{"gPlainMap", grey("g.png", 188.0F / 255)}}));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NEAR(result->image.at(0, 0, 0), 188.0F / 255, 0.002F);
+}
+
+TEST_F(Textures, a_linear_mip_filter_gives_a_file_its_mip_chain) {
+    const auto result = draw(pixel("PlainMip", {{"gPlainMap", checker("c.png")}}));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NEAR(result->image.at(0, 0, 0), 0.5F, 1.0F / 255) << "one step of 8 bits";
+}
+
+TEST_F(Textures, row_zero_of_a_file_is_at_v_zero) {
+    Image image{.width = 1, .height = 2, .channels = 3, .pixels = {1, 0, 0, 0, 1, 0}};
+    ASSERT_TRUE(succeeded(writePng(folder_ / "rows.png", image, PngEncoding::Raw)));
+    const auto result = draw(pixel("Plain", {{"gPlainMap", (folder_ / "rows.png").string()}}));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {1, 0, 0, 1}));
+    EXPECT_TRUE(pixelIs(result->image, 0, 3, {0, 1, 0, 1}));
+}
+
+TEST_F(Textures, the_workspace_names_textures_by_semantic_relative_to_itself) {
+    grey("g.exr", 0.25F);
+    Workspace workspace;
+    workspace.file = folder_ / "workspace.json";
+    workspace.textures["diffuse"] = "g.exr";
+    const auto result = draw(pixel("Color"), nullptr, workspace);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NEAR(result->image.at(0, 0, 0), 0.25F, 1e-6F);
+}
+
+TEST_F(Textures, set_wins_over_the_workspace) {
+    Workspace workspace;
+    workspace.file = folder_ / "workspace.json";
+    workspace.textures["gColorMap"] = "g.exr";
+    grey("g.exr", 0.25F);
+    const auto result = draw(pixel("Color", {{"gColorMap", grey("h.exr", 0.75F)}}), nullptr, workspace);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NEAR(result->image.at(0, 0, 0), 0.75F, 1e-6F);
+}
+
+TEST_F(Textures, a_mesh_brings_its_own_colour_map) {
+    Mesh mesh = square();
+    mesh.textures.push_back({.role = "color", .image = {.width = 1, .height = 1, .channels = 3, .pixels = {0.5F, 0.25F, 0.125F}}});
+    const auto result = draw(pixel("Color"), &mesh);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.5F, 0.25F, 0.125F, 1}, 1e-6F));
+}
+
+TEST_F(Textures, a_fallback_stands_in_where_nothing_names_a_file) {
+    const auto result = draw(pixel("Fallback"));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.1F, 0.2F, 0.3F, 0.4F}, 1e-6F));
+}
+
+TEST_F(Textures, a_texture_that_nothing_names_is_an_error_that_says_where_it_looked) {
+    const auto result = draw(pixel("Resource"));
+    ASSERT_EQ(code(result), 4030);
+    const Diagnostic& diagnostic = result.error().diagnostics.front();
+    EXPECT_EQ(diagnostic.text, "no texture for gResourceMap: looked in --set, the workspace, the file no such file.png");
+    EXPECT_EQ(diagnostic.hint, "give a file: --set gResourceMap=FILE");
+}
+
+TEST_F(Textures, a_named_file_that_is_missing_is_an_error_that_names_the_parameter) {
+    const auto result = draw(pixel("Fallback", {{"gFallbackMap", (folder_ / "missing.png").string()}}));
+    ASSERT_FALSE(result);
+    const std::string message = format(result.error());
+    EXPECT_NE(message.find("missing.png"), std::string::npos) << message;
+    EXPECT_NE(message.find("the texture of gFallbackMap, named by --set"), std::string::npos) << message;
+}
+
+TEST_F(Textures, a_named_file_that_is_damaged_is_an_error) {
+    std::ofstream(folder_ / "damaged.png") << "this is not a picture";
+    EXPECT_FALSE(draw(pixel("Fallback", {{"gFallbackMap", (folder_ / "damaged.png").string()}})));
+}
+
+TEST_F(Textures, setting_an_unknown_texture_is_an_error_with_the_nearest_name) {
+    const auto result = draw(pixel("Fallback", {{"gFallbackMop", "x.png"}}));
+    ASSERT_EQ(code(result), 4010);
+    EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gFallbackMap'?");
+}
+
+TEST_F(Textures, another_effect_draws_a_texture) {
+    const auto result = draw(pixel("Product"));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.5F / 8, 0.5F / 4, 2, 0.5F}, 1e-3F)); // halves
+}
+
+TEST_F(Textures, the_producing_effect_gets_the_same_definitions) {
+    const auto result = draw(pixel("Product"), nullptr, {}, {.defines = {{"GREEN", "0.25"}}, .includeFolders = {}});
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->image.at(0, 0, 3), 0.25F);
+}
+
+TEST_F(Textures, the_producing_effect_gets_the_workspace_s_values) {
+    Workspace workspace;
+    workspace.parameters["gGain"] = {4};
+    const auto result = draw(pixel("Product"), nullptr, workspace);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->image.at(0, 0, 2), 4.0F);
+}
+
+TEST_F(Textures, a_product_is_drawn_once_and_then_read_from_the_cache) {
+    ASSERT_TRUE(succeeded(draw(pixel("Product"))));
+    ASSERT_EQ(products().size(), 1U);
+    auto product = loadImage(products().front());
+    ASSERT_TRUE(succeeded(product));
+    product->at(0, 0, 2) = 100;
+    ASSERT_TRUE(succeeded(writeExr(products().front(), *product)));
+    const auto result = draw(pixel("Product"));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->image.at(0, 0, 2), 100.0F);
+}
+
+TEST_F(Textures, a_damaged_product_is_drawn_again) {
+    ASSERT_TRUE(succeeded(draw(pixel("Product"))));
+    ASSERT_EQ(products().size(), 1U);
+    std::ofstream(products().front(), std::ios::trunc) << "damaged";
+    const auto result = draw(pixel("Product"));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->image.at(0, 0, 2), 2.0F);
+    EXPECT_TRUE(succeeded(loadImage(products().front()))) << "the cache holds a picture again";
+}
+
+TEST_F(Textures, another_value_is_another_product) {
+    Workspace workspace;
+    workspace.parameters["gGain"] = {4};
+    ASSERT_TRUE(succeeded(draw(pixel("Product"))));
+    ASSERT_TRUE(succeeded(draw(pixel("Product"), nullptr, workspace)));
+    EXPECT_EQ(products().size(), 2U);
+}
+
+TEST_F(Textures, a_producer_without_that_target_is_an_error_that_says_who_asked) {
+    const auto result = draw(pixel("NoTarget"));
+    ASSERT_EQ(code(result), 4036);
+    EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gProductMap'?");
+    EXPECT_NE(format(result.error()).find("gNoTargetMap is drawn by"), std::string::npos);
+}
+
+TEST_F(Textures, producers_in_a_circle_are_an_error) {
+    EXPECT_EQ(code(draw(pixel("Circle"))), 4035);
+}
+
+} // namespace
+} // namespace tegument::test

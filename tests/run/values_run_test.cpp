@@ -1,0 +1,230 @@
+// Numbers on their way from the effect file to the shader, by both compilers.
+
+#include "tests/run/fixture.h"
+
+#include "host/scene/view.h"
+
+namespace tegument::test {
+namespace {
+
+constexpr int kValues = 14;
+
+class Values : public Run, public testing::WithParamInterface<Compiler> {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        if (!IsSkipped() && !compilerAvailable(GetParam())) GTEST_SKIP() << "this compiler is not installed";
+    }
+
+    void expectValue(int index, std::array<float, 4> expected) {
+        const auto result = run("values.fx", row(kValues, "Values", GetParam()));
+        ASSERT_TRUE(succeeded(result));
+        EXPECT_TRUE(pixelIs(result->image, index, 0, expected));
+    }
+};
+
+TEST_P(Values, scalars_and_vectors_arrive) {
+    expectValue(0, {1.5F, 2, 3, 4});
+}
+TEST_P(Values, arrays_of_scalars_arrive) {
+    expectValue(1, {10, 11, 12, 13});
+}
+TEST_P(Values, what_follows_an_array_arrives) {
+    expectValue(2, {14, 20, 21, 22});
+}
+TEST_P(Values, arrays_of_vectors_and_integers_arrive) {
+    expectValue(3, {23, 24, 25, -7});
+}
+TEST_P(Values, booleans_and_integer_vectors_arrive) {
+    expectValue(4, {1, 0, 30, -31});
+}
+// (1, 2, 3, 4) times the matrix of rows 1..4, 5..8, 9..12, 13..16.
+TEST_P(Values, mul_takes_vectors_as_rows) {
+    expectValue(5, {90, 100, 110, 120});
+}
+TEST_P(Values, mul_takes_columns_on_the_right) {
+    expectValue(6, {30, 70, 110, 150});
+}
+TEST_P(Values, three_by_three_matrices_arrive) {
+    expectValue(7, {30, 36, 42, 0});
+}
+TEST_P(Values, four_by_three_matrices_arrive) {
+    expectValue(8, {70, 80, 90, 0});
+}
+TEST_P(Values, row_major_matrices_arrive) {
+    expectValue(9, {90, 100, 110, 120});
+}
+TEST_P(Values, arrays_of_matrices_arrive) {
+    expectValue(10, {1090, 1100, 1110, 1120});
+}
+TEST_P(Values, an_indexed_matrix_is_its_row) {
+    expectValue(11, {5, 6, 7, 8});
+}
+TEST_P(Values, what_follows_matrices_arrives) {
+    expectValue(12, {40, 41, 42, 43});
+}
+
+INSTANTIATE_TEST_SUITE_P(Compilers, Values, testing::Values(Compiler::Dxc, Compiler::Glslang),
+                         [](const auto& entry) { return entry.param == Compiler::Dxc ? "dxc" : "glslang"; });
+
+class ValueSources : public Run {};
+
+TEST_F(ValueSources, the_workspace_wins_over_the_default) {
+    Workspace workspace;
+    workspace.parameters["gScalar"] = {7};
+    const auto result = run("values.fx", row(kValues, "Values"), nullptr, workspace);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->image.at(0, 0, 0), 7.0F);
+}
+
+TEST_F(ValueSources, set_wins_over_the_workspace) {
+    Workspace workspace;
+    workspace.parameters["gScalar"] = {7};
+    RunOptions options = row(kValues, "Values");
+    options.parameters["gScalar"] = {8};
+    const auto result = run("values.fx", options, nullptr, workspace);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result->image.at(0, 0, 0), 8.0F);
+}
+
+TEST_F(ValueSources, the_workspace_may_name_parameters_of_other_effects) {
+    Workspace workspace;
+    workspace.parameters["gSomethingElse"] = {1, 2, 3};
+    EXPECT_TRUE(succeeded(run("values.fx", row(kValues, "Values"), nullptr, workspace)));
+}
+
+TEST_F(ValueSources, setting_an_unknown_parameter_is_an_error_with_the_nearest_name) {
+    RunOptions options = row(kValues, "Values");
+    options.parameters["gScaler"] = {1};
+    const auto result = run("values.fx", options);
+    ASSERT_EQ(code(result), 4010);
+    EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gScalar'?");
+}
+
+TEST_F(ValueSources, a_wrong_number_of_values_is_an_error) {
+    RunOptions options = row(kValues, "Values");
+    options.parameters["gVector"] = {1, 2};
+    const auto result = run("values.fx", options);
+    ASSERT_EQ(code(result), 4011);
+    EXPECT_NE(format(result.error()).find("takes 3 numbers, 2 given"), std::string::npos) << format(result.error());
+}
+
+TEST_F(ValueSources, an_integer_takes_whole_numbers_only) {
+    RunOptions options = row(kValues, "Values");
+    options.parameters["gInteger"] = {2.5};
+    EXPECT_EQ(code(run("values.fx", options)), 4016);
+}
+
+TEST_F(ValueSources, a_value_beyond_32_bits_is_an_error) {
+    RunOptions options = row(kValues, "Values");
+    options.parameters["gInteger"] = {4e9};
+    EXPECT_EQ(code(run("values.fx", options)), 4016);
+}
+
+TEST_F(ValueSources, a_value_outside_its_ui_range_warns_and_is_used) {
+    RunOptions options = row(kValues, "Values");
+    options.parameters["gBounded"] = {1.5};
+    const auto result = run("values.fx", options);
+    ASSERT_TRUE(succeeded(result));
+    ASSERT_EQ(result->warnings.size(), 1U);
+    EXPECT_EQ(result->warnings.front().code, 4012);
+    EXPECT_EQ(result->image.at(13, 0, 0), 1.5F);
+}
+
+TEST_F(ValueSources, a_used_parameter_without_any_value_is_an_error) {
+    const auto result = run("values.fx", row(1, "Never"));
+    ASSERT_EQ(code(result), 4018);
+    EXPECT_EQ(result.error().diagnostics.front().hint, "give one: --set gNeverGiven=VALUE");
+}
+
+TEST_F(ValueSources, a_misspelt_semantic_is_an_error_with_the_nearest_name) {
+    const auto result = run("semantics.fx", row(1, "Misspelt"));
+    ASSERT_EQ(code(result), 4017);
+    EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'NEARCLIP'?");
+}
+
+TEST_F(ValueSources, a_semantic_that_does_not_fit_the_type_is_an_error) {
+    EXPECT_EQ(code(run("semantics.fx", row(1, "TooShort"))), 4013);
+}
+
+TEST_F(ValueSources, an_unknown_object_is_an_error) {
+    EXPECT_EQ(code(run("semantics.fx", row(1, "Elsewhere"))), 4014);
+}
+
+TEST_F(ValueSources, bounds_without_a_mesh_are_an_error) {
+    EXPECT_EQ(code(run("semantics.fx", row(14, "Semantics"))), 4015);
+}
+
+/// Semantics against the same matrices computed by GLM.
+class Semantics : public Run {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        if (IsSkipped()) return;
+        mesh_ = square();
+        mesh_.positions[0].z = 4; // bounds that are not symmetrical
+        computeBounds(mesh_);
+        placed_ = placeScene(workspace_, mesh_.bounds);
+        camera_ = cameraMatrices(placed_.camera, 14.0);
+        light_ = lightMatrices(placed_.light, mesh_.bounds);
+        const auto result = run("semantics.fx", row(14, "Semantics"), &mesh_, workspace_);
+        ASSERT_TRUE(succeeded(result));
+        image_ = result->image;
+    }
+
+    void expect(int index, const glm::vec4& v) {
+        // A product of four terms rounds four times: 4 * 2^-24 of the largest term, which is below 100 here times 1000.
+        const float tolerance = 4e-7F * std::max(1000.0F, glm::length(v));
+        EXPECT_TRUE(pixelIs(image_, index, 0, {v.x, v.y, v.z, v.w}, tolerance));
+    }
+
+    const glm::vec4 v_{10, -20, 30, 1};
+    const Workspace workspace_ = closeUp();
+    Mesh mesh_;
+    PlacedScene placed_;
+    Matrices camera_;
+    Matrices light_;
+    Image image_;
+};
+
+TEST_F(Semantics, the_camera_s_matrix_is_what_glm_computes) {
+    expect(0, camera_.viewProjection * v_);
+}
+TEST_F(Semantics, the_light_s_matrix_is_what_glm_computes) {
+    expect(1, light_.viewProjection * v_);
+}
+TEST_F(Semantics, the_inverse_is_that_of_the_camera) {
+    expect(2, camera_.inverseView * v_);
+}
+TEST_F(Semantics, the_world_matrix_is_the_identity) {
+    expect(3, v_);
+}
+TEST_F(Semantics, the_transpose_swaps_rows_and_columns) {
+    expect(4, glm::transpose(camera_.view) * v_);
+}
+TEST_F(Semantics, the_light_s_place_and_the_near_plane_arrive) {
+    expect(5, glm::vec4(placed_.light.position, camera_.nearPlane));
+}
+TEST_F(Semantics, the_light_s_colour_arrives_with_alpha_one) {
+    expect(6, {0.5F, 0.25F, 2.0F, 1.0F});
+}
+TEST_F(Semantics, the_camera_s_place_and_the_far_plane_arrive) {
+    expect(7, glm::vec4(placed_.camera.position, camera_.farPlane));
+}
+TEST_F(Semantics, fields_of_view_are_radians) {
+    expect(8, {glm::radians(25.0F), light_.horizontalFov, mesh_.bounds.radius, 0});
+}
+TEST_F(Semantics, the_viewport_is_the_picture_here) {
+    expect(9, {14, 1, 0, 0});
+}
+TEST_F(Semantics, the_centre_arrives) {
+    expect(10, glm::vec4(mesh_.bounds.centre, 0));
+}
+TEST_F(Semantics, the_box_arrives) {
+    expect(11, glm::vec4(mesh_.bounds.minimum, 0));
+    expect(12, glm::vec4(mesh_.bounds.maximum, 0));
+    expect(13, glm::vec4(mesh_.bounds.maximum - mesh_.bounds.minimum, 0));
+}
+
+} // namespace
+} // namespace tegument::test

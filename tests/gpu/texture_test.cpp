@@ -1,0 +1,174 @@
+// Textures: what clears, uploads and mip chains leave in them.
+
+#include "tests/gpu/fixture.h"
+
+#include "shaders/copy_frag.h"
+
+#include <cmath>
+
+namespace tegument::gpu {
+namespace {
+
+struct ClearCase {
+    Format format;
+    std::vector<double> channels; // of one texel, as integers or halves' bits or floats, in memory order
+    std::uint32_t bitsPerChannel;
+    double tolerance; // unorm: Vulkan lets a tie go either way; halves: llvmpipe truncates
+};
+
+// The clear colour is (0.2, 0.4, 0.6, 0.8): 51, 102, 153, 204 of 255 and 13107 times 1 to 4 of 65535. sRGB: 12.92 c below 0.0031308,
+// 1.055 c^(1/2.4) - 0.055 above: 0.2 -> 0.48453, 0.4 -> 0.66519, 0.6 -> 0.79774. Halves: 0x3266 = 0.19995, 0x3666 = 0.39990,
+// 0x38cd = 0.60010, 0x3a66 = 0.79980.
+const ClearCase kCases[] = {
+    {Format::R8, {51}, 8, 1},
+    {Format::RG8, {51, 102}, 8, 1},
+    {Format::RGBA8, {51, 102, 153, 204}, 8, 1},
+    {Format::BGRA8, {153, 102, 51, 204}, 8, 1},
+    {Format::RGBA8Srgb, {123.56, 169.62, 203.42, 204}, 8, 1},
+    {Format::RGBA16, {13107, 26214, 39321, 52428}, 16, 1},
+    {Format::R16F, {0x3266}, 16, 1},
+    {Format::RG16F, {0x3266, 0x3666}, 16, 1},
+    {Format::RGBA16F, {0x3266, 0x3666, 0x38cd, 0x3a66}, 16, 1},
+    {Format::R32F, {0.2f}, 32, 0},
+    {Format::RG32F, {0.2f, 0.4f}, 32, 0},
+    {Format::RGBA32F, {0.2f, 0.4f, 0.6f, 0.8f}, 32, 0},
+};
+
+std::vector<double> channels(std::span<const std::byte> bytes, std::uint32_t bits) {
+    const auto widen = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
+    if (bits == 8) return widen(fromBytes<std::uint8_t>(bytes));
+    if (bits == 16) return widen(fromBytes<std::uint16_t>(bytes));
+    return widen(fromBytes<float>(bytes));
+}
+
+class ClearedColor : public Gpu, public ::testing::WithParamInterface<ClearCase> {};
+
+TEST_P(ClearedColor, reads_back_in_every_texel) {
+    const ClearCase& expected = GetParam();
+    Texture image = target(expected.format, 3, 2);
+    must(device().run([&](Recorder& recorder) { return recorder.clearColor(image, {0.2f, 0.4f, 0.6f, 0.8f}); }));
+    const auto all = channels(must(device().readback(image)), expected.bitsPerChannel);
+    ASSERT_EQ(all.size(), 6 * expected.channels.size());
+    EXPECT_EQ(all.size() * expected.bitsPerChannel / 8, 6 * bytesPerPixel(expected.format));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        EXPECT_NEAR(all[i], expected.channels[i % expected.channels.size()], expected.tolerance) << "channel " << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ClearedColor, ::testing::ValuesIn(kCases),
+                         [](const auto& instance) { return std::string(name(instance.param.format)); });
+
+class ClearedDepth : public Gpu, public ::testing::WithParamInterface<Format> {};
+
+TEST_P(ClearedDepth, reads_back_as_floats) {
+    Texture image = target(GetParam(), 3, 2);
+    must(device().run([&](Recorder& recorder) { return recorder.clearDepthStencil(image, 0.25f, std::nullopt); }));
+    const auto depths = floats(image);
+    ASSERT_EQ(depths.size(), 6u);
+    for (const float depth : depths)
+        EXPECT_NEAR(depth, 0.25f, 1.0 / 65535); // one step of 16 bits
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ClearedDepth, ::testing::Values(Format::D16, Format::D24S8, Format::D32F, Format::D32FS8),
+                         [](const auto& instance) { return std::string(name(instance.param)); });
+
+class Textures : public Gpu {};
+
+TEST_F(Textures, packed_10_bit_colour_has_red_in_the_low_bits) {
+    Texture image = target(Format::RGB10A2, 1, 1);
+    must(device().run([&](Recorder& recorder) { return recorder.clearColor(image, {1, 0, 1, 0}); }));
+    EXPECT_EQ(fromBytes<std::uint32_t>(must(device().readback(image))).front(), 1023u | 1023u << 20);
+}
+
+TEST_F(Textures, a_new_texture_is_zero_in_every_level) {
+    Texture image = must(device().createTexture({.name = "new", .format = Format::R32F, .width = 4, .height = 4, .mips = 0}));
+    for (std::uint32_t mip = 0; mip < 3; ++mip)
+        for (const float value : fromBytes<float>(must(device().readback(image, mip))))
+            EXPECT_EQ(value, 0.0f);
+}
+
+TEST_F(Textures, what_is_uploaded_to_each_level_and_face_reads_back) {
+    Texture cube = must(device().createTexture({.name = "cube", .format = Format::R32F, .width = 2, .height = 2, .mips = 2, .cube = true}));
+    const auto value = [](std::uint32_t mip, std::uint32_t face) { return static_cast<float>(10 * mip + face); };
+    for (std::uint32_t face = 0; face < 6; ++face)
+        for (std::uint32_t mip = 0; mip < 2; ++mip)
+            must(device().upload(cube, bytesOf(std::vector<float>(mip == 0 ? 4 : 1, value(mip, face))), mip, face));
+    for (std::uint32_t face = 0; face < 6; ++face)
+        for (std::uint32_t mip = 0; mip < 2; ++mip)
+            EXPECT_EQ(fromBytes<float>(must(device().readback(cube, mip, face))), std::vector<float>(mip == 0 ? 4 : 1, value(mip, face)));
+}
+
+TEST_F(Textures, rows_are_tightly_packed_whatever_the_width) {
+    std::vector<std::uint8_t> bytes(5 * 3);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = static_cast<std::uint8_t>(i);
+    Texture image = must(device().createTexture({.name = "odd", .format = Format::R8, .width = 5, .height = 3}));
+    must(device().upload(image, bytesOf(bytes)));
+    EXPECT_EQ(fromBytes<std::uint8_t>(must(device().readback(image))), bytes);
+}
+
+TEST_F(Textures, zero_mips_ask_for_the_full_chain) {
+    EXPECT_EQ(must(device().createTexture({.name = "chain", .width = 5, .height = 9, .mips = 0})).desc().mips, 4u); // 9 4 2 1
+}
+
+TEST_F(Textures, a_mip_level_is_the_mean_of_the_texels_below) {
+    std::vector<Pixel> texels;
+    for (int i = 0; i < 16; ++i)
+        texels.push_back({static_cast<float>(i), static_cast<float>(i * i), 1, static_cast<float>(i % 4)});
+    Texture image = must(device().createTexture({.name = "mips", .format = Format::RGBA32F, .width = 4, .height = 4, .mips = 0}));
+    must(device().upload(image, bytesOf(texels)));
+    must(device().run([&](Recorder& recorder) { return recorder.generateMips(image); }));
+    // Texels 0 1 4 5: means 2.5, 42/4 and 0.5. The filter's weights are 1/2, the sums small integers: exact.
+    EXPECT_EQ(pixels(image, 1).front(), (Pixel{2.5f, 10.5f, 1, 0.5f}));
+    EXPECT_EQ(pixels(image, 2).front(), (Pixel{7.5f, 77.5f, 1, 1.5f}));
+}
+
+TEST_F(Textures, mips_of_a_cube_map_do_not_mix_its_faces) {
+    Texture cube = must(device().createTexture({.name = "cube", .format = Format::R32F, .width = 4, .height = 4, .mips = 0, .cube = true}));
+    for (std::uint32_t face = 0; face < 6; ++face)
+        must(device().upload(cube, bytesOf(std::vector<float>(16, static_cast<float>(face))), 0, face));
+    must(device().run([&](Recorder& recorder) { return recorder.generateMips(cube); }));
+    for (std::uint32_t face = 0; face < 6; ++face)
+        EXPECT_EQ(fromBytes<float>(must(device().readback(cube, 2, face))).front(), static_cast<float>(face));
+}
+
+TEST_F(Textures, srgb_mips_are_means_of_linear_light) {
+    Texture image = must(device().createTexture({.name = "srgb", .format = Format::RGBA8Srgb, .width = 2, .height = 1, .mips = 0}));
+    must(device().upload(image, bytesOf(std::array<std::uint8_t, 8>{255, 255, 255, 255, 0, 0, 0, 255})));
+    must(device().run([&](Recorder& recorder) { return recorder.generateMips(image); }));
+    // Linear 0.5 encodes to 187.5; a mean of the bytes would be 127.5. llvmpipe filters 8-bit texels in steps of about 1/255.
+    EXPECT_NEAR(fromBytes<std::uint8_t>(must(device().readback(image, 1))).front(), 187.5, 2);
+}
+
+TEST_F(Textures, a_render_target_with_mips_is_drawn_to_cleared_and_reduced_in_one_frame) {
+    Texture source = texture(1, 1, {{8, 4, 2, 1}});
+    Texture image = must(
+        device().createTexture({.name = "chain", .format = Format::RGBA32F, .width = 8, .height = 8, .mips = 0, .renderTarget = true}));
+    const Sampler point = sampler(Filter::Point, Address::Clamp);
+    const Pipeline pipeline =
+        must(device().createPipeline(screen(copy_frag, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        must(recorder.clearColor(image, {1, 1, 1, 1}));
+        must(recorder.draw({.colors = {&image}}, screenDraw(pipeline, {{0, 1, &source}, {0, 2, &point}})));
+        return recorder.generateMips(image);
+    }));
+    EXPECT_EQ(pixels(image, 3).front(), (Pixel{8, 4, 2, 1}));
+}
+
+TEST_F(Textures, a_clear_that_no_draw_follows_still_reaches_the_mip_chain) {
+    Texture image = must(
+        device().createTexture({.name = "chain", .format = Format::RGBA32F, .width = 4, .height = 4, .mips = 0, .renderTarget = true}));
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        must(recorder.clearColor(image, {1, 2, 3, 4}));
+        return recorder.generateMips(image);
+    }));
+    EXPECT_EQ(pixels(image, 2).front(), (Pixel{1, 2, 3, 4}));
+}
+
+TEST_F(Textures, bytes_counts_all_levels_and_faces) {
+    const Texture cube =
+        must(device().createTexture({.name = "cube", .format = Format::RGBA16F, .width = 4, .height = 4, .mips = 0, .cube = true}));
+    EXPECT_EQ(cube.bytes(), (16u + 4u + 1u) * 8u * 6u);
+}
+
+} // namespace
+} // namespace tegument::gpu

@@ -64,7 +64,7 @@ TEST_P(Consumer, readme_shader_compiles_beside_a_copy_of_hlsl_alone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Readme, Consumer, testing::Values(Compiler::Dxc, Compiler::Glslang),
-                         [](const auto& info) { return info.param == Compiler::Dxc ? "dxc" : "glslang"; });
+                         [](const auto& parameter) { return parameter.param == Compiler::Dxc ? "dxc" : "glslang"; });
 
 TEST(Readme, every_parameter_set_in_the_snippets_is_one_of_the_effect) {
     const auto effect = loadEffect("effects/OriginalTexture.fx");

@@ -112,31 +112,29 @@ bool needsMesh(const Effect& effect, const std::string& technique) {
     return chosen && std::ranges::any_of(chosen->passes, drawsGeometry);
 }
 
-/// --workspace, else the human of the effects' own folder, else built-in defaults.
-Result<Workspace> chooseWorkspace(const RenderOptions& options) {
-    if (!options.workspace.empty()) return loadWorkspace(options.workspace);
+/// --workspace, else the human of the effects' own folder, else built-in defaults. With --mesh only its camera and light stay.
+Result<Workspace> chooseWorkspace(const RenderOptions& options, bool mesh) {
+    const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
+    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
     const fs::path human = fs::path(options.file).parent_path() / "workspaces" / "human.json";
     std::error_code code;
     if (!fs::exists(human, code)) return Workspace{};
-    if (options.mesh.empty()) return loadWorkspace(human);
-    Result<Workspace> workspace = loadWorkspace(human);
-    if (!workspace) return workspace;
-    workspace->attribution.clear(); // it spoke of the human
+    Result<Workspace> workspace = loadWorkspace(human, load);
+    if (!workspace || options.mesh.empty()) return workspace;
+    workspace->attribution.clear(); // these spoke of the human
     workspace->textures.clear();
     workspace->unitMm.reset();
+    workspace->flipV = false;
     return workspace;
 }
 
 Result<Mesh> chooseMesh(const RenderOptions& options, const Workspace& workspace) {
-    fs::path path = options.mesh;
-    if (options.mesh.empty()) {
-        path = workspace.meshPath;
-        if (path.is_relative()) path = workspace.file.parent_path() / path;
-    }
-    if (path.empty() || (options.mesh.empty() && workspace.meshPath.empty()))
-        return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
-    MeshOptions load{.unitMm = options.unitMm ? options.unitMm : workspace.unitMm, .expectHead = workspace.head, .requireUvs = false};
-    Result<Mesh> mesh = loadMesh(path, load);
+    const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
+    if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
+    MeshOptions load = meshOptions(workspace);
+    if (options.unitMm) load.unitMm = options.unitMm;
+    Result<Mesh> mesh =
+        loadMesh(options.mesh.empty() && workspace.file.has_parent_path() ? workspace.file.parent_path() / path : fs::path(path), load);
     if (mesh && mesh->attribution.empty()) mesh->attribution = workspace.attribution;
     return mesh;
 }
@@ -160,10 +158,11 @@ Result<Scene> loadScene(const RenderOptions& options) {
     for (const std::string& set : options.sets)
         if (const auto applied = applySet(set, scene.effect, scene.run); !applied) return applied.error();
 
-    auto workspace = chooseWorkspace(options);
+    const bool drawsMesh = needsMesh(scene.effect, options.technique);
+    auto workspace = chooseWorkspace(options, drawsMesh);
     if (!workspace) return workspace.error();
     scene.workspace = std::move(*workspace);
-    if (!needsMesh(scene.effect, options.technique)) return scene;
+    if (!drawsMesh) return scene;
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
     scene.mesh = std::move(*mesh);

@@ -37,7 +37,7 @@ struct Frame {
     std::vector<std::variant<FrameDraw, FrameClear, FrameMips>> items;
 };
 
-/// TG4006 the annotation Instances does not name a number of the effect.
+/// TG4006 the annotation Instances asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(const RunInput& input, const Prepared& prepared, Resources& resources);
 
 /// Records the frame; each draw is a timed section with its pass's name.

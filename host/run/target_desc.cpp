@@ -18,20 +18,16 @@ struct NamedFormat {
     gpu::Format format;
 };
 
-// The first name of a format is the one reported. A16R16G16B16F is a misspelling that NVIDIA's files spread.
+// The first name of a format is the one reported. D24FS8 is what a device without D24S8 makes instead; effects cannot ask for it.
 constexpr std::array kFormats = {
     NamedFormat{"A8R8G8B8", gpu::Format::BGRA8},
     NamedFormat{"X8R8G8B8", gpu::Format::BGRA8},
     NamedFormat{"A8B8G8R8", gpu::Format::RGBA8},
-    NamedFormat{"X8B8G8R8", gpu::Format::RGBA8},
-    NamedFormat{"A16B16G16R16", gpu::Format::RGBA16},
     NamedFormat{"A2B10G10R10", gpu::Format::RGB10A2},
     NamedFormat{"L8", gpu::Format::R8},
-    NamedFormat{"A8L8", gpu::Format::RG8},
     NamedFormat{"R16F", gpu::Format::R16F},
     NamedFormat{"G16R16F", gpu::Format::RG16F},
     NamedFormat{"A16B16G16R16F", gpu::Format::RGBA16F},
-    NamedFormat{"A16R16G16B16F", gpu::Format::RGBA16F},
     NamedFormat{"R32F", gpu::Format::R32F},
     NamedFormat{"G32R32F", gpu::Format::RG32F},
     NamedFormat{"A32B32G32R32F", gpu::Format::RGBA32F},
@@ -40,22 +36,9 @@ constexpr std::array kFormats = {
     NamedFormat{"D24X8", gpu::Format::D24S8},
     NamedFormat{"D24S8_SHADOWMAP", gpu::Format::D24S8},
     NamedFormat{"D32F_LOCKABLE", gpu::Format::D32F},
+    NamedFormat{"D32F", gpu::Format::D32F},
     NamedFormat{"D24FS8", gpu::Format::D32FS8},
 };
-
-std::string_view withoutPrefix(std::string_view name) {
-    for (const std::string_view prefix : {"D3DFMT_", "FMT_"})
-        if (name.size() > prefix.size() && equalsIgnoreCase(name.substr(0, prefix.size()), prefix)) return name.substr(prefix.size());
-    return name;
-}
-
-std::string formatHint(std::string_view name) {
-    std::vector<std::string> names;
-    for (const NamedFormat& known : kFormats)
-        names.emplace_back(known.name);
-    const std::string near = didYouMean(withoutPrefix(name), names);
-    return near.empty() ? "docs/running.md lists the D3DFORMAT names" : near;
-}
 
 Result<gpu::Format> targetFormat(const Parameter& parameter) {
     const bool depth = isDepthTarget(parameter);
@@ -63,7 +46,9 @@ Result<gpu::Format> targetFormat(const Parameter& parameter) {
     if (!annotation) return depth ? gpu::Format::D24S8 : gpu::Format::BGRA8;
     const std::string name = parameter.annotations.string("Format").value_or("");
     const auto format = formatFromD3D(name);
-    if (!format) return inputError(4020, annotation->at, fmt::format("unknown format '{}' of {}", name, parameter.name), formatHint(name));
+    if (!format)
+        return inputError(4020, annotation->at, fmt::format("this host makes no targets of format '{}': {}", name, parameter.name),
+                          "docs/running.md lists the formats");
     if (gpu::isDepth(*format) != depth)
         return inputError(4022, annotation->at,
                           fmt::format("{} is a {} target, {} is not such a format", parameter.name, depth ? "depth" : "colour", name),
@@ -101,10 +86,10 @@ bool isSemantic(const Parameter& parameter, std::string_view semantic) {
 } // namespace
 
 std::optional<gpu::Format> formatFromD3D(std::string_view name) {
-    const std::string_view bare = withoutPrefix(name);
-    const auto found = std::ranges::find_if(kFormats, [&](const NamedFormat& known) { return equalsIgnoreCase(known.name, bare); });
-    if (found == kFormats.end()) return std::nullopt;
-    return found->format;
+    const auto canonical = canonicalFormat(name);
+    if (!canonical) return std::nullopt;
+    const auto found = std::ranges::find(kFormats, std::string_view(*canonical), &NamedFormat::name);
+    return found == kFormats.end() ? std::nullopt : std::optional(found->format);
 }
 
 std::string_view d3dName(gpu::Format format) {

@@ -28,7 +28,7 @@ struct TargetDesc {
     bool ownSize = false;   // does not depend on the picture's size
 };
 
-/// A D3DFORMAT name, with or without D3DFMT_ or FMT_, ignoring case.
+/// A D3DFORMAT name in any of the spellings that host/effect accepts.
 [[nodiscard]] std::optional<gpu::Format> formatFromD3D(std::string_view name);
 /// The D3DFORMAT name of a format that a target can have.
 [[nodiscard]] std::string_view d3dName(gpu::Format format);
@@ -41,7 +41,7 @@ struct TargetDesc {
     return isColorTarget(parameter) || isDepthTarget(parameter);
 }
 
-/// TG4020 unknown format, TG4021 impossible size, TG4022 colour format for a depth target or the other way round.
+/// TG4020 a format that cannot be a target, TG4021 impossible size, TG4022 colour format for a depth target or the other way round.
 [[nodiscard]] Result<TargetDesc> describeTarget(const Parameter& parameter, Extent picture);
 
 } // namespace tegument::run

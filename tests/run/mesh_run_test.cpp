@@ -76,9 +76,22 @@ TEST_F(Meshes, a_pass_draws_as_many_instances_as_its_annotation_says) {
         EXPECT_EQ(result->image.at(4 * layer + 1, 8, 0), layer < 3 ? static_cast<float>(layer + 1) : 0.0F) << layer;
 }
 
-TEST_F(Meshes, an_instance_count_of_no_parameter_is_an_error) {
+TEST_F(Meshes, no_instances_draw_nothing) {
     const Mesh mesh = square();
-    EXPECT_EQ(code(draw("UnknownLayers", &mesh)), 4006);
+    const auto result =
+        run("mesh.fx", {.technique = "Layers", .width = 4, .height = 4, .compiler = defaultCompiler(), .parameters = {{"gLayers", {0}}}},
+            &mesh);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(result->passes.empty());
+    EXPECT_TRUE(pixelIs(result->image, 0, 0, {0, 0, 0, 0}));
+}
+
+TEST_F(Meshes, a_negative_number_of_instances_is_an_error) {
+    const Mesh mesh = square();
+    EXPECT_EQ(code(run("mesh.fx",
+                       {.technique = "Layers", .width = 4, .height = 4, .compiler = defaultCompiler(), .parameters = {{"gLayers", {-1}}}},
+                       &mesh)),
+              4006);
 }
 
 TEST_F(Meshes, a_mesh_without_uvs_is_refused_where_a_pass_needs_them) {

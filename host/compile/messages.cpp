@@ -1,12 +1,11 @@
 #include "host/compile/messages.h"
 
-#include "host/support/text.h"
+#include "host/compile/scan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -18,27 +17,11 @@ namespace {
 constexpr int kCompilerError = 3001;
 constexpr int kCompilerWarning = 3007;
 
-template <class Visit>
-void forEachLine(std::string_view text, Visit&& visit) {
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        visit(trim(text.substr(0, end)));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-}
-
-std::optional<int> number(std::string_view text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
-    return value;
-}
-
 /// Takes `:123` off the end.
 std::optional<int> takeTrailingNumber(std::string_view& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos) return {};
-    const auto value = number(text.substr(colon + 1));
+    const auto value = wholeNumber(text.substr(colon + 1));
     if (value) text = text.substr(0, colon);
     return value;
 }
@@ -113,7 +96,7 @@ std::string sourceLine(std::string_view code, std::string_view file, int line) {
         if (directive.starts_with("#line ")) {
             const std::string_view rest = trim(directive.substr(6));
             const std::size_t quote = rest.find('"');
-            next = number(trim(rest.substr(0, quote))).value_or(1);
+            next = wholeNumber(trim(rest.substr(0, quote))).value_or(1);
             if (quote != std::string_view::npos) current = rest.substr(quote + 1, rest.rfind('"') - quote - 1);
             continue;
         }
@@ -153,29 +136,6 @@ Messages readGlslangMessages(std::string_view log, std::string_view code, const 
         line.remove_prefix(error ? 7 : 9);
         if (line.find("compilation errors.  No code generated") == std::string_view::npos)
             readGlslangLine(line, error, code, file, messages);
-    });
-    return messages;
-}
-
-Messages readMicrosoftMessages(std::string_view log, const std::string& file) {
-    static constexpr Kind kKinds[] = {{": error ", true}, {": warning ", false}};
-    Messages messages;
-    forEachLine(log, [&](std::string_view line) {
-        for (const Kind& kind : kKinds) {
-            const std::size_t separator = line.find(kind.marker);
-            if (separator == std::string_view::npos) continue;
-            std::string_view place = line.substr(0, separator);
-            SourcePosition at{.file = file, .byte = {}};
-            if (const std::size_t open = place.rfind('('); open != std::string_view::npos && place.ends_with(')')) {
-                const std::string_view inside = place.substr(open + 1, place.size() - open - 2);
-                const std::size_t comma = std::min(inside.find(','), inside.size());
-                at.line = number(inside.substr(0, comma)).value_or(0);
-                if (comma < inside.size()) at.column = number(inside.substr(comma + 1, inside.find('-', comma) - comma - 1)).value_or(0);
-                at.file = std::string(place.substr(0, open));
-            }
-            return add(messages, kind.error, std::move(at), line.substr(separator + kind.marker.size()), {});
-        }
-        if (!line.empty() && line.find("error") != std::string_view::npos) add(messages, true, {.file = file, .byte = {}}, line, {});
     });
     return messages;
 }

@@ -20,8 +20,6 @@ struct Messages {
 [[nodiscard]] Messages readDxcMessages(std::string_view log, std::string_view code, const std::string& file);
 /// `ERROR: file:line: 'token' : text`; columns are found by the token.
 [[nodiscard]] Messages readGlslangMessages(std::string_view log, std::string_view code, const std::string& file);
-/// `file(line,column-column): error X3000: text`, with `file` in the form that `path` turns into ours.
-[[nodiscard]] Messages readMicrosoftMessages(std::string_view log, const std::string& file);
 
 /// The line of preprocessed source that `#line` directives call `line` of `file`; empty when there is none.
 [[nodiscard]] std::string sourceLine(std::string_view code, std::string_view file, int line);

@@ -3,6 +3,7 @@
 
 #include "host/support/result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,18 +20,21 @@ struct MicrosoftJob {
     std::filesystem::path output; // empty: not kept
 };
 
-/// What ps_3_0 or vs_3_0 used, read from the disassembly: the SM3 limits are asserted by us because the compiler does not.
+/// What ps_3_0 or vs_3_0 used, read from the disassembly: the SM3 limits are asserted by us because the compiler does not hold all of them.
 struct Sm3Usage {
     int instructionSlots = 0;
-    int constants = 0;
+    int constants = 0; // highest register + 1
     int samplers = 0;
-    int interpolators = 0;
+    int interpolators = 0; // pixel shader inputs; vertex shader outputs without the position
 };
 
 struct MicrosoftResult {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
     int techniqueCount = -1; // inside the binary; -1: not an effect
+    int passCount = -1;      // inside the binary, fx_2_0 only
+    int shaderCount = -1;    // inside the binary, fx_4_0 and fx_5_0 only
+    std::uintmax_t bytes = 0;
     std::optional<Sm3Usage> sm3;
     double milliseconds = 0;
 };
@@ -38,7 +42,9 @@ struct MicrosoftResult {
 /// Empty when the tool can run; otherwise what is missing ("wine is not installed", ...): the caller reports `not checked: <reason>`.
 [[nodiscard]] std::string microsoftCompilerMissing();
 
-/// Runs all jobs in one Wine process, in order.
+/// Runs all jobs in one Wine process, in order; a job that brings the process down fails (TG3103) and the rest goes on in a new one.
+/// Messages are TG3101 (errors, with Microsoft's X number in the text) and TG3102 (warnings). An Error means that nothing could be run:
+/// TG3104 Wine or its display, TG3105 a path that cannot be handed over.
 [[nodiscard]] Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs);
 
 } // namespace tegument

@@ -1,0 +1,18 @@
+#pragma once
+// What Microsoft's compiler put into an effect: it drops techniques of another Direct3D version without a word, so they are counted.
+
+#include <optional>
+#include <string_view>
+
+namespace tegument {
+
+struct EffectContent {
+    int techniques = 0;
+    int passes = -1;  // fx_2_0 only
+    int shaders = -1; // fx_4_0 and fx_5_0 only
+};
+
+/// Reads the header of fx_2_0 (0xfeff0901), fx_4_0 (0xfeff1001, inside a DXBC container) or fx_5_0 (0xfeff2001). Nothing: not an effect.
+[[nodiscard]] std::optional<EffectContent> readEffectBinary(std::string_view bytes);
+
+} // namespace tegument

@@ -1,0 +1,17 @@
+#pragma once
+// Microsoft's messages and paths in our form.
+
+#include "host/compile/messages.h"
+
+#include <filesystem>
+
+namespace tegument {
+
+/// "/work/a.fx" as Wine's programs know it: "Z:\work\a.fx".
+[[nodiscard]] std::string windowsPath(const std::filesystem::path& absolute);
+
+/// `Z:\work\a.fx(3,7-9): error X3000: text` as an error of code TG3101 in `source`, spelt as `source` is when it is that file. Included
+/// files come relative to the source's folder. X4717 ("Effects deprecated"), which comes with every effect, is left out.
+[[nodiscard]] Messages readMicrosoftMessages(std::string_view log, const std::filesystem::path& source);
+
+} // namespace tegument

@@ -1,0 +1,56 @@
+#pragma once
+// Other programs: run to the end with a time limit, or beside us until we are done. No shell in between, so that no name needs quoting.
+
+#include "host/support/result.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace tegument {
+
+struct ProcessCommand {
+    std::vector<std::string> arguments;                           // the first is the program: a path, or a name looked up in $PATH
+    std::vector<std::pair<std::string, std::string>> environment; // on top of our own
+};
+
+struct ProcessResult {
+    int exitCode = 0; // 128 + n when signal n ended it
+    bool timedOut = false;
+    std::string output; // stdout and stderr as they came
+};
+
+/// The program's file, if there is one that we may execute.
+[[nodiscard]] std::optional<std::filesystem::path> findProgram(const std::string& name);
+
+/// Runs to the end, or kills the whole process group after `timeoutSeconds`. TG5003 if it cannot be started.
+[[nodiscard]] Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSeconds);
+
+/// Runs beside us; ended with its process group on destruction, and by the system when we die.
+class BackgroundProcess {
+public:
+    /// TG5003 if it cannot be started.
+    [[nodiscard]] static Result<BackgroundProcess> start(const ProcessCommand& command);
+    BackgroundProcess(BackgroundProcess&& other) noexcept;
+    BackgroundProcess& operator=(BackgroundProcess&& other) noexcept;
+    BackgroundProcess(const BackgroundProcess&) = delete;
+    BackgroundProcess& operator=(const BackgroundProcess&) = delete;
+    ~BackgroundProcess();
+
+    /// The next line of its output; nothing when it ends or the time is over first.
+    [[nodiscard]] std::optional<std::string> readLine(double timeoutSeconds);
+    [[nodiscard]] bool running();
+
+private:
+    BackgroundProcess(pid_t id, int output) : id_(id), output_(output) {}
+    void stop();
+
+    pid_t id_ = -1;
+    int output_ = -1;
+};
+
+} // namespace tegument

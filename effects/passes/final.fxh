@@ -51,15 +51,15 @@ float3 diffusedLight(SurfaceVarying input, LitPoint p)
     float4 m6 = fetchHere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), input.uv, unblurred);
     float3 here = m1.rgb * gGaussianWeight[0].rgb + m2.rgb * gGaussianWeight[1].rgb + m3.rgb * gGaussianWeight[2].rgb +
                   m4.rgb * gGaussianWeight[3].rgb + m5.rgb * gGaussianWeight[4].rgb + m6.rgb * gGaussianWeight[5].rgb;
-    float4 lit = tex2Dlod(gTsm, float4(p.tsmUv, 0.0, 0.0));
-    float apart = transmissionScale(input.world, input.uv) * length(input.uv - lit.yz);
-    float3 there = fetchThere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), lit.yz, m3, gGaussianWeight[3], apart) +
-                   fetchThere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), lit.yz, m4, gGaussianWeight[4], apart) +
-                   fetchThere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), lit.yz, m5, gGaussianWeight[5], apart);
+    float4 entry = lightEntry(p);
+    float apart = transmissionScale(input.world, input.uv) * length(input.uv - entry.xy);
+    float3 there = fetchThere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), entry.xy, m3, gGaussianWeight[3], apart) +
+                   fetchThere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), entry.xy, m4, gGaussianWeight[4], apart) +
+                   fetchThere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), entry.xy, m5, gGaussianWeight[5], apart);
     if (kFirstTransmitted == 2)
-        there += fetchThere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), lit.yz, m1, gGaussianWeight[1], apart) +
-                 fetchThere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), lit.yz, m2, gGaussianWeight[2], apart);
-    return here + gTransmission * lit.w * there;
+        there += fetchThere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), entry.xy, m1, gGaussianWeight[1], apart) +
+                 fetchThere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), entry.xy, m2, gGaussianWeight[2], apart);
+    return here + gTransmission * entry.w * there;
 }
 
 float3 reflectedLight(LitPoint p, float3 toEye)

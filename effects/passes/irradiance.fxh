@@ -12,20 +12,21 @@ SurfaceVarying IrradianceVS(MeshInput input)
     return output;
 }
 
-float thicknessTowardsLight(LitPoint p)
+// By the normal of the mesh: that of the normal map would punch holes of no thickness into every bump that catches light.
+float thicknessTowardsLight(LitPoint p, float3 normal)
 {
     float range = kDepthInMillimetres ? 1.0 : gLightFar - gLightNear;
     float3 axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
     float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
     float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.tsmUv, axisX, axisY, p.toLight, p.footprint, range);
-    float4 lit = tex2Dlod(gTsm, float4(p.tsmUv, 0.0, 0.0));
-    return lit.w > 0.5 ? transmissionThickness(p.depth - lit.x, p.cosine, p.normal, litNormal) : kOpaqueDistance;
+    float4 entry = lightEntry(p);
+    return entry.w > 0.5 ? transmissionThickness(entry.z, dot(normal, p.toLight), normal, litNormal) : kOpaqueDistance;
 }
 
 float4 IrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
-    float alpha = transmissionEncode(thicknessTowardsLight(p));
+    float alpha = transmissionEncode(thicknessTowardsLight(p, safeNormalize(input.normal)));
     return float4(enteringLight(p), p.scatters > 0.5 ? alpha : 1.0);
 }
 

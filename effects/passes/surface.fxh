@@ -60,6 +60,15 @@ LitPoint litPoint(SurfaceVarying input)
     return p;
 }
 
+// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At the outline seen
+// from the light a texel may hold a surface behind this one.
+float4 lightEntry(LitPoint p)
+{
+    float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.tsmUv);
+    float path = p.depth - texel.x;
+    return float4(texel.yz, max(path, 0.0), path > -gShadowTolerance ? texel.w : 0.0);
+}
+
 // What the specular layer leaves of light that crosses the surface at this cosine.
 float diffuseShare(float cosine)
 {

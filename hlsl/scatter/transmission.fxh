@@ -9,8 +9,8 @@
 float transmissionThickness(float path, float cosine, float3 normal, float3 litNormal)
 {
     float parallel = saturate(-dot(litNormal, normal));
-    float corrected = saturate(-cosine) * max(path, 0.0);
-    return cosine > 0.0 ? kOpaqueDistance : lerp(max(path, 0.0), corrected, parallel);
+    float corrected = saturate(-cosine) * path;
+    return cosine > 0.0 ? kOpaqueDistance : lerp(path, corrected, parallel);
 }
 
 float transmissionEncode(float thickness)

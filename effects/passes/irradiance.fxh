@@ -16,9 +16,7 @@ SurfaceVarying IrradianceVS(MeshInput input)
 float thicknessTowardsLight(LitPoint p, float3 normal)
 {
     float range = kDepthInMillimetres ? 1.0 : gLightFar - gLightNear;
-    float3 axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
-    float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
-    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.tsmUv, axisX, axisY, p.toLight, p.footprint, range);
+    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.tsmUv, p.axisX, p.axisY, p.toLight, p.footprint, range);
     float4 entry = lightEntry(p);
     return entry.w > 0.5 ? transmissionThickness(entry.z, dot(normal, p.toLight), normal, litNormal) : kOpaqueDistance;
 }

@@ -28,6 +28,8 @@ struct LitPoint
     float2 tsmUv;
     float depth;     // as in the translucent shadow map
     float footprint; // of one of its texels, mm
+    float3 axisX;    // the light's right
+    float3 axisY;    // and up
 };
 
 SurfaceVarying surfaceVarying(MeshInput input)
@@ -55,8 +57,10 @@ LitPoint litPoint(SurfaceVarying input)
     p.tsmUv = tsmCoordinate(input.lightClip);
     p.depth = tsmDepth(input.lightClip, fromLight);
     p.footprint = tsmFootprint(length(fromLight), gLightFov);
-    float tolerance = tsmTolerance(gShadowTolerance, dot(safeNormalize(input.normal), p.toLight), p.footprint);
-    p.shadow = tsmShadow(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth - tolerance);
+    p.axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
+    p.axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    float2 slope = tsmSlope(safeNormalize(input.normal), p.axisX, p.axisY, p.toLight, p.footprint);
+    p.shadow = tsmShadow(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth, gShadowTolerance, slope);
     return p;
 }
 

@@ -4,10 +4,10 @@
 #ifndef TEGUMENT_SHADOW_TSM_FXH
 #define TEGUMENT_SHADOW_TSM_FXH
 
-// Largest slope of the bias, tan(87 degrees): beyond it N.L is below 0.05 and the light with it.
-static const float kSteepestSlope = 20.0;
-// The filter reaches 2 texels from the receiver, and half a texel is lost to sampling.
-static const float kFilterReach = 2.5;
+// Smallest N.L that slopes are computed with. Below it the receiving plane is seen edge-on: its depth would change without limit within a texel.
+static const float kSmallestSlopeCosine = 0.1;
+// Share of a texel's slope that remains as tolerance, for a curved surface is not the plane it is taken for.
+static const float kSlopeTolerance = 0.25;
 // Texels whose texture coordinates differ by less are one piece of surface: 3 % of the map, about 9 mm of a head.
 static const float kOnePiece = 0.03;
 
@@ -27,12 +27,12 @@ float tsmFootprint(float depth, float fov)
     return 2.0 * depth * tan(0.5 * fov) / kMapSize;
 }
 
-// Tolerance of the depth comparison. Corrected: `tolerance` mm plus what the surface's slope towards the light adds within the filter's reach.
-// cosine = N.L of the unperturbed normal.
-float tsmTolerance(float tolerance, float cosine, float footprint)
+// Change of depth (mm) from texel to texel along u and v on the plane through the receiver; the inverse of tsmNormal. axisX, axisY: the light's right and up.
+float2 tsmSlope(float3 normal, float3 axisX, float3 axisY, float3 toLight, float footprint)
 {
-    float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-3), kSteepestSlope);
-    return kFilterShadow ? tolerance + kFilterReach * footprint * slope : tolerance;
+    float cosine = dot(normal, toLight);
+    float2 slope = float2(dot(normal, axisX), -dot(normal, axisY)) * footprint / max(cosine, kSmallestSlopeCosine);
+    return kFilterShadow && cosine > 0.0 ? slope : float2(0.0, 0.0);
 }
 
 // Normal of the lit surface, from the slope of its depths. axisX, axisY: the light's right and up; footprint: mm of a texel; range: mm of a unit depth.
@@ -66,30 +66,31 @@ float tsmLit(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth)
     return depth <= tex2Dlod(tsm, float4(coordinate, 0.0, 0.0)).x ? 1.0 : 0.0;
 }
 
-// Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions.
-float tsmFilteredShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth)
+// Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions, each compared with the receiver's plane there.
+float tsmFilteredShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth, float2 slope)
 {
     float2 position = coordinate * kMapSize - 0.5;
     float2 f = frac(position);
     float2 corner = (position - f - 0.5) / kMapSize;
     float4 rowWeight = float4(1.0 - f.y, 1.0, 1.0, f.y);
+    float4 plane = depth + slope.x * (float4(-1.0, 0.0, 1.0, 2.0) - f.x);
     float sum = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
     {
         float4 row;
         [unroll] for (int i = 0; i < 4; i++)
             row[i] = tex2Dlod(tsm, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
-        sum += rowWeight[j] * dot(step(depth, row), float4(1.0 - f.x, 1.0, 1.0, f.x));
+        sum += rowWeight[j] * dot(step(plane + slope.y * (j - 1.0 - f.y), row), float4(1.0 - f.x, 1.0, 1.0, f.x));
     }
     return sum / 9.0;
 }
 
-// depth: of the receiver, less the tolerance.
-float tsmShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth)
+// depth, tolerance: mm, or z/w. slope: from tsmSlope.
+float tsmShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth, float tolerance, float2 slope)
 {
     if (kFilterShadow)
-        return tsmFilteredShadow(SAMPLER2D_ARG(tsm), coordinate, depth);
-    return tsmLit(SAMPLER2D_ARG(tsm), coordinate, depth);
+        return tsmFilteredShadow(SAMPLER2D_ARG(tsm), coordinate, depth - tolerance - kSlopeTolerance * length(slope), slope);
+    return tsmLit(SAMPLER2D_ARG(tsm), coordinate, depth - tolerance);
 }
 
 #endif

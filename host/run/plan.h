@@ -65,7 +65,8 @@ struct PassUse {
 };
 
 /// Completes the plan with what the shaders use:
-///  * attachments that a pass cannot change (write mask 0, no output, depth and stencil tests off) and that do not fit are dropped,
+///  * the depth target of a pass that tests neither depth nor stencil is dropped, and so are colour targets of another size that the pass
+///    does not write,
 ///  * TG4024 when a pass samples a target that it has bound; TG4025 when two of its targets differ in size,
 ///  * targets that the frame uses before clearing them are cleared first (0, depth 1), so that a frame never depends on the one before;
 ///    warning TG4026 when the first use is sampling,

@@ -42,7 +42,7 @@ Error differentSizes(const Pass& pass, const std::string& a, const TargetShape& 
                       "bind targets of one size, or switch the depth test off if the pass needs no depth");
 }
 
-/// Drops attachments that do not fit and cannot change; what is left has one size.
+/// Drops the depth target of a pass that tests nothing, and colour targets that do not fit and cannot change; what is left has one size.
 Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
     const PassUse& use = with.uses.at(draw.pass);
     const std::string* leading = leadingTarget(draw, use);
@@ -61,10 +61,9 @@ Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
         if (!color)
             return inputError(4028, draw.pass->at, fmt::format("pass {} leaves a gap between its colour targets", draw.pass->name),
                               "bind them from 0 upwards");
+    if (!usesDepth(draw.pass->state)) draw.depth.reset();
     if (!draw.depth || sameSize(with.shapes.at(*draw.depth), size)) return {};
-    if (usesDepth(draw.pass->state)) return differentSizes(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
-    draw.depth.reset();
-    return {};
+    return differentSizes(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
 }
 
 Result<void> refuseFeedback(const DrawStep& draw, const PassUse& use) {

@@ -39,10 +39,12 @@ protected:
     std::vector<Diagnostic> warnings_;
 };
 
-TEST_F(Completing, a_depth_target_of_another_size_is_dropped_when_the_pass_tests_no_depth) {
+TEST_F(Completing, a_depth_target_is_dropped_when_the_pass_tests_nothing) {
     draw({"gSmall"}, kPictureDepth);
+    draw({"gSmall"}, "gDepth");
     ASSERT_TRUE(test::succeeded(complete()));
-    EXPECT_FALSE(steps<DrawStep>().front().depth);
+    for (const DrawStep& step : steps<DrawStep>())
+        EXPECT_FALSE(step.depth);
 }
 
 TEST_F(Completing, a_depth_target_of_another_size_is_an_error_when_the_pass_tests_depth) {
@@ -75,6 +77,7 @@ TEST_F(Completing, sampling_a_bound_target_is_an_error_that_names_pass_and_textu
 }
 
 TEST_F(Completing, sampling_a_bound_depth_target_is_an_error) {
+    pass_.state.depthTest = true;
     uses_[&pass_].sampled = {"gDepth"};
     draw({"gSmall"}, "gDepth");
     EXPECT_EQ(test::code(complete()), 4024);

@@ -13,6 +13,8 @@ namespace {
 
 /// Up to so many lines are bridged by line breaks rather than a #line.
 constexpr int kNearLines = 8;
+/// Beyond this, columns are not kept: a file of one endless line shall not grow with every macro in it.
+constexpr int kWidestGap = 400;
 
 std::string quoted(const std::string& path) {
     std::string text;
@@ -32,7 +34,7 @@ public:
         for (std::size_t i = 0; i <= view_.tokens.size(); ++i) {
             for (; pragma < view_.pragmas.size() && view_.pragmas[pragma].before <= i; ++pragma)
                 print(view_.pragmas[pragma]);
-            if (i < view_.tokens.size() && !blanked[i]) print(view_.tokens[i]);
+            if (i < view_.tokens.size() && !blanked[i]) print(view_.tokens[i], view_.tokens[i].space || (i > 0 && blanked[i - 1]));
         }
         text_ += '\n';
         return std::move(text_);
@@ -47,22 +49,22 @@ private:
         column_ = 1;
     }
 
-    void print(const Token& token) {
-        const bool moved = moveTo(token.file, token.line);
-        if (column_ < token.column && token.line == line_ && (moved || token.space || column_ == 1)) {
-            text_.append(static_cast<std::size_t>(std::min(token.column - column_, 400)), ' ');
-        } else if (token.space && column_ > 1) {
-            text_ += ' ';
-            ++column_;
+    /// Tokens of a macro's expansion all stand where it was called: only the first of them can be put into its column.
+    void print(const Token& token, bool space) {
+        moveTo(token.file, token.line);
+        const int gap = token.line == line_ ? token.column - column_ : 0;
+        if (space || column_ == 1) {
+            const int spaces = std::clamp(gap, column_ > 1 ? 1 : 0, kWidestGap);
+            text_.append(static_cast<std::size_t>(spaces), ' ');
+            column_ += spaces;
         }
-        column_ = std::max(column_, token.line == line_ && token.space ? token.column : column_);
         text_ += token.text;
         column_ += static_cast<int>(token.text.size());
     }
 
     /// Goes to the line, unless a macro's expansion would lead back in the same file.
-    bool moveTo(int file, int line) {
-        if (file == file_ && line <= line_) return false;
+    void moveTo(int file, int line) {
+        if (file == file_ && line <= line_) return;
         if (file == file_ && line - line_ <= kNearLines) {
             text_.append(static_cast<std::size_t>(line - line_), '\n');
         } else {
@@ -71,7 +73,6 @@ private:
         file_ = file;
         line_ = line;
         column_ = 1;
-        return true;
     }
 
     const Preprocessed& view_;

@@ -35,12 +35,12 @@ bool isShaderObject(const Token& token) {
 /// float4[8]: `vector<float, 4>` and `matrix<float, 4, 4>` say their dimensions in angle brackets.
 void applyTemplate(Type& type, const std::vector<Token>& arguments) {
     if (type.name != "vector" && type.name != "matrix") return;
-    const std::optional<Type> scalar = arguments.empty() ? std::nullopt : builtInType(arguments[0].text);
-    if (scalar) type.base = scalar->base;
     std::vector<int> dimensions;
-    for (const Token& token : arguments)
+    for (const Token& token : arguments) {
+        if (const std::optional<Type> scalar = builtInType(token.text)) type.base = scalar->base;
         if (token.kind == TokenKind::Number && token.text.size() == 1 && token.text[0] >= '1' && token.text[0] <= '4')
             dimensions.push_back(token.text[0] - '0');
+    }
     if (type.name == "vector" && dimensions.size() == 1) type.columns = dimensions[0];
     if (type.name == "matrix" && dimensions.size() == 2) {
         type.rows = dimensions[0];
@@ -158,6 +158,7 @@ bool Parser::declaration() {
         const Token& token = take();
         modifiers.isStatic |= token.is("static") || token.is("groupshared");
         modifiers.isConst |= token.is("const");
+        modifiers.last = at_;
     }
     if (isStateObject(peek())) return stateObject(start);
     if (isShaderObject(peek()) && peek(1).kind == TokenKind::Word) return shaderObject(start);
@@ -170,7 +171,7 @@ bool Parser::declaration() {
         if (first && peek().is('(')) return function(name);
         if (!declarator({start, typeName, name, *type, modifiers})) return false;
         if (accept(';')) break;
-        if (!expect(',', "or ';' after the declaration")) return false;
+        if (!accept(',')) return unexpected("',' or ';' after the declaration");
     }
     return true;
 }
@@ -182,13 +183,17 @@ bool Parser::declarator(Declarator d) {
     const bool effectSyntax = peek().is('<') || (peek().is('=') && !d.modifiers.isStatic);
     const bool unknown = d.type.base == BaseType::Other && !builtInType(d.typeName.text) && !structures_.contains(d.type.name) &&
                          d.type.name.find(':') == std::string::npos;
-    if (effectSyntax && unknown)
-        return fail(1103, d.typeName, fmt::format("unknown type '{}'", d.typeName.text), didYouMean(d.typeName.text, commonTypeNames()));
     if (peek().is('<') && !annotations(parameter.annotations)) return false;
+    if (effectSyntax && unknown) {
+        fail(1103, d.typeName, fmt::format("unknown type '{}'", d.typeName.text), didYouMean(d.typeName.text, commonTypeNames()));
+        return skipValue();
+    }
     if (d.type.base == BaseType::Sampler) return samplerDeclarator(d, std::move(parameter.annotations));
     if (d.modifiers.isStatic) return staticValue(d);
-    if (peek().is('=') && !defaultValue(parameter)) return false;
-    if (d.type.base != BaseType::Other) addParameter(std::move(parameter), d);
+    if (peek().is('=') && !defaultValue(parameter) && !skipValue()) return false;
+    if (d.type.base == BaseType::Other) return true;
+    blankQualifiers(d);
+    addParameter(std::move(parameter), d);
     return true;
 }
 
@@ -207,6 +212,11 @@ bool Parser::staticValue(const Declarator& d) {
         }
         at_ = first;
     }
+    return skipValue();
+}
+
+/// To the ';' or ',' behind an initial value that is none of our business.
+bool Parser::skipValue() {
     while (!atEnd() && !peek().is(';') && !peek().is(',')) {
         if (peek().is('{') || peek().is('(') || peek().is('[')) {
             if (!skipBalanced()) return false;
@@ -232,6 +242,13 @@ bool Parser::defaultValue(Parameter& parameter) {
     }
     blankFrom(first);
     return true;
+}
+
+/// `const`, `uniform`, `extern`, `shared`: glslang reads a const parameter as the constant zero, HLSL 202x drops uniform.
+void Parser::blankQualifiers(const Declarator& d) {
+    for (std::size_t i = d.start; i < d.modifiers.last; ++i)
+        if (tokens_[i].is("const") || tokens_[i].is("uniform") || tokens_[i].is("extern") || tokens_[i].is("shared"))
+            result_.blanks.push_back({i, i + 1});
 }
 
 /// Strings and the global script mean nothing to the compilers: their whole declaration is blanked out. (The script's own float would also
@@ -260,13 +277,16 @@ bool Parser::samplerDeclarator(const Declarator& d, Annotations annotations) {
 }
 
 bool Parser::stateObject(std::size_t start) {
-    StateObject object{.type = std::string(take().text)};
+    StateObject object{.type = std::string(take().text), .states = {.pipeline = direct3D10Defaults()}};
     Token name;
     if (!expectName(name, "the state object's name")) return false;
     Annotations ignored;
     if (peek().is('<') && !annotations(ignored)) return false;
     const bool hasBlock = peek().is('{');
-    if (hasBlock && !assignments(object.assignments)) return false;
+    std::vector<Assignment> list;
+    if (hasBlock && !assignments(list)) return false;
+    for (const Assignment& assignment : list)
+        applyState(assignment, object.type, object.states);
     if (stateObjects_.contains(name.text)) fail(2015, name, fmt::format("state object '{}' is declared twice", name.text));
     stateObjects_.insert_or_assign(std::string(name.text), std::move(object));
     if (!hasBlock && !peek().is(';')) return unexpected("'{' or ';'");

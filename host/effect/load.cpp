@@ -19,6 +19,11 @@ Error quoted(Error error, const Sources& sources) {
     return error;
 }
 
+/// After these, names may be missing that the file does declare: a check would report what is no error.
+bool losesDeclarations(const Diagnostic& diagnostic) {
+    return diagnostic.code >= 1101 && diagnostic.code <= 1103;
+}
+
 Result<Preprocessed> view(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read, Sources& sources,
                           std::pair<std::string, std::string> define) {
     PreprocessOptions preprocessing{.defines = options.defines, .includeFolders = options.includeFolders, .read = read};
@@ -46,7 +51,7 @@ Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& 
     const Result<Preprocessed> metadata = view(file, options, read, sources, {"FX_D3D11", "1"});
     if (!metadata) return quoted(metadata.error(), sources);
     Parsed parsed = Parser(sources, metadata->tokens).run();
-    if (parsed.errors.empty()) checkEffect(parsed);
+    if (std::ranges::none_of(parsed.errors, losesDeclarations)) checkEffect(parsed);
     if (!parsed.errors.empty()) return quoted({Blame::Input, std::move(parsed.errors)}, sources);
 
     Effect effect = std::move(parsed.effect);

@@ -21,7 +21,7 @@ char closing(char opening) {
 Parser::Parser(const Sources& sources, const std::vector<Token>& tokens) : sources_(sources), tokens_(tokens) {
     if (!tokens.empty()) end_ = tokens.back();
     end_.kind = TokenKind::Newline;
-    end_.text = "the end of the file";
+    end_.text = {};
 }
 
 const Token& Parser::peek(std::size_t ahead) const {
@@ -67,9 +67,8 @@ bool Parser::fail(int code, const Token& at, std::string text, std::string hint)
 }
 
 bool Parser::unexpected(std::string_view expected) {
-    return fail(1101, peek(),
-                atEnd() ? fmt::format("{} expected before the end of the file", expected)
-                        : fmt::format("{} expected, not '{}'", expected, peek().text));
+    const std::string found = atEnd() ? "the end of the file" : fmt::format("'{}'", peek().text);
+    return fail(1101, peek(), fmt::format("expected {}, found {}", expected, found));
 }
 
 void Parser::warn(int code, const SourcePosition& at, std::string text, std::string hint) {

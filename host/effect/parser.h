@@ -40,7 +40,7 @@ struct Assignment {
 /// DepthStencilState X { ... }, BlendState, RasterizerState.
 struct StateObject {
     std::string type;
-    std::vector<Assignment> assignments;
+    States states;
 };
 
 /// What parsing one view of the file gives.
@@ -88,6 +88,7 @@ private:
     struct Modifiers {
         bool isStatic = false;
         bool isConst = false;
+        std::size_t last = 0; // one behind them
     };
     struct Declarator {
         std::size_t start = 0; // of the whole declaration
@@ -112,7 +113,9 @@ private:
     bool declaration();
     bool declarator(Declarator d);
     bool staticValue(const Declarator& d);
+    bool skipValue();
     bool defaultValue(Parameter& parameter);
+    void blankQualifiers(const Declarator& d);
     void addParameter(Parameter parameter, const Declarator& d);
     bool samplerDeclarator(const Declarator& d, Annotations annotations);
     bool stateObject(std::size_t start);

@@ -276,10 +276,11 @@ private:
     bool include(Line line, int depth) {
         const std::optional<std::string> name = includeName(line);
         if (!name) return false;
-        if (depth + 1 > kDeepestInclude || sources_.size() > kMostFiles || bytes_ > kMostBytes)
-            return fail(1002, line[1],
-                        fmt::format("includes nested deeper than {} or larger than {} MiB in all", kDeepestInclude, kMostBytes >> 20),
+        if (depth + 1 > kDeepestInclude)
+            return fail(1002, line[1], fmt::format("includes are nested deeper than {}", kDeepestInclude),
                         fmt::format("does '{}' include itself without an include guard?", *name));
+        if (sources_.size() > kMostFiles || bytes_ > kMostBytes)
+            return fail(1011, line[1], fmt::format("more than {} inclusions or {} MiB of text", kMostFiles, kMostBytes >> 20));
         const Token& at = line.size() > 2 ? line[2] : line[1];
         std::vector<std::string> tried;
         const std::optional<fs::path> path = find(*name, sources_[line[0].file].name, tried);

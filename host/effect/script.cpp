@@ -164,10 +164,11 @@ private:
         case ValueForm::OneName: command.options = {text}; return isName(text) || bad(command, entry, text);
         case ValueForm::Name: return options(command, entry, text, false);
         case ValueForm::NameOrEmpty: return options(command, entry, text, true);
-        case ValueForm::ClearWhat: return clear(command, text) || bad(command, entry, text, "Color, Color0 to Color7, Depth or Stencil");
+        case ValueForm::ClearWhat:
+            return clear(command, text) || bad(command, entry, text, "write Color, Color0 to Color7, Depth or Stencil");
         case ValueForm::DrawWhat:
-            return keyword(command, text, {"Geometry", "Buffer", "Scene"}) || bad(command, entry, text, "Geometry, Buffer or Scene");
-        case ValueForm::Color: return keyword(command, text, {"Color"}) || bad(command, entry, text, "Color");
+            return keyword(command, text, {"Geometry", "Buffer", "Scene"}) || bad(command, entry, text, "write Geometry, Buffer or Scene");
+        case ValueForm::Color: return keyword(command, text, {"Color"}) || bad(command, entry, text, "write Color");
         }
         return false;
     }

@@ -230,10 +230,7 @@ bool Parser::setState(const Technique& technique, const std::string& type, State
             if (state.type == type) names.push_back(other);
         return fail(2019, name, fmt::format("unknown {} '{}'", type, name.text), didYouMean(name.text, names));
     }
-    States built{.pipeline = direct3D10Defaults()};
-    if (!null)
-        for (const Assignment& assignment : object->second.assignments)
-            applyState(assignment, type, built);
+    States built = null ? States{.pipeline = direct3D10Defaults()} : object->second.states;
     if (type == "DepthStencilState") copyDepthStencil(built.pipeline, states.pipeline);
     if (type == "RasterizerState") copyRasterizer(built.pipeline, states.pipeline);
     if (type == "BlendState") {

@@ -1,0 +1,92 @@
+// Each file of expect_fail/ says in its first line what loading it (and, where that works, running its scripts) reports first.
+
+#include "tests/effect/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kFolder = "tests/effect/expect_fail";
+constexpr std::string_view kPrefix = "// expect: ";
+
+std::vector<fs::path> effects() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kFolder))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string firstLine(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+}
+
+std::string firstMessage(const fs::path& file) {
+    const Result<Effect> effect = loadEffect(file);
+    if (!effect) return format(effect.error().diagnostics[0]);
+    if (!effect->warnings.empty()) return format(effect->warnings[0]);
+    if (const std::optional<Diagnostic> intrinsic = direct3D9Intrinsic(*effect)) return format(*intrinsic);
+    Log log;
+    const Result<void> done = runScripts(*effect, "", log);
+    return done ? "no message" : format(done.error().diagnostics[0]);
+}
+
+class ExpectFail : public testing::TestWithParam<fs::path> {};
+
+TEST_P(ExpectFail, gives_the_message_of_its_first_line) {
+    const std::string message = firstMessage(GetParam());
+    const std::string line = message.substr(0, message.find('\n'));
+    const std::string expected = firstLine(GetParam());
+    ASSERT_TRUE(expected.starts_with(kPrefix));
+    EXPECT_EQ(line, kFolder.string() + "/" + expected.substr(kPrefix.size()));
+}
+
+std::string testName(const testing::TestParamInfo<fs::path>& info) {
+    return "tg" + info.param.stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, ExpectFail, testing::ValuesIn(effects()), testName);
+
+TEST(Diagnostics, every_documented_code_has_an_effect_that_shows_it) {
+    std::ifstream page("docs/diagnostics/effect.md");
+    ASSERT_TRUE(page);
+    std::set<std::string> shown;
+    for (const fs::path& file : effects())
+        shown.insert("TG" + file.filename().string().substr(0, 4));
+    int documented = 0;
+    for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with("| TG")) continue;
+        ++documented;
+        EXPECT_TRUE(shown.contains(line.substr(2, 6))) << line;
+    }
+    EXPECT_EQ(documented, static_cast<int>(shown.size()));
+}
+
+TEST(Diagnostics, every_code_in_the_sources_is_documented) {
+    std::ifstream page("docs/diagnostics/effect.md");
+    const std::string documented{std::istreambuf_iterator<char>(page), {}};
+    const std::regex call(R"((?:fail|warn|failure|inputError)\(([0-9]{4})|\.code = ([0-9]{4}))");
+    for (const fs::directory_entry& entry : fs::directory_iterator("host/effect")) {
+        std::ifstream stream(entry.path());
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        for (std::sregex_iterator match(text.begin(), text.end(), call), end; match != end; ++match) {
+            const std::string code = (*match)[1].matched ? (*match)[1] : (*match)[2];
+            EXPECT_NE(documented.find("| TG" + code + " |"), std::string::npos) << entry.path() << ": " << code;
+        }
+    }
+}
+
+} // namespace
+} // namespace tegument::test

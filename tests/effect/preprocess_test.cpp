@@ -1,0 +1,146 @@
+#include "tests/effect/support.h"
+
+#include <gtest/gtest.h>
+
+namespace tegument::test {
+namespace {
+
+TEST(Preprocessor, object_macros_expand_to_their_bodies) {
+    EXPECT_EQ(numbers(loaded("#define SIZE 64\nfloat g = SIZE * 2;"), "g"), std::vector<double>{128});
+}
+
+TEST(Preprocessor, arguments_are_expanded_before_substitution) {
+    EXPECT_EQ(numbers(loaded("#define N 3\n#define TWICE(x) ((x) * 2)\nfloat g = TWICE(N);"), "g"), std::vector<double>{6});
+}
+
+TEST(Preprocessor, a_call_as_argument_of_the_same_macro_expands) {
+    EXPECT_EQ(numbers(loaded("#define TWICE(x) (2 * x)\nfloat g = TWICE(TWICE(3));"), "g"), std::vector<double>{12});
+}
+
+TEST(Preprocessor, a_macro_is_not_expanded_inside_its_own_expansion) {
+    const Effect effect = loaded("#define gA gA\n#define gB gC\n#define gC gB\nfloat gA; float gB;");
+    EXPECT_NE(effect.findParameter("gA"), nullptr);
+    EXPECT_NE(effect.findParameter("gB"), nullptr);
+}
+
+TEST(Preprocessor, pasted_arguments_are_not_expanded) {
+    const Effect effect = loaded("#define Skin wrong\n#define MAP(s) Texture2D s##Map\nMAP(Skin);");
+    EXPECT_NE(effect.findParameter("SkinMap"), nullptr);
+}
+
+TEST(Preprocessor, stringified_arguments_keep_their_text) {
+    const Effect effect = loaded("#define NAMED(n) float n < string UIName = #n; >\nNAMED(gScale);");
+    EXPECT_EQ(effect.findParameter("gScale")->annotations.string("UIName"), "gScale");
+}
+
+TEST(Preprocessor, a_function_macro_without_bracket_is_a_plain_name) {
+    EXPECT_NE(loaded("#define F(x) x\nfloat F;").findParameter("F"), nullptr);
+}
+
+TEST(Preprocessor, calls_may_span_lines) {
+    EXPECT_EQ(numbers(loaded("#define ADD(a, b) ((a) + (b))\nfloat g = ADD(1,\n  2);"), "g"), std::vector<double>{3});
+}
+
+TEST(Preprocessor, defines_continue_behind_a_backslash) {
+    EXPECT_EQ(numbers(loaded("#define ADD(a, b) \\\r\n  ((a) + (b))\r\nfloat g = ADD(1, 2);"), "g"), std::vector<double>{3});
+}
+
+struct ConditionCase {
+    const char* expression;
+    bool holds;
+};
+
+class Condition : public testing::TestWithParam<ConditionCase> {};
+
+TEST_P(Condition, is_evaluated_as_c_does) {
+    const Effect effect = loaded(fmt::format("#define ONE 1\n#if {}\nfloat gYes;\n#endif", GetParam().expression));
+    EXPECT_EQ(effect.findParameter("gYes") != nullptr, GetParam().holds) << GetParam().expression;
+}
+
+INSTANTIATE_TEST_SUITE_P(Expressions, Condition,
+                         testing::Values(ConditionCase{"1 + 2 * 3 == 7", true}, ConditionCase{"(1 + 2) * 3 == 9", true},
+                                         ConditionCase{"10 - 4 - 3 == 3", true}, ConditionCase{"defined ONE && !defined(TWO)", true},
+                                         ConditionCase{"TWO", false}, ConditionCase{"ONE ? 0 : 1", false},
+                                         ConditionCase{"1 << 4 >= 16", true}, ConditionCase{"-1 < 0", true},
+                                         ConditionCase{"~0 == -1", true}, ConditionCase{"0x10 == 16", true},
+                                         ConditionCase{"010 == 8", true}, ConditionCase{"0 && 1 / 0", false},
+                                         ConditionCase{"1 || 1 % 0", true}, ConditionCase{"7 / 2 == 3 && 7 % 2 == 1", true},
+                                         ConditionCase{"6 & 3 | 8 ^ 1", true}, ConditionCase{"1 | 2 & 0", true},
+                                         ConditionCase{"-9223372036854775807 - 1 == 1 << 63", true}));
+
+TEST(Preprocessor, division_by_zero_in_a_taken_branch_is_an_error) {
+    EXPECT_EQ(firstCode(load("#if 1 / 0\n#endif")), 1006);
+}
+
+TEST(Preprocessor, only_the_first_true_branch_is_read) {
+    const Effect effect = loaded("#if 0\nfloat gA;\n#elif 1\nfloat gB;\n#elif 1\nfloat gC;\n#else\nfloat gD;\n#endif");
+    ASSERT_EQ(effect.parameters.size(), 1u);
+    EXPECT_EQ(effect.parameters[0].name, "gB");
+}
+
+TEST(Preprocessor, skipped_text_may_hold_anything_but_an_open_comment) {
+    EXPECT_TRUE(load("#if 0\n don't \"stop\n #nonsense\n #if garbage (\n #endif\n#endif\nfloat g;"));
+}
+
+TEST(Preprocessor, includes_are_found_beside_the_including_file) {
+    const Files files{{"main.fx", "#include \"lib/a.fxh\""}, {"lib/a.fxh", "#include \"b.fxh\""}, {"lib/b.fxh", "float gDeep;"}};
+    const Effect effect = loaded(load(files));
+    EXPECT_NE(effect.findParameter("gDeep"), nullptr);
+    EXPECT_EQ(effect.includes, (std::vector<std::filesystem::path>{"lib/a.fxh", "lib/b.fxh"}));
+}
+
+TEST(Preprocessor, includes_are_found_in_the_include_folders_next) {
+    const Files files{{"main.fx", "#include <b.fxh>"}, {"lib/b.fxh", "float gDeep;"}};
+    EXPECT_TRUE(load(files, {.includeFolders = {"lib"}}));
+}
+
+TEST(Preprocessor, guarded_includes_are_read_once) {
+    const std::string guarded = "#ifndef A_FXH\n#define A_FXH\nfloat gOnce;\n#endif\n";
+    EXPECT_EQ(loaded(load(Files{{"main.fx", "#include \"a.fxh\"\n#include \"a.fxh\""}, {"a.fxh", guarded}})).parameters.size(), 1u);
+}
+
+TEST(Preprocessor, pragma_once_reads_a_file_once) {
+    const Files files{{"main.fx", "#include \"a.fxh\"\n#include \"a.fxh\""}, {"a.fxh", "#pragma once\nfloat gOnce;\n"}};
+    EXPECT_EQ(loaded(load(files)).parameters.size(), 1u);
+}
+
+TEST(Preprocessor, an_error_in_an_include_names_the_include) {
+    const Result<Effect> effect = load(Files{{"main.fx", "float gA;\n#include \"a.fxh\""}, {"a.fxh", "\n  float3 gB = {1, 2};"}});
+    ASSERT_FALSE(effect);
+    EXPECT_EQ(format(effect.error()), "a.fxh(2,15): error TG1105: 2 numbers for float3 that holds 3\n"
+                                      "      float3 gB = {1, 2};\n"
+                                      "                  ^");
+}
+
+TEST(Preprocessor, tokens_of_a_macro_stand_where_it_is_called) {
+    const Result<Effect> effect = load("#define STATES ZEnabel = TRUE\ntechnique T { pass P {\n    STATES;\n} }");
+    ASSERT_FALSE(effect);
+    EXPECT_EQ(effect.error().diagnostics[0].at.line, 3);
+    EXPECT_EQ(effect.error().diagnostics[0].at.column, 5);
+}
+
+TEST(Preprocessor, a_byte_order_mark_and_utf8_comments_do_no_harm) {
+    const Effect effect = loaded("\xEF\xBB\xBF"
+                                 "float gA; // gr\xC3\xB6\xC3\x9F"
+                                 "e\r\nfloat gB;\r\n");
+    EXPECT_EQ(effect.findParameter("gA")->at.column, 7);
+    EXPECT_EQ(effect.findParameter("gB")->at.line, 2);
+}
+
+TEST(Preprocessor, defines_given_at_load_are_seen_by_both_views) {
+    const Result<Effect> effect =
+        load(Files{{"main.fx", "float gA = SIZE;\nstatic const float kA = SIZE;"}}, {.defines = {{"SIZE", "64"}}});
+    EXPECT_EQ(numbers(loaded(effect), "gA"), std::vector<double>{64});
+    EXPECT_NE(effect->code.find("kA = 64"), std::string::npos);
+}
+
+TEST(Preprocessor, a_nul_byte_is_an_error_with_a_position) {
+    EXPECT_EQ(firstCode(load(std::string("float gA\0;", 10))), 1101);
+}
+
+TEST(Preprocessor, line_directives_do_not_move_positions) {
+    EXPECT_EQ(loaded("#line 100 \"other.fx\"\nfloat gA;").findParameter("gA")->at.line, 2);
+}
+
+} // namespace
+} // namespace tegument::test

@@ -14,7 +14,7 @@ TEST(CodeView, effect_syntax_is_blanked_and_shader_text_is_kept) {
                    "float4 P() : SV_Target0 { return gTint < 1 ? 0 : 1; }\n"
                    "technique T { pass P { PixelShader = compile ps_3_0 P(); } }\n"),
               "#line 1 \"main.fx\"\n"
-              "float4 gTint                                                      ;\n"
+              "float4 gTint                                                       ;\n"
               "float4 P() : SV_Target0 { return gTint < 1 ? 0 : 1; }\n");
 }
 

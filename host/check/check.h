@@ -71,9 +71,11 @@ struct CheckReport {
 /// Loads each file, then:
 ///   spirv-*  every entry point that a pass names: compiled, validated, vertex and pixel stage linked by semantic; when both are asked for,
 ///            their reflections are held against each other (TG3201).
-///   fx_*     the whole file through Microsoft's compiler, one process for all files; techniques and passes or shaders inside the binary are
+///   fx_*     the whole file through Microsoft's compiler, one process for all files; techniques and passes or shaders inside the binary
+///   are
 ///            counted against the front end's (TG3202).
 ///   fx_2_0   also every entry point as vs_3_0 or ps_3_0, held against the limits of shader model 3 (TG3203).
-[[nodiscard]] CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const std::vector<Target>& targets, const CheckOptions& options = {});
+[[nodiscard]] CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const std::vector<Target>& targets,
+                                       const CheckOptions& options = {});
 
 } // namespace tegument

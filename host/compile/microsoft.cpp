@@ -91,10 +91,7 @@ bool canBeListed(const MicrosoftJob& job) {
            std::ranges::all_of(job.defines, [&](const auto& define) { return clean(define.first) && clean(define.second); });
 }
 
-Result<std::string> jobLine(const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
-    if (!canBeListed(job))
-        return inputError(3105, {.file = job.source.string(), .byte = {}}, "this path or define cannot be handed to Microsoft's compiler",
-                          "use names without tab, line break and backslash");
+std::string jobLine(const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
     std::error_code code;
     std::string line = fmt::format("{}\t{}\t{}\t{}\t{}", job.profile, job.entry, windowsPath(fs::absolute(job.source, code)),
                                    windowsPath(outputPath(job, folder, index)), isSm3(job) ? windowsPath(listingPath(folder, index)) : "");
@@ -103,14 +100,13 @@ Result<std::string> jobLine(const MicrosoftJob& job, const fs::path& folder, std
     return line + "\n";
 }
 
-Result<std::string> jobList(std::span<const MicrosoftJob> jobs, const fs::path& folder, std::size_t first) {
-    std::string list;
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-        auto line = jobLine(jobs[i], folder, first + i);
-        if (!line) return line.error();
-        list += *line;
-    }
-    return list;
+MicrosoftResult notListable(const MicrosoftJob& job) {
+    return {.diagnostics = {{.code = 3105,
+                             .at = {.file = job.source.string(), .byte = {}},
+                             .text = "this path or define cannot be handed to Microsoft's compiler",
+                             .hint = "use names without tab, line break and backslash",
+                             .sourceLine = {}}},
+            .sm3 = {}};
 }
 
 void addContent(MicrosoftResult& result, const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
@@ -168,11 +164,12 @@ MicrosoftResult broughtDown(const MicrosoftJob& job, const ProcessResult& proces
 
 /// Runs jobs in one process; the results of those that it got through, then one for the job that it died of.
 Result<std::vector<MicrosoftResult>> runBatch(std::span<const MicrosoftJob> jobs, const fs::path& folder, std::size_t first) {
-    const auto list = jobList(jobs, folder, first);
-    if (!list) return list.error();
+    std::string list;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+        list += jobLine(jobs[i], folder, first + i);
     const fs::path jobsFile = folder / "jobs.txt";
     const fs::path resultsFile = folder / "results.txt";
-    if (auto written = writeFile(jobsFile, *list); !written) return written.error();
+    if (auto written = writeFile(jobsFile, list); !written) return written.error();
     std::error_code code;
     fs::remove(resultsFile, code);
     const auto process = runInWine(folder / "hlslc.exe", {windowsPath(jobsFile), windowsPath(resultsFile)},
@@ -211,12 +208,18 @@ Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<Micr
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) return notRunnable(missing);
     const Folder folder;
     if (auto ready = bringTogether(folder.path); !ready) return ready.error();
-    std::vector<MicrosoftResult> results;
-    while (results.size() < jobs.size()) {
-        auto batch = runBatch(std::span(jobs).subspan(results.size()), folder.path, results.size());
+    std::vector<MicrosoftJob> listed;
+    std::ranges::copy_if(jobs, std::back_inserter(listed), canBeListed);
+    std::vector<MicrosoftResult> done;
+    while (done.size() < listed.size()) {
+        auto batch = runBatch(std::span(listed).subspan(done.size()), folder.path, done.size());
         if (!batch) return batch.error();
-        std::ranges::move(*batch, std::back_inserter(results));
+        std::ranges::move(*batch, std::back_inserter(done));
     }
+    std::vector<MicrosoftResult> results;
+    auto next = done.begin();
+    for (const MicrosoftJob& job : jobs)
+        results.push_back(canBeListed(job) ? std::move(*next++) : notListable(job));
     return results;
 }
 

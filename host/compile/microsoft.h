@@ -43,8 +43,8 @@ struct MicrosoftResult {
 [[nodiscard]] std::string microsoftCompilerMissing();
 
 /// Runs all jobs in one Wine process, in order; a job that brings the process down fails (TG3103) and the rest goes on in a new one.
-/// Messages are TG3101 (errors, with Microsoft's X number in the text) and TG3102 (warnings). An Error means that nothing could be run:
-/// TG3104 Wine or its display, TG3105 a path that cannot be handed over.
+/// Messages are TG3101 (errors, with Microsoft's X number in the text) and TG3102 (warnings). A path that cannot be
+/// handed over fails its job (TG3105). An Error means that nothing could be run: TG3104, Wine or its display.
 [[nodiscard]] Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs);
 
 } // namespace tegument

@@ -99,7 +99,10 @@ void readLine(std::string_view line, const fs::path& source, Messages& into) {
         if (separator == std::string_view::npos) continue;
         return add(into, kind.error, readPlace(line.substr(0, separator), source), line.substr(separator + marker.size()));
     }
-    if (line.find("error") != std::string_view::npos) add(into, true, {.file = source.string(), .byte = {}}, line);
+    if (line.find("error") == std::string_view::npos) return;
+    const std::size_t end = line.find("): "); // "file(3,42-67): There was an error compiling expression"
+    if (end == std::string_view::npos) return add(into, true, {.file = source.string(), .byte = {}}, line);
+    add(into, true, readPlace(line.substr(0, end + 1), source), line.substr(end + 3));
 }
 
 } // namespace

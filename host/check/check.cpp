@@ -1,0 +1,143 @@
+#include "host/check/check.h"
+
+#include "host/check/work.h"
+#include "host/compile/messages.h"
+#include "host/support/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+
+namespace tegument {
+
+namespace {
+
+struct NamedTarget {
+    Target target;
+    std::string_view name;
+};
+constexpr std::array kNames = {NamedTarget{Target::Fx2, "fx_2_0"}, NamedTarget{Target::Fx4, "fx_4_0"}, NamedTarget{Target::Fx5, "fx_5_0"},
+                               NamedTarget{Target::SpirvDxc, "spirv-dxc"}, NamedTarget{Target::SpirvGlslang, "spirv-glslang"}};
+
+bool isError(const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::Error;
+}
+
+} // namespace
+
+std::string_view targetName(Target target) {
+    return std::ranges::find(kNames, target, &NamedTarget::target)->name;
+}
+
+std::vector<Target> targetsByName(std::string_view name) {
+    if (name == "all") return {kAllTargets.begin(), kAllTargets.end()};
+    const auto* found = std::ranges::find(kNames, name, &NamedTarget::name);
+    return found == kNames.end() ? std::vector<Target>{} : std::vector{found->target};
+}
+
+std::vector<Variant> settingVariants() {
+    return {{"seed", {{"TEGUMENT_SETTING", "0"}}}, {"deon2007", {{"TEGUMENT_SETTING", "1"}}}, {"corrected", {{"TEGUMENT_SETTING", "2"}}}};
+}
+
+bool CheckReport::failed() const {
+    return std::ranges::any_of(files, [](const FileReport& file) {
+        return std::ranges::any_of(file.diagnostics, isError) ||
+               std::ranges::any_of(file.targets, [](const TargetReport& target) { return target.verdict == Verdict::Failed; });
+    });
+}
+
+bool CheckReport::complete() const {
+    return std::ranges::none_of(files, [](const FileReport& file) {
+        return std::ranges::any_of(file.targets, [](const TargetReport& target) { return target.verdict == Verdict::NotChecked; });
+    });
+}
+
+CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const std::vector<Target>& targets, const CheckOptions& options) {
+    std::vector<check::Work> works;
+    for (const Variant& variant : options.variants)
+        for (const std::filesystem::path& file : files)
+            works.push_back(check::load(file, variant, targets, options));
+    // Wine is started from this thread: what it leaves running ends with the thread that started it.
+    auto spirv = std::async(std::launch::async, [&] {
+        for (check::Work& work : works)
+            if (work.loaded()) check::checkSpirv(work);
+    });
+    check::checkMicrosoft(works);
+    spirv.get();
+    CheckReport report;
+    for (check::Work& work : works)
+        report.files.push_back(std::move(work.report));
+    return report;
+}
+
+namespace check {
+
+namespace {
+
+bool mentions(const std::filesystem::path& file, std::string_view word) {
+    const auto text = readFile(file);
+    return text && text->find(word) != std::string::npos;
+}
+
+std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderReference>& shader, ShaderKind kind) {
+    if (!shader) return {};
+    const auto same = [&](const EntryPoint& entry) { return entry.name == shader->entry && entry.kind == kind; };
+    const auto found = std::ranges::find_if(work.entries, same);
+    if (found != work.entries.end()) return static_cast<std::size_t>(found - work.entries.begin());
+    work.entries.push_back({shader->entry, kind, shader->profile, shader->at});
+    return work.entries.size() - 1;
+}
+
+void collectEntries(Work& work) {
+    for (const Technique& technique : work.effect.techniques)
+        for (const Pass& pass : technique.passes) {
+            const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex);
+            const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel);
+            const auto geometry = addEntry(work, pass.geometryShader, ShaderKind::Geometry);
+            addEntry(work, pass.computeShader, ShaderKind::Compute);
+            if (!vertex || !pixel || geometry) continue;
+            if (std::ranges::none_of(work.pairs, [&](const StagePair& pair) { return pair.vertex == *vertex && pair.pixel == *pixel; }))
+                work.pairs.push_back({*vertex, *pixel});
+        }
+}
+
+} // namespace
+
+bool Work::loaded() const {
+    return std::ranges::none_of(report.diagnostics, isError);
+}
+
+TargetReport* Work::find(Target target) {
+    const auto found = std::ranges::find(report.targets, target, &TargetReport::target);
+    return found == report.targets.end() ? nullptr : &*found;
+}
+
+Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets, const CheckOptions& options) {
+    Work work{
+        .file = file, .variant = &variant, .effect = {}, .entries = {}, .pairs = {}, .report = {.file = file, .variant = variant.name}};
+    for (const Target target : targets)
+        work.report.targets.push_back({.target = target});
+    auto effect = loadEffect(file, {.defines = variant.defines, .includeFolders = options.includeFolders});
+    if (!effect) {
+        work.report.diagnostics = effect.error().diagnostics;
+        for (TargetReport& target : work.report.targets)
+            target.verdict = Verdict::Failed;
+        return work;
+    }
+    work.effect = std::move(*effect);
+    work.report.diagnostics = work.effect.warnings;
+    work.dialect = mentions(file, "FX_D3D10") ||
+                   std::ranges::any_of(work.effect.includes, [](const auto& path) { return mentions(path, "FX_D3D10"); });
+    collectEntries(work);
+    return work;
+}
+
+void conclude(TargetReport& report) {
+    report.verdict = std::ranges::any_of(report.diagnostics, isError) ? Verdict::Failed : Verdict::Passed;
+    report.diagnostics = shortened(std::move(report.diagnostics));
+}
+
+} // namespace check
+
+} // namespace tegument

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
+#include <optional>
 
 namespace tegument {
 
@@ -58,7 +60,7 @@ public:
     bool end_array() override { return close(); }
 
     bool key(string_t& name) override {
-        keyOffset_ = keyStart();
+        keyOffset_ = quotedStart();
         key_ = name;
         const auto& members = stack_.back().members;
         const bool repeated = std::ranges::find(members, name, &std::pair<std::string, LocatedJson>::first) != members.end();
@@ -79,23 +81,36 @@ public:
     [[nodiscard]] LocatedJson& root() { return root_; }
 
 private:
-    /// The key's closing quote was just read; its opening quote is the nearest one before it that no backslash precedes.
-    [[nodiscard]] std::size_t keyStart() const {
+    /// A closing quote was just read; the opening one is the nearest before it that no backslash precedes.
+    [[nodiscard]] std::size_t quotedStart() const {
         std::size_t at = read_ >= 2 ? read_ - 2 : 0;
         while (at > 0 && (text_[at] != '"' || text_[at - 1] == '\\'))
             --at;
         return at;
     }
 
-    [[nodiscard]] std::size_t offsetOfNext() const {
-        const bool inObject = !stack_.empty() && stack_.back().kind == LocatedJson::Kind::Object;
-        return inObject ? keyOffset_ : read_ - std::min<std::size_t>(read_, 1);
+    /// Numbers and words end before the character that was read last, unless it is the file's last one.
+    [[nodiscard]] std::size_t wordStart() const {
+        const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '+' || c == '.'; };
+        std::size_t at = read_;
+        if (at > 0 && !isPart(text_[at - 1])) --at;
+        while (at > 0 && isPart(text_[at - 1]))
+            --at;
+        return at;
+    }
+
+    /// Members are found at their key.
+    [[nodiscard]] std::size_t offsetOfNext(LocatedJson::Kind kind) const {
+        if (!stack_.empty() && stack_.back().kind == LocatedJson::Kind::Object) return keyOffset_;
+        if (kind == LocatedJson::Kind::Text) return quotedStart();
+        if (kind == LocatedJson::Kind::List || kind == LocatedJson::Kind::Object) return read_ - std::min<std::size_t>(read_, 1);
+        return wordStart();
     }
 
     bool addNumber(double value) { return add({.kind = LocatedJson::Kind::Number, .number = value}); }
 
     bool add(LocatedJson value) {
-        value.offset = offsetOfNext();
+        value.offset = offsetOfNext(value.kind);
         attach(std::move(value), key_);
         return true;
     }
@@ -115,7 +130,7 @@ private:
             fail(5400, read_ - 1, "JSON nested more than 32 deep", {});
             return false;
         }
-        const std::size_t offset = offsetOfNext();
+        const std::size_t offset = offsetOfNext(kind);
         stack_.push_back({.kind = kind, .offset = offset});
         keys_.push_back(key_);
         return true;

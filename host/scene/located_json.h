@@ -18,7 +18,7 @@ struct LocatedJson {
     std::string text;
     std::vector<LocatedJson> items;                           // of a list
     std::vector<std::pair<std::string, LocatedJson>> members; // of an object, in the file's order
-    std::size_t offset = 0; // byte of its key; for list items and the whole, just behind its first character
+    std::size_t offset = 0;                                   // of its first byte; of a member: of its key
 
     [[nodiscard]] const char* kindName() const;
 };

@@ -47,6 +47,13 @@ struct Carrier {
     }
 };
 
+/// A mesh as one node draws it.
+struct Draw {
+    std::size_t mesh = 0;
+    std::string nodeName;
+    Carrier carrier;
+};
+
 /// The vertices of one primitive before they are carried.
 struct Attributes {
     std::vector<float> positions, normals, tangents, uvs;
@@ -59,6 +66,9 @@ public:
     Result<Mesh> read() {
         mesh_.attribution = document_.root()["asset"].text("copyright");
         if (auto error = visitScene()) return *error;
+        if (auto error = checkTotal()) return *error;
+        for (const Draw& draw : draws_)
+            if (auto error = readMesh(document_.root()["meshes"][draw.mesh], draw.nodeName, draw.carrier)) return *error;
         // Attributes that only some primitives have are not usable for all: normals and tangents are made anew, UVs are filled.
         if (!allNormals_) mesh_.normals.clear();
         if (!allTangents_) mesh_.tangents.clear();
@@ -125,7 +135,27 @@ private:
         if (!index) return index.error();
         if (node.has("skin"))
             warn(mesh_, 5323, source_.whole(), node.path() + ": its skin is ignored, the mesh is read as it was modelled");
-        return readMesh(meshes[*index], node.text("name"), Carrier(world));
+        draws_.push_back({.mesh = *index, .nodeName = node.text("name"), .carrier = Carrier(world)});
+        return std::nullopt;
+    }
+
+    /// Held against the limit before memory is taken: a small file can draw one primitive by many nodes.
+    [[nodiscard]] std::optional<Error> checkTotal() const {
+        const GltfValue meshes = document_.root()["meshes"];
+        const GltfValue accessors = document_.root()["accessors"];
+        std::size_t total = 0;
+        for (const Draw& draw : draws_) {
+            const GltfValue primitives = meshes[draw.mesh]["primitives"];
+            std::set<std::size_t> counted;
+            for (std::size_t i = 0; i < primitives.size(); ++i) {
+                const auto accessor = primitives[i]["attributes"].whole("POSITION", accessors.size(), SIZE_MAX);
+                if (!accessor || *accessor == SIZE_MAX || !counted.insert(*accessor).second) continue; // errors are found when it is read
+                const auto count = accessors[*accessor].whole("count", kMaxVertices, 0);
+                total += count ? *count : 0;
+            }
+            if (total > kMaxVertices) return tooLarge(source_.whole());
+        }
+        return std::nullopt;
     }
 
     static Result<glm::dmat4> localTransform(const GltfValue& node) {
@@ -305,6 +335,7 @@ private:
     const Source& source_;
     GltfTextures textures_;
     Mesh mesh_;
+    std::vector<Draw> draws_;
     std::map<std::string, VertexRange> vertexBase_;
     std::set<std::size_t> visited_;
     std::size_t withoutUvs_ = 0;

@@ -30,7 +30,8 @@ public:
         const double count = next(*property.listCount);
         const std::size_t least = format_ == PlyFormat::Ascii ? 2 : byteSize(property.type);
         if (count < 0 || count * static_cast<double>(least) > static_cast<double>(source_.bytes.size() - offset_ + 1)) {
-            fail(overclaimed(at(), fmt::format("a list '{}' of {} entries", property.name, count)));
+            fail(overclaimed(at(), fmt::format("a list '{}' of {} entries, but only {} bytes are left", property.name, count,
+                                               source_.bytes.size() - offset_)));
             return 0;
         }
         return static_cast<std::size_t>(count);

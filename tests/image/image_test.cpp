@@ -1,0 +1,355 @@
+#include "host/image/image.h"
+#include "host/support/file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <half.h>
+#include <jpeglib.h>
+#include <png.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <unistd.h>
+
+using namespace tegument;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Images : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("tegument-images-" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] std::string bytesOf(const fs::path& path) const {
+        auto bytes = readFile(path);
+        EXPECT_TRUE(bytes);
+        return bytes ? *bytes : std::string();
+    }
+
+    fs::path folder_;
+};
+
+Image ramp(int width, int height, int channels) {
+    Image image{.width = width, .height = height, .channels = channels, .pixels = {}, .bitsPerChannel = 32, .metadata = {}};
+    const int count = width * height * channels;
+    for (int i = 0; i < count; ++i)
+        image.pixels.push_back(static_cast<float>(i) / static_cast<float>(count - 1));
+    return image;
+}
+
+Result<Image> decode(const std::string& bytes) {
+    return decodeImage(std::as_bytes(std::span(bytes)), "picture");
+}
+
+int codeOf(const Result<Image>& image) {
+    return image ? 0 : image.error().diagnostics.front().code;
+}
+
+/// An 8-bit JPEG of `channels` samples, by libjpeg.
+std::string jpeg(int width, int height, int channels, bool progressive) {
+    jpeg_compress_struct c{};
+    jpeg_error_mgr errors{};
+    c.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&c);
+    unsigned char* buffer = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&c, &buffer, &size);
+    c.image_width = static_cast<JDIMENSION>(width);
+    c.image_height = static_cast<JDIMENSION>(height);
+    c.input_components = channels;
+    c.in_color_space = channels == 1 ? JCS_GRAYSCALE : channels == 3 ? JCS_RGB : JCS_CMYK;
+    jpeg_set_defaults(&c);
+    jpeg_set_quality(&c, 100, TRUE);
+    if (progressive) jpeg_simple_progression(&c);
+    jpeg_start_compress(&c, TRUE);
+    std::vector<unsigned char> row(static_cast<std::size_t>(width * channels));
+    for (int y = 0; y < height; ++y) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            row[i] = static_cast<unsigned char>(64 + 2 * y);
+        unsigned char* pointer = row.data();
+        jpeg_write_scanlines(&c, &pointer, 1);
+    }
+    jpeg_finish_compress(&c);
+    std::string bytes(reinterpret_cast<char*>(buffer), size);
+    std::free(buffer);
+    jpeg_destroy_compress(&c);
+    return bytes;
+}
+
+void appendBytes(png_structp png, png_bytep bytes, std::size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(bytes), count);
+}
+
+/// A PNG of any kind, by libpng; `rows` are as the file stores them.
+std::string png(unsigned width, unsigned height, int bits, int colorType, std::vector<std::string> rows,
+                const std::vector<png_color>& palette = {}, bool interlaced = false) {
+    std::string bytes;
+    png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(writer);
+    png_set_write_fn(writer, &bytes, appendBytes, nullptr);
+    png_set_IHDR(writer, info, width, height, bits, colorType, interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!palette.empty()) png_set_PLTE(writer, info, palette.data(), static_cast<int>(palette.size()));
+    png_write_info(writer, info);
+    std::vector<png_bytep> pointers;
+    for (std::string& row : rows)
+        pointers.push_back(reinterpret_cast<png_bytep>(row.data()));
+    png_write_image(writer, pointers.data());
+    png_write_end(writer, info);
+    png_destroy_write_struct(&writer, &info);
+    return bytes;
+}
+
+} // namespace
+
+TEST(Srgb, both_curves_undo_each_other) {
+    for (int i = 0; i <= 1000; ++i) {
+        const float x = static_cast<float>(i) / 1000;
+        EXPECT_NEAR(srgbToLinear(linearToSrgb(x)), x, 2e-6f) << "float pow has an error of about 1e-7, the slope is at most 12.92";
+    }
+}
+
+TEST(Srgb, known_values) {
+    EXPECT_FLOAT_EQ(srgbToLinear(1), 1);
+    EXPECT_FLOAT_EQ(srgbToLinear(0), 0);
+    EXPECT_NEAR(srgbToLinear(0.5f), 0.21404114f, 1e-6f); // IEC 61966-2-1 evaluated in double
+    EXPECT_NEAR(linearToSrgb(0.18f), 0.46135613f, 1e-6f);
+}
+
+TEST(ToneMap, is_the_identity_up_to_the_knee) {
+    for (const float x : {0.0f, 0.1f, 0.5f, 0.8f})
+        EXPECT_EQ(toneMap(x), x);
+}
+
+TEST(ToneMap, never_falls_and_never_exceeds_1) {
+    float last = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const float y = toneMap(static_cast<float>(i) * 1e-3f);
+        EXPECT_GE(y, last);
+        EXPECT_LE(y, 1);
+        last = y;
+    }
+}
+
+TEST(ToneMap, has_slope_1_on_both_sides_of_the_knee) {
+    const float step = 1e-3f;
+    EXPECT_NEAR((toneMap(0.8f + step) - toneMap(0.8f)) / step, 1, 0.01f)
+        << "the second derivative there is -2 / 0.2, so a step of 1e-3 costs 0.005";
+}
+
+TEST(ToneMap, bends_as_documented_above_the_knee) {
+    EXPECT_NEAR(toneMap(1), 0.9f, 1e-6f);
+    EXPECT_NEAR(toneMap(1.8f), 0.8f + 0.2f * 5 / 6, 1e-6f);
+}
+
+TEST(ToneMap, infinite_is_white_and_not_a_number_or_negative_is_black) {
+    EXPECT_EQ(toneMap(std::numeric_limits<float>::infinity()), 1);
+    EXPECT_EQ(toneMap(std::numeric_limits<float>::quiet_NaN()), 0);
+    EXPECT_EQ(toneMap(-1), 0);
+}
+
+TEST_F(Images, an_exr_returns_every_float_bit_for_bit) {
+    for (int channels = 1; channels <= 4; ++channels) {
+        Image image = ramp(37, 70, channels); // more than one band of 64 rows
+        image.at(3, 5, 0) = 1e-40f;
+        image.at(4, 5, 0) = 65536.5f;
+        image.at(5, 5, 0) = -std::numeric_limits<float>::infinity();
+        ASSERT_TRUE(writeExr(folder_ / "x.exr", image));
+        const auto read = loadImage(folder_ / "x.exr");
+        ASSERT_TRUE(read) << format(read.error());
+        EXPECT_EQ(read->channels, channels);
+        EXPECT_EQ(read->bitsPerChannel, 32);
+        EXPECT_EQ(read->pixels, image.pixels);
+    }
+}
+
+TEST_F(Images, an_exr_keeps_metadata_even_under_names_that_openexr_reserves) {
+    Image image = ramp(2, 2, 3);
+    image.metadata = {{"mesh", "human"}, {"type", "portrait"}, {"channels", "many"}, {"dataWindow", "x"}};
+    ASSERT_TRUE(writeExr(folder_ / "x.exr", image));
+    const auto read = loadImage(folder_ / "x.exr");
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(read->metadata, image.metadata);
+}
+
+TEST_F(Images, a_half_float_exr_with_a_shifted_data_window_is_read) {
+    std::vector<half> y = {half(0.25f), half(0.5f), half(1), half(2)};
+    Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), Imath::Box2i({-3, 7}, {-2, 8}));
+    header.channels().insert("Y", Imf::Channel(Imf::HALF));
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice::Make(Imf::HALF, y.data(), Imath::V2i(-3, 7), 2, 2, sizeof(half), 2 * sizeof(half)));
+    {
+        Imf::OutputFile file((folder_ / "x.exr").c_str(), header, 0);
+        file.setFrameBuffer(frame);
+        file.writePixels(2);
+    }
+    const auto read = loadImage(folder_ / "x.exr");
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(read->bitsPerChannel, 16);
+    EXPECT_EQ(read->pixels, (std::vector<float>{0.25f, 0.5f, 1, 2}));
+}
+
+TEST_F(Images, raw_png_returns_every_8_bit_value_and_the_metadata) {
+    for (int channels = 1; channels <= 4; ++channels) {
+        Image image = ramp(16, 16, channels);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = static_cast<float>(i % 256) / 255.0f;
+        image.metadata = {{"Seed", "7"}, {"Author", "J\xc3\xb6rg"}};
+        ASSERT_TRUE(writePng(folder_ / "x.png", image, PngEncoding::Raw));
+        const auto read = loadImage(folder_ / "x.png");
+        ASSERT_TRUE(read) << format(read.error());
+        EXPECT_EQ(read->channels, channels);
+        EXPECT_EQ(read->bitsPerChannel, 8);
+        EXPECT_EQ(read->pixels, image.pixels);
+        EXPECT_EQ(read->metadata, image.metadata);
+    }
+}
+
+TEST_F(Images, display_png_is_tone_mapped_then_srgb_without_alpha) {
+    Image image{.width = 1, .height = 1, .channels = 4, .pixels = {0.18f, 1.0f, 100.0f, 0.5f}, .bitsPerChannel = 32, .metadata = {}};
+    ASSERT_TRUE(writePng(folder_ / "x.png", image, PngEncoding::Display));
+    const auto read = loadImage(folder_ / "x.png");
+    ASSERT_TRUE(read) << format(read.error());
+    ASSERT_EQ(read->channels, 3);
+    EXPECT_FLOAT_EQ(read->pixels[0] * 255, 118); // 255 * sRGB(0.18) = 117.6
+    EXPECT_FLOAT_EQ(read->pixels[1] * 255, 243); // 255 * sRGB(0.9) = 243.3
+    EXPECT_FLOAT_EQ(read->pixels[2] * 255, 255);
+}
+
+TEST_F(Images, only_color_png_says_that_it_is_srgb) {
+    const Image image = ramp(2, 2, 3);
+    const auto color = encodePng(image, PngEncoding::Srgb);
+    const auto data = encodePng(image, PngEncoding::Raw);
+    ASSERT_TRUE(color && data);
+    EXPECT_NE(color->find("sRGB"), std::string::npos);
+    EXPECT_EQ(data->find("sRGB"), std::string::npos);
+}
+
+TEST_F(Images, not_a_number_and_out_of_range_become_black_or_white) {
+    Image image{.width = 3, .height = 1, .channels = 1, .pixels = {NAN, -5, 7}, .bitsPerChannel = 32, .metadata = {}};
+    const auto bytes = encodePng(image, PngEncoding::Raw);
+    ASSERT_TRUE(bytes);
+    EXPECT_EQ(decode(*bytes)->pixels, (std::vector<float>{0, 0, 1}));
+}
+
+TEST(Png, sixteen_bits_keep_their_precision) {
+    const auto read = decode(png(2, 1, 16, PNG_COLOR_TYPE_GRAY, {std::string("\x12\x34\xff\xff", 4)}));
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(read->bitsPerChannel, 16);
+    EXPECT_FLOAT_EQ(read->pixels[0], 0x1234 / 65535.0f);
+    EXPECT_FLOAT_EQ(read->pixels[1], 1);
+}
+
+TEST(Png, palette_and_one_bit_images_become_plain_samples) {
+    const auto colors = decode(png(2, 1, 8, PNG_COLOR_TYPE_PALETTE, {std::string("\x01\x00", 2)}, {{255, 0, 0}, {0, 51, 255}}));
+    ASSERT_TRUE(colors) << format(colors.error());
+    EXPECT_EQ(colors->pixels, (std::vector<float>{0, 0.2f, 1, 1, 0, 0}));
+    const auto bits = decode(png(8, 1, 1, PNG_COLOR_TYPE_GRAY, {std::string("\xa0", 1)}));
+    ASSERT_TRUE(bits) << format(bits.error());
+    EXPECT_EQ(bits->pixels, (std::vector<float>{1, 0, 1, 0, 0, 0, 0, 0}));
+}
+
+TEST(Png, interlaced_images_are_read) {
+    std::vector<std::string> rows(9);
+    for (std::size_t y = 0; y < 9; ++y)
+        for (std::size_t x = 0; x < 9; ++x)
+            rows[y].push_back(static_cast<char>(9 * y + x));
+    const auto read = decode(png(9, 9, 8, PNG_COLOR_TYPE_GRAY, rows, {}, true));
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_FLOAT_EQ(read->at(8, 7, 0) * 255, 71);
+}
+
+TEST(Jpeg, grey_and_color_baseline_and_progressive_are_read) {
+    for (const bool progressive : {false, true}) {
+        for (const int channels : {1, 3}) {
+            const auto read = decode(jpeg(20, 30, channels, progressive));
+            ASSERT_TRUE(read) << format(read.error());
+            EXPECT_EQ(read->channels, channels);
+            EXPECT_NEAR(read->at(10, 15, 0) * 255, 94, 2) << "quality 100 on a slow ramp: rounding of DCT and colour transform";
+        }
+    }
+}
+
+TEST(Jpeg, cmyk_is_refused_with_a_hint) {
+    const auto read = decode(jpeg(8, 8, 4, false));
+    EXPECT_EQ(codeOf(read), 5204);
+    EXPECT_NE(format(read.error()).find("convert it to RGB"), std::string::npos);
+}
+
+TEST_F(Images, every_truncation_is_one_error_with_a_byte_inside_the_file) {
+    ASSERT_TRUE(writeExr(folder_ / "x.exr", ramp(40, 70, 3)));
+    const auto pngBytes = encodePng(ramp(40, 70, 3), PngEncoding::Raw);
+    for (const std::string& whole : {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true)}) {
+        for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97) {
+            const auto read = decode(whole.substr(0, size));
+            ASSERT_FALSE(read) << size << " of " << whole.size();
+            ASSERT_EQ(read.error().diagnostics.size(), 1u);
+            const Diagnostic& diagnostic = read.error().diagnostics.front();
+            EXPECT_GE(diagnostic.code, 5200);
+            EXPECT_LE(diagnostic.code, 5204);
+            ASSERT_TRUE(diagnostic.at.byte) << size << ": " << format(diagnostic);
+            EXPECT_LE(*diagnostic.at.byte, size);
+        }
+    }
+}
+
+TEST_F(Images, damage_anywhere_neither_crashes_nor_throws) {
+    ASSERT_TRUE(writeExr(folder_ / "x.exr", ramp(40, 70, 3)));
+    const auto pngBytes = encodePng(ramp(40, 70, 3), PngEncoding::Raw);
+    std::mt19937 random(1);
+    for (const std::string& whole : {bytesOf(folder_ / "x.exr"), *pngBytes, jpeg(40, 70, 3, false), jpeg(40, 70, 3, true)}) {
+        for (int round = 0; round < 300; ++round) {
+            std::string bytes = whole;
+            for (int flips = 0; flips < 3; ++flips)
+                bytes[random() % bytes.size()] = static_cast<char>(random());
+            const auto read = decode(bytes);
+            EXPECT_TRUE(read || !format(read.error()).empty());
+        }
+    }
+}
+
+TEST(ForeignFiles, are_named_by_their_first_bytes) {
+    const auto gif = decode("GIF89a~~~");
+    EXPECT_EQ(codeOf(gif), 5200);
+    EXPECT_NE(format(gif.error()).find("47 49 46"), std::string::npos) << format(gif.error());
+    EXPECT_NE(format(decode("").error()).find("empty"), std::string::npos);
+}
+
+TEST(HugeImages, are_refused_by_their_size_before_memory_is_taken) {
+    std::string bytes = png(1, 1, 8, PNG_COLOR_TYPE_GRAY, {std::string("\0", 1)});
+    // IHDR: length 4, type 4, then width; the checksum behind it must fit
+    const auto put = [&](std::size_t at, std::uint32_t value) {
+        for (std::size_t i = 0; i < 4; ++i)
+            bytes[at + i] = static_cast<char>(value >> (24 - 8 * i));
+    };
+    const auto patch = [&](std::uint32_t width, std::uint32_t height) {
+        put(16, width);
+        put(20, height);
+        std::uint32_t crc = 0xffffffff; // PNG specification, annex D
+        for (std::size_t i = 12; i < 29; ++i) {
+            crc ^= static_cast<unsigned char>(bytes[i]);
+            for (int bit = 0; bit < 8; ++bit)
+                crc = crc & 1 ? 0xedb88320u ^ crc >> 1 : crc >> 1;
+        }
+        put(29, ~crc);
+    };
+    patch(16385, 1);
+    EXPECT_EQ(codeOf(decode(bytes)), 5203);
+    patch(16384, 16384);
+    EXPECT_EQ(codeOf(decode(bytes)), 5201) << "70 bytes cannot hold 268 million pixels";
+}
+
+TEST(MissingImages, are_a_file_error) {
+    EXPECT_EQ(codeOf(loadImage("/nowhere/picture.png")), 5001);
+}

@@ -26,10 +26,10 @@
 #define SKIN_SHADOW_TOLERANCE 0.005
 #elif TEGUMENT_SETTING == 1
 #define SKIN_MIX 0.5
-#define SKIN_SHADOW_TOLERANCE 1.0
+#define SKIN_SHADOW_TOLERANCE 2.0
 #else
 #define SKIN_MIX 0.5
-#define SKIN_SHADOW_TOLERANCE 0.1
+#define SKIN_SHADOW_TOLERANCE 0.3
 #endif
 
 static const float kPi = 3.14159265;

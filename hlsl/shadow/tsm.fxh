@@ -7,7 +7,7 @@
 // Smallest N.L that slopes are computed with. Below it the receiving plane is seen edge-on: its depth would change without limit within a texel.
 static const float kSmallestSlopeCosine = 0.1;
 // Share of a texel's slope that remains as tolerance, for a curved surface is not the plane it is taken for.
-static const float kSlopeTolerance = 0.25;
+static const float kSlopeTolerance = 0.5;
 // Texels whose texture coordinates differ by less are one piece of surface: 3 % of the map, about 9 mm of a head.
 static const float kOnePiece = 0.03;
 

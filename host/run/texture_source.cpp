@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <string_view>
 
@@ -55,16 +56,13 @@ Result<TextureSource> producer(const Parameter& parameter, const Effect& effect)
     return TextureSource(ProducerSource{effect.file.parent_path() / text.substr(0, slash), text.substr(slash + 1)});
 }
 
-Result<TextureSource> fallback(const Parameter& parameter) {
-    const Annotation* annotation = parameter.annotations.find("Fallback");
+TextureSource fallback(const Parameter& parameter) {
     const auto numbers = parameter.annotations.numbers("Fallback");
-    if (!numbers || numbers->empty() || numbers->size() > 4)
-        return inputError(4034, annotation->at, fmt::format("Fallback of {} is not one to four numbers", parameter.name),
-                          "write float4 Fallback = float4(1, 1, 1, 1);");
-    ConstantSource constant{0, 0, 0, 1};
-    for (std::size_t i = 0; i < numbers->size(); ++i)
+    assert(numbers && numbers->size() == 4); // host/effect has checked the annotation
+    ConstantSource constant{};
+    for (std::size_t i = 0; i < constant.size(); ++i)
         constant[i] = static_cast<float>((*numbers)[i]);
-    return TextureSource(constant);
+    return constant;
 }
 
 Error notFound(const Parameter& parameter, const Mesh* mesh) {
@@ -72,6 +70,7 @@ Error notFound(const Parameter& parameter, const Mesh* mesh) {
     if (const std::string_view role = roleOf(parameter); mesh && !role.empty()) looked += fmt::format(", the mesh's {} texture", role);
     if (const auto name = parameter.annotations.string("ResourceName"); name && !name->empty())
         looked += fmt::format(", the file {}", *name);
+    if (parameter.annotations.find("Function")) looked += " (this host does not fill textures by a Function)";
     return inputError(4030, parameter.at, fmt::format("no texture for {}: looked in {}", parameter.name, looked),
                       fmt::format("give a file: --set {}=FILE", parameter.name));
 }

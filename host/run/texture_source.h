@@ -26,7 +26,7 @@ struct ProducerSource {
 using ConstantSource = std::array<float, 4>;
 using TextureSource = std::variant<FileSource, const EmbeddedTexture*, ProducerSource, ConstantSource>;
 
-/// TG4030 nothing gives it a texture; TG4033 the Producer annotation is not "File.fx/target"; TG4034 Fallback is not one to four numbers.
+/// TG4030 nothing gives it a texture; TG4033 the Producer annotation is not "File.fx/target".
 [[nodiscard]] Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect,
                                                 const std::map<std::string, std::string>& set, const Workspace& workspace,
                                                 const Mesh* mesh);

@@ -248,5 +248,25 @@ INSTANTIATE_TEST_SUITE_P(Kinds, BadTargets,
                                          std::pair("Wrong", 4022)),
                          [](const auto& entry) { return std::string(entry.param.first); });
 
+class Refused : public Run, public testing::WithParamInterface<std::pair<const char*, int>> {};
+
+TEST_P(Refused, with_one_clear_message) {
+    EXPECT_EQ(code(run("refused.fx", row(4, GetParam().first))), GetParam().second);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Refused,
+                         testing::Values(std::pair("NoVertexShader", 4002), std::pair("Arguments", 4003), std::pair("Coloured", 4042),
+                                         std::pair("Cube", 4032), std::pair("CubeTarget", 4023), std::pair("Unclear", 4033),
+                                         std::pair("Hidden", 4005)),
+                         [](const auto& entry) { return std::string(entry.param.first); });
+
+TEST_F(Scripts, an_effect_without_techniques_is_refused) {
+    EXPECT_EQ(code(run("empty.fx", picture(""))), 4001);
+}
+
+TEST_F(Scripts, an_unknown_technique_is_refused) {
+    EXPECT_FALSE(draw(picture("Lop")));
+}
+
 } // namespace
 } // namespace tegument::test

@@ -43,13 +43,13 @@ std::vector<Variant> settingVariants() {
 bool CheckReport::failed() const {
     return std::ranges::any_of(files, [](const FileReport& file) {
         return std::ranges::any_of(file.diagnostics, isError) ||
-               std::ranges::any_of(file.targets, [](const TargetReport& target) { return target.verdict == Verdict::Failed; });
+               std::ranges::any_of(file.targets, [](const TargetCheck& target) { return target.verdict == Verdict::Failed; });
     });
 }
 
 bool CheckReport::complete() const {
     return std::ranges::none_of(files, [](const FileReport& file) {
-        return std::ranges::any_of(file.targets, [](const TargetReport& target) { return target.verdict == Verdict::NotChecked; });
+        return std::ranges::any_of(file.targets, [](const TargetCheck& target) { return target.verdict == Verdict::NotChecked; });
     });
 }
 
@@ -108,8 +108,8 @@ bool Work::loaded() const {
     return std::ranges::none_of(report.diagnostics, isError);
 }
 
-TargetReport* Work::find(Target target) {
-    const auto found = std::ranges::find(report.targets, target, &TargetReport::target);
+TargetCheck* Work::find(Target target) {
+    const auto found = std::ranges::find(report.targets, target, &TargetCheck::target);
     return found == report.targets.end() ? nullptr : &*found;
 }
 
@@ -121,7 +121,7 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
     auto effect = loadEffect(file, {.defines = variant.defines, .includeFolders = options.includeFolders});
     if (!effect) {
         work.report.diagnostics = effect.error().diagnostics;
-        for (TargetReport& target : work.report.targets)
+        for (TargetCheck& target : work.report.targets)
             target.verdict = Verdict::Failed;
         return work;
     }
@@ -133,7 +133,7 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
     return work;
 }
 
-void conclude(TargetReport& report) {
+void conclude(TargetCheck& report) {
     report.verdict = std::ranges::any_of(report.diagnostics, isError) ? Verdict::Failed : Verdict::Passed;
     report.diagnostics = shortened(std::move(report.diagnostics));
 }

@@ -38,7 +38,7 @@ struct CheckOptions {
 
 enum class Verdict { Passed, Failed, NotChecked };
 
-struct TargetReport {
+struct TargetCheck {
     Target target = Target::Fx2;
     Verdict verdict = Verdict::NotChecked;
     std::string reason; // why not checked
@@ -58,7 +58,7 @@ struct FileReport {
     std::filesystem::path file;
     std::string variant;
     std::vector<Diagnostic> diagnostics; // of the front end; with an error among them every target has failed
-    std::vector<TargetReport> targets;   // in the order asked for
+    std::vector<TargetCheck> targets;   // in the order asked for
     std::vector<EntryUsage> sm3;         // with target fx_2_0
 };
 

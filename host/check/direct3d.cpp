@@ -12,7 +12,7 @@ namespace {
 /// What a job's result belongs to.
 struct Ticket {
     Work* work;
-    TargetReport* report;
+    TargetCheck* report;
     const EntryPoint* entry; // null: the effect as a whole
 };
 
@@ -69,7 +69,7 @@ std::string sm3Profile(const EntryPoint& entry, bool dialect) {
 }
 
 void addJobs(Work& work, Target target, Batch& batch) {
-    TargetReport* report = work.find(target);
+    TargetCheck* report = work.find(target);
     if (report == nullptr || !work.loaded()) return;
     if (expectedIn(work, target).techniques == 0) {
         report->reason = fmt::format("the file has no technique for {}", targetName(target));
@@ -87,7 +87,7 @@ void addJobs(Work& work, Target target, Batch& batch) {
     }
 }
 
-void addError(TargetReport& report, int code, SourcePosition at, std::string text, std::string hint) {
+void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint) {
     report.diagnostics.push_back({.severity = Severity::Error,
                                   .code = code,
                                   .at = std::move(at),
@@ -97,7 +97,7 @@ void addError(TargetReport& report, int code, SourcePosition at, std::string tex
 }
 
 /// Microsoft's compiler drops blocks that it does not know without a word.
-void compareCounts(const Work& work, const MicrosoftResult& result, TargetReport& report) {
+void compareCounts(const Work& work, const MicrosoftResult& result, TargetCheck& report) {
     const Expected expected = expectedIn(work, report.target);
     const auto compare = [&](std::string_view what, int inBinary, int inFile) {
         if (inBinary == inFile) return;
@@ -123,7 +123,7 @@ constexpr std::array kLimits = {Limit{"instruction slots", &Sm3Usage::instructio
                                 Limit{"constant registers", &Sm3Usage::constants, 256, 224}, Limit{"samplers", &Sm3Usage::samplers, 4, 16},
                                 Limit{"interpolators", &Sm3Usage::interpolators, 10, 10}};
 
-void holdAgainstLimits(const EntryPoint& entry, const Sm3Usage& usage, TargetReport& report) {
+void holdAgainstLimits(const EntryPoint& entry, const Sm3Usage& usage, TargetCheck& report) {
     const bool vertex = entry.kind == ShaderKind::Vertex;
     for (const Limit& limit : kLimits) {
         const int most = vertex ? limit.vertex : limit.pixel;
@@ -135,7 +135,7 @@ void holdAgainstLimits(const EntryPoint& entry, const Sm3Usage& usage, TargetRep
 }
 
 void take(const Ticket& ticket, const MicrosoftResult& result) {
-    TargetReport& report = *ticket.report;
+    TargetCheck& report = *ticket.report;
     report.diagnostics.insert(report.diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
     report.milliseconds += result.milliseconds;
     if (ticket.entry == nullptr) {

@@ -22,7 +22,7 @@ void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) 
     into.insert(into.end(), more.begin(), more.end());
 }
 
-Shaders compileAll(const Work& work, Compiler compiler, TargetReport& report) {
+Shaders compileAll(const Work& work, Compiler compiler, TargetCheck& report) {
     Shaders shaders;
     for (const EntryPoint& entry : work.entries) {
         auto shader = compileShader({.code = work.effect.code,
@@ -39,7 +39,7 @@ Shaders compileAll(const Work& work, Compiler compiler, TargetReport& report) {
     return shaders;
 }
 
-void linkAll(const Work& work, const Shaders& shaders, TargetReport& report) {
+void linkAll(const Work& work, const Shaders& shaders, TargetCheck& report) {
     for (const StagePair& pair : work.pairs) {
         if (!shaders[pair.vertex] || !shaders[pair.pixel]) continue;
         Shader pixel = *shaders[pair.pixel]; // another pass may pair it with another vertex shader
@@ -59,7 +59,7 @@ std::string obstacle(const Work& work, Compiler compiler) {
     return {};
 }
 
-Shaders checkTarget(const Work& work, Compiler compiler, TargetReport& report) {
+Shaders checkTarget(const Work& work, Compiler compiler, TargetCheck& report) {
     report.reason = obstacle(work, compiler);
     if (!report.reason.empty()) return {};
     const auto start = std::chrono::steady_clock::now();
@@ -69,7 +69,7 @@ Shaders checkTarget(const Work& work, Compiler compiler, TargetReport& report) {
     return shaders;
 }
 
-void compareAll(const Work& work, const Shaders& dxc, const Shaders& glslang, TargetReport& report) {
+void compareAll(const Work& work, const Shaders& dxc, const Shaders& glslang, TargetCheck& report) {
     for (std::size_t i = 0; i < std::min(dxc.size(), glslang.size()); ++i) {
         if (!dxc[i] || !glslang[i]) continue;
         for (const std::string& difference : compareReflections(dxc[i]->reflection, glslang[i]->reflection))
@@ -86,12 +86,12 @@ void compareAll(const Work& work, const Shaders& dxc, const Shaders& glslang, Ta
 } // namespace
 
 void checkSpirv(Work& work) {
-    TargetReport* dxc = work.find(Target::SpirvDxc);
-    TargetReport* glslang = work.find(Target::SpirvGlslang);
+    TargetCheck* dxc = work.find(Target::SpirvDxc);
+    TargetCheck* glslang = work.find(Target::SpirvGlslang);
     const Shaders first = dxc != nullptr ? checkTarget(work, Compiler::Dxc, *dxc) : Shaders{};
     const Shaders second = glslang != nullptr ? checkTarget(work, Compiler::Glslang, *glslang) : Shaders{};
     if (glslang != nullptr) compareAll(work, first, second, *glslang);
-    for (TargetReport* report : {dxc, glslang})
+    for (TargetCheck* report : {dxc, glslang})
         if (report != nullptr && report->reason.empty()) conclude(*report);
 }
 

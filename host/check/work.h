@@ -32,7 +32,7 @@ struct Work {
     FileReport report;
 
     [[nodiscard]] bool loaded() const;
-    [[nodiscard]] TargetReport* find(Target target);
+    [[nodiscard]] TargetCheck* find(Target target);
 };
 
 [[nodiscard]] Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets,
@@ -42,6 +42,6 @@ void checkSpirv(Work& work);
 void checkMicrosoft(std::vector<Work>& works);
 
 /// Sets the verdict by what the diagnostics hold, and drops repetitions among them.
-void conclude(TargetReport& report);
+void conclude(TargetCheck& report);
 
 } // namespace tegument::check

@@ -1,0 +1,169 @@
+// tegument check: does an effect compile for every target? No GPU is needed.
+
+#include "host/check/check.h"
+#include "host/app/commands.h"
+#include "host/app/effect_options.h"
+#include "host/app/output.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace tegument::app {
+
+namespace {
+
+struct CheckArguments {
+    std::vector<std::string> files;
+    std::vector<std::string> targets = {"all"};
+    EffectOptions effect;
+    bool allSettings = false;
+    bool json = false;
+};
+
+std::string_view verdictName(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Passed: return "passed";
+    case Verdict::Failed: return "failed";
+    case Verdict::NotChecked: return "not checked";
+    }
+    return "not checked";
+}
+
+/// Every chosen target once, in the order of kAllTargets.
+Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names) {
+    std::vector<Target> wanted;
+    for (const std::string& name : names) {
+        const std::vector<Target> targets = targetsByName(name);
+        if (targets.empty())
+            return usageError(8020, fmt::format("unknown target '{}'", name), "targets: fx_2_0 fx_4_0 fx_5_0 spirv-dxc spirv-glslang all");
+        wanted.insert(wanted.end(), targets.begin(), targets.end());
+    }
+    std::vector<Target> ordered;
+    for (const Target target : kAllTargets)
+        if (std::ranges::find(wanted, target) != wanted.end()) ordered.push_back(target);
+    return ordered;
+}
+
+CheckOptions checkOptions(const CheckArguments& arguments) {
+    const LoadOptions load = loadOptions(arguments.effect);
+    CheckOptions options{.variants = {Variant{.name = arguments.effect.setting, .defines = load.defines}},
+                         .includeFolders = load.includeFolders};
+    if (!arguments.allSettings) return options;
+    options.variants = settingVariants();
+    for (Variant& variant : options.variants)
+        variant.defines.insert(variant.defines.end(), load.defines.begin(), load.defines.end());
+    return options;
+}
+
+Json targetJson(const TargetCheck& target) {
+    Json json{{"target", targetName(target.target)},
+              {"verdict", verdictName(target.verdict)},
+              {"entries", target.entries},
+              {"ms", target.milliseconds}};
+    if (!target.reason.empty()) json["reason"] = target.reason;
+    if (!target.diagnostics.empty()) json["diagnostics"] = toJson(target.diagnostics);
+    return json;
+}
+
+Json usageJson(const EntryUsage& entry) {
+    return {{"entry", entry.entry},
+            {"profile", entry.profile},
+            {"instruction_slots", entry.usage.instructionSlots},
+            {"constants", entry.usage.constants},
+            {"samplers", entry.usage.samplers},
+            {"interpolators", entry.usage.interpolators}};
+}
+
+Json fileJson(const FileReport& file) {
+    Json json{
+        {"file", file.file.string()}, {"variant", file.variant}, {"diagnostics", toJson(file.diagnostics)}, {"targets", Json::array()}};
+    for (const TargetCheck& target : file.targets)
+        json["targets"].push_back(targetJson(target));
+    if (!file.sm3.empty()) json["sm3"] = Json::array();
+    for (const EntryUsage& entry : file.sm3)
+        json["sm3"].push_back(usageJson(entry));
+    return json;
+}
+
+std::string title(const FileReport& file) {
+    return file.variant.empty() ? file.file.string() : fmt::format("{} [{}]", file.file.string(), file.variant);
+}
+
+/// The entry point that comes nearest to shader model 3's 512 slots.
+std::string heaviest(const std::vector<EntryUsage>& sm3) {
+    const auto most = std::ranges::max_element(sm3, {}, [](const EntryUsage& entry) { return entry.usage.instructionSlots; });
+    if (most == sm3.end()) return "-";
+    return fmt::format("{} {}", most->entry, most->usage.instructionSlots);
+}
+
+void printTable(const CheckReport& report) {
+    std::vector<std::string> header = {"effect"};
+    for (const TargetCheck& target : report.files.front().targets)
+        header.emplace_back(targetName(target.target));
+    header.emplace_back("most SM3 slots");
+    std::vector<std::vector<std::string>> rows;
+    for (const FileReport& file : report.files) {
+        std::vector<std::string> row = {title(file)};
+        for (const TargetCheck& target : file.targets)
+            row.emplace_back(verdictName(target.verdict));
+        row.push_back(heaviest(file.sm3));
+        rows.push_back(std::move(row));
+    }
+    fmt::print("{}", table(header, rows));
+}
+
+/// Diagnostics go to standard error; the same reason for many files is said once.
+void printProblems(const CheckReport& report) {
+    std::vector<std::string> said;
+    for (const FileReport& file : report.files) {
+        warn(file.diagnostics);
+        for (const TargetCheck& target : file.targets) {
+            warn(target.diagnostics);
+            if (target.verdict != Verdict::NotChecked) continue;
+            const std::string reason = fmt::format("{} not checked: {}", targetName(target.target), target.reason);
+            if (std::ranges::find(said, reason) != said.end()) continue;
+            said.push_back(reason);
+            fmt::print(stderr, "{}\n", reason);
+        }
+    }
+}
+
+int check(const CheckArguments& arguments) {
+    const auto targets = chosenTargets(arguments.targets);
+    if (!targets) return fail(targets.error(), arguments.json);
+    const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
+    Progress progress;
+    progress.say(fmt::format("checking {} files", files.size()));
+    const CheckReport report = checkEffects(files, *targets, checkOptions(arguments));
+    progress.clear();
+
+    if (arguments.json) {
+        Json json{{"passed", !report.failed()}, {"complete", report.complete()}, {"files", Json::array()}};
+        for (const FileReport& file : report.files)
+            json["files"].push_back(fileJson(file));
+        print(json);
+    } else {
+        printProblems(report);
+        printTable(report);
+    }
+    return report.failed() ? static_cast<int>(Blame::Input) : 0;
+}
+
+} // namespace
+
+void addCheck(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command = program.add_subcommand("check", "Compile effects for every target, offline and without a GPU");
+    command->add_option("effects", arguments->files, "Effect files (.fx)")->required();
+    command->add_option("--target", arguments->targets, "fx_2_0, fx_4_0, fx_5_0, spirv-dxc, spirv-glslang or all; may be repeated")
+        ->capture_default_str();
+    command->add_flag("--all-settings", arguments->allSettings, "Check each setting: seed, deon2007 and corrected");
+    addEffectOptions(*command, arguments->effect);
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->footer("A target whose tool is absent is reported as not checked, never as passed. Exit code 1 when any target failed.");
+    command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+}
+
+} // namespace tegument::app

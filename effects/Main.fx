@@ -10,12 +10,12 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
-#include "passes/cull.fxh"
 #include "passes/surface.fxh"
 #include "passes/irradiance.fxh"
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
 #include "passes/convolution.fxh"
+#include "passes/cull.fxh"
 #include "passes/final.fxh"
 
 float Script : STANDARDSGLOBAL <
@@ -30,6 +30,7 @@ float Script : STANDARDSGLOBAL <
 technique DEonLuebke < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
     "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "LoopByCount=gUsePrePass;" SKIN_REACH_SCRIPT "LoopEnd;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
     "ClearSetColor=gClearInvalid; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd;"
@@ -51,6 +52,30 @@ technique DEonLuebke < string Script =
         VertexShader = compile VS_MODEL TsmVS();
         PixelShader = compile PS_MODEL TsmPS();
         STATE_TWOSIDED;
+    }
+    pass CullNeed < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile VS_MODEL CullNeedVS();
+        PixelShader = compile PS_MODEL CullNeedPS();
+        STATE_BUFFER;
+    }
+    pass CullTiles < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL CullTilesPS();
+        STATE_BUFFER;
+    }
+    pass CullReachU < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL CullReachUPS();
+        STATE_BUFFER;
+    }
+    pass CullReachV < string Script = "Draw=Buffer;"; >
+    {
+        VertexShader = compile VS_MODEL QuadVS();
+        PixelShader = compile PS_MODEL CullReachVPS();
+        STATE_BUFFER;
     }
     pass PrePass1 < string Script = "Draw=Buffer;"; >
     {

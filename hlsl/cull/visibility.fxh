@@ -1,8 +1,11 @@
 // Texture-space culling (seed 5.3.1; Gosselin et al. 2004): a prepass writes depth 1 where a texel cannot show, and the later passes, drawn at depth 0
 // with the test EQUAL, skip it. Clip-space form of seed equations 41 and 42: p.x / p.z > tan(fov / 2) is x > w; both signs, and what is behind the
-// camera is outside. toEye points from the surface to the eye.
+// camera is outside. normal, toEye: unit; toEye points from the surface to the eye.
 #ifndef TEGUMENT_CULL_VISIBILITY_FXH
 #define TEGUMENT_CULL_VISIBILITY_FXH
+
+// A triangle may face the eye although its interpolated normal does not yet.
+static const float kFacingSlack = kCullByReach ? -0.25 : 0.0;
 
 bool cullOutside(float4 clip)
 {
@@ -11,7 +14,7 @@ bool cullOutside(float4 clip)
 
 bool cullHidden(float4 clip, float3 normal, float3 toEye)
 {
-    return cullOutside(clip) || dot(normal, toEye) < 0.0;
+    return cullOutside(clip) || dot(normal, toEye) < kFacingSlack;
 }
 
 bool cullBlack(float3 colour)

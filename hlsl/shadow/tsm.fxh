@@ -89,7 +89,7 @@ float tsmFilteredShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth, fl
 float tsmShadow(SAMPLER2D_PARAM(tsm), float2 coordinate, float depth, float tolerance, float2 slope)
 {
     if (kFilterShadow)
-        return tsmFilteredShadow(SAMPLER2D_ARG(tsm), coordinate, depth - tolerance - kSlopeTolerance * length(slope), slope);
+        return tsmFilteredShadow(SAMPLER2D_ARG(tsm), coordinate, depth - tolerance - kSlopeTolerance * (abs(slope.x) + abs(slope.y)), slope);
     return tsmLit(SAMPLER2D_ARG(tsm), coordinate, depth - tolerance);
 }
 

@@ -65,8 +65,6 @@ constexpr std::array<KnownAnnotation, 37> kAnnotations{{
     {"SasUiDescription", kText},
 }};
 
-constexpr std::array<std::string_view, 2> kClassNames{"ScriptClass", "ScriptOrder"};
-
 class Checker {
 public:
     explicit Checker(Parsed& parsed) : parsed_(parsed), effect_(parsed.effect) {}
@@ -222,9 +220,15 @@ private:
             pass.script = script(pass.annotations, ScriptLevel::Pass, &technique);
             for (const auto* shader : {&pass.vertexShader, &pass.pixelShader, &pass.geometryShader, &pass.computeShader})
                 if (*shader) function(**shader);
-            if (const Annotation* instances = pass.annotations.find("Instances"))
-                if (std::string* name = std::get_if<std::string>(&const_cast<Annotation*>(instances)->value)) scalar(*name, instances->at);
+            instances(pass);
         }
+    }
+
+    /// The name in `Instances` gets the spelling of its declaration, like those in scripts.
+    void instances(Pass& pass) {
+        for (Annotation& annotation : pass.annotations.list)
+            if (auto* name = std::get_if<std::string>(&annotation.value); name != nullptr && equalsIgnoreCase(annotation.name, "Instances"))
+                scalar(*name, annotation.at);
     }
 
     void function(const ShaderReference& shader) {

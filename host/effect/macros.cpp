@@ -8,8 +8,8 @@ namespace tegument {
 
 namespace {
 
-/// Each doubling macro of a chain doubles the output; this many tokens is a hundred times the largest effect.
-constexpr std::size_t kMostTokens = 2'000'000;
+/// Each doubling macro of a chain doubles the output; this many tokens is twenty times the largest effect.
+constexpr std::size_t kMostTokens = 500'000;
 /// Macro calls as arguments of macro calls; bounds our own recursion.
 constexpr int kDeepestCall = 128;
 
@@ -52,6 +52,10 @@ bool Macros::fail(int code, const Token& at, std::string text, std::string hint)
         failure_ =
             Diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}};
     return false;
+}
+
+bool Macros::tooMany(const Token& at) {
+    return fail(1011, at, fmt::format("macros expand to more than {} tokens", kMostTokens));
 }
 
 bool Macros::expand(std::span<const Token> input, std::vector<Token>& output) {
@@ -166,6 +170,10 @@ std::optional<Macros::Arguments> Macros::collect(Frames& frames, const Macro& ma
         } else if (depth > 0) {
             arguments.back().push_back(*token);
         }
+        if (++produced_ > kMostTokens) { // nested calls copy their arguments once for each level
+            tooMany(call);
+            return std::nullopt;
+        }
     }
     if (macro.parameters.empty() && arguments.size() == 1 && arguments[0].empty()) arguments.clear();
     if (arguments.size() == macro.parameters.size()) return arguments;
@@ -247,7 +255,7 @@ std::optional<std::vector<Token>> Macros::substitute(const Macro& macro, const A
         }
         pasteNext = false;
         if (produced_ + result.size() > kMostTokens) {
-            fail(1011, call, fmt::format("macros expand to more than {} tokens", kMostTokens));
+            tooMany(call);
             return std::nullopt;
         }
     }

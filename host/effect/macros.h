@@ -46,6 +46,7 @@ private:
     using Arguments = std::vector<std::vector<Token>>;
 
     bool fail(int code, const Token& at, std::string text, std::string hint = {});
+    bool tooMany(const Token& at);
     bool expandFrames(Frames& frames, std::vector<Token>& output);
     bool expandWord(Frames& frames, Token token, std::vector<Token>& output);
     std::optional<Token> next(Frames& frames);

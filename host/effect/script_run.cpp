@@ -186,9 +186,8 @@ private:
     Result<void> clear(const std::string& what, int index) {
         if (what == "Depth") return sink_.clear(ClearKind::Depth, 0, state_);
         if (what == "Stencil") return sink_.clear(ClearKind::Stencil, 0, state_);
-        if (index >= 0) return sink_.clear(ClearKind::Color, index, state_);
         for (int i = 0; i < static_cast<int>(state_.targets.colors.size()); ++i)
-            if (state_.targets.colors[static_cast<std::size_t>(i)])
+            if ((index < 0 || i == index) && state_.targets.colors[static_cast<std::size_t>(i)])
                 if (Result<void> done = sink_.clear(ClearKind::Color, i, state_); !done) return done;
         return {};
     }

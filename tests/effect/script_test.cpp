@@ -55,6 +55,10 @@ TEST(Scripts, an_indexed_clear_clears_one_target) {
               (Lines{"bind app gY / app", "clear color1 with default", "bind app / app"}));
 }
 
+TEST(Scripts, clearing_a_target_that_is_not_bound_does_nothing) {
+    EXPECT_EQ(ran(technique("Clear=Color5;")), Lines{});
+}
+
 TEST(Scripts, an_empty_target_is_the_callers_in_place_0_and_none_elsewhere) {
     EXPECT_EQ(ran(technique("RenderColorTarget0=gX; RenderColorTarget1=gY; RenderDepthStencilTarget=gZ;"
                             "RenderColorTarget0=; RenderColorTarget1=; RenderDepthStencilTarget=;")),

@@ -1,4 +1,4 @@
-// expect: 1011_macro_bomb.fx(26,1): error TG1011: macros expand to more than 2000000 tokens
+// expect: 1011_macro_bomb.fx(26,1): error TG1011: macros expand to more than 500000 tokens
 #define A0 x x
 #define A1 A0 A0
 #define A2 A1 A1

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <iterator>
 #include <optional>
+#include <set>
 
 namespace tegument {
 
@@ -62,8 +63,7 @@ public:
     bool key(string_t& name) override {
         keyOffset_ = quotedStart();
         key_ = name;
-        const auto& members = stack_.back().members;
-        const bool repeated = std::ranges::find(members, name, &std::pair<std::string, LocatedJson>::first) != members.end();
+        const bool repeated = !open_.back().known.insert(name).second;
         if (repeated) fail(5404, keyOffset_, "the key '" + name + "' is there already", "remove one of the two");
         return !repeated;
     }
@@ -81,6 +81,13 @@ public:
     [[nodiscard]] LocatedJson& root() { return root_; }
 
 private:
+    /// An object or list whose end is still to come.
+    struct Open {
+        LocatedJson value;
+        std::string key; // under which its parent will hold it
+        std::set<std::string> known;
+    };
+
     /// A closing quote was just read; the opening one is the nearest before it that no backslash precedes.
     [[nodiscard]] std::size_t quotedStart() const {
         std::size_t at = read_ >= 2 ? read_ - 2 : 0;
@@ -101,7 +108,7 @@ private:
 
     /// Members are found at their key.
     [[nodiscard]] std::size_t offsetOfNext(LocatedJson::Kind kind) const {
-        if (!stack_.empty() && stack_.back().kind == LocatedJson::Kind::Object) return keyOffset_;
+        if (!open_.empty() && open_.back().value.kind == LocatedJson::Kind::Object) return keyOffset_;
         if (kind == LocatedJson::Kind::Text) return quotedStart();
         if (kind == LocatedJson::Kind::List || kind == LocatedJson::Kind::Object) return read_ - std::min<std::size_t>(read_, 1);
         return wordStart();
@@ -116,32 +123,30 @@ private:
     }
 
     void attach(LocatedJson value, const std::string& name) {
-        if (stack_.empty())
+        if (open_.empty()) {
             root_ = std::move(value);
-        else if (stack_.back().kind == LocatedJson::Kind::List)
-            stack_.back().items.push_back(std::move(value));
-        else
-            stack_.back().members.emplace_back(name, std::move(value));
+            return;
+        }
+        LocatedJson& parent = open_.back().value;
+        if (parent.kind == LocatedJson::Kind::Object) parent.keys.push_back(name);
+        parent.items.push_back(std::move(value));
     }
 
     bool open(LocatedJson::Kind kind) {
         constexpr std::size_t kDeepest = 32;
-        if (stack_.size() == kDeepest) {
+        if (open_.size() == kDeepest) {
             fail(5400, read_ - 1, "JSON nested more than 32 deep", {});
             return false;
         }
         const std::size_t offset = offsetOfNext(kind);
-        stack_.push_back({.kind = kind, .offset = offset});
-        keys_.push_back(key_);
+        open_.push_back({.value = {.kind = kind, .offset = offset}, .key = key_, .known = {}});
         return true;
     }
 
     bool close() {
-        LocatedJson value = std::move(stack_.back());
-        stack_.pop_back();
-        const std::string name = std::move(keys_.back());
-        keys_.pop_back();
-        attach(std::move(value), name);
+        Open closed = std::move(open_.back());
+        open_.pop_back();
+        attach(std::move(closed.value), closed.key);
         return true;
     }
 
@@ -154,8 +159,7 @@ private:
     std::string_view text_;
     const std::string& file_;
     const std::size_t& read_;
-    std::vector<LocatedJson> stack_;
-    std::vector<std::string> keys_; // under which each open value will be attached
+    std::vector<Open> open_;
     std::string key_;
     std::size_t keyOffset_ = 0;
     LocatedJson root_;

@@ -5,7 +5,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace tegument {
@@ -16,9 +15,9 @@ struct LocatedJson {
     bool boolean = false;
     double number = 0;
     std::string text;
-    std::vector<LocatedJson> items;                           // of a list
-    std::vector<std::pair<std::string, LocatedJson>> members; // of an object, in the file's order
-    std::size_t offset = 0;                                   // of its first byte; of a member: of its key
+    std::vector<LocatedJson> items; // of a list or an object, in the file's order
+    std::vector<std::string> keys;  // of an object: one for each item
+    std::size_t offset = 0;         // of its first byte; of a member: of its key
 
     [[nodiscard]] const char* kindName() const;
 };

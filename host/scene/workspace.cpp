@@ -51,16 +51,21 @@ private:
         std::function<void(const LocatedJson&)> read;
     };
 
-    /// Hands each member to its key; "comment" is allowed everywhere and means nothing.
+    /// Until the first error; "comment" is allowed everywhere and means nothing.
+    template <class Visit>
+    void forEachMember(const LocatedJson& object, Visit visit) {
+        for (std::size_t i = 0; i < object.items.size() && !error_; ++i)
+            if (object.keys[i] != "comment") visit(object.keys[i], object.items[i]);
+    }
+
+    /// Hands each member to its key.
     void readObject(const LocatedJson& value, const std::string& what, const std::vector<Key>& keys) {
         if (!expect(value, LocatedJson::Kind::Object, what)) return;
-        for (const auto& [name, member] : value.members) {
-            if (error_) return;
-            if (name == "comment") continue;
+        forEachMember(value, [&](const std::string& name, const LocatedJson& member) {
             const auto key = std::ranges::find(keys, name, &Key::name);
             if (key == keys.end()) return unknownKey(name, member, what, keys);
             key->read(member);
-        }
+        });
     }
 
     void unknownKey(const std::string& name, const LocatedJson& member, const std::string& what, const std::vector<Key>& keys) {
@@ -108,21 +113,19 @@ private:
 
     void readTextures(const LocatedJson& value) {
         if (!expect(value, LocatedJson::Kind::Object, "textures")) return;
-        for (const auto& [name, member] : value.members) {
-            if (name == "comment") continue;
+        forEachMember(value, [&](const std::string& name, const LocatedJson& member) {
             const std::string path = expandedPath(member, "textures." + name);
             if (error_) return;
             if (options_.requireMesh) requireFile(member, path, "");
             workspace_.textures[name] = path;
-        }
+        });
     }
 
     void readParameters(const LocatedJson& value) {
         if (!expect(value, LocatedJson::Kind::Object, "parameters")) return;
-        for (const auto& [name, member] : value.members) {
-            if (name == "comment") continue;
+        forEachMember(value, [&](const std::string& name, const LocatedJson& member) {
             workspace_.parameters[name] = parameterValue(member, "parameters." + name);
-        }
+        });
     }
 
     /// One number, true or false, or a list of numbers.

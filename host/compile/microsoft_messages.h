@@ -7,10 +7,10 @@
 
 namespace tegument {
 
-/// "/work/a.fx" as Wine's programs know it: "Z:\work\a.fx".
+/// "/tmp/a.fx" as Wine's programs know it: "Z:\tmp\a.fx".
 [[nodiscard]] std::string windowsPath(const std::filesystem::path& absolute);
 
-/// `Z:\work\a.fx(3,7-9): error X3000: text` as an error of code TG3101 in `source`, spelt as `source` is when it is that file. Included
+/// `Z:\tmp\a.fx(3,7-9): error X3000: text` as an error of code TG3101 in `source`, spelt as `source` is when it is that file. Included
 /// files come relative to the source's folder. X4717 ("Effects deprecated"), which comes with every effect, is left out.
 [[nodiscard]] Messages readMicrosoftMessages(std::string_view log, const std::filesystem::path& source);
 

@@ -1,0 +1,186 @@
+#include "host/check/check.h"
+
+#include "host/compile/compile.h"
+#include "host/support/file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <unistd.h>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string describe(const FileReport& file) {
+    std::string text = file.file.string() + " " + file.variant + "\n";
+    for (const Diagnostic& diagnostic : file.diagnostics)
+        text += format(diagnostic) + "\n";
+    for (const TargetReport& target : file.targets) {
+        text += std::string(targetName(target.target)) + " " + target.reason + "\n";
+        for (const Diagnostic& diagnostic : target.diagnostics)
+            text += format(diagnostic) + "\n";
+    }
+    return text;
+}
+
+class Check : public testing::Test {
+protected:
+    Check() : folder_(fs::temp_directory_path() / ("tegument-check-" + std::to_string(::getpid()))) { fs::create_directories(folder_); }
+    ~Check() override { fs::remove_all(folder_); }
+
+    /// The dialect's prelude and `text` in one file.
+    [[nodiscard]] fs::path effect(const std::string& name, const std::string& text) const {
+        const auto prelude = readFile("hlsl/platform.fxh");
+        EXPECT_TRUE(prelude) << "tests run from the repository's root";
+        return file(name, (prelude ? *prelude : "") + "\n#line 1 \"" + name + "\"\n" + text);
+    }
+    [[nodiscard]] fs::path file(const std::string& name, const std::string& text) const {
+        EXPECT_TRUE(writeFile(folder_ / name, text));
+        return folder_ / name;
+    }
+    static FileReport checkOne(const fs::path& path, const std::vector<Target>& targets) {
+        CheckReport report = checkEffects({path}, targets);
+        EXPECT_EQ(report.files.size(), 1U);
+        return report.files.at(0);
+    }
+
+private:
+    fs::path folder_;
+};
+
+const std::string kPass = R"(
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION) { V o; o.position = float4(position, 1); o.uv = position.xy; return o; }
+#ifdef FX_TECHNIQUES
+technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+#endif
+)";
+
+std::vector<Target> spirvTargets() {
+    if (compilerAvailable(Compiler::Dxc)) return {Target::SpirvDxc, Target::SpirvGlslang};
+    return {Target::SpirvGlslang};
+}
+
+std::vector<fs::path> allEffects() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator("effects"))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+TEST(Targets, have_the_names_of_the_command_line) {
+    EXPECT_EQ(targetsByName("all").size(), kAllTargets.size());
+    for (const Target target : kAllTargets)
+        EXPECT_EQ(targetsByName(targetName(target)), std::vector{target});
+    EXPECT_TRUE(targetsByName("fx_3_0").empty());
+}
+
+TEST(Effects, compile_to_spirv_by_both_compilers_which_see_the_same_parameters_in_every_setting) {
+    const auto files = allEffects();
+    ASSERT_FALSE(files.empty());
+    const CheckReport report = checkEffects(files, spirvTargets(), {.variants = settingVariants(), .includeFolders = {}});
+    EXPECT_EQ(report.files.size(), 3 * files.size());
+    for (const FileReport& file : report.files)
+        for (const TargetReport& target : file.targets)
+            EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
+}
+
+TEST_F(Check, a_good_effect_passes_and_its_entry_points_are_counted) {
+    const FileReport good = checkOne(effect("good.fx", kPass + "float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }"), spirvTargets());
+    for (const TargetReport& target : good.targets) {
+        EXPECT_EQ(target.verdict, Verdict::Passed) << describe(good);
+        EXPECT_EQ(target.entries, 2);
+    }
+}
+
+TEST_F(Check, a_pixel_shader_that_reads_what_nobody_writes_fails) {
+    const FileReport report =
+        checkOne(effect("link.fx", kPass + "float4 PS(float2 uv : TEXCOORD5) : SV_Target0 { return uv.xyxy; }"), spirvTargets());
+    for (const TargetReport& target : report.targets) {
+        EXPECT_EQ(target.verdict, Verdict::Failed);
+        ASSERT_EQ(target.diagnostics.size(), 1U) << describe(report);
+        EXPECT_EQ(target.diagnostics[0].code, 3004);
+    }
+}
+
+TEST_F(Check, parameters_on_which_the_compilers_differ_fail) {
+    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "two compilers are compared, and DXC is not there";
+    const FileReport report = checkOne(
+        effect("layout.fx", "float gA; float3 gB;" + kPass + "float4 PS(V v) : SV_Target0 { return gA + gB.xyzz; }"), spirvTargets());
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::Failed);
+    ASSERT_FALSE(report.targets[1].diagnostics.empty());
+    EXPECT_EQ(report.targets[1].diagnostics[0].code, 3201);
+}
+
+TEST_F(Check, a_direct3d_9_file_is_not_checked_for_spirv_and_says_where) {
+    const fs::path path = file("old.fx", "texture gMap;\nsampler2D gSkin = sampler_state { Texture = <gMap>; };\n"
+                                         "float4 PS(float2 uv : TEXCOORD0) : COLOR0 { return tex2D(gSkin, uv); }\n"
+                                         "technique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n");
+    const FileReport report = checkOne(path, spirvTargets());
+    for (const TargetReport& target : report.targets) {
+        EXPECT_EQ(target.verdict, Verdict::NotChecked) << describe(report);
+        EXPECT_TRUE(target.reason.starts_with("Direct3D 9 intrinsic at " + path.string() + "(")) << target.reason;
+    }
+}
+
+TEST_F(Check, a_file_that_the_front_end_refuses_fails_on_every_target) {
+    const FileReport report =
+        checkOne(effect("broken.fx", "technique { pass P { NoSuchState = 1; } }"), {kAllTargets.begin(), kAllTargets.end()});
+    EXPECT_FALSE(report.diagnostics.empty());
+    for (const TargetReport& target : report.targets)
+        EXPECT_EQ(target.verdict, Verdict::Failed);
+}
+
+TEST_F(Check, a_missing_file_fails_on_every_target) {
+    const FileReport report = checkOne("nowhere.fx", {kAllTargets.begin(), kAllTargets.end()});
+    ASSERT_EQ(report.diagnostics.size(), 1U);
+    EXPECT_EQ(report.diagnostics[0].code, 5001);
+    for (const TargetReport& target : report.targets)
+        EXPECT_EQ(target.verdict, Verdict::Failed);
+}
+
+TEST_F(Check, a_file_without_passes_is_not_checked) {
+    const FileReport report = checkOne(effect("empty.fx", "float4 gTint;\n"), spirvTargets());
+    for (const TargetReport& target : report.targets) {
+        EXPECT_EQ(target.verdict, Verdict::NotChecked);
+        EXPECT_EQ(target.reason, "no pass names a shader");
+    }
+}
+
+TEST_F(Check, a_missing_microsoft_compiler_is_not_checked_and_never_passed) {
+    const char* before = std::getenv("TEGUMENT_D3DCOMPILER");
+    const std::string kept = before == nullptr ? "" : before;
+    ::setenv("TEGUMENT_D3DCOMPILER", "/nowhere/d3dcompiler_47.dll", 1);
+    const CheckReport report = checkEffects({"effects/OriginalTexture.fx"}, {Target::Fx2, Target::Fx4, Target::Fx5});
+    if (kept.empty())
+        ::unsetenv("TEGUMENT_D3DCOMPILER");
+    else
+        ::setenv("TEGUMENT_D3DCOMPILER", kept.c_str(), 1);
+    EXPECT_FALSE(report.failed());
+    EXPECT_FALSE(report.complete());
+    for (const TargetReport& target : report.files.at(0).targets) {
+        EXPECT_EQ(target.verdict, Verdict::NotChecked);
+        EXPECT_FALSE(target.reason.empty());
+    }
+}
+
+TEST(CheckReport, fails_with_one_target_and_is_incomplete_with_one_unchecked) {
+    CheckReport report;
+    report.files.push_back(
+        {.file = "a.fx", .diagnostics = {}, .targets = {{.target = Target::Fx2, .verdict = Verdict::Passed}}, .sm3 = {}});
+    EXPECT_FALSE(report.failed());
+    EXPECT_TRUE(report.complete());
+    report.files[0].targets.push_back({.target = Target::Fx4, .verdict = Verdict::NotChecked});
+    EXPECT_FALSE(report.failed());
+    EXPECT_FALSE(report.complete());
+    report.files[0].targets.push_back({.target = Target::Fx5, .verdict = Verdict::Failed});
+    EXPECT_TRUE(report.failed());
+}
+
+} // namespace
+} // namespace tegument::test

@@ -1,0 +1,120 @@
+#include "host/check/check.h"
+
+#include "host/support/file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <unistd.h>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<Target> kDirect3D = {Target::Fx2, Target::Fx4, Target::Fx5};
+
+std::string describe(const FileReport& file) {
+    std::string text = file.file.string() + " " + file.variant + "\n";
+    for (const TargetReport& target : file.targets) {
+        text += std::string(targetName(target.target)) + " " + target.reason + "\n";
+        for (const Diagnostic& diagnostic : target.diagnostics)
+            text += format(diagnostic) + "\n";
+    }
+    return text;
+}
+
+class CheckMicrosoft : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
+        folder_ = fs::temp_directory_path() / ("tegument-check-d3d-" + std::to_string(::getpid()));
+    }
+    void TearDown() override {
+        if (!folder_.empty()) fs::remove_all(folder_);
+    }
+
+    /// The dialect's prelude and `text` in one file, checked for Direct3D.
+    [[nodiscard]] FileReport check(const std::string& text) const {
+        const auto prelude = readFile("hlsl/platform.fxh");
+        return checkPlain((prelude ? *prelude : "") + "\n" + text);
+    }
+    [[nodiscard]] FileReport checkPlain(const std::string& text) const {
+        EXPECT_TRUE(writeFile(folder_ / "effect.fx", text));
+        return checkEffects({folder_ / "effect.fx"}, kDirect3D).files.at(0);
+    }
+
+private:
+    fs::path folder_;
+};
+
+const std::string kQuad = R"(
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+)";
+const std::string kTechnique = R"(
+#ifdef FX_TECHNIQUES
+technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+#endif
+)";
+
+TEST_F(CheckMicrosoft, every_effect_passes_as_direct3d_9_10_and_11_in_every_setting) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator("effects"))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    ASSERT_FALSE(files.empty());
+    const CheckReport report = checkEffects(files, kDirect3D, {.variants = settingVariants(), .includeFolders = {}});
+    for (const FileReport& file : report.files) {
+        EXPECT_FALSE(file.sm3.empty()) << describe(file);
+        for (const TargetReport& target : file.targets)
+            EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
+    }
+}
+
+TEST_F(CheckMicrosoft, a_shader_of_more_than_512_instructions_breaks_shader_model_3_only) {
+    const FileReport report = check(
+        "float4 gX;" + kQuad +
+        "float4 PS(V v) : SV_Target0 { float4 c = v.uv.xyxy; [unroll] for (int i = 0; i < 300; i++) c = sin(c * gX + i); return c; }" +
+        kTechnique);
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Failed) << describe(report);
+    EXPECT_TRUE(std::ranges::any_of(report.targets[0].diagnostics, [](const Diagnostic& d) {
+        return d.code == 3203 && d.text.find("instruction slots") != std::string::npos;
+    })) << describe(report);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::Passed) << describe(report);
+    EXPECT_EQ(report.targets[2].verdict, Verdict::Passed) << describe(report);
+}
+
+TEST_F(CheckMicrosoft, bit_operations_break_shader_model_3_only) {
+    const FileReport report = check("int gBits; float3 gFill;" + kQuad +
+                                    "float4 PS(V v) : SV_Target0 { return (gBits & 3) * v.uv.xyxy + gFill.xyzz; }" + kTechnique);
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Failed) << describe(report);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::Passed) << describe(report);
+    EXPECT_EQ(report.targets[2].verdict, Verdict::Passed) << describe(report);
+}
+
+TEST_F(CheckMicrosoft, a_technique_that_one_target_does_not_see_is_missed) {
+    const FileReport report = check(kQuad + "float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }" + kTechnique +
+                                    "#ifdef FX_D3D11\ntechnique Only11 { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = "
+                                    "compile PS_MODEL PS(); STATE_BUFFER; } }\n#endif\n");
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Failed);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::Failed);
+    EXPECT_EQ(report.targets[2].verdict, Verdict::Passed) << describe(report);
+    ASSERT_FALSE(report.targets[1].diagnostics.empty());
+    EXPECT_EQ(report.targets[1].diagnostics[0].code, 3202);
+    EXPECT_EQ(report.targets[1].diagnostics[0].text, "fx_4_0 holds 1 techniques, the file has 2");
+}
+
+TEST_F(CheckMicrosoft, a_plain_direct3d_9_file_is_checked_as_such_only) {
+    const FileReport report = checkPlain("texture gMap;\nsampler2D gSkin = sampler_state { Texture = <gMap>; };\n"
+                                         "float4 PS(float2 uv : TEXCOORD0) : COLOR0 { return tex2D(gSkin, uv); }\n"
+                                         "technique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n");
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::NotChecked);
+    EXPECT_EQ(report.targets[1].reason, "the file has no technique for fx_4_0");
+    EXPECT_EQ(report.targets[2].verdict, Verdict::NotChecked);
+    ASSERT_EQ(report.sm3.size(), 1U);
+    EXPECT_EQ(report.sm3[0].usage.samplers, 1);
+}
+
+} // namespace
+} // namespace tegument::test

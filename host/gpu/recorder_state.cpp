@@ -173,6 +173,7 @@ void openScope(RecorderState& recorder, const Scope& wanted) {
     flushBarriers(recorder);
     beginRendering(recorder, wanted);
     recorder.scope = wanted;
+    ++recorder.scopesOpened;
 }
 
 } // namespace tegument::gpu::detail

@@ -31,6 +31,7 @@ struct RecorderState {
     DeviceState& device;
     vk::raii::CommandBuffer commands;
     std::optional<Scope> scope;
+    std::size_t scopesOpened = 0;
     std::vector<PendingClear> clears;
     std::vector<vk::ImageMemoryBarrier2> imageBarriers; // waiting for flushBarriers
     std::vector<vk::BufferMemoryBarrier2> bufferBarriers;

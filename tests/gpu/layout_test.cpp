@@ -1,0 +1,99 @@
+// What the recorder tells Vulkan about attachments. Debian's validation layer (1.3.239) checks neither layouts nor hazards of attachments
+// under dynamic rendering, so these tests look at the recorder's own state; the barriers follow from it (track_test.cpp).
+
+#include "tests/gpu/fixture.h"
+
+#include "host/gpu/recorder_state.h"
+
+#include "shaders/copy_frag.h"
+#include "shaders/uniform_frag.h"
+
+namespace tegument::gpu {
+namespace {
+
+using Layout = vk::ImageLayout;
+
+Layout layoutOf(const Texture& texture) {
+    return texture.state->track.layout;
+}
+
+class Recording : public Gpu {
+protected:
+    void SetUp() override {
+        Gpu::SetUp();
+        if (IsSkipped()) return;
+        image_ = target(Format::RGBA32F, 4, 4);
+        other_ = target(Format::RGBA32F, 4, 4);
+        depth_ = target(Format::D32F, 4, 4);
+        point_ = sampler(Filter::Point, Address::Clamp);
+        PipelineDesc desc = screen(uniform_frag, {{0, 0}}, {Format::RGBA32F});
+        color_ = must(device().createPipeline(desc));
+        desc.depthFormat = Format::D32F;
+        colorAndDepth_ = must(device().createPipeline(desc));
+        copy_ = must(
+            device().createPipeline(screen(copy_frag, {{0, 1, BindingKind::Texture}, {0, 2, BindingKind::Sampler}}, {Format::RGBA32F})));
+    }
+
+    Draw colorDraw() { return screenDraw(color_, {{0, 0, bytesOf(white_)}}); }
+    Draw copyDraw(Texture& source) { return screenDraw(copy_, {{0, 1, &source}, {0, 2, &point_}}); }
+    std::size_t scopesOpened() { return image_.state->device->recording->scopesOpened; }
+
+    Texture image_, other_, depth_;
+    Sampler point_;
+    Pipeline color_, colorAndDepth_, copy_;
+    Pixel white_ = {1, 1, 1, 1};
+};
+
+TEST_F(Recording, targets_are_in_attachment_layouts_and_read_textures_in_the_read_only_layout) {
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        must(recorder.draw({.colors = {&image_}, .depth = &depth_}, screenDraw(colorAndDepth_, {{0, 0, bytesOf(white_)}})));
+        EXPECT_EQ(layoutOf(image_), Layout::eColorAttachmentOptimal);
+        EXPECT_EQ(layoutOf(depth_), Layout::eDepthStencilAttachmentOptimal);
+        must(recorder.draw({.colors = {&other_}}, copyDraw(image_)));
+        EXPECT_EQ(layoutOf(image_), Layout::eShaderReadOnlyOptimal);
+        EXPECT_EQ(layoutOf(other_), Layout::eColorAttachmentOptimal);
+        must(recorder.draw({.colors = {&image_}}, copyDraw(depth_)));
+        EXPECT_EQ(layoutOf(depth_), Layout::eShaderReadOnlyOptimal);
+        EXPECT_EQ(layoutOf(image_), Layout::eColorAttachmentOptimal);
+        return {};
+    }));
+}
+
+TEST_F(Recording, consecutive_draws_to_the_same_targets_share_one_rendering_scope) {
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        for (int i = 0; i < 5; ++i)
+            must(recorder.draw({.colors = {&image_}}, colorDraw()));
+        EXPECT_EQ(scopesOpened(), 1u);
+        return {};
+    }));
+}
+
+TEST_F(Recording, other_targets_a_clear_or_a_texture_to_wait_for_open_a_new_scope) {
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        must(recorder.draw({.colors = {&image_}}, colorDraw()));
+        must(recorder.draw({.colors = {&other_}}, colorDraw()));
+        EXPECT_EQ(scopesOpened(), 2u);
+        must(recorder.clearColor(other_, white_));
+        must(recorder.draw({.colors = {&other_}}, colorDraw()));
+        EXPECT_EQ(scopesOpened(), 3u);
+        must(recorder.draw({.colors = {&other_}}, copyDraw(image_))); // image_ was written in this frame
+        EXPECT_EQ(scopesOpened(), 4u);
+        must(recorder.draw({.colors = {&other_}}, copyDraw(image_))); // and has been waited for
+        EXPECT_EQ(scopesOpened(), 4u);
+        return {};
+    }));
+}
+
+TEST_F(Recording, a_clear_before_a_draw_costs_no_command_of_its_own) {
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        must(recorder.clearColor(image_, {0, 0, 0, 1}));
+        EXPECT_EQ(image_.state->device->recording->clears.size(), 1u);
+        must(recorder.draw({.colors = {&image_}}, colorDraw()));
+        EXPECT_TRUE(image_.state->device->recording->clears.empty());
+        EXPECT_EQ(layoutOf(image_), Layout::eColorAttachmentOptimal); // cleared by its load operation, never a copy target
+        return {};
+    }));
+}
+
+} // namespace
+} // namespace tegument::gpu

@@ -97,7 +97,7 @@ private:
                     {"horizontal_fov", [&](const LocatedJson& v) { camera.horizontalFov = real(v, "horizontal_fov", 0.1, 170); }},
                     {"near", [&](const LocatedJson& v) { camera.nearPlane = real(v, "near", kLeast, kMost); }},
                     {"far", [&](const LocatedJson& v) { camera.farPlane = real(v, "far", kLeast, kMost); }}});
-        if (error_) return;
+        requirePositionInWorld(value, "camera", workspace_.cameraRelative);
         if (camera.position == camera.target) fail(5407, value, "the camera's position is its target", "move one of them");
         if (camera.up == glm::vec3(0)) fail(5407, value, "the camera's up has no length", "the default is [0, 1, 0]");
         if (camera.nearPlane && camera.farPlane && !(*camera.nearPlane < *camera.farPlane))
@@ -109,6 +109,13 @@ private:
                    {{"frame", [&](const LocatedJson& v) { workspace_.lightRelative = frameIsMesh(v); }},
                     {"position", [&](const LocatedJson& v) { workspace_.light.position = vector(v, "position"); }},
                     {"color", [&](const LocatedJson& v) { workspace_.light.color = color(v, "color"); }}});
+        requirePositionInWorld(value, "light", workspace_.lightRelative);
+    }
+
+    /// The default positions are in radii.
+    void requirePositionInWorld(const LocatedJson& value, const std::string& what, bool relative) {
+        if (!error_ && !relative && std::ranges::find(value.keys, "position") == value.keys.end())
+            fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what), "give its position in millimetres");
     }
 
     void readTextures(const LocatedJson& value) {

@@ -40,8 +40,8 @@ struct Workspace {
     /// "mesh" frame: position and target are relative to the mesh's bounding sphere centre in units of its radius; "world": mm.
     bool cameraRelative = true;
     bool lightRelative = true;
-    Camera camera;
-    Light light;
+    Camera camera{.position = {0, 0, 5}}; // relative: a little more than the whole mesh
+    Light light{.position = {-2, 4, 6}};
     glm::vec3 background{0};
     std::map<std::string, std::string> textures;           // parameter name or semantic -> file, relative to the workspace file
     std::map<std::string, std::vector<double>> parameters; // parameter name -> numbers

@@ -91,6 +91,8 @@ TEST_F(Workspaces, faults_are_found_at_the_key) {
     EXPECT_EQ(faultOf("{\"camera\": {\"position\": [0, 0, 0], \"target\": [0, 0, 0]}}"), "5407(1,2)");
     EXPECT_EQ(faultOf("{\"camera\": {\"up\": [0, 0, 0]}}"), "5407(1,2)");
     EXPECT_EQ(faultOf("{\"camera\": {\"frame\": \"screen\"}}"), "5403(1,13)");
+    EXPECT_EQ(faultOf("{\"camera\": {\"frame\": \"world\"}}"), "5407(1,2)");
+    EXPECT_EQ(faultOf("{\"light\": {\"frame\": \"world\"}}"), "5407(1,2)");
     EXPECT_EQ(faultOf("{\"light\": {\"color\": [1, -1, 1]}}"), "5403(1,25)");
     EXPECT_EQ(faultOf("{\"light\": {\"color\": [1, 1, true]}}"), "5402(1,28)");
     EXPECT_EQ(faultOf("{\"light\": {\"color\": [\"red\", 1, 1]}}"), "5402(1,22)");

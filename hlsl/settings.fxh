@@ -24,18 +24,12 @@
 #if TEGUMENT_SETTING == 0
 #define SKIN_MIX 0.4
 #define SKIN_SHADOW_TOLERANCE 0.005
-#define SKIN_REACH_SCRIPT ""
 #elif TEGUMENT_SETTING == 1
 #define SKIN_MIX 0.5
 #define SKIN_SHADOW_TOLERANCE 2.0
-#define SKIN_REACH_SCRIPT ""
 #else
 #define SKIN_MIX 0.5
 #define SKIN_SHADOW_TOLERANCE 0.3
-#define SKIN_REACH_SCRIPT \
-    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;" \
-    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;" \
-    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
 #endif
 
 static const float kPi = 3.14159265;
@@ -75,7 +69,6 @@ static const float kStretchScale = 0.1 * 1024.0;
 
 // Culling. Largest channel of a colour that counts as black, linear: exactly black, or up to 2/255 in sRGB.
 static const float kBlack = kCorrected ? 2.0 / 255.0 / 12.92 : 0.0;
-// Seed: whole vertices. Corrected: all texels but those that no visible pixel draws light from; SKIN_REACH_SCRIPT finds them.
-static const bool kCullByReach = kCorrected;
+static const bool kCullPerPixel = kCorrected;
 
 #endif

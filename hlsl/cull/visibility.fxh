@@ -4,17 +4,15 @@
 #ifndef TEGUMENT_CULL_VISIBILITY_FXH
 #define TEGUMENT_CULL_VISIBILITY_FXH
 
-// A triangle may face the eye although its interpolated normal does not yet.
-static const float kFacingSlack = kCullByReach ? -0.25 : 0.0;
-
 bool cullOutside(float4 clip)
 {
     return clip.w <= 0.0 || abs(clip.x) > clip.w || abs(clip.y) > clip.w;
 }
 
-bool cullHidden(float4 clip, float3 normal, float3 toEye)
+// slack: 0 in the seed. A triangle may face the eye although its interpolated normal does not yet.
+bool cullHidden(float4 clip, float3 normal, float3 toEye, float slack)
 {
-    return cullOutside(clip) || dot(normal, toEye) < kFacingSlack;
+    return cullOutside(clip) || dot(normal, toEye) < -slack;
 }
 
 bool cullBlack(float3 colour)

@@ -4,6 +4,9 @@
 #ifndef TEGUMENT_SCATTER_TRANSMISSION_FXH
 #define TEGUMENT_SCATTER_TRANSMISSION_FXH
 
+// exp(-50) is 2e-22. Smaller shares would only bring denormal numbers, which processors may or may not flush.
+static const float kNothingPasses = 50.0;
+
 // Depth along the light's ray turned into thickness of a flat slab: cosine correction in so far as the lit side is parallel to this one.
 // cosine = N.L here; litNormal = normal where the light entered. No thickness where the light reaches the surface directly.
 float transmissionThickness(float path, float cosine, float3 normal, float3 litNormal)
@@ -28,7 +31,8 @@ float transmissionDecode(float alpha, float range)
 // already brought the light here.
 float transmissionShare(float thickness, float variance, float apart)
 {
-    float passed = exp(-thickness * thickness * kTransmissionExponent / variance);
+    float exponent = thickness * thickness * kTransmissionExponent / variance;
+    float passed = exponent < kNothingPasses ? exp(-exponent) : 0.0;
     return kFadeNearLitSide ? passed * saturate(apart / (6.0 * sqrt(variance))) : passed;
 }
 

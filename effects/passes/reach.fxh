@@ -1,0 +1,87 @@
+// Prepasses that leave the picture as it is: they spare every texel that a visible pixel draws light from.
+// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others.
+#ifndef TEGUMENT_PASSES_REACH_FXH
+#define TEGUMENT_PASSES_REACH_FXH
+
+Texture2D gCullNeedMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullTilesMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullReachUMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullReachMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+SAMPLER2D(gCullNeed, POINT, CLAMP);
+SAMPLER2D(gCullTiles, POINT, CLAMP);
+SAMPLER2D(gCullReachU, POINT, CLAMP);
+SAMPLER2D(gCullReach, POINT, CLAMP);
+
+// Points this far (mm) behind the surface nearest to the light still count as places where light enters.
+static const float kEntrySlack = 2.0;
+// Share of N.V by which a point may face away and still count as visible.
+static const float kFacingSlack = 0.25;
+
+struct NeedVarying
+{
+    CullVarying cull;
+    float3 fromLight : TEXCOORD4;
+    float4 lightClip : TEXCOORD5;
+};
+
+NeedVarying CullNeedVS(MeshInput input)
+{
+    NeedVarying output;
+    output.cull = cullVarying(input);
+    output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    float3 world = worldPosition(input.position);
+    output.fromLight = world - gLightPosition;
+    output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    return output;
+}
+
+// A texel is needed if it shows, or if light enters there that may pass through to one that shows.
+float4 CullNeedPS(NeedVarying input) : SV_Target0
+{
+    float slack = kDepthInMillimetres ? kEntrySlack : kEntrySlack / max(gLightFar - gLightNear, kEntrySlack);
+    float depth = tsmDepth(input.lightClip, input.fromLight);
+    float lit = tsmShadow(SAMPLER2D_ARG(gTsm), tsmCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
+    bool needed = !hiddenPoint(input.cull, kFacingSlack) || lit > 0.0;
+    return float4(needed ? 1.0 : 0.0, gaussianDensity(tex2Dlod(gStretch, float4(input.cull.uv, 0.0, 0.0))), 1.0);
+}
+
+float4 CullTilesPS(QuadVarying input) : SV_Target0
+{
+    return reachTile(SAMPLER2D_ARG(gCullNeed), input.uv);
+}
+
+float4 CullReachUPS(QuadVarying input) : SV_Target0
+{
+    return reachAlong(SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0), reachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+}
+
+float4 CullReachVPS(QuadVarying input) : SV_Target0
+{
+    return reachAlong(SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), reachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+}
+
+bool outOfReach(float2 uv)
+{
+    return tex2Dlod(gCullReach, float4(uv, 0.0, 0.0)).x < 0.5;
+}
+
+float4 PrePass1ReachPS(QuadVarying input) : SV_Target0
+{
+    clip(outOfReach(input.uv) && blackAround(input.uv) ? 1.0 : -1.0);
+    return 0.0;
+}
+
+CullVarying PrePass2ReachVS(MeshInput input)
+{
+    CullVarying output = cullVarying(input);
+    output.position = HALF_PIXEL(unwrapPosition(input.uv, 1.0), gViewportSize);
+    return output;
+}
+
+float4 PrePass2ReachPS(CullVarying input) : SV_Target0
+{
+    clip(outOfReach(input.uv) ? 1.0 : -1.0);
+    return 0.0;
+}
+
+#endif

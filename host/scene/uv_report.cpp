@@ -46,6 +46,8 @@ Polygon insideUnitSquare(Polygon polygon) {
         polygon = clipped(polygon, axis, 1, 1);
         polygon = clipped(polygon, axis, 0, -1);
     }
+    for (glm::dvec2& point : polygon) // an edge of length 1e30 is cut with an error of 1e14
+        point = glm::clamp(point, glm::dvec2(0), glm::dvec2(1));
     return polygon;
 }
 

@@ -18,7 +18,7 @@ std::string describe(const FileReport& file) {
     std::string text = file.file.string() + " " + file.variant + "\n";
     for (const Diagnostic& diagnostic : file.diagnostics)
         text += format(diagnostic) + "\n";
-    for (const TargetReport& target : file.targets) {
+    for (const TargetCheck& target : file.targets) {
         text += std::string(targetName(target.target)) + " " + target.reason + "\n";
         for (const Diagnostic& diagnostic : target.diagnostics)
             text += format(diagnostic) + "\n";
@@ -85,13 +85,13 @@ TEST(Effects, compile_to_spirv_by_both_compilers_which_see_the_same_parameters_i
     const CheckReport report = checkEffects(files, spirvTargets(), {.variants = settingVariants(), .includeFolders = {}});
     EXPECT_EQ(report.files.size(), 3 * files.size());
     for (const FileReport& file : report.files)
-        for (const TargetReport& target : file.targets)
+        for (const TargetCheck& target : file.targets)
             EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
 }
 
 TEST_F(Check, a_good_effect_passes_and_its_entry_points_are_counted) {
     const FileReport good = checkOne(effect("good.fx", kPass + "float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }"), spirvTargets());
-    for (const TargetReport& target : good.targets) {
+    for (const TargetCheck& target : good.targets) {
         EXPECT_EQ(target.verdict, Verdict::Passed) << describe(good);
         EXPECT_EQ(target.entries, 2);
     }
@@ -100,7 +100,7 @@ TEST_F(Check, a_good_effect_passes_and_its_entry_points_are_counted) {
 TEST_F(Check, a_pixel_shader_that_reads_what_nobody_writes_fails) {
     const FileReport report =
         checkOne(effect("link.fx", kPass + "float4 PS(float2 uv : TEXCOORD5) : SV_Target0 { return uv.xyxy; }"), spirvTargets());
-    for (const TargetReport& target : report.targets) {
+    for (const TargetCheck& target : report.targets) {
         EXPECT_EQ(target.verdict, Verdict::Failed);
         ASSERT_EQ(target.diagnostics.size(), 1U) << describe(report);
         EXPECT_EQ(target.diagnostics[0].code, 3004);
@@ -122,7 +122,7 @@ TEST_F(Check, a_direct3d_9_file_is_not_checked_for_spirv_and_says_where) {
                                          "float4 PS(float2 uv : TEXCOORD0) : COLOR0 { return tex2D(gSkin, uv); }\n"
                                          "technique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n");
     const FileReport report = checkOne(path, spirvTargets());
-    for (const TargetReport& target : report.targets) {
+    for (const TargetCheck& target : report.targets) {
         EXPECT_EQ(target.verdict, Verdict::NotChecked) << describe(report);
         EXPECT_TRUE(target.reason.starts_with("Direct3D 9 intrinsic at " + path.string() + "(")) << target.reason;
     }
@@ -132,7 +132,7 @@ TEST_F(Check, a_file_that_the_front_end_refuses_fails_on_every_target) {
     const FileReport report =
         checkOne(effect("broken.fx", "technique { pass P { NoSuchState = 1; } }"), {kAllTargets.begin(), kAllTargets.end()});
     EXPECT_FALSE(report.diagnostics.empty());
-    for (const TargetReport& target : report.targets)
+    for (const TargetCheck& target : report.targets)
         EXPECT_EQ(target.verdict, Verdict::Failed);
 }
 
@@ -140,13 +140,13 @@ TEST_F(Check, a_missing_file_fails_on_every_target) {
     const FileReport report = checkOne("nowhere.fx", {kAllTargets.begin(), kAllTargets.end()});
     ASSERT_EQ(report.diagnostics.size(), 1U);
     EXPECT_EQ(report.diagnostics[0].code, 5001);
-    for (const TargetReport& target : report.targets)
+    for (const TargetCheck& target : report.targets)
         EXPECT_EQ(target.verdict, Verdict::Failed);
 }
 
 TEST_F(Check, a_file_without_passes_is_not_checked) {
     const FileReport report = checkOne(effect("empty.fx", "float4 gTint;\n"), spirvTargets());
-    for (const TargetReport& target : report.targets) {
+    for (const TargetCheck& target : report.targets) {
         EXPECT_EQ(target.verdict, Verdict::NotChecked);
         EXPECT_EQ(target.reason, "no pass names a shader");
     }
@@ -163,7 +163,7 @@ TEST_F(Check, a_missing_microsoft_compiler_is_not_checked_and_never_passed) {
         ::setenv("TEGUMENT_D3DCOMPILER", kept.c_str(), 1);
     EXPECT_FALSE(report.failed());
     EXPECT_FALSE(report.complete());
-    for (const TargetReport& target : report.files.at(0).targets) {
+    for (const TargetCheck& target : report.files.at(0).targets) {
         EXPECT_EQ(target.verdict, Verdict::NotChecked);
         EXPECT_FALSE(target.reason.empty());
     }

@@ -1,11 +1,9 @@
 #include "host/run/frame.h"
 
 #include "host/run/constants.h"
-#include "host/support/text.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cassert>
 #include <optional>
 
@@ -111,10 +109,8 @@ Result<std::uint32_t> instancesOf(const Builder& builder, const DrawStep& step) 
     const Annotation* annotation = step.pass->annotations.find("Instances");
     if (!annotation) return 1U;
     const std::string name = step.pass->annotations.string("Instances").value_or("");
-    const auto& parameters = builder.input.effect.parameters;
-    const auto parameter =
-        std::ranges::find_if(parameters, [&](const Parameter& candidate) { return equalsIgnoreCase(candidate.name, name); });
-    assert(parameter != parameters.end()); // host/effect has checked the annotation
+    const Parameter* parameter = builder.input.effect.findParameter(name);
+    assert(parameter); // host/effect has checked the annotation
     const auto value = builder.prepared.values.require(*parameter);
     if (!value) return value.error();
     constexpr double kMost = 65536;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tegument::run {
 
 namespace {
@@ -100,7 +102,7 @@ private:
         if (!value) return value.error();
         if (value->empty()) return {};
         if (step.what == ClearKind::Depth) step.depth = static_cast<float>(value->front());
-        if (step.what == ClearKind::Stencil) step.stencil = static_cast<std::uint32_t>(value->front());
+        if (step.what == ClearKind::Stencil) step.stencil = static_cast<std::uint32_t>(std::clamp(value->front(), 0.0, 255.0));
         if (step.what == ClearKind::Color)
             for (std::size_t i = 0; i < 4; ++i)
                 step.color[i] = i < value->size() ? static_cast<float>((*value)[i]) : i == 3 ? 1.0F : 0.0F;

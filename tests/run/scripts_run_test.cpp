@@ -129,6 +129,13 @@ TEST_F(Scripts, a_prepass_with_greater_culls_what_equal_then_draws) {
         EXPECT_EQ(map.at(x, 4, 0), x < 8 ? 0.0F : 1.0F) << x;
 }
 
+TEST_F(Scripts, a_depth_target_can_be_sampled_in_a_later_pass) {
+    const auto result = draw(picture("DepthRead"));
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_NEAR(result->image.at(0, 0, 0), 0.5F, 1e-7) << "one step of 24 bits";
+    EXPECT_EQ(result->image.at(15, 0, 0), 0.0F);
+}
+
 TEST_F(Scripts, v_is_zero_in_the_top_row_of_a_quad) {
     const auto result = draw(picture("Orientation"));
     ASSERT_TRUE(succeeded(result));

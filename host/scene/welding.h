@@ -3,31 +3,30 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <unordered_map>
 #include <vector>
 
 namespace tegument {
 
-/// FNV-1a over words; keys are arrays of float bits.
+/// The bits of some floats, so that keys compare exactly; 0.0 and -0.0 are one key. Hashed by FNV-1a over words.
 template <std::size_t N>
 struct FloatKey {
-    std::array<float, N> values{};
+    std::array<std::uint32_t, N> bits{};
 
-    /// 0.0 and -0.0 are one key.
-    explicit FloatKey(const std::array<float, N>& from) : values(from) {
-        for (float& value : values)
-            if (value == 0) value = 0;
+    explicit FloatKey(const std::array<float, N>& values) {
+        for (std::size_t i = 0; i < N; ++i)
+            bits[i] = values[i] == 0 ? 0 : std::bit_cast<std::uint32_t>(values[i]);
     }
-    bool operator==(const FloatKey& other) const { return std::memcmp(values.data(), other.values.data(), sizeof(values)) == 0; }
+    bool operator==(const FloatKey&) const = default;
 
     struct Hash {
         std::size_t operator()(const FloatKey& key) const {
             std::uint64_t hash = 0xcbf29ce484222325u;
-            for (const float value : key.values) {
-                hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3u;
+            for (const std::uint32_t word : key.bits) {
+                hash = (hash ^ word) * 0x100000001b3u;
                 hash ^= hash >> 29; // FNV mixes only upwards
             }
             return static_cast<std::size_t>(hash);

@@ -45,15 +45,21 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-Ran renderQuad(const std::string& name, const std::string& text, std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments = {"render", write(name, text), "-o", (scratch() / (name + ".png")).string(), "--size", "16x16"};
+bool has(const std::vector<std::string>& arguments, const std::string& option) {
+    return std::ranges::find(arguments, option) != arguments.end();
+}
+
+Ran renderQuad(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"render", write(name, text), "--size", "16x16"};
+    if (!has(more, "-o")) arguments.insert(arguments.end(), {"-o", (scratch() / (name + ".png")).string()});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return tegument::test::tegument(arguments);
 }
 
 Ran renderBall(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"render", "effects/OriginalTexture.fx",      "-w",     ballWorkspace(),
-                                          "-o",     (scratch() / "ball.png").string(), "--size", "32x32"};
+    std::vector<std::string> arguments = {"render", "effects/OriginalTexture.fx", "-w", ballWorkspace()};
+    if (!has(more, "-o")) arguments.insert(arguments.end(), {"-o", (scratch() / "ball.png").string()});
+    if (!has(more, "--size")) arguments.insert(arguments.end(), {"--size", "32x32"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return tegument::test::tegument(arguments);
 }
@@ -128,7 +134,7 @@ TEST(BadScene, mesh_without_uvs_says_so) {
                 line.erase(slash, line.find_first_of(" \n", slash) - slash);
         stripped += line;
     }
-    expectMessage(renderBall({"--mesh", write("no_uvs.obj", stripped)}), kInput, {"no_uvs.obj", "UV"});
+    expectMessage(renderBall({"--mesh", write("no_uvs.obj", stripped)}), kInput, {"no_uvs", "UV"});
 }
 
 TEST(BadScene, truncated_glb_names_the_byte) {

@@ -128,6 +128,7 @@ TEST(Pictures, dump_all_writes_every_target_that_was_allocated) {
     ASSERT_FALSE(dumped.report["targets"].empty());
     for (const auto& target : dumped.report["targets"]) {
         const std::string name = target["name"];
+        if (name.starts_with('<')) continue; // the picture's own, given by the caller
         ASSERT_TRUE(dumped.report["dumped"].contains(name)) << name;
         const auto image = ::tegument::loadImage(dumped.report["dumped"][name].get<std::string>());
         ASSERT_TRUE(image) << name;

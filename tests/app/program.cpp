@@ -138,7 +138,9 @@ const std::string& ballWorkspace() {
         for (std::size_t i = 0; i < grey.pixels.size(); ++i)
             grey.pixels[i] += 0.2F * std::sin(static_cast<float>(i));
         EXPECT_TRUE(writePng(scratch() / "grey.png", grey, PngEncoding::Raw));
-        return write("ball.json", fmt::format(R"({{"mesh": "{}", "unit_mm": 1, "textures": {{"DIFFUSE": "grey.png"}}}})", ballMesh()));
+        return write("ball.json", fmt::format(R"({{"mesh": "{}", "unit_mm": 1, "textures": {{"DIFFUSE": "grey.png"}},
+ "camera": {{"position": [1, 0.5, 5]}}, "light": {{"position": [-3, 2, 5]}}}})",
+                                              ballMesh()));
     }();
     return kPath;
 }

@@ -58,7 +58,7 @@ struct FileReport {
     std::filesystem::path file;
     std::string variant;
     std::vector<Diagnostic> diagnostics; // of the front end; with an error among them every target has failed
-    std::vector<TargetCheck> targets;   // in the order asked for
+    std::vector<TargetCheck> targets;    // in the order asked for
     std::vector<EntryUsage> sm3;         // with target fx_2_0
 };
 

@@ -56,8 +56,8 @@ public:
     fs::path path;
 };
 
-Error notRunnable(std::string text) {
-    return machineError(3104, std::move(text));
+Error notRunnable(std::string text, std::string hint = {}) {
+    return machineError(3104, std::move(text), std::move(hint));
 }
 
 /// Wine looks for a "native" library beside the program: both come into one folder.
@@ -178,7 +178,8 @@ Result<std::vector<MicrosoftResult>> runBatch(std::span<const MicrosoftJob> jobs
     const auto text = readFile(resultsFile);
     if (!text)
         return notRunnable(fmt::format("Microsoft's compiler could not be run in Wine: exit code {}{}{}", process->exitCode,
-                                       process->output.empty() ? "" : ", ", process->output));
+                                       process->output.empty() ? "" : ", ", process->output),
+                           fmt::format("if it stays so, remove {}: Wine makes it anew", (cacheFolder() / "wine").string()));
 
     std::vector<MicrosoftResult> results;
     for (std::size_t at = 0; results.size() < jobs.size();) {

@@ -236,7 +236,9 @@ bool Parser::defaultValue(Parameter& parameter) {
         if (!string(text, pieces)) return false;
         parameter.defaultValue = std::move(text);
     } else if (parameter.type.isNumeric()) {
-        if (!initialiser(parameter.type, parameter.defaultValue.emplace())) return false;
+        Value value;
+        if (!initialiser(parameter.type, value)) return false;
+        parameter.defaultValue = std::move(value);
     } else {
         return fail(1101, peek(), fmt::format("'{}' takes no initial value", parameter.type.name));
     }

@@ -84,7 +84,6 @@ private:
     [[nodiscard]] SourcePosition position(const Token& token) const { return sources_.position(token); }
     [[nodiscard]] bool full() const;
 
-private:
     struct Modifiers {
         bool isStatic = false;
         bool isConst = false;

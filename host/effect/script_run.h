@@ -66,7 +66,7 @@ public:
 /// A count above this in one LoopByCount is an error, and so are more commands than this in one run: a script that never ends is a typing
 /// mistake.
 inline constexpr int kMaxLoopCount = 65536;
-inline constexpr long kMaxCommands = 4'000'000;
+inline constexpr long kMaxCommands = 1'000'000;
 
 /// Runs `technique`, or what the global script says when it is empty (without global script: the first technique).
 /// TG2301 selector out of range, TG2302 loop count, TG2303 too many commands, TG2304 no such technique.

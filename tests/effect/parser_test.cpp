@@ -216,6 +216,10 @@ TEST(Robustness, an_error_in_one_pass_does_not_hide_the_next) {
     EXPECT_EQ(effect.error().diagnostics.size(), 2u);
 }
 
+TEST(Robustness, a_version_that_is_no_number_is_an_error) {
+    EXPECT_EQ(firstCode(load("float Script : STANDARDSGLOBAL = wrong;")), 1104);
+}
+
 TEST(Robustness, at_most_twenty_errors_are_reported) {
     std::string text;
     for (int i = 0; i < 100; ++i)

@@ -1,0 +1,1 @@
+float Script : STANDARDSGLOBAL < string ScriptClass = "scene"; > = _;

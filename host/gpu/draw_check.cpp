@@ -60,7 +60,7 @@ Result<void> checkFormats(const PipelineHandle& pipeline, const Scope& scope) {
         return requestError(6035, fmt::format("pipeline '{}' writes {} colour targets, and {} are set", pipeline.name,
                                               pipeline.colorFormats.size(), scope.colors.size()));
     for (std::size_t i = 0; i < scope.colors.size(); ++i)
-        if (const auto fits = checkTarget(pipeline, scope.colors[i], pipeline.colorFormats[i], fmt::format("colour target {}", i)); !fits)
+        if (auto fits = checkTarget(pipeline, scope.colors[i], pipeline.colorFormats[i], fmt::format("colour target {}", i)); !fits)
             return fits;
     if (pipeline.depthFormat) return checkTarget(pipeline, scope.depth, *pipeline.depthFormat, "the depth target");
     if (scope.depth)

@@ -13,7 +13,7 @@ namespace tegument::gpu::detail {
 namespace {
 
 Result<void> checkShaders(const PipelineDesc& desc) {
-    if (const auto vertex = checkShader(desc.vertex.spirv, desc.vertex.entry, ShaderStage::Vertex, desc.name); !vertex) return vertex;
+    if (auto vertex = checkShader(desc.vertex.spirv, desc.vertex.entry, ShaderStage::Vertex, desc.name); !vertex) return vertex;
     if (desc.pixel.spirv.empty()) return {};
     return checkShader(desc.pixel.spirv, desc.pixel.entry, ShaderStage::Pixel, desc.name);
 }
@@ -63,8 +63,8 @@ Result<void> checkBlendable(const DeviceState& device, const PipelineDesc& desc)
 } // namespace
 
 Result<void> checkPipeline(const DeviceState& device, const PipelineDesc& desc) {
-    if (const auto shaders = checkShaders(desc); !shaders) return shaders;
-    if (const auto attachments = checkAttachments(device, desc); !attachments) return attachments;
+    if (auto shaders = checkShaders(desc); !shaders) return shaders;
+    if (auto attachments = checkAttachments(device, desc); !attachments) return attachments;
     if (const auto missing = missingFeature(device, desc); !missing.empty())
         return machineError(6024, fmt::format("pipeline '{}': {} has no {}", desc.name, device.info.name, missing));
     return checkBlendable(device, desc);

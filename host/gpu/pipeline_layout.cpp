@@ -57,7 +57,7 @@ std::string describe(const Binding& binding) {
 Result<void> makeLayout(PipelineHandle& pipeline, const std::vector<Binding>& bindings, vk::ShaderStageFlags stages) {
     pipeline.bindings = bindings;
     std::ranges::sort(pipeline.bindings, {}, place);
-    if (const auto fine = checkBindings(pipeline); !fine) return fine;
+    if (auto fine = checkBindings(pipeline); !fine) return fine;
     pipeline.setCounts.resize(pipeline.bindings.empty() ? 0 : pipeline.bindings.back().set + 1);
     for (const Binding& binding : pipeline.bindings)
         ++pipeline.setCounts[binding.set][static_cast<std::size_t>(binding.kind)];

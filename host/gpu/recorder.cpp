@@ -60,7 +60,7 @@ Result<void> drawChecked(RecorderState& recorder, const Targets& targets, const 
     if (!scope) return scope.error();
     const auto resources = matchResources(pipeline, draw.resources);
     if (!resources) return resources.error();
-    if (const auto geometry = checkGeometry(pipeline, draw); !geometry) return geometry;
+    if (auto geometry = checkGeometry(pipeline, draw); !geometry) return geometry;
 
     bindResources(recorder, pipeline, *resources);
     useResources(recorder, *resources, kSampledByDraw, kStorageInDraw);
@@ -125,7 +125,7 @@ Result<void> Recorder::clearColor(Texture& target, const std::array<float, 4>& r
 
 Result<void> Recorder::clearDepthStencil(Texture& target, std::optional<float> depth, std::optional<std::uint32_t> stencil) {
     assert(target.state);
-    if (const auto possible = detail::checkDepthClear(*target.state, depth, stencil); !possible) return possible;
+    if (auto possible = detail::checkDepthClear(*target.state, depth, stencil); !possible) return possible;
     if (!depth && !stencil) return {};
     detail::PendingClear& clear = detail::pendingClear(state_, *target.state);
     if (depth) clear.depth = depth;
@@ -142,7 +142,7 @@ Result<void> Recorder::dispatch(const Pipeline& pipeline, const std::vector<Boun
                                 std::array<std::uint32_t, 3> groups) {
     assert(pipeline.state && pipeline.state->compute);
     return detail::guarded("recording a dispatch", [&]() -> Result<void> {
-        if (const auto possible = detail::checkGroups(state_.device, *pipeline.state, groups); !possible) return possible;
+        if (auto possible = detail::checkGroups(state_.device, *pipeline.state, groups); !possible) return possible;
         const auto matched = detail::matchResources(*pipeline.state, resources);
         if (!matched) return matched.error();
         detail::endScope(state_);

@@ -107,6 +107,7 @@ std::array<vk::RenderingAttachmentInfo, 2> depthAttachments(RecorderState& recor
 }
 
 vk::Extent2D extent(const Scope& scope) {
+    assert(scope.depth || !scope.colors.empty()); // a pipeline has at least one target
     const TextureDesc& desc = scope.colors.empty() ? scope.depth->desc : scope.colors.front()->desc;
     return {desc.width, desc.height};
 }

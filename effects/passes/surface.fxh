@@ -59,8 +59,9 @@ LitPoint litPoint(SurfaceVarying input)
     p.footprint = tsmFootprint(length(fromLight), gLightFov);
     p.axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
     p.axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
-    float2 slope = tsmSlope(safeNormalize(input.normal), p.axisX, p.axisY, p.toLight, p.footprint);
-    p.shadow = tsmShadow(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth, gShadowTolerance, slope);
+    float3 normal = safeNormalize(input.normal);
+    float2 slope = tsmSlope(normal, p.axisX, p.axisY, p.toLight, p.footprint);
+    p.shadow = tsmShadow(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth, gShadowTolerance, slope) * tsmHorizon(dot(normal, p.toLight));
     return p;
 }
 

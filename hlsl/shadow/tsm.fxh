@@ -5,9 +5,11 @@
 #define TEGUMENT_SHADOW_TSM_FXH
 
 // Smallest N.L that slopes are computed with. Below it the receiving plane is seen edge-on: its depth would change without limit within a texel.
-static const float kSmallestSlopeCosine = 0.1;
+static const float kSmallestSlopeCosine = 0.15;
 // Share of a texel's slope that remains as tolerance, for a curved surface is not the plane it is taken for.
-static const float kSlopeTolerance = 0.5;
+static const float kSlopeTolerance = 1.0;
+// N.L of the mesh at which its own horizon has passed.
+static const float kHorizon = 0.05;
 // Texels whose texture coordinates differ by less are one piece of surface: 3 % of the map, about 9 mm of a head.
 static const float kOnePiece = 0.03;
 
@@ -58,6 +60,12 @@ float4 tsmEntry(SAMPLER2D_PARAM(tsm), float2 coordinate)
     float3 spread = max(max(a, b), max(c, d)).yzw - min(min(a, b), min(c, d)).yzw;
     float4 nearest = lerp(lerp(a, b, step(0.5, f.x)), lerp(c, d, step(0.5, f.x)), step(0.5, f.y));
     return max(spread.x, max(spread.y, spread.z)) < kOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;
+}
+
+// A surface that turns away from the light is shadowed by itself, whatever its normal map says and the map's texels can resolve.
+float tsmHorizon(float cosine)
+{
+    return kFilterShadow ? saturate(cosine / kHorizon) : 1.0;
 }
 
 // Lit where the nearest surface is not before this depth. Texels without surface hold a depth beyond any (the clear value of the script).

@@ -132,17 +132,17 @@ void readBand(Imf::InputFile& file, const Imath::Box2i& window, const std::vecto
     for (std::size_t c = 0; c < names.size(); ++c) {
         char* start = reinterpret_cast<char*>(image.pixels.data() + before + c);
         frame.insert(names[c], Imf::Slice::Make(Imf::FLOAT, start, Imath::V2i(window.min.x, first), static_cast<std::int64_t>(image.width),
-                                                static_cast<std::int64_t>(last - first + 1), pixelBytes, rowBytes));
+                                                std::int64_t{last} - first + 1, pixelBytes, rowBytes));
     }
     file.setFrameBuffer(frame);
     file.readPixels(first, last);
 }
 
 std::optional<Error> windowError(const Encoded& in, const Imath::Box2i& window) {
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    const auto size = [](std::int64_t signedSize) { return static_cast<std::uint64_t>(std::max<std::int64_t>(signedSize, 0)); };
-    return sizeError(in, size(width), size(height));
+    const auto size = [](std::int64_t low, std::int64_t high) {
+        return static_cast<std::uint64_t>(std::max<std::int64_t>(high - low + 1, 0));
+    };
+    return sizeError(in, size(window.min.x, window.max.x), size(window.min.y, window.max.y));
 }
 
 /// The first part's data window, before OpenEXR sizes its tables by it.

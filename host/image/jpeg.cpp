@@ -113,7 +113,7 @@ std::optional<Error> refuse(const Encoded& in, const jpeg_decompress_struct& jpe
     if (jpeg.arith_code) return unsupported(in, "an arithmetic-coded JPEG", "save it as baseline or progressive JPEG");
     // Huffman coding spends at least one bit on each 8 x 8 block, so this many bytes are needed before memory is taken by the header's
     // word.
-    const std::uint64_t leastBytes = std::uint64_t{jpeg.image_width} * jpeg.image_height / (64 * 8);
+    const std::uint64_t leastBytes = std::uint64_t{jpeg.image_width} * jpeg.image_height / 512;
     if (in.bytes.size() < leastBytes)
         return truncated(in, in.bytes.size(), fmt::format("{} x {} pixels need more bytes", jpeg.image_width, jpeg.image_height));
     return std::nullopt;

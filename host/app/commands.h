@@ -19,5 +19,6 @@ void addRender(CLI::App& program, Action& action);
 void addCheck(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);
 void addPrep(CLI::App& program, Action& action);
+void addSheet(CLI::App& program, Action& action);
 
 } // namespace tegument::app

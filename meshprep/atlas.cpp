@@ -1,4 +1,4 @@
-// Charts are drawn into a grid of cells, grown by half the gutter, and placed largest first, each at the lowest free place; the common
+// Charts are drawn into a grid of cells, grown by half the gutter, and placed largest first, each at the highest free place; the common
 // scale is found by bisection. (B. Levy, S. Petitjean, N. Ray, J. Maillot, Least Squares Conformal Maps, 2002, section 4, packs by
 // horizons; with a handful of charts all cells can be tried instead, so that charts may lie inside each other's hollows.)
 
@@ -27,15 +27,6 @@ struct Stamp {
     glm::dvec2 corner{0}; // in cells
 };
 
-glm::dvec2 turned(const glm::dvec2& p, int quarterTurns) {
-    switch (quarterTurns & 3) {
-    case 1: return {-p.y, p.x};
-    case 2: return -p;
-    case 3: return {p.y, -p.x};
-    default: return p;
-    }
-}
-
 using Triangle = std::array<glm::dvec2, 3>;
 
 /// Whether an axis-aligned square around `centre` meets the triangle: separating axes of both.
@@ -56,14 +47,14 @@ bool meets(const Triangle& t, const glm::dvec2& centre, double half) {
 }
 
 /// Cells whose square, grown by `grow` cells on each side, meets a triangle. Nothing if the chart is larger than the grid.
-std::optional<Stamp> makeStamp(const AtlasChart& chart, int quarterTurns, double cellsPerUnit, double grow) {
+std::optional<Stamp> makeStamp(const AtlasChart& chart, double cellsPerUnit, double grow) {
     std::vector<Triangle> triangles;
     glm::dvec2 low(std::numeric_limits<double>::max());
     glm::dvec2 high(std::numeric_limits<double>::lowest());
     for (const auto& triangle : chart.triangles) {
         Triangle t{};
         for (std::size_t c = 0; c < 3; ++c) {
-            t[c] = turned(glm::dvec2(triangle[c]), quarterTurns) * cellsPerUnit;
+            t[c] = glm::dvec2(triangle[c]) * cellsPerUnit;
             low = glm::min(low, t[c]);
             high = glm::max(high, t[c]);
         }
@@ -87,9 +78,9 @@ std::optional<Stamp> makeStamp(const AtlasChart& chart, int quarterTurns, double
     return stamp;
 }
 
-/// The lowest row, and in it the leftmost column, where the stamp meets nothing.
+/// The highest row, and in it the leftmost column, where the stamp meets nothing.
 std::optional<std::pair<std::size_t, std::size_t>> findPlace(const std::vector<Row>& taken, const Stamp& stamp) {
-    for (std::size_t y = 0; y + stamp.rows.size() <= kPackingCells; ++y)
+    for (std::size_t y = kPackingCells - stamp.rows.size() + 1; y-- > 0;)
         for (std::size_t x = 0; x + stamp.width <= kPackingCells; ++x) {
             const auto free = [&](std::size_t row) { return (taken[y + row] & (stamp.rows[row] << x)).none(); };
             std::size_t row = 0;
@@ -105,27 +96,16 @@ double baseScale(const AtlasChart& chart) {
     return chart.density * std::sqrt(chart.surfaceMm2 / chartArea(chart));
 }
 
-/// Places one chart, by whichever allowed turn comes to lie lowest.
 std::optional<Placement> place(const AtlasChart& chart, double scale, double grow, std::vector<Row>& taken) {
-    std::optional<Placement> best;
-    Stamp bestStamp;
-    std::pair<std::size_t, std::size_t> bestPlace;
-    std::size_t lowest = std::numeric_limits<std::size_t>::max();
     const double cells = static_cast<double>(kPackingCells);
-    for (const int turns : chart.quarterTurns) {
-        std::optional<Stamp> stamp = makeStamp(chart, turns, scale * cells, grow);
-        if (!stamp) continue;
-        const auto found = findPlace(taken, *stamp);
-        if (!found || found->second + stamp->rows.size() >= lowest) continue;
-        lowest = found->second + stamp->rows.size();
-        bestPlace = *found;
-        bestStamp = std::move(*stamp);
-        best = {.quarterTurns = turns, .scale = scale, .offset = (glm::dvec2(found->first, found->second) - bestStamp.corner) / cells};
-    }
-    if (!best) return std::nullopt;
-    for (std::size_t row = 0; row < bestStamp.rows.size(); ++row)
-        taken[bestPlace.second + row] |= bestStamp.rows[row] << bestPlace.first;
-    return best;
+    const std::optional<Stamp> stamp = makeStamp(chart, scale * cells, grow);
+    if (!stamp) return std::nullopt;
+    const auto found = findPlace(taken, *stamp);
+    if (!found) return std::nullopt;
+    const auto [x, y] = *found;
+    for (std::size_t row = 0; row < stamp->rows.size(); ++row)
+        taken[y + row] |= stamp->rows[row] << x;
+    return Placement{.scale = scale, .offset = (glm::dvec2(x, y) - stamp->corner) / cells};
 }
 
 std::optional<std::vector<Placement>> tryScale(const std::vector<AtlasChart>& charts, const std::vector<std::size_t>& order, double scale,
@@ -153,7 +133,7 @@ double chartArea(const AtlasChart& chart) {
 }
 
 glm::vec2 Placement::operator()(const glm::vec2& p) const {
-    return {turned(glm::dvec2(p), quarterTurns) * scale + offset};
+    return {glm::dvec2(p) * scale + offset};
 }
 
 std::vector<Placement> packCharts(const std::vector<AtlasChart>& charts, double gutter) {

@@ -1,5 +1,5 @@
 #pragma once
-// Charts packed into the unit square, each moved by a similarity: turned, scaled, shifted, never mirrored.
+// Charts packed into the unit square, each scaled and shifted, never turned or mirrored.
 
 #include <glm/glm.hpp>
 
@@ -13,15 +13,13 @@ struct AtlasChart {
     std::vector<std::array<glm::vec2, 3>> triangles; // as the chart lies in the plane before packing
     double surfaceMm2 = 0;                           // area of the chart on the mesh
     double density = 1;                              // texels per mm wanted, relative to the other charts
-    std::vector<int> quarterTurns;                   // allowed turns, counter-clockwise in the plane of `triangles`
 };
 
 /// In the plane of `triangles`.
 [[nodiscard]] double chartArea(const AtlasChart& chart);
 
-/// p -> scale * turn(p) + offset, turning by quarterTurns * 90 degrees.
+/// p -> scale * p + offset.
 struct Placement {
-    int quarterTurns = 0;
     double scale = 1;
     glm::dvec2 offset{0};
 

@@ -10,19 +10,19 @@ namespace tegument {
 
 namespace {
 
-constexpr int kHairs = 420;         // on each side; real brows have 250 to 500
-constexpr float kHairWidth = 0.16f; // mm, two hairs side by side: single ones of 0.06 mm would vanish in a texel
+constexpr int kHairs = 420;        // on each side; real brows have 250 to 500
+constexpr float kHairWidth = 0.2f; // mm, two hairs side by side: single ones of 0.06 mm would vanish in a texel
 
 /// The brow's middle line, from the nose (0) to the temple (1), in mm from the eye's centre; x grows away from the nose.
 glm::vec2 browLine(float t) {
     const float x = glm::mix(-16.0f, 29.0f, t);
-    const float rise = t < 0.62f ? glm::mix(17.5f, 23.5f, glm::smoothstep(-0.2f, 0.62f, t)) : glm::mix(23.5f, 17.0f, (t - 0.62f) / 0.38f);
+    const float rise = 17 + 5 * glm::smoothstep(-0.2f, 0.66f, t) - 5.5f * glm::smoothstep(0.55f, 1.15f, t);
     return {x, rise};
 }
 
 /// Half the brow's height: full at the nose, pointed at the temple.
 float browHalfHeight(float t) {
-    return 3.4f * glm::smoothstep(-0.12f, 0.15f, t) * (1 - 0.82f * t);
+    return 4.6f * glm::smoothstep(-0.12f, 0.15f, t) * (1 - 0.78f * t);
 }
 
 float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
@@ -34,7 +34,7 @@ float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2&
 } // namespace
 
 Brows::Brows(const std::array<Eyeball, 2>& eyes, std::uint32_t seed)
-    : brows_{grow(eyes[0], 1, seed), grow(eyes[1], -1, seed + 1)}, front_(eyes[0].centre.z - 5) {}
+    : brows_{grow(eyes[0], 1, seed), grow(eyes[1], -1, seed + 1)}, front_(eyes[0].centre.z - 25) {}
 
 Brows::Brow Brows::grow(const Eyeball& eye, float side, std::uint32_t seed) {
     Brow brow{.low = glm::vec2(std::numeric_limits<float>::max()), .high = glm::vec2(std::numeric_limits<float>::lowest()), .hairs = {}};

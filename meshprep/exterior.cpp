@@ -1,6 +1,7 @@
 #include "meshprep/exterior.h"
 
 #include "meshprep/disjoint_sets.h"
+#include "meshprep/edge_ways.h"
 
 #include <embree3/rtcore.h>
 
@@ -107,15 +108,6 @@ std::vector<std::size_t> unseenPatchSizes(const std::vector<Quad>& quads, const 
     return sizes;
 }
 
-/// Marks the quads that share a vertex with a marked one.
-void grow(const std::vector<Quad>& quads, std::vector<std::uint8_t>& marked) {
-    std::set<std::uint32_t> vertices;
-    for (std::size_t q = 0; q < quads.size(); ++q)
-        if (marked[q] != 0) vertices.insert(quads[q].position.begin(), quads[q].position.end());
-    for (std::size_t q = 0; q < quads.size(); ++q)
-        if (std::ranges::any_of(quads[q].position, [&](std::uint32_t vertex) { return vertices.contains(vertex); })) marked[q] = 1;
-}
-
 } // namespace
 
 std::vector<std::uint8_t> seenFromOutside(const std::vector<glm::vec3>& positions, const std::vector<Quad>& quads,
@@ -133,15 +125,18 @@ std::vector<std::uint8_t> seenFromOutside(const std::vector<glm::vec3>& position
     return seen;
 }
 
-std::vector<std::uint8_t> hiddenPatches(const std::vector<Quad>& quads, const std::vector<std::uint8_t>& seen, std::size_t leastPatch,
-                                        int rings) {
+std::vector<std::uint8_t> hiddenPatches(const std::vector<glm::vec3>& positions, const std::vector<Quad>& quads,
+                                        const std::vector<std::uint8_t>& seen, std::size_t leastPatch, float rim) {
     const std::vector<std::size_t> sizes = unseenPatchSizes(quads, seen);
-    std::vector<std::uint8_t> kept = seen;
-    for (int ring = 0; ring < rings; ++ring)
-        grow(quads, kept);
-    std::vector<std::uint8_t> hidden(quads.size(), 0);
+    std::set<std::uint32_t> seenVertices;
     for (std::size_t q = 0; q < quads.size(); ++q)
-        hidden[q] = kept[q] == 0 && sizes[q] >= leastPatch ? 1 : 0;
+        if (seen[q] != 0) seenVertices.insert(quads[q].position.begin(), quads[q].position.end());
+    const EdgeWays ways = waysAlongEdges(positions, quads, {seenVertices.begin(), seenVertices.end()}, rim);
+    std::vector<std::uint8_t> hidden(quads.size(), 0);
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        const bool far = std::ranges::all_of(quads[q].position, [&](std::uint32_t v) { return ways.length[v] >= rim; });
+        hidden[q] = seen[q] == 0 && far && sizes[q] >= leastPatch ? 1 : 0;
+    }
     return hidden;
 }
 

@@ -12,16 +12,16 @@ namespace tegument {
 
 struct ExteriorRays {
     int directions = 256; // evenly spread over the sphere; those on the side of a quad's normal are tried
-    int leastLeaving = 4; // so many must leave the mesh: one ray that finds a crack does not make a cavity a part of the outside
+    int leastLeaving = 3; // so many must leave the mesh: one ray that finds a crack does not make a cavity a part of the outside
 };
 
 /// For each quad 1 where, from its centre, at least `leastLeaving` rays leave the mesh without meeting any other quad.
 [[nodiscard]] std::vector<std::uint8_t> seenFromOutside(const std::vector<glm::vec3>& positions, const std::vector<Quad>& quads,
                                                         const ExteriorRays& rays = {});
 
-/// The quads that are safe to take away: unseen ones in a patch (quads joined by edges) of at least `leastPatch` quads, without the first
-/// `rings` rings of unseen quads behind the seen ones.
-[[nodiscard]] std::vector<std::uint8_t> hiddenPatches(const std::vector<Quad>& quads, const std::vector<std::uint8_t>& seen,
-                                                      std::size_t leastPatch, int rings);
+/// The quads that are safe to take away: unseen ones in a patch (quads joined by edges) of at least `leastPatch` quads, whose corners are
+/// all farther than `rim` from every seen quad, measured along edges.
+[[nodiscard]] std::vector<std::uint8_t> hiddenPatches(const std::vector<glm::vec3>& positions, const std::vector<Quad>& quads,
+                                                      const std::vector<std::uint8_t>& seen, std::size_t leastPatch, float rim);
 
 } // namespace tegument

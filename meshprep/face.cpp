@@ -79,7 +79,7 @@ Regions Face::regionsAt(const SurfacePoint& point) const {
     const float front = glm::smoothstep(eye.centre.z - 70, eye.centre.z - 20, p.z);
     const glm::vec2 folded(std::abs(p.x), p.y); // both sides alike
     const glm::vec2 eyeAtFront(std::abs(eye.centre.x), eye.centre.y);
-    r.lips = bilinear(masks_.lips, point.sourceUv);
+    r.lips = glm::smoothstep(0.25f, 0.85f, bilinear(masks_.lips, point.sourceUv));
     r.lids = bilinear(masks_.eyelids, point.sourceUv);
     r.ears = bilinear(masks_.ears, point.sourceUv);
     r.nose = bell(glm::distance(p, noseTip_ - glm::vec3(0, 0, 6)), 10);
@@ -90,8 +90,8 @@ Regions Face::regionsAt(const SurfacePoint& point) const {
     r.underEyes = front * bell(folded - eyeAtFront - glm::vec2(-3, -12), glm::vec2(11, 4.5f));
     r.neck = 1 - glm::smoothstep(chin_ - 12, chin_ + 4, p.y + 0.35f * std::min(0.0f, p.z - eye.centre.z));
     const float offEye = glm::distance(p, eye.centre) - eye.radius; // lids lie on the eyeball
-    r.waterline = 1 - glm::smoothstep(0.3f, 1.1f, offEye);
-    const float lashes = bell(offEye - 1.3f, 0.55f);
+    r.waterline = 1 - glm::smoothstep(0.0f, 0.8f, offEye);
+    const float lashes = bell(offEye - 1.1f, 0.45f);
     const float upper = glm::smoothstep(-1.5f, 2.5f, p.y - eye.centre.y);
     r.upperLashes = lashes * upper;
     r.lowerLashes = lashes * (1 - upper);

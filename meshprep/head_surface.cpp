@@ -5,6 +5,7 @@
 #include "meshprep/cut.h"
 #include "meshprep/exterior.h"
 #include "meshprep/subdivide.h"
+#include "meshprep/unfold.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,8 @@ namespace tegument {
 namespace {
 
 constexpr std::size_t kLeastHiddenPatch = 12; // coarse quads: a smaller unseen patch is a fold of the surface, not an inner space
-constexpr int kRimRings = 2;                  // stay behind the lips and lids, against gaps at their corners
+constexpr float kSkinRim = 8;                 // mm of unseen skin that stay behind lips and lids, against gaps at their corners
+constexpr float kEyeRim = 2;                  // mm; an eyeball needs less: the lids lie on it
 constexpr double kEyeDensity = 2;             // the iris is small, and the first thing that is looked at
 constexpr double kBaseDensity = 0.25;         // nobody looks at the bottom
 
@@ -48,7 +50,11 @@ std::vector<std::uint8_t> hiddenCoarseQuads(const Bust& bust, const Subdivided& 
     std::vector<std::uint8_t> seen(bust.quads.size(), 0);
     for (std::size_t q = 0; q < fine.quads.size(); ++q)
         if (fineSeen[q] != 0) seen[fine.parents[q]] = 1;
-    return hiddenPatches(bust.quads, seen, kLeastHiddenPatch, kRimRings);
+    std::vector<std::uint8_t> hidden = hiddenPatches(bust.positions, bust.quads, seen, kLeastHiddenPatch, kSkinRim);
+    const std::vector<std::uint8_t> hiddenEyes = hiddenPatches(bust.positions, bust.quads, seen, kLeastHiddenPatch, kEyeRim);
+    for (std::size_t q = 0; q < hidden.size(); ++q)
+        if (bust.parts[q] != BustPart::Skin) hidden[q] = hiddenEyes[q];
+    return hidden;
 }
 
 /// Two triangles for each quad that stays.
@@ -84,7 +90,8 @@ double densityOf(BustPart part) {
 
 class HeadBuilder {
 public:
-    HeadBuilder(const TriangleSurface& surface) : surface_(surface), chartOf_(chartsOf(surface.triangles)) {}
+    HeadBuilder(const TriangleSurface& surface)
+        : surface_(surface), chartOf_(chartsOf(surface.triangles)), plane_(unfoldCharts(surface, chartOf_)) {}
 
     Result<HeadSurface> build(double gutter) {
         collectCharts();
@@ -107,7 +114,6 @@ private:
 
     void collectCharts() {
         charts_.resize(std::size_t{1} + std::ranges::max(chartOf_));
-        std::vector<glm::dvec2> up(charts_.size(), glm::dvec2(0)); // the mean direction of growing y
         for (std::size_t t = 0; t < chartOf_.size(); ++t) {
             const CornerTriangle& triangle = surface_.triangles[t];
             AtlasChart& chart = charts_[chartOf_[t]];
@@ -115,28 +121,18 @@ private:
             std::array<glm::vec2, 3> uv{};
             for (std::size_t c = 0; c < 3; ++c) {
                 p[c] = surface_.positions[triangle.position[c]];
-                uv[c] = surface_.uvs[triangle.uv[c]];
+                uv[c] = plane_[triangle.uv[c]];
             }
             chart.triangles.push_back(uv);
             chart.surfaceMm2 += triangleArea(p[0], p[1], p[2]);
             chart.density = densityOf(triangle.part);
-            for (std::size_t c = 0; c < 3; ++c)
-                up[chartOf_[t]] += glm::dvec2((uv[(c + 1) % 3] - uv[c]) * (p[(c + 1) % 3].y - p[c].y));
         }
-        for (std::size_t i = 0; i < charts_.size(); ++i)
-            charts_[i].quarterTurns = {uprightTurn(up[i])};
-    }
-
-    /// Quarter turns that bring a direction nearest to "up", so that the maps can be read as a face.
-    static int uprightTurn(const glm::dvec2& up) {
-        if (std::abs(up.y) >= std::abs(up.x)) return up.y >= 0 ? 0 : 2;
-        return up.x >= 0 ? 1 : 3;
     }
 
     std::uint32_t vertexOf(std::uint32_t position, std::uint32_t uv, const Placement& placement) {
         const auto [entry, isNew] = vertices_.try_emplace({position, uv}, static_cast<std::uint32_t>(head_.mesh.positions.size()));
         if (isNew) {
-            const glm::vec2 placed = placement(surface_.uvs[uv]);
+            const glm::vec2 placed = placement(plane_[uv]);
             head_.mesh.positions.push_back(surface_.positions[position]);
             head_.mesh.normals.push_back(surface_.normals[position]);
             head_.mesh.uvs.emplace_back(placed.x, 1 - placed.y);
@@ -175,6 +171,7 @@ private:
 
     const TriangleSurface& surface_;
     std::vector<std::uint32_t> chartOf_; // of each triangle
+    std::vector<glm::vec2> plane_;       // of each texture coordinate
     std::vector<AtlasChart> charts_;
     std::vector<Placement> placements_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> vertices_;

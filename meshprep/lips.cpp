@@ -1,13 +1,13 @@
 #include "meshprep/lips.h"
 
 #include "meshprep/charts.h"
+#include "meshprep/edge_ways.h"
 #include "meshprep/subdivide.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <set>
 
 namespace tegument {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kReach = 12;     // mm along the skin: from the rim to where the lips' skin passes into the face's
 constexpr float kOverlap = 0.3f; // mm: lips press on each other
-constexpr float kBin = 1;        // mm of x
+constexpr int kBins = 48;        // from one corner of the mouth to the other
 
 /// The skin around the mouth: quads of the two charts that meet in the lips' inner rim.
 struct Mouth {
@@ -62,39 +62,25 @@ std::set<std::uint32_t> rimOf(const std::vector<Quad>& quads, const std::vector<
     return rim;
 }
 
-/// Shortest ways along edges (Dijkstra 1959) from the rim, whose lips are told apart by the line between its corners.
+/// The rim's lips are told apart by the line between its corners.
 LipSides findSides(const std::vector<glm::vec3>& positions, const std::vector<Quad>& quads, const std::vector<std::uint8_t>& kinds) {
-    std::vector<std::vector<std::uint32_t>> neighbours(positions.size());
-    for (std::size_t q = 0; q < quads.size(); ++q)
-        for (std::size_t c = 0; kinds[q] != 0 && c < 4; ++c) {
-            neighbours[quads[q].position[c]].push_back(quads[q].position[(c + 1) % 4]);
-            neighbours[quads[q].position[(c + 1) % 4]].push_back(quads[q].position[c]);
-        }
     const std::set<std::uint32_t> rim = rimOf(quads, kinds);
     const auto [right, left] = std::ranges::minmax(rim, {}, [&](std::uint32_t v) { return positions[v].x; });
-    LipSides sides{.distance = std::vector<float>(positions.size(), kReach), .side = std::vector<int>(positions.size(), 0)};
-    using Step = std::pair<float, std::uint32_t>;
-    std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+    std::vector<int> rimSide(positions.size(), 0);
+    std::vector<std::uint32_t> sources; // all but the corners themselves
     for (const std::uint32_t v : rim) {
         const float along = (positions[v].x - positions[right].x) / (positions[left].x - positions[right].x);
         const float height = positions[v].y - glm::mix(positions[right].y, positions[left].y, along);
-        if (height == 0) continue; // the corners themselves
-        sides.side[v] = height > 0 ? 1 : -1;
-        sides.distance[v] = 0;
-        open.emplace(0.0f, v);
+        rimSide[v] = height > 0 ? 1 : height < 0 ? -1 : 0;
+        if (height != 0) sources.push_back(v);
     }
-    while (!open.empty()) {
-        const auto [distance, v] = open.top();
-        open.pop();
-        if (distance > sides.distance[v]) continue;
-        for (const std::uint32_t next : neighbours[v]) {
-            const float farther = distance + glm::distance(positions[v], positions[next]);
-            if (farther >= sides.distance[next]) continue;
-            sides.distance[next] = farther;
-            sides.side[next] = sides.side[v];
-            open.emplace(farther, next);
-        }
-    }
+    std::vector<Quad> around;
+    for (std::size_t q = 0; q < quads.size(); ++q)
+        if (kinds[q] != 0) around.push_back(quads[q]);
+    EdgeWays ways = waysAlongEdges(positions, around, sources, kReach);
+    LipSides sides{.distance = std::move(ways.length), .side = {}};
+    for (std::size_t v = 0; v < positions.size(); ++v)
+        sides.side.push_back(sides.distance[v] < kReach ? rimSide[ways.source[v]] : 0);
     return sides;
 }
 
@@ -110,40 +96,42 @@ public:
                 first_ = std::min(first_, positions[v].x);
                 last = std::max(last, positions[v].x);
             }
-        std::vector<float> upper(static_cast<std::size_t>((last - first_) / kBin) + 1, std::numeric_limits<float>::max());
+        width_ = (last - first_) / kBins;
+        std::vector<float> upper(kBins, std::numeric_limits<float>::max());
         std::vector<float> lower(upper.size(), std::numeric_limits<float>::lowest());
         for (std::size_t v = 0; v < positions.size(); ++v) {
             if (sides.distance[v] > kRim || positions[v].x < first_ || positions[v].x > last) continue;
-            const auto bin = static_cast<std::size_t>((positions[v].x - first_) / kBin);
+            const auto bin = std::min(upper.size() - 1, static_cast<std::size_t>((positions[v].x - first_) / width_));
             if (sides.side[v] > 0) upper[bin] = std::min(upper[bin], positions[v].y);
             if (sides.side[v] < 0) lower[bin] = std::max(lower[bin], positions[v].y);
         }
         for (std::size_t bin = 0; bin < upper.size(); ++bin)
-            gaps_.push_back(upper[bin] >= lower[bin] && upper[bin] - lower[bin] < kReach ? upper[bin] - lower[bin] : 0);
+            gaps_.push_back(std::abs(upper[bin] - lower[bin]) < kReach ? upper[bin] - lower[bin] : -kOverlap);
     }
 
-    /// Fades to 0 towards the corners, where the lips pass into each other and there is nothing to close.
+    /// What is to be closed at x, so that the lips overlap by kOverlap; fades to 0 at the corners, where they pass into each other.
     [[nodiscard]] float at(float x) const {
-        constexpr float kCorner = 5; // mm
-        const float place = (x - first_) / kBin - 0.5f;
+        constexpr float kCorner = 3; // mm
+        const float place = (x - first_) / width_ - 0.5f;
         const float below = std::floor(place);
-        const float toCorner = std::min(x - first_, first_ + kBin * static_cast<float>(gaps_.size()) - x);
-        return glm::smoothstep(0.0f, kCorner, toCorner) *
-               glm::mix(bin(static_cast<long>(below)), bin(static_cast<long>(below) + 1), place - below);
+        const float toCorner = std::min(x - first_, first_ + width_ * kBins - x);
+        const float open = glm::mix(bin(static_cast<long>(below)), bin(static_cast<long>(below) + 1), place - below);
+        return glm::smoothstep(0.0f, kCorner, toCorner) * (open + kOverlap);
     }
     [[nodiscard]] float widest() const {
-        float result = 0;
+        float result = -kReach;
         for (std::size_t i = 0; i < gaps_.size(); ++i)
-            result = std::max(result, at(first_ + kBin * (static_cast<float>(i) + 0.5f)));
+            result = std::max(result, at(first_ + width_ * (static_cast<float>(i) + 0.5f)) - kOverlap);
         return result;
     }
 
 private:
     [[nodiscard]] float bin(long index) const {
-        return index < 0 || index >= static_cast<long>(gaps_.size()) ? 0 : gaps_[static_cast<std::size_t>(index)];
+        return index < 0 || index >= static_cast<long>(gaps_.size()) ? -kOverlap : gaps_[static_cast<std::size_t>(index)];
     }
 
-    float first_ = 0;
+    float first_ = 0; // x of the right corner
+    float width_ = 0; // of a bin, mm
     std::vector<float> gaps_;
 };
 
@@ -158,24 +146,22 @@ Result<GapCurve> measureGap(const Bust& bust, const Mouth& mouth, int levels) {
 
 void pull(Bust& bust, const LipSides& sides, const GapCurve& gap) {
     for (std::size_t v = 0; v < bust.positions.size(); ++v) {
-        const float open = gap.at(bust.positions[v].x);
         const float weight = 1 - glm::smoothstep(kReach / 4, kReach, sides.distance[v]);
-        const float shift = (open + kOverlap * glm::smoothstep(0.0f, kOverlap, open)) / 2;
-        bust.positions[v].y -= static_cast<float>(sides.side[v]) * weight * shift;
+        bust.positions[v].y -= static_cast<float>(sides.side[v]) * weight * gap.at(bust.positions[v].x) / 2;
     }
 }
 
 } // namespace
 
 Result<LipGap> closeLips(Bust& bust, int subdivisionLevels) {
-    constexpr int kPasses = 2; // the limit surface follows its control points only in part
+    constexpr int kPasses = 4; // the limit surface follows its control points only in part
     const std::optional<Mouth> mouth = findMouth(bust);
     if (!mouth) return LipGap{};
     Result<GapCurve> gap = measureGap(bust, *mouth, subdivisionLevels);
     if (!gap) return gap.error();
     LipGap result{.before = gap->widest(), .after = gap->widest()};
     const LipSides sides = findSides(bust.positions, bust.quads, mouth->quads);
-    for (int pass = 0; pass < kPasses && result.after > 0; ++pass) {
+    for (int pass = 0; pass < kPasses && result.after > -kOverlap / 2; ++pass) {
         pull(bust, sides, *gap);
         gap = measureGap(bust, *mouth, subdivisionLevels);
         if (!gap) return gap.error();

@@ -8,7 +8,7 @@ namespace tegument {
 
 struct LipGap {
     float before = 0; // mm, the widest place, corners left out
-    float after = 0;  // 0: they meet
+    float after = 0;  // negative: they overlap by so much
 };
 
 /// Moves upper and lower lip towards each other, each by half of the gap between them at its x (measured on the limit surface), fading out

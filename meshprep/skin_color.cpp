@@ -15,12 +15,12 @@ constexpr float kCheekBlood = 0.0065f;
 constexpr float kNoseBlood = 0.0075f;
 constexpr float kEarBlood = 0.008f;
 constexpr float kChinBlood = 0.003f;
-constexpr float kLidBlood = 0.004f;
-constexpr float kLidMelanin = 0.005f;
-constexpr float kUnderEyeBlood = 0.004f;
+constexpr float kLidBlood = 0.003f;
+constexpr float kLidMelanin = 0.003f;
+constexpr float kUnderEyeBlood = 0.002f;
 constexpr float kForeheadMelanin = 0.003f;
 constexpr float kNeckMelanin = 0.003f;
-constexpr float kWaterlineBlood = 0.03f;
+constexpr float kWaterlineBlood = 0.018f;
 const glm::vec3 kHair(0.045f, 0.027f, 0.017f); // dark brown
 
 /// Freckles: one spot per cell of 2.2 mm at most, more of them where the sun reaches first.
@@ -45,12 +45,12 @@ Pigments skinPigments(const glm::vec3& p, const Regions& r, std::uint32_t seed) 
     const float mottle = fractalNoise(p / 5.0f, 3, seed + 10); // vascular mottling
     const float fine = gradientNoise(p / 1.1f, seed + 20);     // grain
     Pigments pigments;
-    pigments.melanin *= 1 + 0.22f * large + 0.12f * fractalNoise(p / 3.0f, 3, seed + 30) + 0.10f * fine;
-    pigments.melanin += kLidMelanin * r.lids + kForeheadMelanin * r.forehead + kNeckMelanin * r.neck + 0.004f * r.underEyes;
+    pigments.melanin *= 1 + 0.12f * large + 0.10f * fractalNoise(p / 3.0f, 3, seed + 30) + 0.10f * fine;
+    pigments.melanin += kLidMelanin * r.lids + kForeheadMelanin * r.forehead + kNeckMelanin * r.neck + 0.002f * r.underEyes;
     pigments.melanin += 0.022f * freckles(p, r, seed + 40);
     const float flush = kCheekBlood * r.cheeks + kNoseBlood * r.nose + kEarBlood * r.ears + kChinBlood * r.chin + kLidBlood * r.lids +
                         kUnderEyeBlood * r.underEyes + kWaterlineBlood * r.waterline;
-    pigments.blood = (pigments.blood * (1 + 0.35f * large) + flush) * (1 + 0.55f * mottle + 0.15f * fine);
+    pigments.blood = (pigments.blood * (1 + 0.25f * large) + flush) * (1 + 0.38f * mottle + 0.15f * fine);
     pigments.oxygenation -= 0.2f * r.underEyes;
     return pigments;
 }
@@ -68,7 +68,7 @@ glm::vec3 skinColor(const SurfacePoint& point, const Face& face, const Brows& br
     pigments.melanin = glm::mix(pigments.melanin, lips.melanin, r.lips);
     pigments.blood = std::max(0.001f, glm::mix(pigments.blood, lips.blood, r.lips));
     glm::vec3 color = skinReflectance(pigments);
-    color *= 1 - 0.75f * r.upperLashes * (1 - r.waterline) - 0.3f * r.lowerLashes * (1 - r.waterline); // lashes from the front
+    color *= 1 - 0.6f * r.upperLashes * (1 - r.waterline) - 0.15f * r.lowerLashes * (1 - r.waterline); // lashes from the front
     return glm::mix(color, kHair, 0.9f * brows.coverage(point.position, point.texelMm));
 }
 
@@ -87,8 +87,8 @@ glm::vec3 irisColor(float radius, float angle, std::uint32_t seed) {
     const float share = (radius - kPupilRadius) / (kIrisRadius - kPupilRadius);
     const float fibres = fractalNoise(glm::vec3(around * 9.0f, share * 0.9f), 4, seed);
     const float wave = fractalNoise(glm::vec3(around * 2.5f, 3), 2, seed + 5);
-    const glm::vec3 inner(0.16f, 0.085f, 0.03f);   // collarette: hazel
-    const glm::vec3 outer(0.085f, 0.105f, 0.085f); // grey-green
+    const glm::vec3 inner(0.12f, 0.078f, 0.04f);  // collarette: hazel
+    const glm::vec3 outer(0.075f, 0.085f, 0.08f); // grey-green
     const glm::vec3 base = glm::mix(inner, outer, glm::smoothstep(0.1f, 0.55f, share + 0.25f * wave));
     const float ring = 1 - 0.72f * glm::smoothstep(0.7f, 1.0f, share);            // limbal ring
     const float rim = glm::mix(0.45f, 1.0f, glm::smoothstep(0.0f, 0.12f, share)); // pupil's frill

@@ -1,8 +1,8 @@
 // The whole way through the house on a mesh that every machine has: what the program draws obeys the laws of the model.
 
-#include "host/image/image.h"
-#include "tests/app/program.h"
+#include "tests/app/picture.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,36 +11,13 @@
 
 using namespace tegument::test;
 using ::tegument::Image;
-namespace fs = std::filesystem;
 
 namespace {
 
-struct Picture {
-    Image image;
-    nlohmann::json report;
-    fs::path path;
-};
-
-/// `tegument render` of the ball to an EXR, under the validation layers.
-Picture render(const std::string& name, const std::string& effect, const std::vector<std::string>& more = {}) {
-    Picture picture;
-    picture.path = scratch() / (name + ".exr");
-    std::vector<std::string> arguments = {"render", effect, "-w", ballWorkspace(), "-o", picture.path.string(), "--json", "--validate"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Ran ran = tegument::test::tegument(arguments);
-    EXPECT_EQ(ran.code, 0) << ran.err;
-    picture.report = ran.json();
-    EXPECT_TRUE(picture.report["validation_messages"].empty()) << picture.report["validation_messages"];
-    auto image = ::tegument::loadImage(picture.path);
-    EXPECT_TRUE(image);
-    if (image) picture.image = std::move(*image);
-    return picture;
-}
-
 Picture head(const std::string& name, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {"--size", "256x256", "--map-size", "512"};
+    std::vector<std::string> arguments = {"effects/Main.fx", "-w", ballWorkspace(), "--size", "256x256", "--map-size", "512"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return render(name, "effects/Main.fx", arguments);
+    return render(name, arguments);
 }
 
 bool finite(const Image& image) {
@@ -90,9 +67,9 @@ std::array<double, 3> whiteSum(double gain) {
 }
 
 Picture white(const std::string& setting, int bits) {
-    return render("white-" + setting + std::to_string(bits), "effects/Convolution.fx",
-                  {"--technique", "White", "--setting", setting, "--size", "256x256", "--map-size", "256", "-D",
-                   "TEGUMENT_MAP_BITS=" + std::to_string(bits)});
+    return render(fmt::format("white-{}-{}", setting, bits),
+                  {"effects/Convolution.fx", "-w", ballWorkspace(), "--technique", "White", "--setting", setting, "--size", "256x256",
+                   "--map-size", "256", "-D", fmt::format("TEGUMENT_MAP_BITS={}", bits)});
 }
 
 } // namespace

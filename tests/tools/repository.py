@@ -75,6 +75,16 @@ def nothing_is_left_unfinished(root):
         yield f"{path}:{number}: {match[0]}"
 
 
+def every_test_that_the_conventions_name_exists(root):
+    page = root / "docs" / "conventions.md"
+    tests = "\n".join(text_of(path) for path in files(root / "tests", {".cpp"}))
+    defined = set(re.findall(r"^TEST(?:_[FP])?\((\w+),\s*(\w+)\)", tests, flags=re.M))
+    for number, line in enumerate(text_of(page).splitlines(), 1):
+        for suite, name in re.findall(r"`([A-Z]\w+)\.(\w+)`", line):
+            if (suite, name) not in defined:
+                yield f"{page}:{number}: no test {suite}.{name}"
+
+
 def documented_codes(root):
     """Code -> place of every row `| TGnnnn | meaning | what to do |`; a second row of one code is a finding by itself."""
     places = {}
@@ -209,6 +219,7 @@ CHECKS = {
         includes_of_shaders_are_guarded_by_their_name,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,
+        every_test_that_the_conventions_name_exists,
         nothing_but_tests_reads_the_shared_folder,
         dependencies_are_those_that_bootstrap_installs,
     )

@@ -47,6 +47,12 @@ class Checks(unittest.TestCase):
         host = "files.python" + "hosted.org"
         self.finds("no_file_names_a_registry_host_or_a_path_of_one_machine", {"bootstrap": f"curl {host}"}, host)
 
+    def test_a_test_that_the_conventions_name_must_exist(self):
+        check = "every_test_that_the_conventions_name_exists"
+        page = {"docs/conventions.md": "* v down: `Obj.v_is_turned`\n"}
+        self.accepts(check, {**page, "tests/a_test.cpp": "TEST_P(Obj, v_is_turned) {}\n"})
+        self.finds(check, {**page, "tests/a_test.cpp": "TEST(Obj, v_is_kept) {}\n"}, "conventions.md:1: no test Obj.v_is_turned")
+
     def test_an_unfinished_mark_is_found(self):
         mark = "TO" + "DO"
         self.finds("nothing_is_left_unfinished", {"host/a.h": f"int a; // {mark}: more"}, f"host/a.h:1: {mark}")

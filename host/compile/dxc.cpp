@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #ifdef TEGUMENT_HAVE_DXC
-#define __EMULATE_UUID // the header's own switch for compilers without __declspec(uuid)
+#define __EMULATE_UUID // NOLINT(bugprone-reserved-identifier): the header's own switch for compilers without __declspec(uuid)
 #include <dlfcn.h>
 #include <dxcapi.h>
 #include <fcntl.h>
@@ -81,13 +81,14 @@ CComPtr<T> instance(REFCLSID type) {
 /// wchar_t holds UTF-32 here, whatever the locale; an invalid byte becomes '?'.
 std::wstring wide(std::string_view text) {
     std::wstring result;
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned>(static_cast<unsigned char>(text[at])); };
     for (std::size_t at = 0; at < text.size();) {
-        const auto first = static_cast<unsigned char>(text[at++]);
+        const unsigned first = byte(at++);
         const int more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
         unsigned value = more == 0 ? first : first & (0x3fU >> static_cast<unsigned>(more));
         int left = more;
-        for (; left > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U; --left)
-            value = value << 6U | (static_cast<unsigned char>(text[at++]) & 0x3fU);
+        for (; left > 0 && at < text.size() && (byte(at) & 0xc0U) == 0x80U; --left)
+            value = value << 6U | (byte(at++) & 0x3fU);
         result += left > 0 || (more == 0 && first >= 0x80) ? L'?' : static_cast<wchar_t>(value);
     }
     return result;
@@ -96,7 +97,7 @@ std::wstring wide(std::string_view text) {
 std::string narrow(const wchar_t* text) {
     std::string result;
     for (; *text != 0; ++text) {
-        const auto c = static_cast<unsigned>(*text);
+        const auto c = static_cast<char32_t>(*text);
         const auto tail = [&](unsigned shift) { result += static_cast<char>(0x80U | ((c >> shift) & 0x3fU)); };
         if (c < 0x80) {
             result += static_cast<char>(c);
@@ -165,7 +166,7 @@ std::vector<std::wstring> arguments(const ShaderRequest& request) {
         list.push_back(wide(flag));
     for (const auto& [name, value] : request.defines) {
         list.emplace_back(L"-D");
-        list.push_back(wide(name + "=" + value));
+        list.push_back(wide(fmt::format("{}={}", name, value)));
     }
     return list;
 }
@@ -242,6 +243,7 @@ Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes)
 
     const std::vector<std::wstring> list = arguments(request);
     std::vector<LPCWSTR> pointers;
+    pointers.reserve(list.size());
     for (const std::wstring& argument : list)
         pointers.push_back(argument.c_str());
     const DxcBuffer source{request.code.data(), request.code.size(), DXC_CP_UTF8};

@@ -67,8 +67,8 @@ std::optional<EffectContent> readFx2(std::string_view bytes) {
 
 /// fx_4_0 and fx_5_0: word 7 counts the techniques, word 17 the shaders.
 std::optional<EffectContent> readFx4(std::string_view bytes) {
-    constexpr std::size_t kTechniques = 7 * 4;
-    constexpr std::size_t kShaders = 17 * 4;
+    constexpr std::size_t kTechniques = 28;
+    constexpr std::size_t kShaders = 68;
     if (bytes.size() < kShaders + 4) return {};
     return EffectContent{.techniques = static_cast<int>(wordAt(bytes, kTechniques)), .shaders = static_cast<int>(wordAt(bytes, kShaders))};
 }
@@ -77,7 +77,7 @@ std::optional<EffectContent> readFx4(std::string_view bytes) {
 std::string_view fxChunk(std::string_view bytes) {
     constexpr std::size_t kCount = 28;
     const std::uint32_t count = wordAt(bytes, kCount);
-    for (std::uint32_t i = 0; i < count && kCount + 4 * i < bytes.size(); ++i) {
+    for (std::uint32_t i = 0; i < count && kCount + std::size_t{4} * i < bytes.size(); ++i) {
         const std::size_t at = wordAt(bytes, kCount + 4 + 4 * std::size_t{i});
         if (at + 8 <= bytes.size() && bytes.substr(at, 4) == "FX10") return bytes.substr(at + 8, wordAt(bytes, at + 4));
     }

@@ -218,6 +218,7 @@ Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<Micr
         std::ranges::move(*batch, std::back_inserter(done));
     }
     std::vector<MicrosoftResult> results;
+    results.reserve(jobs.size());
     auto next = done.begin();
     for (const MicrosoftJob& job : jobs)
         results.push_back(canBeListed(job) ? std::move(*next++) : notListable(job));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,12 +73,7 @@ private:
     void readDecoration(const Instruction& instruction);
     void readDefinition(const Instruction& instruction);
 
-    struct DecorationKey {
-        Id id;
-        std::uint32_t member;
-        spv::Decoration decoration;
-        auto operator<=>(const DecorationKey&) const = default;
-    };
+    using DecorationKey = std::tuple<Id, std::uint32_t, spv::Decoration>; // object, member, decoration
     Words words_;
     std::vector<Variable> variables_;
     std::map<Id, Type> types_;

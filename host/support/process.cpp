@@ -43,12 +43,13 @@ std::vector<std::string> mergedEnvironment(const ProcessCommand& command) {
         if (std::ranges::none_of(command.environment, [&](const auto& own) { return own.first == name; })) merged.emplace_back(text);
     }
     for (const auto& [name, value] : command.environment)
-        merged.push_back(name + "=" + value);
+        merged.push_back(fmt::format("{}={}", name, value));
     return merged;
 }
 
 std::vector<char*> pointers(std::vector<std::string>& strings) {
     std::vector<char*> list;
+    list.reserve(strings.size() + 1);
     for (std::string& text : strings)
         list.push_back(text.data());
     list.push_back(nullptr);

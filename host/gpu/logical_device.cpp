@@ -45,6 +45,7 @@ FeatureChain wantedFeatures(const FeatureChain& present) {
     auto& vulkan13 = wanted.get<vk::PhysicalDeviceVulkan13Features>(); // these two are part of every Vulkan 1.3
     vulkan13.synchronization2 = true;
     vulkan13.dynamicRendering = true;
+    vulkan13.maintenance4 = true; // a pixel shader may read fewer components than the vertex shader writes; every 1.3 device has it
     vulkan13.shaderDemoteToHelperInvocation = present.get<vk::PhysicalDeviceVulkan13Features>().shaderDemoteToHelperInvocation;
     const auto& border = present.get<vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();
     auto& wantedBorder = wanted.get<vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();

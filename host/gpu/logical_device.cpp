@@ -42,7 +42,7 @@ FeatureChain wantedFeatures(const FeatureChain& present) {
         present.get<vk::PhysicalDeviceVulkan11Features>().shaderDrawParameters;
     wanted.get<vk::PhysicalDeviceVulkan12Features>().samplerMirrorClampToEdge =
         present.get<vk::PhysicalDeviceVulkan12Features>().samplerMirrorClampToEdge;
-    auto& vulkan13 = wanted.get<vk::PhysicalDeviceVulkan13Features>(); // these two are part of every Vulkan 1.3
+    auto& vulkan13 = wanted.get<vk::PhysicalDeviceVulkan13Features>(); // these three are part of every Vulkan 1.3
     vulkan13.synchronization2 = true;
     vulkan13.dynamicRendering = true;
     vulkan13.maintenance4 = true; // a pixel shader may read fewer components than the vertex shader writes; every 1.3 device has it

@@ -2,9 +2,11 @@
 
 #include "tests/app/program.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 using namespace tegument::test;
@@ -115,7 +117,8 @@ TEST(BadScene, missing_texture_names_the_file) {
 }
 
 TEST(BadScene, truncated_texture_names_the_byte) {
-    std::ifstream in(scratch() / "grey.png", std::ios::binary);
+    const fs::path texture = fs::path(ballWorkspace()).replace_filename("grey.png");
+    std::ifstream in(texture, std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(in), {}};
     ASSERT_GT(whole.size(), 100u);
     expectMessage(renderBall({"--set", "gSkinMap=" + write("cut.png", whole.substr(0, whole.size() / 2))}), kInput, {"cut.png", "byte"});
@@ -167,7 +170,7 @@ TEST(BadScene, overlapping_uvs_warn_with_their_share) {
 }
 
 TEST(BadScene, unknown_workspace_key_names_the_line) {
-    const std::string path = write("key.json", "{\n  \"mesh\": \"ball.obj\",\n  \"lihgt\": {}\n}\n");
+    const std::string path = write("key.json", fmt::format("{{\n  \"mesh\": \"{}\",\n  \"lihgt\": {{}}\n}}\n", ballMesh()));
     expectMessage(tegument::test::tegument({"render", "effects/OriginalTexture.fx", "-w", path}), kInput,
                   {"key.json(3,", "lihgt", "light"});
 }

@@ -74,8 +74,8 @@ float Brows::coverage(const glm::vec3& position, float texelMm) const {
         const float distance = std::min(distanceToSegment(p, hair.root, hair.middle), distanceToSegment(p, hair.middle, hair.tip));
         const float toTip = std::clamp(glm::distance(p, hair.root) / glm::distance(hair.tip, hair.root), 0.0f, 1.0f);
         const float half = hair.width * (1 - 0.7f * toTip) / 2;
-        const float edge = texelMm / 2;
-        bare *= 1 - std::clamp((half + edge - distance) / (2 * edge), 0.0f, 1.0f) * std::min(1.0f, 2 * half / texelMm);
+        const float covered = std::min(distance + texelMm / 2, half) - std::max(distance - texelMm / 2, -half);
+        bare *= 1 - std::clamp(covered / texelMm, 0.0f, 1.0f);
     }
     return 1 - bare;
 }

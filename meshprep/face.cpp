@@ -17,6 +17,7 @@ float bell(const glm::vec2& offset, const glm::vec2& widths) {
 }
 
 float bilinear(const Image& image, const glm::vec2& uv) {
+    if (image.pixels.empty()) return 0;
     const float x = uv.x * static_cast<float>(image.width) - 0.5f;
     const float y = (1 - uv.y) * static_cast<float>(image.height) - 0.5f;
     const int column = static_cast<int>(std::floor(x));

@@ -1,5 +1,5 @@
-// Amplitudes and spacings of facial skin: furrows of the micro relief 0.02 to 0.1 mm deep, 0.3 to 1 mm apart, pores 0.05 to 0.5 mm wide
-// (R. M. Lavker, F. Kwong, A. M. Kligman, Changes in skin surface patterns with age, 1980; P. Flament et al., Facial skin pores, 2015).
+// Amplitudes and spacings are chosen by eye within what profilometry reports for facial skin: furrows 0.02 to 0.1 mm deep and 0.3 to 1 mm
+// apart, pores 0.05 to 0.5 mm wide, arithmetic mean roughness of 5 to 40 micrometres (docs/human.md).
 
 #include "meshprep/skin_relief.h"
 
@@ -54,10 +54,10 @@ float microRelief(const glm::vec3& p, const Regions& r, float texelMm, std::uint
     const float net = bare * (1 - 0.5f * r.ears);
     const glm::vec3 warped =
         p + 0.35f * glm::vec3(gradientNoise(p / 1.7f, seed + 3), gradientNoise(p / 1.7f, seed + 4), gradientNoise(p / 1.7f, seed + 5));
-    float depth = 0.045f * pores * pits(p, 1.1f, 0.27f, 0.75f, seed) * resolved(0.5f, texelMm);
-    depth += 0.03f * pores * pits(p, 0.6f, 0.15f, 0.8f, seed + 10) * resolved(0.28f, texelMm);
-    depth += 0.014f * net * furrows(warped, 1.3f, seed + 20) * resolved(0.6f, texelMm);
-    depth += 0.008f * net * furrows(warped, 0.6f, seed + 30) * resolved(0.3f, texelMm);
+    float depth = 0.07f * pores * pits(p, 1.1f, 0.27f, 0.75f, seed) * resolved(0.5f, texelMm);
+    depth += 0.04f * pores * pits(p, 0.6f, 0.15f, 0.8f, seed + 10) * resolved(0.28f, texelMm);
+    depth += 0.024f * net * furrows(warped, 1.3f, seed + 20) * resolved(0.6f, texelMm);
+    depth += 0.012f * net * furrows(warped, 0.6f, seed + 30) * resolved(0.3f, texelMm);
     return depth;
 }
 
@@ -67,7 +67,7 @@ float creases(const glm::vec3& p, const Regions& r, const Eyeball& eye, std::uin
     if (r.forehead > 0.01f) {
         const float wander = 2.5f * gradientNoise(p / 22.0f, seed);
         const float broken = glm::smoothstep(-0.25f, 0.35f, gradientNoise(glm::vec3(p.x / 30, p.y / 6, 0), seed + 1));
-        depth += 0.05f * r.forehead * broken * grooves(glm::vec3(p.x / 60, (p.y + wander) / 9, p.z / 60), 0.07f, seed + 2);
+        depth += 0.035f * r.forehead * broken * grooves(glm::vec3(p.x / 60, (p.y + wander) / 9, p.z / 60), 0.12f, seed + 2);
     }
     const float lids = std::max(r.lids, r.underEyes) * (1 - r.lips);
     if (lids > 0.01f) {
@@ -90,7 +90,7 @@ float lipGrooves(const glm::vec3& p, std::uint32_t seed) {
 } // namespace
 
 float skinRelief(const glm::vec3& position, const Regions& regions, const Eyeball& eye, float texelMm, std::uint32_t seed) {
-    float height = 0.006f * fractalNoise(position / 2.2f, 2, seed) * (1 - regions.lips);
+    float height = 0.01f * fractalNoise(position / 2.2f, 2, seed) * (1 - regions.lips);
     height -= microRelief(position, regions, texelMm, seed + 100) * (1 - regions.waterline);
     height -= creases(position, regions, eye, seed + 200);
     if (regions.lips > 0.01f) height -= regions.lips * lipGrooves(position, seed + 300);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace tegument {
 
@@ -34,15 +35,16 @@ struct Foremost {
     std::uint32_t uv = 0;
 };
 
-Foremost foremostPoint(const TriangleSurface& surface, const std::vector<std::uint32_t>& charts) {
-    Foremost result;
+/// Of the skin; nothing where there is none.
+std::optional<Foremost> foremostPoint(const TriangleSurface& surface, const std::vector<std::uint32_t>& charts) {
+    std::optional<Foremost> result;
     float z = std::numeric_limits<float>::lowest();
     for (std::size_t t = 0; t < charts.size(); ++t)
         for (std::size_t c = 0; c < 3; ++c) {
             const float here = surface.positions[surface.triangles[t].position[c]].z;
             if (surface.triangles[t].part != BustPart::Skin || here <= z) continue;
             z = here;
-            result = {.chart = charts[t], .uv = surface.triangles[t].uv[c]};
+            result = Foremost{.chart = charts[t], .uv = surface.triangles[t].uv[c]};
         }
     return result;
 }
@@ -64,13 +66,14 @@ std::vector<glm::vec2> unfoldCharts(const TriangleSurface& surface, const std::v
     const std::vector<glm::dvec2> up = upDirections(surface, charts);
     std::vector<glm::vec2> plane = surface.uvs;
     std::vector<std::uint8_t> ofFace(plane.size(), 0);
-    const Foremost nose = foremostPoint(surface, charts);
+    const std::optional<Foremost> nose = foremostPoint(surface, charts);
     for (std::size_t t = 0; t < charts.size(); ++t)
         for (const std::uint32_t uv : surface.triangles[t].uv) {
             plane[uv] = turnUpright(surface.uvs[uv], up[charts[t]]);
-            ofFace[uv] = charts[t] == nose.chart ? 1 : 0;
+            ofFace[uv] = nose && charts[t] == nose->chart ? 1 : 0;
         }
-    const glm::vec2 centre = plane[nose.uv];
+    if (!nose) return plane;
+    const glm::vec2 centre = plane[nose->uv];
     float halfWidth = 0;
     for (std::size_t uv = 0; uv < plane.size(); ++uv)
         if (ofFace[uv] != 0) halfWidth = std::max(halfWidth, std::abs(plane[uv].x - centre.x));

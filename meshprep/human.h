@@ -37,7 +37,7 @@ struct HumanReport {
 };
 
 /// Writes human.glb, color.png and normal.png into the output folder, each whole or not at all. The same options give the same bytes.
-/// TG5001 when the source is absent, TG7001 to TG7010 when it is not the MakeHuman body.
+/// TG5001 when the source is absent, TG7001 to TG7009 when it is not the MakeHuman body or an option is out of range.
 [[nodiscard]] Result<HumanReport> prepareHuman(const HumanOptions& options);
 
 } // namespace tegument

@@ -20,5 +20,6 @@ void addCheck(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);
 void addPrep(CLI::App& program, Action& action);
 void addSheet(CLI::App& program, Action& action);
+void addCompare(CLI::App& program, Action& action);
 
 } // namespace tegument::app

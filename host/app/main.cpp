@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     tegument::app::addInfo(program, action);
     tegument::app::addPrep(program, action);
     tegument::app::addSheet(program, action);
+    tegument::app::addCompare(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

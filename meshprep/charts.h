@@ -1,7 +1,7 @@
 #pragma once
 // Charts: faces that share texture coordinates.
 
-#include "meshprep/disjoint_sets.h"
+#include "host/support/disjoint_sets.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "meshprep/exterior.h"
 
-#include "meshprep/disjoint_sets.h"
+#include "host/support/disjoint_sets.h"
 #include "meshprep/edge_ways.h"
 
 #include <embree3/rtcore.h>

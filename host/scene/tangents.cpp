@@ -11,12 +11,12 @@
 
 #include "host/scene/mesh.h"
 #include "host/scene/welding.h"
+#include "host/support/disjoint_sets.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace tegument {
 
@@ -43,25 +43,6 @@ Face faceOf(const Mesh& mesh, std::size_t triangle) {
     if (area == 0 || !(length > 0)) return {};
     return {.alongU = direction / length, .sign = area > 0 ? 1 : -1};
 }
-
-/// Sets of corners, merged as they turn out to belong together.
-class Groups {
-public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    std::uint32_t find(std::uint32_t item) {
-        while (parent_[item] != item)
-            item = parent_[item] = parent_[parent_[item]];
-        return item;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 class TangentMaker {
 public:
@@ -212,7 +193,7 @@ private:
     }
 
     Mesh& mesh_;
-    Groups groups_;
+    DisjointSets groups_; // of corners
     std::vector<Face> faces_;
     std::vector<std::uint32_t> welded_;
     std::vector<int> signs_; // by group root; a group that no signed triangle joined keeps 0 and counts as not mirrored

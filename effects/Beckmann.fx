@@ -32,17 +32,7 @@ technique Beckmann < string Script =
     "RenderColorTarget0=gBeckmannMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    pass Precompute < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL BeckmannPS();
-        STATE_BUFFER;
-    }
-    pass Show < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ShowPS();
-        STATE_BUFFER;
-    }
+    QUAD_PASS(Precompute, QuadVS, BeckmannPS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

@@ -70,84 +70,19 @@ technique Convolution < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    pass TSM < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TsmVS();
-        PixelShader = compile PS_MODEL TsmPS();
-        STATE_TWOSIDED;
-    }
-    pass Irradiance < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL IrradianceVS();
-        PixelShader = compile PS_MODEL IrradiancePS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU1PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV1PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU2PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV2PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU3PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV3PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU4PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV4PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU5PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV5PS();
-        STATE_BUFFER;
-    }
-    pass Show < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ShowPS();
-        STATE_BUFFER;
-    }
+    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 
 technique White < string Script =
@@ -164,77 +99,17 @@ technique White < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    pass Constant < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL ConstantVS();
-        PixelShader = compile PS_MODEL ConstantPS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU1PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV1PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU2PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV2PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU3PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV3PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU4PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV4PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionU5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU5PS();
-        STATE_BUFFER;
-    }
-    pass ConvolutionUV5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV5PS();
-        STATE_BUFFER;
-    }
-    pass Show < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ShowPS();
-        STATE_BUFFER;
-    }
+    MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
+    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

@@ -31,23 +31,8 @@ technique Irradiance < string Script =
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    pass TSM < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TsmVS();
-        PixelShader = compile PS_MODEL TsmPS();
-        STATE_TWOSIDED;
-    }
-    pass Irradiance < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL IrradianceVS();
-        PixelShader = compile PS_MODEL IrradiancePS();
-        STATE_BUFFER;
-    }
-    pass Show < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ShowPS();
-        STATE_BUFFER;
-    }
+    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

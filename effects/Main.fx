@@ -48,96 +48,21 @@ technique DEonLuebke < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    pass TSM < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TsmVS();
-        PixelShader = compile PS_MODEL TsmPS();
-        STATE_TWOSIDED;
-    }
-    pass PrePass1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL PrePass1VS();
-        PixelShader = compile PS_MODEL PrePass1PS();
-        STATE_PREPASS;
-    }
-    pass PrePass2 < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL PrePass2VS();
-        PixelShader = compile PS_MODEL PrePass2PS();
-        STATE_PREPASS;
-    }
-    pass Irradiance < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL IrradianceVS();
-        PixelShader = compile PS_MODEL IrradiancePS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU1PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV1PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU2PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV2PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU3PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV3PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU4PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV4PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU5PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV5PS();
-        STATE_EQUAL;
-    }
-    pass Final < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL FinalVS();
-        PixelShader = compile PS_MODEL FinalPS();
-        STATE_SOLID;
-    }
+    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
+    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
+    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_EQUAL)
+    MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
 }
 
 technique DEonLuebkeCulled < string Script =
@@ -162,120 +87,25 @@ technique DEonLuebkeCulled < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    pass TSM < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TsmVS();
-        PixelShader = compile PS_MODEL TsmPS();
-        STATE_TWOSIDED;
-    }
-    pass CullNeed < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL CullNeedVS();
-        PixelShader = compile PS_MODEL CullNeedPS();
-        STATE_BUFFER;
-    }
-    pass CullTiles < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL CullTilesPS();
-        STATE_BUFFER;
-    }
-    pass CullReachU < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL CullReachUPS();
-        STATE_BUFFER;
-    }
-    pass CullReachV < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL CullReachVPS();
-        STATE_BUFFER;
-    }
-    pass PrePass1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL PrePass1VS();
-        PixelShader = compile PS_MODEL PrePass1ReachPS();
-        STATE_PREPASS;
-    }
-    pass PrePass2 < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL PrePass2ReachVS();
-        PixelShader = compile PS_MODEL PrePass2ReachPS();
-        STATE_PREPASS;
-    }
-    pass Irradiance < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL IrradianceVS();
-        PixelShader = compile PS_MODEL IrradiancePS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU1PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV1 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV1PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU2PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV2 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV2PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU3PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV3 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV3PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU4PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV4 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV4PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionU5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionU5PS();
-        STATE_EQUAL;
-    }
-    pass ConvolutionUV5 < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ConvolutionUV5PS();
-        STATE_EQUAL;
-    }
-    pass Final < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL FinalVS();
-        PixelShader = compile PS_MODEL FinalPS();
-        STATE_SOLID;
-    }
+    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, STATE_BUFFER)
+    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
+    QUAD_PASS(CullReachU, QuadVS, CullReachUPS, STATE_BUFFER)
+    QUAD_PASS(CullReachV, QuadVS, CullReachVPS, STATE_BUFFER)
+    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
+    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
+    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_EQUAL)
+    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_EQUAL)
+    MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
 }
 
 technique Lambert < string Script =
@@ -283,17 +113,7 @@ technique Lambert < string Script =
     "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    pass TSM < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TsmVS();
-        PixelShader = compile PS_MODEL TsmPS();
-        STATE_TWOSIDED;
-    }
-    pass Final < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL FinalVS();
-        PixelShader = compile PS_MODEL LambertPS();
-        STATE_SOLID;
-    }
+    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    MESH_PASS(Final, FinalVS, LambertPS, STATE_SOLID)
 }
 #endif

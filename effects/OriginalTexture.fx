@@ -34,11 +34,6 @@ float4 TexturePS(TextureVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique OriginalTexture < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Texture;"; >
 {
-    pass Texture < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TextureVS();
-        PixelShader = compile PS_MODEL TexturePS();
-        STATE_SOLID;
-    }
+    MESH_PASS(Texture, TextureVS, TexturePS, STATE_SOLID)
 }
 #endif

@@ -60,23 +60,8 @@ technique Stretch < string Script =
     "RenderColorTarget0=gStretchMap; Pass=Fill;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    pass Charts < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL StretchVS();
-        PixelShader = compile PS_MODEL StretchPS();
-        STATE_BUFFER;
-    }
-    pass Fill < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL FillPS();
-        STATE_BUFFER;
-    }
-    pass Show < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ShowPS();
-        STATE_BUFFER;
-    }
+    MESH_PASS(Charts, StretchVS, StretchPS, STATE_BUFFER)
+    QUAD_PASS(Fill, QuadVS, FillPS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

@@ -26,17 +26,7 @@ technique TSM < string Script =
     "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
-    pass TSM < string Script = "Draw=Geometry;"; >
-    {
-        VertexShader = compile VS_MODEL TsmVS();
-        PixelShader = compile PS_MODEL TsmPS();
-        STATE_TWOSIDED;
-    }
-    pass Show < string Script = "Draw=Buffer;"; >
-    {
-        VertexShader = compile VS_MODEL QuadVS();
-        PixelShader = compile PS_MODEL ShowPS();
-        STATE_BUFFER;
-    }
+    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

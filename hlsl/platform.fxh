@@ -82,6 +82,10 @@ RasterizerState fxFrontFaces { CullMode = BACK; FrontCounterClockwise = TRUE; };
 #define STATE_EQUAL FX_STATE(TRUE, FALSE, EQUAL, 15, NONE)
 #define STATE_PREPASS FX_STATE(TRUE, TRUE, GREATER, 0, NONE)
 #endif
+
+// One line per pass: its name, entry points, states.
+#define MESH_PASS(name, vs, ps, states) pass name < string Script = "Draw=Geometry;"; > { VertexShader = compile VS_MODEL vs(); PixelShader = compile PS_MODEL ps(); states; }
+#define QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; > { VertexShader = compile VS_MODEL vs(); PixelShader = compile PS_MODEL ps(); states; }
 #endif
 
 #endif

@@ -1,3 +1,4 @@
-// Group shadow: the translucent shadow map. About the paths see surface.fxh.
+// Group shadow: shadow map, translucent shadow map. About the paths see surface.fxh.
 #include "../hlsl/surface.fxh"
+#include "../hlsl/shadow/map.fxh"
 #include "../hlsl/shadow/tsm.fxh"

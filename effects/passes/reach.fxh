@@ -39,8 +39,8 @@ NeedVarying CullNeedVS(MeshInput input)
 float4 CullNeedPS(NeedVarying input) : SV_Target0
 {
     float slack = kDepthInMillimetres ? kEntrySlack : kEntrySlack / max(gLightFar - gLightNear, kEntrySlack);
-    float depth = tsmDepth(input.lightClip, input.fromLight);
-    float lit = tsmShadow(SAMPLER2D_ARG(gTsm), tsmCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
+    float depth = shadowDepth(input.lightClip, input.fromLight);
+    float lit = shadowTest(SAMPLER2D_ARG(gTsm), shadowCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
     bool needed = !hiddenPoint(input.cull, kFacingSlack) || lit > 0.0;
     return float4(needed ? 1.0 : 0.0, gaussianDensity(tex2Dlod(gStretch, float4(input.cull.uv, 0.0, 0.0))), 1.0);
 }

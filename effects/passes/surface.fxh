@@ -54,14 +54,14 @@ LitPoint litPoint(SurfaceVarying input)
     p.normal = surfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
     p.toLight = safeNormalize(-fromLight);
     p.cosine = dot(p.normal, p.toLight);
-    p.tsmUv = tsmCoordinate(input.lightClip);
-    p.depth = tsmDepth(input.lightClip, fromLight);
-    p.footprint = tsmFootprint(length(fromLight), gLightFov);
+    p.tsmUv = shadowCoordinate(input.lightClip);
+    p.depth = shadowDepth(input.lightClip, fromLight);
+    p.footprint = shadowFootprint(length(fromLight), gLightFov);
     p.axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
     p.axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
     float3 normal = safeNormalize(input.normal);
-    float2 slope = tsmSlope(normal, p.axisX, p.axisY, p.toLight, p.footprint);
-    p.shadow = tsmShadow(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth, gShadowTolerance, slope) * tsmHorizon(dot(normal, p.toLight));
+    float2 slope = shadowSlope(normal, p.axisX, p.axisY, p.toLight, p.footprint);
+    p.shadow = shadowTest(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth, gShadowTolerance, slope) * shadowHorizon(dot(normal, p.toLight));
     return p;
 }
 

@@ -27,7 +27,7 @@ TsmVarying TsmVS(MeshInput input)
 
 float4 TsmPS(TsmVarying input) : SV_Target0
 {
-    return float4(tsmDepth(input.lightClip, input.fromLight), input.uv, 1.0);
+    return float4(shadowDepth(input.lightClip, input.fromLight), input.uv, 1.0);
 }
 
 #endif

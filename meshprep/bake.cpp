@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -148,7 +149,28 @@ private:
     std::vector<std::uint32_t> owner_; // of each texel: its triangle
 };
 
+/// One line of a binomial filter of five taps; its ends are repeated outwards.
+void blurLine(Image& image, std::size_t first, std::size_t step, int count) {
+    std::vector<float> from(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < from.size(); ++i)
+        from[i] = image.pixels[first + i * step];
+    const auto at = [&](int i) { return from[static_cast<std::size_t>(std::clamp(i, 0, count - 1))]; };
+    for (int i = 0; i < count; ++i)
+        image.pixels[first + static_cast<std::size_t>(i) * step] = (at(i - 2) + 4 * at(i - 1) + 6 * at(i) + 4 * at(i + 1) + at(i + 2)) / 16;
+}
+
 } // namespace
+
+void soften(Image& image, int times) {
+    assert(image.channels == 1);
+    const auto width = static_cast<std::size_t>(image.width);
+    for (int i = 0; i < times; ++i) {
+        for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+            blurLine(image, y * width, 1, image.width);
+        for (std::size_t x = 0; x < width; ++x)
+            blurLine(image, x, width, image.height);
+    }
+}
 
 Image bakeTexture(const HeadSurface& head, int size, int channels, const TexelFunction& texel) {
     return Baker(head, size).bake(channels, texel);

@@ -27,4 +27,7 @@ using TexelFunction = std::function<glm::vec4(const SurfacePoint&)>;
 /// eight neighbours), so that filtering and mip maps never meet another colour. The function is called from several threads.
 [[nodiscard]] Image bakeTexture(const HeadSurface& head, int size, int channels, const TexelFunction& texel);
 
+/// `times` a binomial filter of five taps along rows and columns of an image with one channel: reaches 2 * `times` texels.
+void soften(Image& image, int times);
+
 } // namespace tegument

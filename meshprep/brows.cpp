@@ -25,6 +25,9 @@ float browHalfHeight(float t) {
     return 4.6f * glm::smoothstep(-0.12f, 0.15f, t) * (1 - 0.78f * t);
 }
 
+constexpr float kFull = 0.8f;  // mm from the nearest hair: half the widest gap among them
+constexpr float kFaded = 3.0f; // mm
+
 float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
     const glm::vec2 along = b - a;
     const float t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0f, 1.0f);
@@ -65,19 +68,34 @@ Brows::Brow Brows::grow(const Eyeball& eye, float side, std::uint32_t seed) {
     return brow;
 }
 
+float Brows::distanceTo(const Hair& hair, const glm::vec2& p) {
+    return std::min(distanceToSegment(p, hair.root, hair.middle), distanceToSegment(p, hair.middle, hair.tip));
+}
+
 float Brows::coverage(const glm::vec3& position, float texelMm) const {
     const Brow& brow = brows_[position.x >= 0 ? 0 : 1];
     const glm::vec2 p(position);
     if (position.z < front_ || glm::any(glm::lessThan(p, brow.low)) || glm::any(glm::greaterThan(p, brow.high))) return 0;
     float bare = 1;
     for (const Hair& hair : brow.hairs) {
-        const float distance = std::min(distanceToSegment(p, hair.root, hair.middle), distanceToSegment(p, hair.middle, hair.tip));
+        const float distance = distanceTo(hair, p);
         const float toTip = std::clamp(glm::distance(p, hair.root) / glm::distance(hair.tip, hair.root), 0.0f, 1.0f);
         const float half = hair.width * (1 - 0.7f * toTip) / 2;
         const float covered = std::min(distance + texelMm / 2, half) - std::max(distance - texelMm / 2, -half);
         bare *= 1 - std::clamp(covered / texelMm, 0.0f, 1.0f);
     }
     return 1 - bare;
+}
+
+float Brows::presence(const glm::vec3& position) const {
+    const Brow& brow = brows_[position.x >= 0 ? 0 : 1];
+    const glm::vec2 p(position);
+    const bool away = glm::any(glm::lessThan(p, brow.low - kFaded)) || glm::any(glm::greaterThan(p, brow.high + kFaded));
+    if (position.z < front_ || away) return 0;
+    float nearest = kFaded;
+    for (const Hair& hair : brow.hairs)
+        nearest = std::min(nearest, distanceTo(hair, p));
+    return 1 - glm::smoothstep(kFull, kFaded, nearest);
 }
 
 } // namespace tegument

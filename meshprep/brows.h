@@ -18,6 +18,9 @@ public:
     /// How much of the skin at this point hair covers, 0 to 1; hairs thinner than a texel cover it in part.
     [[nodiscard]] float coverage(const glm::vec3& position, float texelMm) const;
 
+    /// How much this point belongs to a brow: 1 among its hairs, 0 from 3 mm outside them.
+    [[nodiscard]] float presence(const glm::vec3& position) const;
+
 private:
     /// A bent hair as it is seen from the front, mm.
     struct Hair {
@@ -32,6 +35,7 @@ private:
         std::vector<Hair> hairs;
     };
 
+    static float distanceTo(const Hair& hair, const glm::vec2& p);
     static Brow grow(const Eyeball& eye, float side, std::uint32_t seed);
 
     std::array<Brow, 2> brows_; // left, right

@@ -1,6 +1,7 @@
 #include "meshprep/face.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tegument {
@@ -29,38 +30,30 @@ float bilinear(const Image& image, const glm::vec2& uv) {
     return glm::mix(glm::mix(at(0, 0), at(1, 0), right), glm::mix(at(0, 1), at(1, 1), right), y - static_cast<float>(row));
 }
 
-/// One direction of a binomial filter of five taps: `step` 1 along rows, the width along columns.
-void blurLines(Image& image, std::ptrdiff_t step) {
-    const std::vector<float> from = image.pixels;
-    const auto count = static_cast<std::ptrdiff_t>(from.size());
-    const auto at = [&](std::ptrdiff_t i) { return from[static_cast<std::size_t>(std::clamp(i, std::ptrdiff_t{0}, count - 1))]; };
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        image.pixels[static_cast<std::size_t>(i)] =
-            (at(i - 2 * step) + 4 * at(i - step) + 6 * at(i) + 4 * at(i + step) + at(i + 2 * step)) / 16;
-}
-
 Result<Image> loadMask(const std::filesystem::path& path) {
     Result<Image> file = loadImage(path);
     if (!file) return file;
     Image mask{.width = file->width, .height = file->height, .channels = 1, .pixels = {}};
     for (std::size_t i = 0; i < file->pixels.size(); i += static_cast<std::size_t>(file->channels))
         mask.pixels.push_back(file->pixels[i]);
-    for (int pass = 0; pass < 2; ++pass) {
-        blurLines(mask, 1);
-        blurLines(mask, mask.width);
-    }
+    soften(mask, 2);
     return mask;
 }
 
 } // namespace
 
+std::vector<std::filesystem::path> regionMaskFiles(const std::filesystem::path& folder) {
+    return {folder / "mpfb_lips.jpg", folder / "mpfb_eyelids.jpg", folder / "mpfb_ears.jpg"};
+}
+
 Result<RegionMasks> loadRegionMasks(const std::filesystem::path& folder) {
     RegionMasks masks;
-    for (const auto& [name, image] :
-         {std::pair("lips", &masks.lips), std::pair("eyelids", &masks.eyelids), std::pair("ears", &masks.ears)}) {
-        Result<Image> mask = loadMask(folder / (std::string("mpfb_") + name + ".jpg"));
+    const std::vector<std::filesystem::path> files = regionMaskFiles(folder);
+    const std::array images = {&masks.lips, &masks.eyelids, &masks.ears};
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        Result<Image> mask = loadMask(files[i]);
         if (!mask) return mask.error();
-        *image = std::move(*mask);
+        *images[i] = std::move(*mask);
     }
     return masks;
 }

@@ -7,6 +7,7 @@
 #include "meshprep/head_surface.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace tegument {
 
@@ -17,7 +18,9 @@ struct RegionMasks {
     Image ears;
 };
 
-/// Reads mpfb_lips.jpg, mpfb_eyelids.jpg and mpfb_ears.jpg and softens their jagged borders. TG52xx when one cannot be read.
+/// mpfb_lips.jpg, mpfb_eyelids.jpg and mpfb_ears.jpg.
+[[nodiscard]] std::vector<std::filesystem::path> regionMaskFiles(const std::filesystem::path& folder);
+/// Reads them and softens their jagged borders. TG52xx when one cannot be read.
 [[nodiscard]] Result<RegionMasks> loadRegionMasks(const std::filesystem::path& folder);
 
 /// How much a point belongs to each region, 0 to 1. Regions overlap and fade.

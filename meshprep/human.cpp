@@ -8,6 +8,7 @@
 #include "meshprep/bust.h"
 #include "meshprep/face.h"
 #include "meshprep/head_surface.h"
+#include "meshprep/kernel_size.h"
 #include "meshprep/lips.h"
 #include "meshprep/quad_mesh.h"
 #include "meshprep/skin_color.h"
@@ -16,13 +17,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <optional>
 
 namespace tegument {
 
+namespace fs = std::filesystem;
+
 namespace {
 
+/// Counts the changes to this folder's code that change what is made: a head of another version is made anew.
+constexpr int kHumanVersion = 2;
 constexpr float kFileUnitMm = 100; // MakeHuman counts in decimetres
 constexpr int kNeckRings = 8;      // all of the level cut lies above the eighth
 constexpr int kLeastMap = 64;
@@ -36,11 +42,16 @@ public:
         report_.mesh = options_.output / "human.glb";
         report_.colorMap = options_.output / "color.png";
         report_.normalMap = options_.output / "normal.png";
+        report_.kernelMap = options_.output / "kernel_size.png";
     }
 
     Result<HumanReport> make() {
         const auto start = std::chrono::steady_clock::now();
         if (auto error = checkOptions()) return *error;
+        if (options_.keep && isCurrent()) {
+            report_.kept = true;
+            return std::move(report_);
+        }
         const Result<Bust> bust = readBust();
         if (!bust) return bust.error();
         step("subdividing, finding hidden faces, packing charts");
@@ -60,7 +71,7 @@ private:
     }
 
     [[nodiscard]] std::optional<Error> checkOptions() const {
-        for (const int size : {options_.colorMapSize, options_.normalMapSize})
+        for (const int size : {options_.colorMapSize, options_.normalMapSize, options_.kernelMapSize})
             if (size < kLeastMap || size > kLargestMap)
                 return usageError(7008, fmt::format("a map cannot have {0} x {0} texels", size),
                                   fmt::format("choose {} to {}", kLeastMap, kLargestMap));
@@ -69,8 +80,35 @@ private:
         return std::nullopt;
     }
 
+    [[nodiscard]] fs::path keyFile() const { return options_.output / "human.key"; }
+
+    /// Everything that the result depends on.
+    [[nodiscard]] Result<std::string> humanKey() const {
+        std::string all = fmt::format("version {} maps {} {} {} levels {} seed {}\n", kHumanVersion, options_.colorMapSize,
+                                      options_.normalMapSize, options_.kernelMapSize, options_.subdivisionLevels, options_.seed);
+        std::vector<fs::path> sources = regionMaskFiles(options_.source / "textures");
+        sources.insert(sources.begin(), bodyFile());
+        for (const fs::path& file : sources) {
+            const Result<std::string> bytes = readFile(file);
+            if (!bytes) return bytes.error();
+            all += fmt::format("{} {}\n", file.filename().string(), contentHash(*bytes));
+        }
+        return contentHash(all) + "\n";
+    }
+
+    [[nodiscard]] bool isCurrent() const {
+        std::error_code code;
+        for (const fs::path* file : {&report_.mesh, &report_.colorMap, &report_.normalMap, &report_.kernelMap})
+            if (!fs::exists(*file, code)) return false;
+        const Result<std::string> written = readFile(keyFile());
+        const Result<std::string> key = humanKey();
+        return written && key && *written == *key;
+    }
+
+    [[nodiscard]] fs::path bodyFile() const { return options_.source / "base.obj"; }
+
     Result<Bust> readBust() {
-        const std::string file = (options_.source / "base.obj").string();
+        const std::string file = bodyFile().string();
         step("reading " + file);
         const Result<std::string> text = readFile(file);
         if (!text) return text.error();
@@ -115,15 +153,24 @@ private:
         step("computing the normal map");
         Image normal = bakeTexture(head, options_.normalMapSize, 3,
                                    [&](const SurfacePoint& point) { return glm::vec4(reliefNormal(point, face, seed) * 0.5f + 0.5f, 1); });
-        head.mesh.textures = {{"color", std::move(color)}, {"normal", std::move(normal)}};
+        step("painting the kernel size map");
+        Image kernel = bakeKernelSize(head, options_.kernelMapSize, face, brows);
+        head.mesh.textures = {{"color", std::move(color)}, {"normal", std::move(normal)}, {"kernelSize", std::move(kernel)}};
         return std::nullopt;
     }
 
+    /// The key goes first and comes back last: with it, everything is there.
     [[nodiscard]] std::optional<Error> write(const HeadSurface& head) const {
-        for (const auto& [path, texture] :
-             {std::pair(&report_.colorMap, &head.mesh.textures[0]), std::pair(&report_.normalMap, &head.mesh.textures[1])})
-            if (const Result<void> written = writePng(*path, texture->image, PngEncoding::Raw); !written) return written.error();
+        const Result<std::string> key = humanKey();
+        if (!key) return key.error();
+        std::error_code code;
+        fs::remove(keyFile(), code);
+        const std::array paths = {&report_.colorMap, &report_.normalMap, &report_.kernelMap};
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            if (const Result<void> written = writePng(*paths[i], head.mesh.textures[i].image, PngEncoding::Raw); !written)
+                return written.error();
         if (const Result<void> written = writeGlb(report_.mesh, head.mesh); !written) return written.error();
+        if (const Result<void> written = writeFile(keyFile(), *key); !written) return written.error();
         return std::nullopt;
     }
 

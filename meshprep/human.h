@@ -16,16 +16,20 @@ struct HumanOptions {
     std::filesystem::path output; // default: cacheFolder()/human
     int colorMapSize = 2048;
     int normalMapSize = 2048;
+    int kernelMapSize = 512; // smooth: more texels would show no more
     int subdivisionLevels = 2;
     std::uint32_t seed = 1; // of spots, pores and hairs
+    bool keep = false;      // do nothing when the output folder holds what this version makes of these options
     /// Called with one line at the start of each step. May be empty.
     std::function<void(const std::string& step)> progress;
 };
 
 struct HumanReport {
-    std::filesystem::path mesh; // human.glb, with both maps inside
+    std::filesystem::path mesh; // human.glb, with the three maps inside
     std::filesystem::path colorMap;
     std::filesystem::path normalMap;
+    std::filesystem::path kernelMap;
+    bool kept = false; // nothing was made, and nothing below is filled in: the files are current
     std::size_t vertices = 0;
     std::size_t triangles = 0;
     std::size_t hiddenQuads = 0; // coarse quads taken away because nothing outside sees them
@@ -36,8 +40,9 @@ struct HumanReport {
     std::vector<std::string> notes; // one line each: what every step changed
 };
 
-/// Writes human.glb, color.png and normal.png into the output folder, each whole or not at all. The same options give the same bytes.
-/// TG5001 when the source is absent, TG7001 to TG7009 when it is not the MakeHuman body or an option is out of range.
+/// Writes human.glb, color.png, normal.png, kernel_size.png and, last, human.key (what they were made of) into the output folder, each
+/// whole or not at all. The same options give the same bytes. TG5001 when the source is absent, TG7001 to TG7009 when it is not the
+/// MakeHuman body or an option is out of range.
 [[nodiscard]] Result<HumanReport> prepareHuman(const HumanOptions& options);
 
 } // namespace tegument

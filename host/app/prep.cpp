@@ -21,6 +21,7 @@ struct HumanArguments {
     int mapSize = 2048;
     int levels = 2;
     std::uint32_t seed = 1;
+    bool keep = false;
     bool json = false;
 };
 
@@ -28,6 +29,8 @@ Json humanJson(const HumanReport& report) {
     return {{"mesh", report.mesh.string()},
             {"color_map", report.colorMap.string()},
             {"normal_map", report.normalMap.string()},
+            {"kernel_size_map", report.kernelMap.string()},
+            {"kept", report.kept},
             {"vertices", report.vertices},
             {"triangles", report.triangles},
             {"hidden_quads", report.hiddenQuads},
@@ -39,17 +42,22 @@ Json humanJson(const HumanReport& report) {
 }
 
 void printHuman(const HumanReport& report) {
+    if (report.kept) {
+        fmt::print("{} is current\n", report.mesh.string());
+        return;
+    }
     for (const std::string& note : report.notes)
         fmt::print("{}\n", note);
     fmt::print(
         "\n{} vertices, {} triangles, {:.0f} mm from chin to crown; charts cover {:.0f} % of the map, {:.2f} texels/mm at 1024; {:.1f} s\n",
         report.vertices, report.triangles, report.chinToCrownMm, 100 * report.uvCoverage, report.texelsPerMmAt1024, report.seconds);
-    for (const fs::path& path : {report.mesh, report.colorMap, report.normalMap})
+    for (const fs::path& path : {report.mesh, report.colorMap, report.normalMap, report.kernelMap})
         fmt::print("wrote {}\n", path.string());
 }
 
 int prepHuman(const HumanArguments& arguments) {
-    HumanOptions options{.source = arguments.source, .output = arguments.output, .seed = arguments.seed, .progress = {}};
+    HumanOptions options{
+        .source = arguments.source, .output = arguments.output, .seed = arguments.seed, .keep = arguments.keep, .progress = {}};
     options.colorMapSize = options.normalMapSize = arguments.mapSize;
     options.subdivisionLevels = arguments.levels;
     Progress progress;
@@ -80,6 +88,7 @@ void addPrep(CLI::App& program, Action& action) {
         ->capture_default_str();
     human->add_option("--levels", arguments->levels, "Catmull-Clark subdivisions")->check(CLI::Range(0, 4))->capture_default_str();
     human->add_option("--seed", arguments->seed, "Seed of spots, pores and hairs")->capture_default_str();
+    human->add_flag("--keep", arguments->keep, "Do nothing when the folder holds what this version makes of these options");
     human->add_flag("--json", arguments->json, "Print JSON");
     human->callback([arguments, &action] { action = [arguments] { return prepHuman(*arguments); }; });
 }

@@ -196,6 +196,10 @@ Result<std::vector<MicrosoftResult>> runBatch(std::span<const MicrosoftJob> jobs
 
 } // namespace
 
+fs::path microsoftCompilerLibrary() {
+    return compilerLibrary();
+}
+
 std::string microsoftCompilerMissing() {
     std::error_code code;
     if (std::string missing = wineMissing(); !missing.empty()) return missing;

@@ -42,6 +42,9 @@ struct MicrosoftResult {
 /// Empty when the tool can run; otherwise what is missing ("wine is not installed", ...): the caller reports `not checked: <reason>`.
 [[nodiscard]] std::string microsoftCompilerMissing();
 
+/// Microsoft's d3dcompiler_47.dll: programs that load effects from source need it beside them.
+[[nodiscard]] std::filesystem::path microsoftCompilerLibrary();
+
 /// Runs all jobs in one Wine process, in order; a job that brings the process down fails (TG3103) and the rest goes on in a new one.
 /// Messages are TG3101 (errors, with Microsoft's X number in the text) and TG3102 (warnings). A path that cannot be
 /// handed over fails its job (TG3105). An Error means that nothing could be run: TG3104, Wine or its display.

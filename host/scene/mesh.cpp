@@ -1,10 +1,8 @@
-// loadMesh: which reader, then everything that holds for every format.
+// loadMesh: what holds for every format once the file is read.
 
 #include "host/scene/mesh.h"
 
 #include "host/scene/mesh_file.h"
-#include "host/support/file.h"
-#include "host/support/text.h"
 
 #include <fmt/format.h>
 
@@ -18,35 +16,6 @@ namespace tegument {
 namespace {
 
 using meshfile::Source;
-
-enum class MeshFormat { Gltf, Ply, Obj };
-
-/// glb and PLY by their first bytes; JSON and OBJ are text, so their file names must help.
-std::optional<MeshFormat> formatOf(const std::filesystem::path& path, std::string_view bytes) {
-    if (bytes.starts_with("glTF")) return MeshFormat::Gltf;
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ")) return MeshFormat::Ply;
-    const std::string extension = toLower(path.extension().string());
-    if (extension == ".gltf") return MeshFormat::Gltf;
-    if (extension == ".obj") return MeshFormat::Obj;
-    return std::nullopt;
-}
-
-Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
-    const std::string extension = toLower(path.extension().string());
-    std::string text = bytes.empty() ? "the file is empty" : "not a mesh in glb, glTF, PLY or OBJ form";
-    if (!bytes.empty() && (extension == ".glb" || extension == ".ply"))
-        text = fmt::format("the file is named {} but does not start like one", extension);
-    return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), "convert it to glb");
-}
-
-Result<Mesh> readByFormat(MeshFormat format, const Source& source) {
-    switch (format) {
-    case MeshFormat::Gltf: return meshfile::readGltf(source);
-    case MeshFormat::Ply: return meshfile::readPly(source);
-    case MeshFormat::Obj: return meshfile::readObj(source);
-    }
-    return unknownFormat(source.path, source.bytes);
-}
 
 /// Triangles that repeat a corner have no area and no normal. Parts keep their order; empty ones go.
 void dropDegenerate(Mesh& mesh, const Source& source) {
@@ -180,27 +149,22 @@ void flipV(Mesh& mesh) {
 }
 
 Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
-    const Result<std::string> bytes = readFile(path);
-    if (!bytes) return bytes.error();
-    const auto format = formatOf(path, *bytes);
-    if (!format) return unknownFormat(path, *bytes);
-    const double unit = options.unitMm.value_or(*format == MeshFormat::Gltf ? 1000 : 1);
-    if (!(unit > 0 && std::isfinite(unit)))
-        return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");
-    const Source source{.path = path, .bytes = *bytes, .unitMm = unit};
-    Result<Mesh> mesh = readByFormat(*format, source);
-    if (!mesh) return mesh;
-    mesh->unitMm = unit;
-    if (mesh->name.empty()) mesh->name = path.stem().string();
-    if (options.flipV) flipV(*mesh);
-    dropDegenerate(*mesh, source);
-    if (mesh->indices.empty()) return meshfile::noTriangles(source.whole());
-    dropUnreferenced(*mesh);
-    computeBounds(*mesh);
+    Result<ReadMesh> file = readMesh(path, {.unitMm = options.unitMm});
+    if (!file) return file.error();
+    Mesh mesh = std::move(file->mesh);
+    const Source source{.path = path, .bytes = {}, .unitMm = mesh.unitMm};
+    if (file->counts.smallFaces > 0)
+        meshfile::warn(mesh, 5322, source.whole(),
+                       fmt::format("{} faces of fewer than three corners are left out", file->counts.smallFaces));
+    if (options.flipV) flipV(mesh);
+    dropDegenerate(mesh, source);
+    if (mesh.indices.empty()) return meshfile::noTriangles(source.whole());
+    dropUnreferenced(mesh);
+    computeBounds(mesh);
     if (options.expectHead)
-        if (auto error = checkHead(*mesh, source)) return *error;
-    if (auto error = checkUvs(*mesh, source, options)) return *error;
-    finishFrames(*mesh, source);
+        if (auto error = checkHead(mesh, source)) return *error;
+    if (auto error = checkUvs(mesh, source, options)) return *error;
+    finishFrames(mesh, source);
     return mesh;
 }
 
@@ -210,7 +174,7 @@ Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& opti
     try {
         return load(path, options);
     } catch (const std::bad_alloc&) {
-        return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()));
+        return meshfile::outOfMemory(path);
     }
 }
 

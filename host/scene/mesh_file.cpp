@@ -42,6 +42,10 @@ Error tooLarge(SourcePosition at) {
                       "reduce it before use");
 }
 
+Error outOfMemory(const std::filesystem::path& path) {
+    return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()));
+}
+
 bool parseReal(std::string_view word, double& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);

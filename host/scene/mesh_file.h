@@ -2,7 +2,7 @@
 // Inside host/scene only: the readers behind loadMesh, and the errors they share. A reader checks everything that comes from the file; what
 // it returns has equally long attribute arrays (or empty ones), indices in range, and lengths already multiplied by the unit.
 
-#include "host/scene/mesh.h"
+#include "host/scene/read_mesh.h"
 
 #include <cmath>
 #include <cstddef>
@@ -21,6 +21,8 @@ struct Source {
     const std::filesystem::path& path;
     std::string_view bytes;
     double unitMm;
+    bool dropBadFaces = false;  // faces that refer to no vertex are counted and left out; otherwise they are an error
+    bool keepNotFinite = false; // whoever reads cares for NaN and infinity; otherwise they are an error
 
     [[nodiscard]] std::string name() const { return path.string(); }
     [[nodiscard]] SourcePosition atByte(std::size_t byte) const { return {.file = name(), .byte = byte}; }
@@ -28,10 +30,12 @@ struct Source {
     [[nodiscard]] SourcePosition whole() const { return {.file = name(), .byte = {}}; }
 };
 
-[[nodiscard]] Result<Mesh> readPly(const Source& source);
-[[nodiscard]] Result<Mesh> readObj(const Source& source);
+[[nodiscard]] Result<ReadMesh> readPly(const Source& source);
+[[nodiscard]] Result<ReadMesh> readObj(const Source& source);
+[[nodiscard]] Result<ReadMesh> readStl(const Source& source);
+[[nodiscard]] Result<ReadMesh> readOff(const Source& source);
 /// glb by its magic, else glTF as JSON.
-[[nodiscard]] Result<Mesh> readGltf(const Source& source);
+[[nodiscard]] Result<ReadMesh> readGltf(const Source& source);
 
 [[nodiscard]] Error truncated(SourcePosition at, const std::string& text);                        // TG5301
 [[nodiscard]] Error malformed(SourcePosition at, const std::string& text, std::string hint = {}); // TG5302
@@ -41,6 +45,7 @@ struct Source {
 [[nodiscard]] Error noTriangles(SourcePosition at);                          // TG5306
 [[nodiscard]] Error unsupported(SourcePosition at, const std::string& text, std::string hint); // TG5307
 [[nodiscard]] Error tooLarge(SourcePosition at);                                               // TG5310
+[[nodiscard]] Error outOfMemory(const std::filesystem::path& path);                            // TG5311
 
 void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint = {});
 

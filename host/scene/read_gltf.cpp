@@ -63,7 +63,7 @@ class SceneReader {
 public:
     explicit SceneReader(const GltfDocument& document) : document_(document), source_(document.root().source()), textures_(document) {}
 
-    Result<Mesh> read() {
+    Result<ReadMesh> read() {
         mesh_.attribution = document_.root()["asset"].text("copyright");
         if (auto error = visitScene()) return *error;
         if (auto error = checkTotal()) return *error;
@@ -74,7 +74,8 @@ public:
         if (!allTangents_) mesh_.tangents.clear();
         finishUvs();
         if (skipped_ > 0) warn(mesh_, 5323, source_.whole(), fmt::format("{} primitives that are points or lines are left out", skipped_));
-        return std::move(mesh_);
+        counts_.vertices = mesh_.positions.size();
+        return ReadMesh{.mesh = std::move(mesh_), .counts = counts_};
     }
 
 private:
@@ -206,7 +207,7 @@ private:
         auto corners = readCorners(primitive, vertices->count);
         if (!corners) return corners.error();
         const auto first = static_cast<std::uint32_t>(mesh_.indices.size());
-        addTriangles(*corners, *mode, vertices->base, carrier.mirrors);
+        addTriangles(*corners, *mode, *vertices, carrier.mirrors);
         if (mesh_.indices.size() > kMaxIndices) return tooLarge(source_.whole());
         return addPart(primitive, meshName, first);
     }
@@ -258,7 +259,8 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const glm::dvec4 local(from.positions[3 * i], from.positions[3 * i + 1], from.positions[3 * i + 2], 1);
             const glm::vec3 position = glm::vec3(glm::dvec3(carrier.matrix * local));
-            if (!isFinite(position)) return notFinite(source_.whole(), fmt::format("{}: vertex {} is not finite", primitive.path(), i));
+            if (!source_.keepNotFinite && !isFinite(position))
+                return notFinite(source_.whole(), fmt::format("{}: vertex {} is not finite", primitive.path(), i));
             mesh_.positions.push_back(position);
             addDirections(from, i, carrier);
             mesh_.uvs.push_back(from.uvs.empty() ? glm::vec2(0) : glm::vec2(from.uvs[2 * i], from.uvs[2 * i + 1]));
@@ -290,21 +292,25 @@ private:
         auto corners = document_.indices(*accessor);
         if (!corners) return corners.error();
         const auto wrong = std::ranges::find_if(*corners, [&](std::uint32_t index) { return index >= vertices; });
-        if (wrong == corners->end()) return corners;
+        if (wrong == corners->end() || source_.dropBadFaces) return corners;
         return badIndex(source_.whole(),
                         fmt::format("{}: index {} is {} of {} vertices", primitive.path(), wrong - corners->begin(), *wrong, vertices));
     }
 
     /// Triangles, strips (every other triangle turned) and fans, as the specification's 3.7.2.1 numbers them.
-    void addTriangles(const std::vector<std::uint32_t>& corners, std::size_t mode, std::size_t base, bool flip) {
+    void addTriangles(const std::vector<std::uint32_t>& corners, std::size_t mode, const VertexRange& vertices, bool flip) {
         const std::size_t step = mode == 4 ? 3 : 1;
         for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
             std::array<std::size_t, 3> triangle = {i, i + 1, i + 2};
             if (mode == 5 && i % 2 == 1) triangle = {i, i + 2, i + 1};
             if (mode == 6) triangle = {i + 1, i + 2, 0};
             if (flip) std::swap(triangle[1], triangle[2]);
+            ++counts_.faces;
+            const bool usable = std::ranges::all_of(triangle, [&](std::size_t corner) { return corners[corner] < vertices.count; });
+            counts_.badFaces += !usable; // all are usable unless such faces are to be dropped
+            if (!usable) continue;
             for (const std::size_t corner : triangle)
-                mesh_.indices.push_back(static_cast<std::uint32_t>(base + corners[corner]));
+                mesh_.indices.push_back(static_cast<std::uint32_t>(vertices.base + corners[corner]));
         }
     }
 
@@ -335,6 +341,7 @@ private:
     const Source& source_;
     GltfTextures textures_;
     Mesh mesh_;
+    ReadCounts counts_;
     std::vector<Draw> draws_;
     std::map<std::string, VertexRange> vertexBase_;
     std::set<std::size_t> visited_;
@@ -346,7 +353,7 @@ private:
 
 } // namespace
 
-Result<Mesh> readGltf(const Source& source) {
+Result<ReadMesh> readGltf(const Source& source) {
     const auto document = GltfDocument::open(source);
     if (!document) return document.error();
     return SceneReader(**document).read();

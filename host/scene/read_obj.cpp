@@ -1,7 +1,8 @@
 // Wavefront OBJ: polygons with texture coordinates and normals, groups, objects and materials as parts. One vertex per distinct triple of
 // indices.
 
-#include "host/scene/mesh_file.h"
+#include "host/scene/polygons.h"
+#include "host/scene/welding.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -11,38 +12,30 @@
 #include <charconv>
 #include <map>
 #include <memory>
-#include <unordered_map>
 
 namespace tegument::meshfile {
 
 namespace {
 
-/// Indices from 0; -1 where the corner names none.
+constexpr std::uint32_t kNone = UINT32_MAX; // a corner names no texture coordinate or normal; any other number is an index from 0
+
 struct Corner {
-    std::int64_t position = -1;
-    std::int64_t uv = -1;
-    std::int64_t normal = -1;
+    std::uint32_t position = kNone;
+    std::uint32_t uv = kNone;
+    std::uint32_t normal = kNone;
     bool operator==(const Corner&) const = default;
 };
 
-struct CornerHash {
-    std::size_t operator()(const Corner& corner) const {
-        // three large odd multipliers spread the three indices over the word
-        const auto u = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
-        const std::uint64_t mixed =
-            u(corner.position) * 0x9e3779b97f4a7c15u ^ u(corner.uv) * 0xc2b2ae3d27d4eb4fu ^ u(corner.normal) * 0x165667b19e3779f9u;
-        return static_cast<std::size_t>(mixed ^ mixed >> 32);
-    }
-};
-
-struct Triangle {
-    std::array<Corner, 3> corners;
+/// A distinct corner and the line that names it first.
+struct Vertex {
+    Corner corner;
     int line = 0;
 };
 
 struct Part {
     std::string name;
-    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> indices; // of vertices
+    Polygons polygons;
 };
 
 std::string_view nextWord(std::string_view& line) {
@@ -71,7 +64,7 @@ class ObjReader {
 public:
     explicit ObjReader(const Source& source) : source_(source) {}
 
-    Result<Mesh> read() {
+    Result<ReadMesh> read() {
         if (source_.bytes.starts_with("\xff\xfe") || source_.bytes.starts_with("\xfe\xff"))
             return malformed(source_.atByte(0), "the OBJ file is UTF-16", "save it as UTF-8 or ASCII");
         std::string_view left = source_.bytes;
@@ -118,7 +111,7 @@ private:
             startMaterial(trim(line));
         else
             unknown_.emplace(std::string(keyword.substr(0, 40)), line_);
-        if (positions_.size() > kMaxVertices || triangleCount_ * 3 > kMaxIndices) fail(tooLarge(here()));
+        if (positions_.size() > kMaxVertices || indexCount_ > kMaxIndices) fail(tooLarge(here()));
     }
 
     /// At least `least` numbers, at most the array's size; the rest of the line is not looked at.
@@ -138,7 +131,7 @@ private:
     void readPosition(std::string_view line) {
         const auto [x, y, z] = numbers<3>(line, 3);
         const glm::vec3 position = scaled({x, y, z}, source_.unitMm);
-        if (!isFinite(position)) fail(notFinite(here(), "a coordinate is not finite"));
+        if (!source_.keepNotFinite && !isFinite(position)) fail(notFinite(here(), "a coordinate is not finite"));
         positions_.push_back(position);
     }
 
@@ -152,11 +145,12 @@ private:
         normals_.emplace_back(x, y, z);
     }
 
-    /// "7", "7/2", "7//3", "7/2/3", each from 1, or negative: counted back from the latest.
-    Corner readCorner(std::string_view word) {
+    /// "7", "7/2", "7//3", "7/2/3", each from 1, or negative: counted back from the latest. Nothing for a corner that refers to none.
+    std::optional<Corner> readCorner(std::string_view word) {
         Corner corner;
-        const std::array<std::pair<std::int64_t*, std::size_t>, 3> fields = {
+        const std::array<std::pair<std::uint32_t*, std::size_t>, 3> fields = {
             {{&corner.position, positions_.size()}, {&corner.uv, uvs_.size()}, {&corner.normal, normals_.size()}}};
+        bool usable = true;
         std::string_view left = word;
         for (std::size_t field = 0; field < 3 && !error_; ++field) {
             const std::size_t slash = std::min(left.find('/'), left.size());
@@ -167,27 +161,46 @@ private:
             if (!parseWhole(text, index) || (field == 2 && !left.empty()))
                 fail(malformed(here(), fmt::format("'{}' is not a face corner", word.substr(0, 40))));
             else
-                *fields[field].first = absolute(index, fields[field].second, word);
+                usable &= setIndex(*fields[field].first, index, fields[field].second, word);
         }
-        return corner;
+        return usable ? std::optional(corner) : std::nullopt;
     }
 
-    std::int64_t absolute(std::int64_t index, std::size_t soFar, std::string_view word) {
+    bool setIndex(std::uint32_t& target, std::int64_t index, std::size_t soFar, std::string_view word) {
         const std::int64_t fromZero = index < 0 ? index + static_cast<std::int64_t>(soFar) : index - 1;
-        if (fromZero < 0) fail(badIndex(here(), fmt::format("the corner '{}' refers to an element before the first", word.substr(0, 40))));
-        return fromZero;
+        // what is defined further down is found when everything is read
+        const bool possible = fromZero >= 0 && fromZero < static_cast<std::int64_t>(kMaxIndices);
+        if (possible) target = static_cast<std::uint32_t>(fromZero);
+        if (!possible && !source_.dropBadFaces)
+            fail(badIndex(here(), fromZero < 0 ? fmt::format("the corner '{}' refers to an element before the first", word.substr(0, 40))
+                                               : fmt::format("the corner '{}' refers to an element behind the last", word.substr(0, 40))));
+        return possible;
     }
 
     void readFace(std::string_view line) {
-        std::vector<Corner> corners;
-        for (std::string_view word = nextWord(line); !word.empty() && !error_; word = nextWord(line))
-            corners.push_back(readCorner(word));
-        if (error_) return;
-        smallFaces_ += corners.size() < 3;
-        for (std::size_t i = 2; i < corners.size(); ++i) {
-            currentPart().triangles.push_back({.corners = {corners[0], corners[i - 1], corners[i]}, .line = line_});
-            ++triangleCount_;
+        corners_.clear();
+        bool usable = true;
+        for (std::string_view word = nextWord(line); !word.empty() && !error_; word = nextWord(line)) {
+            const auto corner = readCorner(word);
+            usable &= corner.has_value();
+            if (corner) corners_.push_back(vertexOf(*corner));
         }
+        if (error_) return;
+        ++result_.counts.faces;
+        result_.counts.badFaces += !usable;
+        if (!usable) return;
+        result_.counts.smallFaces += corners_.size() < 3;
+        Part& part = currentPart();
+        part.polygons.add(corners_, part.indices);
+        indexCount_ += corners_.size() < 3 ? 0 : 3 * (corners_.size() - 2);
+    }
+
+    std::uint32_t vertexOf(const Corner& corner) {
+        const auto next = static_cast<std::uint32_t>(vertices_.size());
+        const auto vertex = unique_.findOrAdd(hashWords(std::array{corner.position, corner.uv, corner.normal}), next,
+                                              [&](std::uint32_t other) { return vertices_[other].corner == corner; });
+        if (vertex == next) vertices_.push_back({.corner = corner, .line = line_});
+        return vertex;
     }
 
     void startGroup(std::string_view keyword, std::string_view name) {
@@ -207,72 +220,87 @@ private:
         std::string name = group_.empty() ? object_ : group_;
         if (!material_.empty()) name = name.empty() ? material_ : name + ":" + material_;
         const auto [entry, isNew] = partByName_.emplace(name, parts_.size());
-        if (isNew) parts_.push_back(std::make_unique<Part>(Part{.name = name, .triangles = {}}));
+        if (isNew) parts_.push_back(std::make_unique<Part>(Part{.name = name, .indices = {}, .polygons = {}}));
         part_ = parts_[entry->second].get();
         return *part_;
     }
 
-    Result<Mesh> build() {
+    Result<ReadMesh> build() {
+        if (vertices_.size() > kMaxVertices) return tooLarge(source_.whole());
+        result_.counts.vertices = positions_.size();
+        for (const Vertex& vertex : vertices_)
+            addVertex(vertex);
+        if (error_) return *error_;
         for (const auto& part : parts_) {
-            const auto first = static_cast<std::uint32_t>(mesh_.indices.size());
-            for (const Triangle& triangle : part->triangles)
-                for (const Corner& corner : triangle.corners)
-                    if (!addCorner(corner, triangle.line)) return *error_;
-            const auto count = static_cast<std::uint32_t>(mesh_.indices.size()) - first;
-            mesh_.parts.push_back({.name = part->name, .firstIndex = first, .indexCount = count});
+            if (const auto wrong = part->polygons.cut(source_, mesh().positions, part->indices)) return *wrong;
+            if (anyUnusable_) dropUnusable(*part);
+            mesh().parts.push_back({.name = part->name,
+                                    .firstIndex = static_cast<std::uint32_t>(mesh().indices.size()),
+                                    .indexCount = static_cast<std::uint32_t>(part->indices.size())});
+            mesh().indices.insert(mesh().indices.end(), part->indices.begin(), part->indices.end());
+            part->indices = {};
         }
         dropIncomplete();
         addWarnings();
-        return std::move(mesh_);
+        return std::move(result_);
     }
 
-    bool addCorner(const Corner& corner, int line) {
-        if (!inRange(corner, line)) return false;
-        const auto [entry, isNew] = vertexOf_.emplace(corner, static_cast<std::uint32_t>(mesh_.positions.size()));
-        mesh_.indices.push_back(entry->second);
-        if (!isNew) return true;
-        const auto at = [](const auto& list, std::int64_t index) {
-            return index < 0 ? typename std::decay_t<decltype(list)>::value_type(0) : list[static_cast<std::size_t>(index)];
+    void addVertex(const Vertex& vertex) {
+        const auto at = [](const auto& list, std::uint32_t index) {
+            return index < list.size() ? list[index] : typename std::decay_t<decltype(list)>::value_type(0);
         };
-        mesh_.positions.push_back(positions_[static_cast<std::size_t>(corner.position)]);
-        mesh_.uvs.push_back(at(uvs_, corner.uv));
-        mesh_.normals.push_back(at(normals_, corner.normal));
-        withoutUv_ += corner.uv < 0;
-        withoutNormal_ += corner.normal < 0;
-        return true;
+        const Corner& corner = vertex.corner;
+        usable_.push_back(inRange(vertex));
+        mesh().positions.push_back(at(positions_, corner.position));
+        mesh().uvs.push_back(at(uvs_, corner.uv));
+        mesh().normals.push_back(at(normals_, corner.normal));
+        withoutUv_ += corner.uv == kNone;
+        withoutNormal_ += corner.normal == kNone;
+        anyUnusable_ |= !usable_.back();
     }
 
-    bool inRange(const Corner& corner, int line) {
-        const auto check = [&](std::int64_t index, std::size_t size, const char* what) {
-            if (index < static_cast<std::int64_t>(size)) return;
-            fail(badIndex(source_.atLine(line), fmt::format("the face refers to {} {} of {}", what, index + 1, size)));
+    bool inRange(const Vertex& vertex) {
+        const auto check = [&](std::uint32_t index, std::size_t size, const char* what) {
+            if (index < size || index == kNone) return true;
+            if (!source_.dropBadFaces)
+                fail(badIndex(source_.atLine(vertex.line), fmt::format("the face refers to {} {} of {}", what, index + 1, size)));
+            return false;
         };
-        check(corner.position, positions_.size(), "vertex");
-        check(corner.uv, uvs_.size(), "texture coordinate");
-        check(corner.normal, normals_.size(), "normal");
-        return !error_;
+        const bool position = check(vertex.corner.position, positions_.size(), "vertex");
+        const bool uv = check(vertex.corner.uv, uvs_.size(), "texture coordinate");
+        return check(vertex.corner.normal, normals_.size(), "normal") && position && uv;
+    }
+
+    void dropUnusable(Part& part) {
+        std::vector<std::uint32_t> kept;
+        for (std::size_t i = 0; i < part.indices.size(); i += 3) {
+            const auto* t = &part.indices[i];
+            const bool usable = usable_[t[0]] && usable_[t[1]] && usable_[t[2]];
+            if (usable) kept.insert(kept.end(), t, t + 3);
+            result_.counts.badFaces += !usable;
+        }
+        part.indices = std::move(kept);
     }
 
     /// Normals that some corners lack are made anew for all; UVs that all lack do not exist.
     void dropIncomplete() {
-        if (withoutNormal_ > 0) mesh_.normals.clear();
-        if (withoutUv_ == mesh_.positions.size()) mesh_.uvs.clear();
+        if (withoutNormal_ > 0) mesh().normals.clear();
+        if (withoutUv_ == mesh().positions.size()) mesh().uvs.clear();
     }
 
     void addWarnings() {
         for (const auto& [keyword, line] : unknown_)
-            warn(mesh_, 5323, source_.atLine(line), fmt::format("the OBJ statement '{}' is ignored", keyword));
-        if (smallFaces_ > 0)
-            warn(mesh_, 5322, source_.whole(), fmt::format("{} faces of fewer than three corners are left out", smallFaces_));
-        if (!mesh_.uvs.empty() && withoutUv_ > 0)
-            warn(mesh_, 5325, source_.whole(),
-                 fmt::format("{} of {} vertices have no texture coordinates: (0, 0) is used", withoutUv_, mesh_.positions.size()));
+            warn(mesh(), 5323, source_.atLine(line), fmt::format("the OBJ statement '{}' is ignored", keyword));
+        if (!mesh().uvs.empty() && withoutUv_ > 0)
+            warn(mesh(), 5325, source_.whole(),
+                 fmt::format("{} of {} vertices have no texture coordinates: (0, 0) is used", withoutUv_, mesh().positions.size()));
     }
 
     void fail(Error error) {
         if (!error_) error_ = std::move(error);
     }
     [[nodiscard]] SourcePosition here() const { return source_.atLine(line_); }
+    Mesh& mesh() { return result_.mesh; }
 
     const Source& source_;
     std::vector<glm::vec3> positions_;
@@ -283,16 +311,20 @@ private:
     std::map<std::string, std::size_t> partByName_;
     Part* part_ = nullptr;
     std::map<std::string, int> unknown_; // keyword -> first line
-    std::unordered_map<Corner, std::uint32_t, CornerHash> vertexOf_;
-    std::size_t triangleCount_ = 0, smallFaces_ = 0, withoutUv_ = 0, withoutNormal_ = 0;
+    std::vector<Vertex> vertices_;
+    UniqueItems unique_; // vertices
+    std::vector<std::uint32_t> corners_;
+    std::vector<bool> usable_; // by vertex: everything it refers to exists
+    bool anyUnusable_ = false;
+    std::size_t indexCount_ = 0, withoutUv_ = 0, withoutNormal_ = 0;
     int line_ = 0;
-    Mesh mesh_;
+    ReadMesh result_;
     std::optional<Error> error_;
 };
 
 } // namespace
 
-Result<Mesh> readObj(const Source& source) {
+Result<ReadMesh> readObj(const Source& source) {
     return ObjReader(source).read();
 }
 

@@ -20,7 +20,14 @@ Result<std::string> readFile(const fs::path& path) {
     if (fs::is_directory(path, code)) return inputError(5001, {.file = path.string(), .byte = {}}, "is a folder, not a file");
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::string bytes;
+    const auto size = fs::file_size(path, code); // unknown for a pipe, and 0 under /proc: the rest is read piece by piece
+    if (!code && in.is_open()) {
+        bytes.resize(size);
+        in.read(bytes.data(), static_cast<std::streamsize>(size));
+        bytes.resize(static_cast<std::size_t>(in.gcount()));
+    }
+    if (in) bytes.append(std::istreambuf_iterator<char>(in), {});
     if (!in.is_open() || in.bad()) {
         return inputError(5001, {.file = path.string(), .byte = {}}, fmt::format("cannot be read: {}", std::strerror(errno ? errno : EIO)));
     }

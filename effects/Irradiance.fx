@@ -9,6 +9,8 @@
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
 #include "passes/surface.fxh"
+#include "passes/specular.fxh"
+#include "passes/skin_point.fxh"
 #include "passes/irradiance.fxh"
 
 float Script : STANDARDSGLOBAL <

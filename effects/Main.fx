@@ -11,14 +11,19 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
+#include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
+#include "passes/specular.fxh"
+#include "passes/skin_point.fxh"
 #include "passes/irradiance.fxh"
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
 #include "passes/convolution.fxh"
+#include "passes/poisson.fxh"
 #include "passes/cull.fxh"
 #include "passes/reach.fxh"
 #include "passes/final.fxh"
+#include "passes/gosselin.fxh"
 
 float Script : STANDARDSGLOBAL <
     string UIWidget = "none";
@@ -106,6 +111,32 @@ technique DEonLuebkeCulled < string Script =
     QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_EQUAL)
     QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_EQUAL)
     MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
+}
+
+technique Gosselin < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
+    "ClearSetColor=gClearInvalid; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
+    "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd;"
+    "Pass=Irradiance;"
+    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;"
+    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;"
+    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=gBlurIndex?Final:FinalEven:Final:FinalEven:Final:FinalEven;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
+    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
+    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
+    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_EQUAL)
+    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_EQUAL)
+    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_EQUAL)
+    MESH_PASS(Final, FinalVS, GosselinFinalPS, STATE_SOLID)
+    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_EQUAL)
+    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_EQUAL)
+    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_EQUAL)
+    MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
 }
 
 technique Lambert < string Script =

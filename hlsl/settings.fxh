@@ -2,6 +2,7 @@
 //   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
 //   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
+//   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
 // SKIN_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #define TEGUMENT_SETTINGS_FXH
@@ -15,6 +16,9 @@
 #ifndef TEGUMENT_MAP_BITS
 #define TEGUMENT_MAP_BITS 16
 #endif
+#ifndef TEGUMENT_SEAM_REPAIR
+#define TEGUMENT_SEAM_REPAIR 1
+#endif
 #if TEGUMENT_MAP_BITS == 32
 #define SKIN_MAP_FORMAT "A32B32G32R32F"
 #else
@@ -24,12 +28,18 @@
 #if TEGUMENT_SETTING == 0
 #define SKIN_MIX 0.4
 #define SKIN_SHADOW_TOLERANCE 0.005
+#define SKIN_BLUR_SIZE 4.0
+#define SKIN_BLUR_TURN 0.0
 #elif TEGUMENT_SETTING == 1
 #define SKIN_MIX 0.5
 #define SKIN_SHADOW_TOLERANCE 2.0
+#define SKIN_BLUR_SIZE 4.0
+#define SKIN_BLUR_TURN 0.0
 #else
 #define SKIN_MIX 0.5
 #define SKIN_SHADOW_TOLERANCE 0.3
+#define SKIN_BLUR_SIZE 2.4
+#define SKIN_BLUR_TURN 2.39996
 #endif
 
 static const float kPi = 3.14159265;
@@ -64,11 +74,22 @@ static const float kKernelVariance = 1.0789;
 static const bool kConvolveIncrement = !kSeed;
 static const bool kConvolveExactly = kCorrected;
 
+// Poisson blurs: the disc's own mean subtracted; radii in mm of the surface instead of texels; specular reflection shadowed, for which Final reads
+// the shadow map (the seed's Table 5 gives it none).
+static const bool kPoissonCentred = kCorrected;
+static const bool kPoissonStretched = kCorrected;
+static const bool kShadowSpecular = kCorrected;
+
+// Seams: whether texels outside the charts are told from those inside.
+static const bool kRepairSeams = TEGUMENT_SEAM_REPAIR == 1;
+
 // Stretch maps hold kStretchScale * (texels of a 1024 map per mm): c = 0.1 of the seed's equation 27 brings heads into 0..1.
 static const float kStretchScale = 0.1 * 1024.0;
 
 // Culling. Largest channel of a colour that counts as black, linear: exactly black, or up to 2/255 in sRGB.
 static const float kBlack = kCorrected ? 2.0 / 255.0 / 12.92 : 0.0;
 static const bool kCullPerPixel = kCorrected;
+// Equations 41 and 42 as printed: only the right and the upper side of the view.
+static const bool kCullAsPrinted = !kCorrected;
 
 #endif

@@ -2,11 +2,6 @@
 #ifndef TEGUMENT_PASSES_FINAL_FXH
 #define TEGUMENT_PASSES_FINAL_FXH
 
-float gPlainRoughness < string UIName = "Roughness of plain material"; string UIWidget = "Slider"; float UIMin = 0.05; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "Beckmann m"; > = 0.1;
-float gPlainIntensity < string UIName = "Specular intensity of plain material"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "rho_s"; > = 0.5;
-float gTransmission < string UIName = "Transmission"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "weight of the light through thin parts"; > = 1.0;
-int gUsePrePass < string UIName = "Cull texels that do not show"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1; > = 0;
-
 SurfaceVarying FinalVS(MeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
@@ -60,13 +55,6 @@ float3 diffusedLight(SurfaceVarying input, LitPoint p)
         there += fetchThere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), entry.xy, m1, gGaussianWeight[1], apart) +
                  fetchThere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), entry.xy, m2, gGaussianWeight[2], apart);
     return here + gTransmission * entry.w * there;
-}
-
-float3 reflectedLight(LitPoint p, float3 toEye)
-{
-    float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
-    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
-    return gLightColor * p.shadow * kelemenSpecular(p.normal, p.toLight, toEye, roughness, intensity);
 }
 
 float4 FinalPS(SurfaceVarying input) : SV_Target0

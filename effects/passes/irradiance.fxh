@@ -13,18 +13,18 @@ SurfaceVarying IrradianceVS(MeshInput input)
 }
 
 // By the normal of the mesh: that of the normal map would punch holes of no thickness into every bump that catches light.
-float thicknessTowardsLight(LitPoint p, float3 normal)
+float thicknessTowardsLight(LitPoint p)
 {
     float range = kDepthInMillimetres ? 1.0 : gLightFar - gLightNear;
-    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.tsmUv, p.axisX, p.axisY, p.toLight, p.footprint, range);
+    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.lightUv, p.axisX, p.axisY, p.toLight, p.footprint, range);
     float4 entry = lightEntry(p);
-    return entry.w > 0.5 ? transmissionThickness(entry.z, dot(normal, p.toLight), normal, litNormal) : kOpaqueDistance;
+    return entry.w > 0.5 ? transmissionThickness(entry.z, dot(p.meshNormal, p.toLight), p.meshNormal, litNormal) : kOpaqueDistance;
 }
 
 float4 IrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
-    float alpha = transmissionEncode(thicknessTowardsLight(p, safeNormalize(input.normal)));
+    float alpha = transmissionEncode(thicknessTowardsLight(p));
     return float4(enteringLight(p), p.scatters > 0.5 ? alpha : 1.0);
 }
 

@@ -4,7 +4,7 @@
 
 float gMix < string UIName = "Colour before diffusion"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "exponent of the colour that light takes on entering; the rest on leaving"; > = SKIN_MIX;
 float gShadowTolerance < string UIName = "Shadow tolerance"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 10.0; float UIStep = 0.001; string UIHelp = "mm; in setting seed a share of the light's depth range"; > = SKIN_SHADOW_TOLERANCE;
-float gRoughness < string UIName = "Roughness"; string UIWidget = "Slider"; float UIMin = 0.05; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "Beckmann m, rms slope"; > = 0.3;
-float gSpecularIntensity < string UIName = "Specular intensity"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "rho_s"; > = 0.18;
+float gTransmission < string UIName = "Transmission"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "weight of the light through thin parts"; > = 1.0;
+int gUsePrePass < string UIName = "Cull texels that do not show"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1; > = 0;
 
 #endif

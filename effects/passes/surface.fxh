@@ -1,11 +1,9 @@
-// What a lit pass knows of a point: from the mesh, the maps, the light and the translucent shadow map.
+// What a lit pass knows of a point from the mesh, its normal map and the light.
 #ifndef TEGUMENT_PASSES_SURFACE_FXH
 #define TEGUMENT_PASSES_SURFACE_FXH
 
 Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
-Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
 SAMPLER2D(gNormal, LINEAR, CLAMP);
-SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 struct SurfaceVarying
 {
@@ -22,11 +20,12 @@ struct LitPoint
     float3 albedo;
     float scatters; // 1 skin, 0 plain material
     float3 normal;
+    float3 meshNormal;
     float3 toLight;
     float cosine; // N.L, signed
     float shadow; // 1 lit
-    float2 tsmUv;
-    float depth;     // as in the translucent shadow map
+    float2 lightUv;
+    float depth;     // as in the shadow map
     float footprint; // of one of its texels, mm
     float3 axisX;    // the light's right
     float3 axisY;    // and up
@@ -44,46 +43,31 @@ SurfaceVarying surfaceVarying(MeshInput input)
     return output;
 }
 
-LitPoint litPoint(SurfaceVarying input)
+// White skin, unshadowed; colour and shadow are for the techniques to fill in.
+LitPoint surfacePoint(SurfaceVarying input)
 {
     LitPoint p;
-    float4 colour = tex2D(gSkin, input.uv);
     float3 fromLight = input.world - gLightPosition;
-    p.albedo = colour.rgb;
-    p.scatters = colour.a;
+    p.albedo = float3(1.0, 1.0, 1.0);
+    p.scatters = 1.0;
     p.normal = surfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
+    p.meshNormal = safeNormalize(input.normal);
     p.toLight = safeNormalize(-fromLight);
     p.cosine = dot(p.normal, p.toLight);
-    p.tsmUv = shadowCoordinate(input.lightClip);
+    p.shadow = 1.0;
+    p.lightUv = shadowCoordinate(input.lightClip);
     p.depth = shadowDepth(input.lightClip, fromLight);
     p.footprint = shadowFootprint(length(fromLight), gLightFov);
     p.axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
     p.axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
-    float3 normal = safeNormalize(input.normal);
-    float2 slope = shadowSlope(normal, p.axisX, p.axisY, p.toLight, p.footprint);
-    p.shadow = shadowTest(SAMPLER2D_ARG(gTsm), p.tsmUv, p.depth, gShadowTolerance, slope) * shadowHorizon(dot(normal, p.toLight));
     return p;
 }
 
-// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At the outline seen
-// from the light a texel may hold a surface behind this one.
-float4 lightEntry(LitPoint p)
+// map: of depths seen from the light.
+float surfaceShadow(SAMPLER2D_PARAM(map), LitPoint p)
 {
-    float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.tsmUv);
-    float path = p.depth - texel.x;
-    return float4(texel.yz, max(path, 0.0), path > -gShadowTolerance ? texel.w : 0.0);
-}
-
-// What the specular layer leaves of light that crosses the surface at this cosine.
-float diffuseShare(float cosine)
-{
-    float albedo = tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).x;
-    return energyDiffuseShare(albedo, gSpecularIntensity);
-}
-
-float3 enteringLight(LitPoint p)
-{
-    return irradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
+    float2 slope = shadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
+    return shadowTest(SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope) * shadowHorizon(dot(p.meshNormal, p.toLight));
 }
 
 #endif

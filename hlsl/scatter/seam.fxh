@@ -8,7 +8,7 @@ static const float4 kInvalidTexel = float4(0.0, 0.0, 0.0, 1.0);
 // 1 inside a chart. Half-way between the largest valid alpha and 1, so that a half's rounding does not matter.
 float seamValidity(float4 texel)
 {
-    return texel.w < 0.5 * (kLargestAlpha + 1.0) ? 1.0 : 0.0;
+    return !kRepairSeams || texel.w < 0.5 * (kLargestAlpha + 1.0) ? 1.0 : 0.0;
 }
 
 // Bilinear look-up over the valid texels among four; kInvalidTexel where there is none.

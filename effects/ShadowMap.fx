@@ -1,0 +1,57 @@
+// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the mesh.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/shadow.fxh"
+#include "passes/quad.fxh"
+#include "passes/skin_parameters.fxh"
+#include "passes/shadow_map.fxh"
+#include "passes/surface.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=ShadowMap;";
+> = 0.8;
+
+// Nearest white, farthest black, black where there is no surface.
+float4 ShowPS(QuadVarying input) : SV_Target0
+{
+    float texel = tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0)).x;
+    float depth = kDepthInMillimetres ? (texel - gLightNear) / max(gLightFar - gLightNear, 1e-6) : texel;
+    return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
+}
+
+SurfaceVarying ShadowVS(MeshInput input)
+{
+    SurfaceVarying output = surfaceVarying(input);
+    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    return output;
+}
+
+float4 ShadowPS(SurfaceVarying input) : SV_Target0
+{
+    LitPoint p = surfacePoint(input);
+    return float4(float3(1.0, 1.0, 1.0) * surfaceShadow(SAMPLER2D_ARG(gShadow), p), 1.0);
+}
+
+#ifdef FX_TECHNIQUES
+technique ShadowMap < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+}
+
+technique Shadow < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    MESH_PASS(Shadow, ShadowVS, ShadowPS, STATE_SOLID)
+}
+#endif

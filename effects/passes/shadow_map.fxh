@@ -1,0 +1,31 @@
+// Pass ShadowMap: depth of the mesh seen from the light into gShadowMap. R32F, because one step of a half is 0.5 mm at 600 mm.
+#ifndef TEGUMENT_PASSES_SHADOW_MAP_FXH
+#define TEGUMENT_PASSES_SHADOW_MAP_FXH
+
+Texture2D gShadowMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R32F"; >;
+Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+SAMPLER2D(gShadow, POINT, CLAMP);
+
+struct ShadowVarying
+{
+    float4 position : SV_Position;
+    float3 fromLight : TEXCOORD0;
+    float4 lightClip : TEXCOORD1;
+};
+
+ShadowVarying ShadowMapVS(MeshInput input)
+{
+    ShadowVarying output;
+    float3 world = worldPosition(input.position);
+    output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    output.position = HALF_PIXEL(output.lightClip, gViewportSize);
+    output.fromLight = world - gLightPosition;
+    return output;
+}
+
+float4 ShadowMapPS(ShadowVarying input) : SV_Target0
+{
+    return float4(shadowDepth(input.lightClip, input.fromLight), 0.0, 0.0, 1.0);
+}
+
+#endif

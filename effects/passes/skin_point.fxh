@@ -1,0 +1,39 @@
+// What the lit passes of d'Eon and Luebke's technique know besides: colour, shadow and entry of light by the translucent shadow map, energy.
+#ifndef TEGUMENT_PASSES_SKIN_POINT_FXH
+#define TEGUMENT_PASSES_SKIN_POINT_FXH
+
+Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
+SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+
+LitPoint litPoint(SurfaceVarying input)
+{
+    LitPoint p = surfacePoint(input);
+    float4 colour = tex2D(gSkin, input.uv);
+    p.albedo = colour.rgb;
+    p.scatters = colour.a;
+    p.shadow = surfaceShadow(SAMPLER2D_ARG(gTsm), p);
+    return p;
+}
+
+// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At the outline seen
+// from the light a texel may hold a surface behind this one.
+float4 lightEntry(LitPoint p)
+{
+    float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.lightUv);
+    float path = p.depth - texel.x;
+    return float4(texel.yz, max(path, 0.0), path > -gShadowTolerance ? texel.w : 0.0);
+}
+
+// What the specular layer leaves of light that crosses the surface at this cosine.
+float diffuseShare(float cosine)
+{
+    float albedo = tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).x;
+    return energyDiffuseShare(albedo, gSpecularIntensity);
+}
+
+float3 enteringLight(LitPoint p)
+{
+    return irradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
+}
+
+#endif

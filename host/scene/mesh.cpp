@@ -3,6 +3,7 @@
 #include "host/scene/mesh.h"
 
 #include "host/scene/mesh_file.h"
+#include "host/scene/triangles.h"
 
 #include <fmt/format.h>
 
@@ -17,54 +18,11 @@ namespace {
 
 using meshfile::Source;
 
-/// Triangles that repeat a corner have no area and no normal. Parts keep their order; empty ones go.
+/// Triangles that repeat a corner have no area and no normal.
 void dropDegenerate(Mesh& mesh, const Source& source) {
-    std::vector<std::uint32_t> kept;
-    kept.reserve(mesh.indices.size());
-    std::vector<MeshPart> parts;
-    for (const MeshPart& part : mesh.parts) {
-        const auto first = static_cast<std::uint32_t>(kept.size());
-        for (std::size_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
-            const auto* t = &mesh.indices[i];
-            if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) kept.insert(kept.end(), t, t + 3);
-        }
-        const auto count = static_cast<std::uint32_t>(kept.size()) - first;
-        if (count > 0) parts.push_back({.name = part.name, .firstIndex = first, .indexCount = count});
-    }
-    if (const std::size_t dropped = (mesh.indices.size() - kept.size()) / 3; dropped > 0)
-        meshfile::warn(mesh, 5322, source.whole(), fmt::format("{} triangles that repeat a vertex are left out", dropped));
-    mesh.indices = std::move(kept);
-    mesh.parts = std::move(parts);
-}
-
-template <class T>
-void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
-    if (values.empty()) return;
-    std::vector<T> compact;
-    compact.reserve(kept.size());
-    for (const std::uint32_t index : kept)
-        compact.push_back(values[index]);
-    values = std::move(compact);
-}
-
-/// Vertices of no triangle go, so that a stray point cannot stretch the bounds; the order of the others stays.
-void dropUnreferenced(Mesh& mesh) {
-    std::vector<bool> used(mesh.positions.size(), false);
-    for (const std::uint32_t index : mesh.indices)
-        used[index] = true;
-    std::vector<std::uint32_t> kept;
-    std::vector<std::uint32_t> newIndex(mesh.positions.size());
-    for (std::uint32_t i = 0; i < used.size(); ++i) {
-        newIndex[i] = static_cast<std::uint32_t>(kept.size());
-        if (used[i]) kept.push_back(i);
-    }
-    if (kept.size() == mesh.positions.size()) return;
-    keep(mesh.positions, kept);
-    keep(mesh.normals, kept);
-    keep(mesh.tangents, kept);
-    keep(mesh.uvs, kept);
-    for (std::uint32_t& index : mesh.indices)
-        index = newIndex[index];
+    const std::size_t dropped =
+        keepTriangles(mesh, [](std::span<const std::uint32_t, 3> t, std::size_t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
+    if (dropped > 0) meshfile::warn(mesh, 5322, source.whole(), fmt::format("{} triangles that repeat a vertex are left out", dropped));
 }
 
 /// Rounding alone leaves a float unit vector within this of length 1, so such vectors are kept bit for bit.
@@ -159,7 +117,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     if (options.flipV) flipV(mesh);
     dropDegenerate(mesh, source);
     if (mesh.indices.empty()) return meshfile::noTriangles(source.whole());
-    dropUnreferenced(mesh);
+    keepReferenced(mesh); // so that a stray point cannot stretch the bounds
     computeBounds(mesh);
     if (options.expectHead)
         if (auto error = checkHead(mesh, source)) return *error;

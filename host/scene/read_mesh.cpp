@@ -3,6 +3,7 @@
 #include "host/scene/read_mesh.h"
 
 #include "host/scene/mesh_file.h"
+#include "host/scene/triangles.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
 
@@ -54,34 +55,12 @@ Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
     return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), "convert it to glb");
 }
 
-/// Parts keep their order; those that hold nothing any more go.
-template <class Keep>
-std::size_t keepTriangles(Mesh& mesh, Keep keep) {
-    std::size_t to = 0;
-    std::vector<MeshPart> parts;
-    for (const MeshPart& part : mesh.parts) {
-        const std::size_t first = to;
-        for (std::size_t i = part.firstIndex; i < std::size_t{part.firstIndex} + part.indexCount; i += 3) {
-            if (!keep(&mesh.indices[i])) continue;
-            std::copy_n(&mesh.indices[i], 3, &mesh.indices[to]);
-            to += 3;
-        }
-        if (to > first)
-            parts.push_back(
-                {.name = part.name, .firstIndex = static_cast<std::uint32_t>(first), .indexCount = static_cast<std::uint32_t>(to - first)});
-    }
-    const std::size_t dropped = (mesh.indices.size() - to) / 3;
-    mesh.indices.resize(to);
-    mesh.parts = std::move(parts);
-    return dropped;
-}
-
 /// The vertices stay, at the origin: nothing refers to them any more.
 void dropNotFinite(ReadMesh& file) {
     Mesh& mesh = file.mesh;
     if (std::ranges::all_of(mesh.positions, meshfile::isFinite)) return;
-    file.counts.notFiniteFaces = keepTriangles(mesh, [&](const std::uint32_t* triangle) {
-        return std::all_of(triangle, triangle + 3, [&](std::uint32_t index) { return meshfile::isFinite(mesh.positions[index]); });
+    file.counts.notFiniteFaces = keepTriangles(mesh, [&](std::span<const std::uint32_t, 3> corners, std::size_t) {
+        return std::ranges::all_of(corners, [&](std::uint32_t index) { return meshfile::isFinite(mesh.positions[index]); });
     });
     for (glm::vec3& position : mesh.positions)
         if (!meshfile::isFinite(position)) position = glm::vec3(0);

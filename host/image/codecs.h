@@ -37,9 +37,10 @@ struct Samples8 {
 /// TG5202: what stands at `byte` cannot be decoded.
 [[nodiscard]] Error damaged(const Encoded& in, std::size_t byte, const std::string& detail);
 /// TG5203: empty or larger than kMaxSize.
-[[nodiscard]] std::optional<Error> sizeError(const Encoded& in, std::uint64_t width, std::uint64_t height);
+[[nodiscard]] std::optional<Error> sizeError(const Encoded& in, std::uint64_t width, std::uint64_t height,
+                                             std::optional<std::size_t> byte = {});
 /// TG5204: a legal file of a kind that no effect needs.
-[[nodiscard]] Error unsupported(const Encoded& in, const std::string& what, const std::string& hint);
+[[nodiscard]] Error unsupported(const Encoded& in, const std::string& what, const std::string& hint, std::optional<std::size_t> byte = {});
 /// TG5205: the machine could not hold or encode it.
 [[nodiscard]] Error outOfMemory(const std::string& name);
 

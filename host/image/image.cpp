@@ -3,6 +3,7 @@
 #include "host/image/image.h"
 
 #include "host/image/codecs.h"
+#include "host/image/dds.h"
 #include "host/support/file.h"
 
 #include <fmt/format.h>
@@ -24,14 +25,14 @@ Error damaged(const Encoded& in, std::size_t byte, const std::string& detail) {
     return inputError(5202, {.file = in.name, .byte = byte}, "the image is damaged: " + detail, "fetch or export the file again");
 }
 
-std::optional<Error> sizeError(const Encoded& in, std::uint64_t width, std::uint64_t height) {
+std::optional<Error> sizeError(const Encoded& in, std::uint64_t width, std::uint64_t height, std::optional<std::size_t> byte) {
     if (width > 0 && height > 0 && width <= kMaxSize && height <= kMaxSize) return std::nullopt;
-    return inputError(5203, {.file = in.name, .byte = {}}, fmt::format("the image is {} x {} pixels", width, height),
+    return inputError(5203, {.file = in.name, .byte = byte}, fmt::format("the image is {} x {} pixels", width, height),
                       fmt::format("from 1 to {} in each direction can be read", kMaxSize));
 }
 
-Error unsupported(const Encoded& in, const std::string& what, const std::string& hint) {
-    return inputError(5204, {.file = in.name, .byte = {}}, what + " cannot be read", hint);
+Error unsupported(const Encoded& in, const std::string& what, const std::string& hint, std::optional<std::size_t> byte) {
+    return inputError(5204, {.file = in.name, .byte = byte}, what + " cannot be read", hint);
 }
 
 Error outOfMemory(const std::string& name) {
@@ -51,14 +52,24 @@ Error unknownFormat(const codec::Encoded& in) {
     std::string start;
     for (std::size_t i = 0; i < std::min<std::size_t>(8, in.bytes.size()); ++i)
         start += fmt::format("{}{:02x}", i ? " " : "", std::to_integer<unsigned>(in.bytes[i]));
-    const std::string text = in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG or EXR image: it starts with {}", start);
-    return inputError(5200, {.file = in.name, .byte = 0}, text, "convert it to PNG, JPEG or EXR");
+    const std::string text =
+        in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG, EXR or DDS image: it starts with {}", start);
+    return inputError(5200, {.file = in.name, .byte = 0}, text, "convert it to PNG, JPEG, EXR or DDS");
+}
+
+/// The largest level of a two-dimensional DDS texture.
+Result<Image> flatDds(const codec::Encoded& in) {
+    Result<DdsTexture> texture = decodeDds(in.bytes, in.name);
+    if (!texture) return texture.error();
+    if (texture->isCube()) return codec::unsupported(in, "a cube map as a picture", "give it to a TextureCube");
+    return std::move(texture->images.front());
 }
 
 Result<Image> decodeByContent(const codec::Encoded& in) {
     if (startsWith(in.bytes, {0x89, 'P', 'N', 'G'})) return codec::decodePng(in);
     if (startsWith(in.bytes, {0xff, 0xd8})) return codec::decodeJpeg(in);
     if (startsWith(in.bytes, {0x76, 0x2f, 0x31, 0x01})) return codec::decodeExr(in);
+    if (isDds(in.bytes)) return flatDds(in);
     return unknownFormat(in);
 }
 

@@ -58,7 +58,7 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique Convolution < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
     "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;"
     "RenderColorTarget0=gIrradiance2Map; Clear=Color; Pass=ConvolutionUV1;"

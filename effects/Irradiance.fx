@@ -29,7 +29,7 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique Irradiance < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
     "RenderColorTarget0=; Pass=Show;"; >
 {

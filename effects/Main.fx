@@ -36,7 +36,7 @@ float Script : STANDARDSGLOBAL <
 #ifdef FX_TECHNIQUES
 technique DEonLuebke < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
     "ClearSetColor=gClearInvalid; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd;"
@@ -72,7 +72,7 @@ technique DEonLuebke < string Script =
 
 technique DEonLuebkeCulled < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
     "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;"
     "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
@@ -115,7 +115,7 @@ technique DEonLuebkeCulled < string Script =
 
 technique Gosselin < string Script =
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
     "ClearSetColor=gClearInvalid; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd;"
@@ -141,7 +141,7 @@ technique Gosselin < string Script =
 
 technique Lambert < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)

@@ -18,7 +18,7 @@ float Script : STANDARDSGLOBAL <
 // Nearest white, farthest black, black where there is no surface.
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
-    float texel = tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0)).x;
+    float texel = shadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
     float depth = kDepthInMillimetres ? (texel - gLightNear) / max(gLightFar - gLightNear, 1e-6) : texel;
     return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
 }
@@ -39,7 +39,7 @@ float4 ShadowPS(SurfaceVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique ShadowMap < string Script =
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
@@ -48,7 +48,7 @@ technique ShadowMap < string Script =
 
 technique Shadow < string Script =
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
 {
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)

@@ -54,7 +54,7 @@ float4 SpecularSmoothPS(SurfaceVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique Specular < string Script =
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
@@ -68,7 +68,7 @@ technique SpecularUnshadowed < string Script = "RenderColorTarget0=; RenderDepth
 
 technique SpecularSmooth < string Script =
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)

@@ -23,7 +23,7 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique TSM < string Script =
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearFarAway; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)

@@ -14,7 +14,7 @@ float gLightFar : FARCLIP < string Object = "PointLight0"; string UIWidget = "No
 float3 gCameraPosition : CAMERAPOSITION < string UIWidget = "None"; >;
 float gLightFov : FIELDOFVIEW < string Object = "PointLight0"; string UIWidget = "None"; string UIHelp = "horizontal, radians"; >;
 
-float4 gClearFarAway < string UIWidget = "None"; > = { 1e9, 0.0, 0.0, 0.0 };
+float4 gClearEmpty < string UIWidget = "None"; > = { 0.0, 0.0, 0.0, 0.0 };
 float4 gClearInvalid < string UIWidget = "None"; > = { 0.0, 0.0, 0.0, 1.0 };
 float2 gViewportSize : VIEWPORTPIXELSIZE < string UIWidget = "None"; >;
 float gClearNear < string UIWidget = "None"; > = 0.0;

@@ -10,6 +10,8 @@ static const float kSmallestSlopeCosine = 0.15;
 static const float kSlopeTolerance = 1.0;
 // N.L of the mesh at which its own horizon has passed.
 static const float kHorizon = 0.05;
+// Depth of what is not there, mm or z/w.
+static const float kNoSurface = 1e9;
 
 float2 shadowCoordinate(float4 lightClip)
 {
@@ -41,10 +43,16 @@ float shadowHorizon(float cosine)
     return kFilterShadow ? saturate(cosine / kHorizon) : 1.0;
 }
 
-// Lit where the nearest surface is not before this depth. Texels without surface hold a depth beyond any (the clear value of the script).
+// Maps are cleared to 0, because Direct3D 9 clears to 0..1 in 8 bits: there is no surface, and nothing lies in front of anything.
+float4 shadowStored(float4 depth)
+{
+    return depth + kNoSurface * step(depth, 0.0);
+}
+
+// Lit where the nearest surface is not before this depth.
 float shadowLit(SAMPLER2D_PARAM(map), float2 coordinate, float depth)
 {
-    return depth <= tex2Dlod(map, float4(coordinate, 0.0, 0.0)).x ? 1.0 : 0.0;
+    return depth <= shadowStored(tex2Dlod(map, float4(coordinate, 0.0, 0.0))).x ? 1.0 : 0.0;
 }
 
 // Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions, each compared with the receiver's plane there.
@@ -61,7 +69,7 @@ float shadowFiltered(SAMPLER2D_PARAM(map), float2 coordinate, float depth, float
         float4 row;
         [unroll] for (int i = 0; i < 4; i++)
             row[i] = tex2Dlod(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
-        sum += rowWeight[j] * dot(step(plane + slope.y * (j - 1.0 - f.y), row), float4(1.0 - f.x, 1.0, 1.0, f.x));
+        sum += rowWeight[j] * dot(step(plane + slope.y * (j - 1.0 - f.y), shadowStored(row)), float4(1.0 - f.x, 1.0, 1.0, f.x));
     }
     return sum / 9.0;
 }

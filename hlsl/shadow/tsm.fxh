@@ -1,5 +1,5 @@
 // Translucent shadow map, modified: depth and texture coordinates of the surface nearest to the light (d'Eon and Luebke 2007, "Modified translucent
-// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); (1e9, 0, 0, 0) where there is no surface. Depth as in shadow/map.fxh.
+// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); zeros where there is no surface. Depth as in shadow/map.fxh.
 #ifndef TEGUMENT_SHADOW_TSM_FXH
 #define TEGUMENT_SHADOW_TSM_FXH
 
@@ -10,9 +10,13 @@ static const float kOnePiece = 0.03;
 float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 axisY, float3 toLight, float footprint, float range)
 {
     float2 texel = float2(1.0, 0.0) / kMapSize;
-    float dx = tex2Dlod(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x - tex2Dlod(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
-    float dy = tex2Dlod(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x - tex2Dlod(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
-    return safeNormalize(2.0 * footprint * toLight + range * (dx * axisX + dy * axisY));
+    float4 around;
+    around.x = tex2Dlod(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x;
+    around.y = tex2Dlod(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
+    around.z = tex2Dlod(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x;
+    around.w = tex2Dlod(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
+    float4 depth = shadowStored(around);
+    return safeNormalize(2.0 * footprint * toLight + range * ((depth.x - depth.y) * axisX + (depth.z - depth.w) * axisY));
 }
 
 // Point where the light entered: interpolated where the four texels lie on one piece of the surface, else the nearest texel. Seen at a grazing angle

@@ -1,6 +1,6 @@
-// Main: human skin in 15 passes after d'Eon and Luebke 2007, as seed 000 Table 4 orders them. Setting by TEGUMENT_SETTING (hlsl/settings.fxh).
-// Techniques, all drawing into the caller's targets: DEonLuebke, the 15 passes; DEonLuebkeCulled, the same picture without the texels that it does not
-// need; Lambert, the same scene without diffusion, to set beside it.
+// Main: human skin, in 15 passes after d'Eon and Luebke 2007 and in 8 after Gosselin, Sander and Mitchell 2004, as seed 000 Tables 3 and 4 order them.
+// Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin; DEonLuebkeCulled and
+// GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without diffusion, to set beside them.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -128,6 +128,39 @@ technique Gosselin < string Script =
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
+    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
+    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_EQUAL)
+    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_EQUAL)
+    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_EQUAL)
+    MESH_PASS(Final, FinalVS, GosselinFinalPS, STATE_SOLID)
+    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_EQUAL)
+    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_EQUAL)
+    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_EQUAL)
+    MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
+}
+
+technique GosselinCulled < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
+    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;"
+    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
+    "ClearSetColor=gClearInvalid; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
+    "Pass=PrePass1; Pass=PrePass2;"
+    "Pass=Irradiance;"
+    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;"
+    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;"
+    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=gBlurIndex?Final:FinalEven:Final:FinalEven:Final:FinalEven;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, STATE_BUFFER)
+    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
+    QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, STATE_BUFFER)
+    QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, STATE_BUFFER)
+    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
+    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
     MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
     QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_EQUAL)
     QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_EQUAL)

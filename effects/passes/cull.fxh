@@ -25,9 +25,16 @@ bool blackAround(float2 uv)
     return black;
 }
 
-bool hiddenPoint(CullVarying input, float slack)
+// slack: share of N.V by which a point may face away and still count as visible.
+bool facesAway(CullVarying input, float slack)
 {
-    return cullHidden(input.clip, safeNormalize(input.normal), safeNormalize(input.toEye), slack);
+    return cullBackFace(safeNormalize(input.normal), safeNormalize(input.toEye), slack);
+}
+
+// The condition of the prepass, equations 41 and 42 in the form of the setting.
+bool hiddenPoint(CullVarying input)
+{
+    return (kCullAsPrinted ? cullOutsideAsPrinted(input.clip) : cullOutside(input.clip)) || facesAway(input, 0.0);
 }
 
 CullVarying cullVarying(MeshInput input)
@@ -59,14 +66,14 @@ float4 PrePass1PS(QuadVarying input) : SV_Target0
 CullVarying PrePass2VS(MeshInput input)
 {
     CullVarying output = cullVarying(input);
-    float z = kCullPerPixel || hiddenPoint(output, 0.0) ? 1.0 : 0.0;
+    float z = kCullPerPixel || hiddenPoint(output) ? 1.0 : 0.0;
     output.position = HALF_PIXEL(unwrapPosition(input.uv, z), gViewportSize);
     return output;
 }
 
 float4 PrePass2PS(CullVarying input) : SV_Target0
 {
-    clip(!kCullPerPixel || hiddenPoint(input, 0.0) ? 1.0 : -1.0);
+    clip(!kCullPerPixel || hiddenPoint(input) ? 1.0 : -1.0);
     return 0.0;
 }
 

@@ -1,9 +1,10 @@
 // Prepasses that leave the picture as it is: they spare every texel that a visible pixel draws light from.
-// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others.
+// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others. The techniques differ in what light reaches a
+// visible pixel: d'Eon and Luebke's passes also through the body, Gosselin's only along the map.
 #ifndef TEGUMENT_PASSES_REACH_FXH
 #define TEGUMENT_PASSES_REACH_FXH
 
-Texture2D gCullNeedMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullNeedMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R16F"; >;
 Texture2D gCullTilesMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gCullReachUMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gCullReachMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
@@ -14,7 +15,7 @@ SAMPLER2D(gCullReach, POINT, CLAMP);
 
 // Points this far (mm) behind the surface nearest to the light still count as places where light enters.
 static const float kEntrySlack = 2.0;
-// Share of N.V by which a point may face away and still count as visible.
+// A triangle may face the eye although its interpolated normal does not: N.V down to this counts as visible.
 static const float kFacingSlack = 0.25;
 
 struct NeedVarying
@@ -35,19 +36,35 @@ NeedVarying CullNeedVS(MeshInput input)
     return output;
 }
 
+bool mayShow(CullVarying input)
+{
+    return !cullOutside(input.clip) && !facesAway(input, kFacingSlack);
+}
+
 // A texel is needed if it shows, or if light enters there that may pass through to one that shows.
 float4 CullNeedPS(NeedVarying input) : SV_Target0
 {
     float slack = kDepthInMillimetres ? kEntrySlack : kEntrySlack / max(gLightFar - gLightNear, kEntrySlack);
     float depth = shadowDepth(input.lightClip, input.fromLight);
     float lit = shadowTest(SAMPLER2D_ARG(gTsm), shadowCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
-    bool needed = !hiddenPoint(input.cull, kFacingSlack) || lit > 0.0;
-    return float4(needed ? 1.0 : 0.0, gaussianDensity(tex2Dlod(gStretch, float4(input.cull.uv, 0.0, 0.0))), 1.0);
+    return float4(mayShow(input.cull) || lit > 0.0 ? 1.0 : 0.0, 0.0, 0.0, 1.0);
+}
+
+CullVarying BlurNeedVS(MeshInput input)
+{
+    CullVarying output = cullVarying(input);
+    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    return output;
+}
+
+float4 BlurNeedPS(CullVarying input) : SV_Target0
+{
+    return float4(mayShow(input) ? 1.0 : 0.0, 0.0, 0.0, 1.0);
 }
 
 float4 CullTilesPS(QuadVarying input) : SV_Target0
 {
-    return reachTile(SAMPLER2D_ARG(gCullNeed), input.uv);
+    return reachTile(SAMPLER2D_ARG(gCullNeed), SAMPLER2D_ARG(gStretch), input.uv);
 }
 
 float4 CullReachUPS(QuadVarying input) : SV_Target0
@@ -58,6 +75,16 @@ float4 CullReachUPS(QuadVarying input) : SV_Target0
 float4 CullReachVPS(QuadVarying input) : SV_Target0
 {
     return reachAlong(SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), reachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+}
+
+float4 BlurReachUPS(QuadVarying input) : SV_Target0
+{
+    return reachAlong(SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0), reachOfBlurs(gBlurSize, gBlurCount));
+}
+
+float4 BlurReachVPS(QuadVarying input) : SV_Target0
+{
+    return reachAlong(SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), reachOfBlurs(gBlurSize, gBlurCount));
 }
 
 bool outOfReach(float2 uv)

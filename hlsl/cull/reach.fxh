@@ -1,38 +1,52 @@
-// Which texels a needed texel draws light from: those within the reach of the cascade. Kept per tile; the map has kCullTiles tiles a side.
+// Which texels a needed texel draws light from: those within the reach of the blurs. Kept per tile; the map has kCullTiles tiles a side.
 // A tile holds (1 where needed, largest texels per mm along U, along V, 1). U first, then V: what the boxes of all the convolutions cover.
+// A reach is (mm on the surface, texels besides).
 #ifndef TEGUMENT_CULL_REACH_FXH
 #define TEGUMENT_CULL_REACH_FXH
 
 static const int kCullTiles = 64;
 static const int kTileTexels = (TEGUMENT_MAP_SIZE + kCullTiles - 1) / kCullTiles;
-// Interpolated taps (1 texel a convolution), the smallest reach outside the charts (3 texels), and the look-up of the last pass.
-static const float kReachSlack = 5.0 * 3.0 + 2.0;
+// Texels: those between which the last pass looks up; those that a convolution adds, for its taps are interpolated (1) and reach 3 at least outside the
+// charts.
+static const float kLookUpReach = 2.0;
+static const float kConvolutionReach = 3.0;
 // Whether a texel is needed is asked at its centre; the tile beside it may hold the rest of it.
 static const float kTileSlack = 2.0;
 
-// Three spacings of every Gaussian of the cascade, mm.
-float reachOfCascade(float4 sigma1To4, float2 sigma5And6)
+// Three spacings of every Gaussian of the cascade.
+float2 reachOfCascade(float4 sigma1To4, float2 sigma5And6)
 {
     float4 after = float4(sigma1To4.yzw, sigma5And6.x);
     float4 before = sigma1To4;
     float4 steps = sqrt(max(after * after - before * before, 0.0));
     float last = sqrt(max(sigma5And6.y * sigma5And6.y - sigma5And6.x * sigma5And6.x, 0.0));
-    return 3.0 * (steps.x + steps.y + steps.z + steps.w + last);
+    return float2(3.0 * (steps.x + steps.y + steps.z + steps.w + last), 5.0 * kConvolutionReach + kLookUpReach);
 }
 
-// Needs, densities of the map, largest over a tile; uv: any point of the tile's middle.
-float4 reachTile(SAMPLER2D_PARAM(need), float2 uv)
+// The radii of `count` Poisson blurs where the kernel size is 1. Taps fall on the nearest texel.
+float2 reachOfBlurs(float size, float count)
+{
+    float texels = kPoissonStretched ? kPoissonFill : 2.0 * size * kPoissonLongest;
+    return float2(kPoissonStretched ? size * kPoissonLongest * count : 0.0, (texels + 0.5) * count + kLookUpReach);
+}
+
+// Needs, densities of the map, largest over a tile; uv: any point of the tile's middle. The densities outside the charts count too: texels there are
+// filled by the same convolutions.
+float4 reachTile(SAMPLER2D_PARAM(need), SAMPLER2D_PARAM(stretch), float2 uv)
 {
     float2 corner = floor(uv * kCullTiles) / kCullTiles + 0.5 / kMapSize;
     float4 largest = 0.0;
     [loop] for (int j = 0; j < kTileTexels; j++)
         [loop] for (int i = 0; i < kTileTexels; i++)
-            largest = max(largest, tex2Dlod(need, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)));
+        {
+            float4 texel = float4(corner + float2(i, j) / kMapSize, 0.0, 0.0);
+            largest = max(largest, float4(tex2Dlod(need, texel).x, gaussianDensity(tex2Dlod(stretch, texel)), 1.0));
+        }
     return largest;
 }
 
 // 1 if a needed tile this way reaches here. The density is the largest met on the way. axis: one tile, in uv; select: (1, 0) along U, (0, 1) along V.
-float reachFrom(SAMPLER2D_PARAM(tiles), float2 uv, float2 axis, float2 select, float reach)
+float reachFrom(SAMPLER2D_PARAM(tiles), float2 uv, float2 axis, float2 select, float2 reach)
 {
     float density = 0.0;
     float needed = 0.0;
@@ -40,12 +54,12 @@ float reachFrom(SAMPLER2D_PARAM(tiles), float2 uv, float2 axis, float2 select, f
     {
         float4 tile = tex2Dlod(tiles, float4(uv + k * axis, 0.0, 0.0));
         density = max(density, dot(tile.yz, select));
-        needed = (k - kTileSlack) * kTileTexels <= reach * density + kReachSlack ? max(needed, tile.x) : needed;
+        needed = (k - kTileSlack) * kTileTexels <= reach.x * density + reach.y ? max(needed, tile.x) : needed;
     }
     return needed;
 }
 
-float4 reachAlong(SAMPLER2D_PARAM(tiles), float2 uv, float2 select, float reach)
+float4 reachAlong(SAMPLER2D_PARAM(tiles), float2 uv, float2 select, float2 reach)
 {
     float2 axis = select / kCullTiles;
     float needed = max(reachFrom(SAMPLER2D_ARG(tiles), uv, axis, select, reach), reachFrom(SAMPLER2D_ARG(tiles), uv, -axis, select, reach));

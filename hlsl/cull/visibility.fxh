@@ -1,18 +1,29 @@
 // Texture-space culling (seed 5.3.1; Gosselin et al. 2004): a prepass writes depth 1 where a texel cannot show, and the later passes, drawn at depth 0
-// with the test EQUAL, skip it. Clip-space form of seed equations 41 and 42: p.x / p.z > tan(fov / 2) is x > w; both signs, and what is behind the
-// camera is outside. normal, toEye: unit; toEye points from the surface to the eye.
+// with the test EQUAL, skip it. Clip-space form of seed equations 41 and 42: p.x / p.z > tan(fov / 2) is x / w > 1. normal, toEye: unit; toEye points
+// from the surface to the eye (the seed's wording, taken literally, would cull the front).
 #ifndef TEGUMENT_CULL_VISIBILITY_FXH
 #define TEGUMENT_CULL_VISIBILITY_FXH
 
+// In the plane of the eye the ratio has no value.
+static const float kSmallestClipW = 1e-6;
+
+// As printed: the right and the upper side only; of the points behind the camera, which have no picture, half count as inside.
+bool cullOutsideAsPrinted(float4 clip)
+{
+    float2 ratio = clip.xy / (abs(clip.w) > kSmallestClipW ? clip.w : kSmallestClipW);
+    return ratio.x > 1.0 || ratio.y > 1.0;
+}
+
+// Both signs, and all that is behind the camera.
 bool cullOutside(float4 clip)
 {
     return clip.w <= 0.0 || abs(clip.x) > clip.w || abs(clip.y) > clip.w;
 }
 
 // slack: 0 in the seed. A triangle may face the eye although its interpolated normal does not yet.
-bool cullHidden(float4 clip, float3 normal, float3 toEye, float slack)
+bool cullBackFace(float3 normal, float3 toEye, float slack)
 {
-    return cullOutside(clip) || dot(normal, toEye) < -slack;
+    return dot(normal, toEye) < -slack;
 }
 
 bool cullBlack(float3 colour)

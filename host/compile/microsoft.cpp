@@ -2,6 +2,7 @@
 
 #include "host/compile/effect_binary.h"
 #include "host/compile/microsoft_messages.h"
+#include "host/compile/microsoft_reflection.h"
 #include "host/compile/sm3.h"
 #include "host/compile/wine.h"
 #include "host/support/file.h"
@@ -11,8 +12,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <future>
 #include <iterator>
 #include <span>
+#include <thread>
 
 #include <unistd.h>
 
@@ -24,12 +27,7 @@ namespace {
 
 constexpr double kStartSeconds = 60;
 constexpr double kJobSeconds = 20; // the longest seen is 1.4 s
-
-fs::path compilerLibrary() {
-    const char* own = std::getenv("TEGUMENT_D3DCOMPILER");
-    std::error_code code;
-    return fs::absolute(own != nullptr && *own != '\0' ? fs::path(own) : cacheFolder() / "tools/microsoft/d3dcompiler_47.dll", code);
-}
+constexpr std::size_t kMostProcesses = 8;
 
 /// Beside the program, where it was installed, where it was built.
 fs::path driver() {
@@ -60,66 +58,30 @@ Error notRunnable(std::string text, std::string hint = {}) {
     return machineError(3104, std::move(text), std::move(hint));
 }
 
-/// Wine looks for a "native" library beside the program: both come into one folder.
-Result<void> bringTogether(const fs::path& folder) {
-    std::error_code code;
-    if (folder.empty()) return notRunnable("cannot create a temporary folder");
-    fs::create_symlink(fs::absolute(driver(), code), folder / "hlslc.exe", code);
-    if (!code) fs::create_symlink(compilerLibrary(), folder / "d3dcompiler_47.dll", code);
-    if (code) return notRunnable(fmt::format("cannot link the compiler into {}: {}", folder.string(), code.message()));
-    return {};
-}
-
-fs::path outputPath(const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
-    std::error_code code;
-    return job.output.empty() ? folder / fmt::format("{}.bin", index) : fs::absolute(job.output, code);
-}
-
-fs::path listingPath(const fs::path& folder, std::size_t index) {
-    return folder / fmt::format("{}.asm", index);
-}
-
 bool isSm3(const MicrosoftJob& job) {
-    return job.profile == "vs_3_0" || job.profile == "ps_3_0";
+    return job.profile == "vs_3_0" || job.profile == "ps_3_0" || job.profile == "listing";
 }
 
-/// The list separates fields by tabs and jobs by line breaks; a backslash would end a folder's name on the other side.
+/// The list separates fields by tabs, folders by bars and jobs by line breaks; a backslash would end a folder's name on the other side.
 bool canBeListed(const MicrosoftJob& job) {
     const auto clean = [](std::string_view text) { return std::ranges::none_of(text, [](unsigned char c) { return c < ' '; }); };
     const auto path = [&](const fs::path& p) { return clean(p.string()) && p.string().find('\\') == std::string::npos; };
     return clean(job.profile) && clean(job.entry) && path(job.source) && path(job.output) &&
+           std::ranges::all_of(job.includeFolders,
+                               [&](const fs::path& p) { return path(p) && p.string().find('|') == std::string::npos; }) &&
            std::ranges::all_of(job.defines, [&](const auto& define) { return clean(define.first) && clean(define.second); });
 }
 
-std::string jobLine(const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
-    std::error_code code;
-    std::string line = fmt::format("{}\t{}\t{}\t{}\t{}", job.profile, job.entry, windowsPath(fs::absolute(job.source, code)),
-                                   windowsPath(outputPath(job, folder, index)), isSm3(job) ? windowsPath(listingPath(folder, index)) : "");
-    for (const auto& [name, value] : job.defines)
-        line += fmt::format("\t{}={}", name, value);
-    return line + "\n";
-}
-
-MicrosoftResult notListable(const MicrosoftJob& job) {
-    return {.diagnostics = {{.code = 3105,
+MicrosoftResult failedJob(const MicrosoftJob& job, int code, std::string text, std::string hint = {}) {
+    return {.ok = false,
+            .diagnostics = {{.code = code,
                              .at = {.file = job.source.string(), .byte = {}},
-                             .text = "this path or define cannot be handed to Microsoft's compiler",
-                             .hint = "use names without tab, line break and backslash",
+                             .text = std::move(text),
+                             .hint = std::move(hint),
                              .sourceLine = {}}},
-            .sm3 = {}};
-}
-
-void addContent(MicrosoftResult& result, const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
-    const auto binary = readFile(outputPath(job, folder, index));
-    if (!binary) return;
-    result.bytes = binary->size();
-    if (const auto content = readEffectBinary(*binary); content && job.profile.starts_with("fx_")) {
-        result.techniqueCount = content->techniques;
-        result.passCount = content->passes;
-        result.shaderCount = content->shaders;
-    }
-    if (!isSm3(job)) return;
-    if (const auto listing = readFile(listingPath(folder, index))) result.sm3 = readSm3Listing(*listing);
+            .binary = {},
+            .sm3 = {},
+            .sm5 = {}};
 }
 
 /// Result 0x80070002: the file is not there; others come without a message, too.
@@ -128,104 +90,192 @@ Diagnostic withoutMessage(const MicrosoftJob& job, std::uint32_t code) {
     constexpr std::uint32_t kNoPath = 0x80070003;
     const std::string why =
         code == kNotFound || code == kNoPath ? "the file cannot be opened" : fmt::format("failed without a message (result {:#x})", code);
-    return {.severity = Severity::Error,
-            .code = 3101,
-            .at = {.file = job.source.string(), .byte = {}},
-            .text = why,
-            .hint = {},
-            .sourceLine = {}};
+    return failedJob(job, 3101, why).diagnostics.front();
 }
 
-std::optional<MicrosoftResult> readResult(const std::string& line, const MicrosoftJob& job, const fs::path& folder, std::size_t index) {
-    const auto json = nlohmann::json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("ok") || !json.contains("ms") || !json.contains("messages") || !json.contains("result"))
-        return {};
-    MicrosoftResult result{.ok = json["ok"].get<bool>(), .diagnostics = {}, .sm3 = {}, .milliseconds = json["ms"].get<double>()};
-    Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source);
-    if (!result.ok && messages.errors.empty()) messages.errors.push_back(withoutMessage(job, json["result"].get<std::uint32_t>()));
-    result.diagnostics = shortened(std::move(messages.errors));
-    for (Diagnostic& warning : shortened(std::move(messages.warnings)))
-        result.diagnostics.push_back(std::move(warning));
-    if (result.ok) addContent(result, job, folder, index);
-    return result;
-}
+/// The jobs of one call and the folder in which they exchange files with the processes that do them.
+class Jobs {
+public:
+    explicit Jobs(std::span<const MicrosoftJob> jobs) : jobs_(jobs), results_(jobs.size()) {}
 
-MicrosoftResult broughtDown(const MicrosoftJob& job, const ProcessResult& process) {
-    const std::string how = process.timedOut ? "did not end in time" : fmt::format("ended with exit code {}", process.exitCode);
-    return {.ok = false,
-            .diagnostics = {{.severity = Severity::Error,
-                             .code = 3103,
-                             .at = {.file = job.source.string(), .byte = {}},
-                             .text = fmt::format("Microsoft's compiler {} on {} {}", how, job.profile, job.entry),
-                             .hint = {},
-                             .sourceLine = {}}},
-            .sm3 = {}};
-}
-
-/// Runs jobs in one process; the results of those that it got through, then one for the job that it died of.
-Result<std::vector<MicrosoftResult>> runBatch(std::span<const MicrosoftJob> jobs, const fs::path& folder, std::size_t first) {
-    std::string list;
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-        list += jobLine(jobs[i], folder, first + i);
-    const fs::path jobsFile = folder / "jobs.txt";
-    const fs::path resultsFile = folder / "results.txt";
-    if (auto written = writeFile(jobsFile, list); !written) return written.error();
-    std::error_code code;
-    fs::remove(resultsFile, code);
-    const auto process = runInWine(folder / "hlslc.exe", {windowsPath(jobsFile), windowsPath(resultsFile)},
-                                   kStartSeconds + kJobSeconds * static_cast<double>(jobs.size()));
-    if (!process) return process.error();
-    const auto text = readFile(resultsFile);
-    if (!text)
-        return notRunnable(fmt::format("Microsoft's compiler could not be run in Wine: exit code {}{}{}", process->exitCode,
-                                       process->output.empty() ? "" : ", ", process->output),
-                           fmt::format("if it stays so, remove {}: Wine makes it anew", (cacheFolder() / "wine").string()));
-
-    std::vector<MicrosoftResult> results;
-    for (std::size_t at = 0; results.size() < jobs.size();) {
-        const std::size_t end = text->find('\n', at);
-        auto result = end == std::string::npos
-                          ? std::nullopt
-                          : readResult(text->substr(at, end - at), jobs[results.size()], folder, first + results.size());
-        results.push_back(result ? std::move(*result) : broughtDown(jobs[results.size()], *process));
-        if (!result) break;
-        at = end + 1;
+    /// Brings compiler and driver into one folder (Wine looks for a "native" library beside the program) and writes the list.
+    Result<ProcessCommand> prepare() {
+        std::error_code code;
+        const fs::path& folder = folder_.path;
+        if (folder.empty()) return notRunnable("cannot create a temporary folder");
+        fs::create_symlink(fs::absolute(driver(), code), folder / "hlslc.exe", code);
+        if (!code) fs::create_symlink(microsoftCompilerLibrary(), folder / "d3dcompiler_47.dll", code);
+        if (!code) fs::create_directory(folder / "claims", code);
+        if (code) return notRunnable(fmt::format("cannot link the compiler into {}: {}", folder.string(), code.message()));
+        std::string list;
+        for (std::size_t i = 0; i < jobs_.size(); ++i)
+            list += line(i);
+        if (auto written = writeFile(folder / "jobs.txt", list); !written) return written.error();
+        return wineProcess(folder / "hlslc.exe", {windowsPath(folder / "jobs.txt"), windowsPath(folder / "claims")});
     }
-    return results;
+
+    /// One process after the other until every job is claimed; a process that ends early takes one job with it.
+    Result<void> work(const ProcessCommand& command) {
+        for (;;) {
+            auto process = BackgroundProcess::start(command);
+            if (!process) return process.error();
+            const Ended ended = follow(*process);
+            if (ended.regular) return {};
+            if (!ended.at) return notStarted(ended);
+            results_[*ended.at] = failedJob(jobs_[*ended.at], 3103, broughtDown(jobs_[*ended.at], ended.timedOut));
+        }
+    }
+
+    std::vector<MicrosoftResult> results() && {
+        std::vector<MicrosoftResult> all;
+        for (std::size_t i = 0; i < results_.size(); ++i)
+            all.push_back(results_[i] ? std::move(*results_[i]) : failedJob(jobs_[i], 3103, broughtDown(jobs_[i], false)));
+        return all;
+    }
+
+private:
+    struct Ended {
+        bool regular = false;
+        bool timedOut = false;
+        std::optional<std::size_t> at; // the job in hand
+        std::string said;
+    };
+
+    [[nodiscard]] fs::path file(std::size_t job, std::string_view ending) const { return folder_.path / fmt::format("{}.{}", job, ending); }
+
+    [[nodiscard]] std::string line(std::size_t index) const {
+        const MicrosoftJob& job = jobs_[index];
+        std::error_code code;
+        std::string folders;
+        for (const fs::path& folder : job.includeFolders)
+            folders += (folders.empty() ? "" : "|") + windowsPath(fs::absolute(folder, code));
+        std::string text = fmt::format("{}\t{}\t{}\t{}\t{}\t{}", job.profile, job.entry, windowsPath(fs::absolute(job.source, code)),
+                                       windowsPath(file(index, "bin")), isSm3(job) ? windowsPath(file(index, "asm")) : "", folders);
+        for (const auto& [name, value] : job.defines)
+            text += fmt::format("\t{}={}", name, value);
+        return text + "\n";
+    }
+
+    static std::string broughtDown(const MicrosoftJob& job, bool timedOut) {
+        return fmt::format("Microsoft's compiler {} on {} {}", timedOut ? "did not end in time" : "crashed", job.profile, job.entry);
+    }
+
+    static Error notStarted(const Ended& ended) {
+        return notRunnable(fmt::format("Microsoft's compiler could not be run in Wine: {}{}", ended.timedOut ? "no answer" : "it ended",
+                                       ended.said.empty() ? "" : ", " + ended.said),
+                           fmt::format("if it stays so, remove {}: Wine makes it anew", (cacheFolder() / "wine").string()));
+    }
+
+    /// Reads what the process says until it ends, says that it has done, or is silent for too long.
+    Ended follow(BackgroundProcess& process) {
+        Ended ended;
+        for (;;) {
+            const auto said = process.readLine(ended.at ? kJobSeconds : kStartSeconds);
+            if (!said) {
+                ended.timedOut = process.running();
+                return ended;
+            }
+            if (*said == "end") {
+                ended.regular = true;
+                return ended;
+            }
+            if (said->starts_with("begin "))
+                ended.at = static_cast<std::size_t>(std::atoll(said->c_str() + 6));
+            else if (said->starts_with('{') && ended.at)
+                take(*said, *std::exchange(ended.at, std::nullopt));
+            else
+                ended.said = *said;
+            if (ended.at && *ended.at >= jobs_.size()) ended.at.reset();
+        }
+    }
+
+    void take(const std::string& said, std::size_t index) {
+        const MicrosoftJob& job = jobs_[index];
+        const auto json = nlohmann::json::parse(said, nullptr, false);
+        if (!json.is_object() || !json.contains("ok") || !json.contains("ms") || !json.contains("messages") || !json.contains("result"))
+            return;
+        MicrosoftResult result{
+            .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};
+        Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source);
+        if (!result.ok && messages.errors.empty()) messages.errors.push_back(withoutMessage(job, json["result"].get<std::uint32_t>()));
+        result.diagnostics = shortened(std::move(messages.errors));
+        for (Diagnostic& warning : shortened(std::move(messages.warnings)))
+            result.diagnostics.push_back(std::move(warning));
+        if (result.ok && json.contains("reflection")) result.sm5 = readSm5Reflection(json["reflection"]);
+        if (result.ok) addContent(result, index);
+        results_[index] = std::move(result);
+    }
+
+    void addContent(MicrosoftResult& result, std::size_t index) const {
+        const MicrosoftJob& job = jobs_[index];
+        if (isSm3(job))
+            if (const auto listing = readFile(file(index, "asm"))) result.sm3 = readSm3Listing(*listing);
+        if (job.profile == "listing") return;
+        if (auto binary = readFile(file(index, "bin"))) result.binary = std::move(*binary);
+        if (!job.output.empty())
+            if (const auto written = writeFile(job.output, result.binary); !written) {
+                result.ok = false;
+                result.diagnostics = written.error().diagnostics;
+            }
+        if (!job.profile.starts_with("fx_")) return;
+        if (const auto content = readEffectBinary(result.binary)) {
+            result.techniqueCount = content->techniques;
+            result.passCount = content->passes;
+            result.shaderCount = content->shaders;
+        }
+    }
+
+    Folder folder_;
+    std::span<const MicrosoftJob> jobs_;
+    std::vector<std::optional<MicrosoftResult>> results_; // each written by the one process that claimed the job
+};
+
+/// The processes' threads live as long as their processes, which would otherwise end with them.
+Result<std::vector<MicrosoftResult>> runAll(const std::vector<MicrosoftJob>& listed) {
+    Jobs jobs(listed);
+    const auto command = jobs.prepare();
+    if (!command) return command.error();
+    const std::size_t count = std::min<std::size_t>({listed.size(), std::max(1U, std::thread::hardware_concurrency()), kMostProcesses});
+    std::vector<std::future<Result<void>>> workers;
+    for (std::size_t i = 0; i < count; ++i)
+        workers.push_back(std::async(std::launch::async, [&] { return jobs.work(*command); }));
+    std::optional<Error> failure;
+    for (auto& worker : workers)
+        if (const auto done = worker.get(); !done) failure = done.error();
+    if (failure) return *failure;
+    return std::move(jobs).results();
 }
 
 } // namespace
 
 fs::path microsoftCompilerLibrary() {
-    return compilerLibrary();
+    const char* own = std::getenv("TEGUMENT_D3DCOMPILER");
+    std::error_code code;
+    return fs::absolute(own != nullptr && *own != '\0' ? fs::path(own) : cacheFolder() / "tools/microsoft/d3dcompiler_47.dll", code);
 }
 
 std::string microsoftCompilerMissing() {
     std::error_code code;
     if (std::string missing = wineMissing(); !missing.empty()) return missing;
     if (driver().empty()) return "hlslc.exe was not built (g++-mingw-w64-x86-64 was not installed)";
-    if (!fs::is_regular_file(compilerLibrary(), code))
-        return fmt::format("there is no {} (./bootstrap test fetches it)", compilerLibrary().string());
+    if (!fs::is_regular_file(microsoftCompilerLibrary(), code))
+        return fmt::format("there is no {} (./bootstrap test fetches it)", microsoftCompilerLibrary().string());
     return {};
 }
 
 Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) return notRunnable(missing);
-    const Folder folder;
-    if (auto ready = bringTogether(folder.path); !ready) return ready.error();
     std::vector<MicrosoftJob> listed;
     std::ranges::copy_if(jobs, std::back_inserter(listed), canBeListed);
-    std::vector<MicrosoftResult> done;
-    while (done.size() < listed.size()) {
-        auto batch = runBatch(std::span(listed).subspan(done.size()), folder.path, done.size());
-        if (!batch) return batch.error();
-        std::ranges::move(*batch, std::back_inserter(done));
-    }
+    auto done = runAll(listed);
+    if (!done) return done.error();
     std::vector<MicrosoftResult> results;
     results.reserve(jobs.size());
-    auto next = done.begin();
+    auto next = done->begin();
     for (const MicrosoftJob& job : jobs)
-        results.push_back(canBeListed(job) ? std::move(*next++) : notListable(job));
+        results.push_back(canBeListed(job) ? std::move(*next++)
+                                           : failedJob(job, 3105, "this path or define cannot be handed to Microsoft's compiler",
+                                                       "use names without tab, line break, backslash, and folders without '|'"));
     return results;
 }
 

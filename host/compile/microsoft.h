@@ -1,10 +1,12 @@
 #pragma once
 // Microsoft's d3dcompiler_47 in Wine: fx_2_0, fx_4_0, fx_5_0 and single entry points, a job list in one process.
 
+#include "host/compile/compile.h"
 #include "host/support/result.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,11 +15,12 @@
 namespace tegument {
 
 struct MicrosoftJob {
-    std::string profile; // fx_2_0, fx_4_0, fx_5_0, vs_3_0, ps_3_0, vs_5_0, ps_5_0 ...
-    std::string entry;   // empty for fx_*
+    std::string profile; // fx_2_0, fx_4_0, fx_5_0, vs_3_0, ps_3_0, vs_5_0, ps_5_0 ...; "listing" for a compiled shader of model 3
+    std::string entry;   // empty for fx_* and listing
     std::filesystem::path source;
     std::vector<std::pair<std::string, std::string>> defines;
-    std::filesystem::path output; // empty: not kept
+    std::filesystem::path output;                      // empty: only in the result
+    std::vector<std::filesystem::path> includeFolders; // empty: Microsoft's own include handler, as in most engines
 };
 
 /// What ps_3_0 or vs_3_0 used, read from the disassembly: the SM3 limits are asserted by us because the compiler does not hold all of them.
@@ -28,14 +31,21 @@ struct Sm3Usage {
     int interpolators = 0; // pixel shader inputs; vertex shader outputs without the position
 };
 
+/// What D3DReflect says of a shader of model 4 or 5: registers in place of bindings and locations, every set 0.
+struct Sm5Reflection {
+    Reflection reflection;
+    std::map<std::string, std::vector<double>> defaults; // of constants that have one, in row order
+};
+
 struct MicrosoftResult {
     bool ok = false;
     std::vector<Diagnostic> diagnostics;
-    int techniqueCount = -1; // inside the binary; -1: not an effect
-    int passCount = -1;      // inside the binary, fx_2_0 only
-    int shaderCount = -1;    // inside the binary, fx_4_0 and fx_5_0 only
-    std::uintmax_t bytes = 0;
-    std::optional<Sm3Usage> sm3;
+    std::string binary;
+    int techniqueCount = -1;          // inside the binary; -1: not an effect
+    int passCount = -1;               // inside the binary, fx_2_0 only
+    int shaderCount = -1;             // inside the binary, fx_4_0 and fx_5_0 only
+    std::optional<Sm3Usage> sm3;      // of vs_3_0, ps_3_0, listing
+    std::optional<Sm5Reflection> sm5; // of shaders of model 4 and 5
     double milliseconds = 0;
 };
 

@@ -109,7 +109,7 @@ std::string wineMissing() {
     return {};
 }
 
-Result<ProcessResult> runInWine(const fs::path& program, const std::vector<std::string>& arguments, double timeoutSeconds) {
+Result<ProcessCommand> wineProcess(const fs::path& program, const std::vector<std::string>& arguments) {
     static std::mutex mutex;
     static Display display;
     const std::scoped_lock lock(mutex);
@@ -118,7 +118,13 @@ Result<ProcessResult> runInWine(const fs::path& program, const std::vector<std::
     if (const auto prepared = preparePrefix(*name); !prepared) return prepared.error();
     std::vector<std::string> all{program.string()};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    return runProcess(wineCommand(std::move(all), *name), timeoutSeconds);
+    return wineCommand(std::move(all), *name);
+}
+
+Result<ProcessResult> runInWine(const fs::path& program, const std::vector<std::string>& arguments, double timeoutSeconds) {
+    const auto command = wineProcess(program, arguments);
+    if (!command) return command.error();
+    return runProcess(*command, timeoutSeconds);
 }
 
 } // namespace tegument

@@ -8,7 +8,11 @@ namespace tegument {
 /// What Wine needs and this machine lacks, in words; empty when nothing.
 [[nodiscard]] std::string wineMissing();
 
-/// Prepares the prefix (once, about 15 s) and the display, then runs the program. TG3104 when Wine or the display cannot be had.
+/// How to start a Windows program: the prefix is prepared (once, about 15 s) and a display opened, which ends with the calling thread.
+/// TG3104 when Wine or the display cannot be had.
+[[nodiscard]] Result<ProcessCommand> wineProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+
+/// Runs such a program to the end.
 [[nodiscard]] Result<ProcessResult> runInWine(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                                               double timeoutSeconds);
 

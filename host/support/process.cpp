@@ -171,13 +171,14 @@ Result<BackgroundProcess> BackgroundProcess::start(const ProcessCommand& command
 }
 
 BackgroundProcess::BackgroundProcess(BackgroundProcess&& other) noexcept
-    : id_(std::exchange(other.id_, -1)), output_(std::exchange(other.output_, -1)) {}
+    : id_(std::exchange(other.id_, -1)), output_(std::exchange(other.output_, -1)), pending_(std::move(other.pending_)) {}
 
 BackgroundProcess& BackgroundProcess::operator=(BackgroundProcess&& other) noexcept {
     if (this != &other) {
         stop();
         id_ = std::exchange(other.id_, -1);
         output_ = std::exchange(other.output_, -1);
+        pending_ = std::move(other.pending_);
     }
     return *this;
 }
@@ -188,12 +189,13 @@ BackgroundProcess::~BackgroundProcess() {
 
 std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {
     const auto end = after(timeoutSeconds);
-    std::string text;
-    while (text.find('\n') == std::string::npos && Clock::now() < end)
-        if (!readSome(output_, millisecondsUntil(end), text)) break;
-    const std::size_t length = text.find('\n');
+    while (pending_.find('\n') == std::string::npos && Clock::now() < end)
+        if (!readSome(output_, millisecondsUntil(end), pending_)) break;
+    const std::size_t length = pending_.find('\n');
     if (length == std::string::npos) return {};
-    return text.substr(0, length);
+    std::string line = pending_.substr(0, length);
+    pending_.erase(0, length + 1);
+    return line;
 }
 
 bool BackgroundProcess::running() {

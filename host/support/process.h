@@ -51,6 +51,7 @@ private:
 
     pid_t id_ = -1;
     int output_ = -1;
+    std::string pending_; // read, but behind the line that was asked for
 };
 
 } // namespace tegument

@@ -1,25 +1,31 @@
-// hlslc JOBS RESULTS: runs d3dcompiler_47.dll over a list of jobs, on Windows or in Wine. No effect or shader is known here: the host reads
-// what the compiler wrote.
+// hlslc JOBS CLAIMS: runs d3dcompiler_47.dll over a list of jobs, on Windows or in Wine. No effect is known here: the host reads what the
+// compiler wrote.
 //
 // JOBS holds one job a line, fields separated by tabs, paths in Windows form, UTF-8:
-//     profile  entry  source  output  disassembly  [NAME=VALUE ...]      entry and disassembly may be empty
-// RESULTS receives one JSON object a line, flushed after each job: a missing line tells which job brought the compiler down.
+//     profile  entry  source  output  listing  folders  [NAME=VALUE ...]
+// entry, listing and folders (of includes, separated by '|') may be empty. Profile `listing` disassembles a compiled shader.
+// Several of these processes share the list: whoever creates the file CLAIMS\<number> does that job. On standard output, flushed after
+// each line: `begin <number>`, then one JSON object with what came of it, at last `end`. A missing object tells which job brought the
+// compiler down.
 
-#include <windows.h>
+#include "reflection.h"
+#include "text.h"
 
-#include <d3dcompiler.h>
+#include <fcntl.h>
+#include <io.h>
 
-#include <cstdio>
+#include <map>
 #include <sstream>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace {
 
+using hlslc::jsonString;
+
 struct Api {
     HRESULT(WINAPI* compileFromFile)(LPCWSTR, const D3D_SHADER_MACRO*, ID3DInclude*, LPCSTR, LPCSTR, UINT, UINT, ID3DBlob**, ID3DBlob**);
     HRESULT(WINAPI* disassemble)(LPCVOID, SIZE_T, UINT, LPCSTR, ID3DBlob**);
+    hlslc::Reflect reflect;
 };
 
 struct Job {
@@ -27,7 +33,8 @@ struct Job {
     std::string entry;
     std::string source;
     std::string output;
-    std::string disassembly;
+    std::string listing;
+    std::vector<std::string> folders;
     std::vector<std::pair<std::string, std::string>> defines;
 };
 
@@ -39,23 +46,24 @@ std::wstring wide(const std::string& text) {
 }
 
 template <class Function>
-void load(HMODULE module, const char* name, Function& function) {
+bool load(HMODULE module, const char* name, Function& function) {
     function = reinterpret_cast<Function>(reinterpret_cast<void*>(GetProcAddress(module, name)));
+    return function != nullptr;
 }
 
-std::vector<std::string> split(const std::string& line) {
+std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> fields;
-    std::istringstream in(line);
-    for (std::string field; std::getline(in, field, '\t');)
+    std::istringstream in(text);
+    for (std::string field; std::getline(in, field, separator);)
         fields.push_back(field);
     return fields;
 }
 
 Job readJob(const std::string& line) {
-    std::vector<std::string> fields = split(line);
-    if (fields.size() < 5) fields.resize(5);
-    Job job{fields[0], fields[1], fields[2], fields[3], fields[4], {}};
-    for (std::size_t i = 5; i < fields.size(); ++i) {
+    std::vector<std::string> fields = split(line, '\t');
+    if (fields.size() < 6) fields.resize(6);
+    Job job{fields[0], fields[1], fields[2], fields[3], fields[4], split(fields[5], '|'), {}};
+    for (std::size_t i = 6; i < fields.size(); ++i) {
         const std::size_t equals = fields[i].find('=');
         job.defines.emplace_back(fields[i].substr(0, equals), equals == std::string::npos ? "1" : fields[i].substr(equals + 1));
     }
@@ -75,22 +83,58 @@ bool save(const std::string& path, ID3DBlob* blob) {
     return std::fclose(file) == 0 && written;
 }
 
-/// Printable ASCII as it is, everything else as \u00XX: messages come in the system's code page.
-std::string jsonString(const std::string& text) {
-    std::string result = "\"";
-    for (const char letter : text) {
-        const auto byte = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') result += '\\';
-        if (byte >= 0x20 && byte < 0x7f) {
-            result += letter;
-            continue;
-        }
-        char escaped[8];
-        std::snprintf(escaped, sizeof escaped, "\\u%04x", byte);
-        result += escaped;
-    }
-    return result + '"';
+bool readFile(const std::string& path, std::string& bytes) {
+    FILE* file = _wfopen(wide(path).c_str(), L"rb");
+    if (file == nullptr) return false;
+    char block[4096];
+    for (std::size_t count = std::fread(block, 1, sizeof block, file); count > 0; count = std::fread(block, 1, sizeof block, file))
+        bytes.append(block, count);
+    return std::fclose(file) == 0;
 }
+
+std::string folderOf(const std::string& path) {
+    const std::size_t slash = path.find_last_of("\\/");
+    return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+}
+
+/// Microsoft's own include handler knows no folders. This one looks beside the including file, beside the main file, then in the folders.
+class Includes final : public ID3DInclude {
+public:
+    explicit Includes(const Job& job) : main_(folderOf(job.source)) {
+        for (const std::string& folder : job.folders)
+            folders_.push_back(folder + "\\");
+    }
+
+    HRESULT WINAPI Open(D3D_INCLUDE_TYPE, LPCSTR name, LPCVOID parent, LPCVOID* data, UINT* size) override {
+        std::vector<std::string> folders{parent != nullptr && opened_.count(parent) != 0 ? opened_[parent].folder : main_, main_};
+        folders.insert(folders.end(), folders_.begin(), folders_.end());
+        for (const std::string& folder : folders) {
+            auto text = std::string();
+            if (!readFile(folder + name, text)) continue;
+            char* copy = new char[text.size() + 1];
+            text.copy(copy, text.size());
+            opened_[copy] = {folderOf(folder + name)};
+            *data = copy;
+            *size = static_cast<UINT>(text.size());
+            return S_OK;
+        }
+        return E_FAIL;
+    }
+
+    HRESULT WINAPI Close(LPCVOID data) override {
+        opened_.erase(data);
+        delete[] static_cast<const char*>(data);
+        return S_OK;
+    }
+
+private:
+    struct Opened {
+        std::string folder;
+    };
+    std::string main_;
+    std::vector<std::string> folders_;
+    std::map<LPCVOID, Opened> opened_;
+};
 
 double seconds() {
     LARGE_INTEGER count;
@@ -100,33 +144,80 @@ double seconds() {
     return static_cast<double>(count.QuadPart) / static_cast<double>(frequency.QuadPart);
 }
 
-std::string run(const Api& api, const Job& job) {
+struct Outcome {
+    HRESULT result = E_FAIL;
+    bool ok = false;
+    std::string text;
+    std::string reflection = "null";
+};
+
+bool list(const Api& api, const Job& job, LPCVOID shader, SIZE_T size) {
+    ID3DBlob* listing = nullptr;
+    return SUCCEEDED(api.disassemble(shader, size, 0, nullptr, &listing)) && save(job.listing, listing);
+}
+
+Outcome disassemble(const Api& api, const Job& job) {
+    Outcome outcome;
+    std::string shader;
+    outcome.ok = readFile(job.source, shader) && list(api, job, shader.data(), shader.size());
+    outcome.result = outcome.ok ? S_OK : E_FAIL;
+    return outcome;
+}
+
+bool isEffect(const Job& job) {
+    return job.profile.rfind("fx_", 0) == 0;
+}
+
+bool hasReflection(const Job& job) {
+    return !isEffect(job) && (job.profile.find("_4_") != std::string::npos || job.profile.find("_5_") != std::string::npos);
+}
+
+Outcome compile(const Api& api, const Job& job) {
     std::vector<D3D_SHADER_MACRO> macros;
     for (const auto& [name, value] : job.defines)
         macros.push_back({name.c_str(), value.c_str()});
     macros.push_back({nullptr, nullptr});
 
+    Includes own(job);
+    ID3DInclude* includes = job.folders.empty() ? D3D_COMPILE_STANDARD_FILE_INCLUDE : &own;
     ID3DBlob* binary = nullptr;
     ID3DBlob* messages = nullptr;
-    const double start = seconds();
-    const HRESULT result =
-        api.compileFromFile(wide(job.source).c_str(), macros.data(), D3D_COMPILE_STANDARD_FILE_INCLUDE,
-                            job.entry.empty() ? nullptr : job.entry.c_str(), job.profile.c_str(), 0, 0, &binary, &messages);
-    const double milliseconds = (seconds() - start) * 1000;
+    Outcome outcome;
+    outcome.result = api.compileFromFile(wide(job.source).c_str(), macros.data(), includes, job.entry.empty() ? nullptr : job.entry.c_str(),
+                                         job.profile.c_str(), 0, 0, &binary, &messages);
+    outcome.text = textOf(messages);
+    outcome.ok = SUCCEEDED(outcome.result) && binary != nullptr;
+    if (outcome.ok && !save(job.output, binary)) outcome.ok = false, outcome.text += "\ncannot write the output file: error\n";
+    if (outcome.ok && !job.listing.empty() && !list(api, job, binary->GetBufferPointer(), binary->GetBufferSize()))
+        outcome.ok = false, outcome.text += "\ncannot disassemble: error\n";
+    if (outcome.ok && hasReflection(job)) outcome.reflection = hlslc::reflection(api.reflect, *binary);
+    if (binary != nullptr) binary->Release();
+    if (messages != nullptr) messages->Release();
+    return outcome;
+}
 
-    std::string text = textOf(messages);
-    bool ok = SUCCEEDED(result) && binary != nullptr;
-    if (ok && !save(job.output, binary)) ok = false, text += "\ncannot write the output file: error\n";
-    ID3DBlob* listing = nullptr;
-    if (ok && !job.disassembly.empty()) {
-        ok = SUCCEEDED(api.disassemble(binary->GetBufferPointer(), binary->GetBufferSize(), 0, nullptr, &listing)) &&
-             save(job.disassembly, listing);
-        if (!ok) text += "\ncannot disassemble: error\n";
-    }
+std::string run(const Api& api, const Job& job) {
+    const double start = seconds();
+    const Outcome outcome = job.profile == "listing" ? disassemble(api, job) : compile(api, job);
     char numbers[96];
-    std::snprintf(numbers, sizeof numbers, "{\"ok\":%s,\"result\":%lu,\"ms\":%.3f,\"messages\":", ok ? "true" : "false",
-                  static_cast<unsigned long>(result), milliseconds);
-    return numbers + jsonString(text) + "}";
+    std::snprintf(numbers, sizeof numbers, "{\"ok\":%s,\"result\":%lu,\"ms\":%.3f,", outcome.ok ? "true" : "false",
+                  static_cast<unsigned long>(outcome.result), (seconds() - start) * 1000);
+    return numbers + ("\"messages\":" + jsonString(outcome.text)) + ",\"reflection\":" + outcome.reflection + "}";
+}
+
+void say(const std::string& line) {
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fputc('\n', stdout);
+    std::fflush(stdout);
+}
+
+/// True for the one process that asks first.
+bool claim(const std::wstring& folder, std::size_t job) {
+    const std::wstring name = folder + L"\\" + std::to_wstring(job);
+    const HANDLE file = CreateFileW(name.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr);
+    if (file == INVALID_HANDLE_VALUE) return false;
+    CloseHandle(file);
+    return true;
 }
 
 } // namespace
@@ -134,22 +225,24 @@ std::string run(const Api& api, const Job& job) {
 int wmain(int count, wchar_t** arguments) {
     if (count != 3) return 2;
     const HMODULE module = LoadLibraryW(L"d3dcompiler_47.dll");
-    if (module == nullptr) return 3;
     Api api{};
-    load(module, "D3DCompileFromFile", api.compileFromFile);
-    load(module, "D3DDisassemble", api.disassemble);
-    if (api.compileFromFile == nullptr || api.disassemble == nullptr) return 3;
+    if (module == nullptr || !load(module, "D3DCompileFromFile", api.compileFromFile) || !load(module, "D3DDisassemble", api.disassemble) ||
+        !load(module, "D3DReflect", api.reflect))
+        return 3;
+    std::string list;
+    FILE* jobs = _wfopen(arguments[1], L"rb");
+    if (jobs == nullptr) return 4;
+    for (int letter = std::fgetc(jobs); letter != EOF; letter = std::fgetc(jobs))
+        list += static_cast<char>(letter);
+    std::fclose(jobs);
 
-    FILE* jobsFile = _wfopen(arguments[1], L"rb");
-    FILE* results = _wfopen(arguments[2], L"wb");
-    if (jobsFile == nullptr || results == nullptr) return 4;
-    std::string text;
-    for (int letter = std::fgetc(jobsFile); letter != EOF; letter = std::fgetc(jobsFile))
-        text += static_cast<char>(letter);
-    std::istringstream jobs(text);
-    for (std::string line; std::getline(jobs, line);) {
-        std::fprintf(results, "%s\n", run(api, readJob(line)).c_str());
-        std::fflush(results);
+    _setmode(_fileno(stdout), _O_BINARY);
+    const std::vector<std::string> lines = split(list, '\n');
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!claim(arguments[2], i)) continue;
+        say("begin " + std::to_string(i));
+        say(run(api, readJob(lines[i])));
     }
-    return std::fclose(results) == 0 ? 0 : 4;
+    say("end");
+    return 0;
 }

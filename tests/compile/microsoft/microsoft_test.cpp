@@ -68,7 +68,7 @@ TEST_F(Microsoft, one_file_compiles_for_direct3d_9_10_and_11_and_its_techniques_
         EXPECT_TRUE(result.ok);
         EXPECT_TRUE(result.diagnostics.empty());
         EXPECT_EQ(result.techniqueCount, 2);
-        EXPECT_GT(result.bytes, 100U);
+        EXPECT_GT(result.binary.size(), 100U);
     }
     EXPECT_EQ(results[0].passCount, 3);
     EXPECT_EQ(results[1].shaderCount, 3);
@@ -136,7 +136,7 @@ TEST_F(Microsoft, the_binary_is_kept_where_it_is_wanted) {
     const fs::path output = file("kept.fxo", "");
     const auto results = run({{.profile = "fx_2_0", .entry = {}, .source = file("keep.fx", kEffect), .defines = {}, .output = output}});
     ASSERT_TRUE(results[0].ok);
-    EXPECT_EQ(fs::file_size(output), results[0].bytes);
+    EXPECT_EQ(fs::file_size(output), results[0].binary.size());
 }
 
 TEST_F(Microsoft, names_outside_ascii_are_handed_over) {

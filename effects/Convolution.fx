@@ -1,5 +1,6 @@
-// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile.
-// Technique White feeds it the constant gConstantIrradiance instead, over the charts of the mesh: what comes out is the sum of the weights.
+// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's blurs, gBlurCount
+// of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the charts of the mesh: what comes
+// out is the sum of the weights.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -9,13 +10,16 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
+#include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 #include "passes/skin_point.fxh"
 #include "passes/irradiance.fxh"
+#include "passes/irradiance_gosselin.fxh"
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
 #include "passes/convolution.fxh"
+#include "passes/poisson.fxh"
 
 float Script : STANDARDSGLOBAL <
     string UIWidget = "none";
@@ -53,6 +57,18 @@ float4 ShowPS(QuadVarying input) : SV_Target0
                  tex2Dlod(gIrradiance3, uv).rgb * gGaussianWeight[2].rgb + tex2Dlod(gIrradiance4, uv).rgb * gGaussianWeight[3].rgb +
                  tex2Dlod(gIrradiance5, uv).rgb * gGaussianWeight[4].rgb + tex2Dlod(gIrradiance6, uv).rgb * gGaussianWeight[5].rgb;
     return float4(sum, 1.0) * seamValidity(first);
+}
+
+float4 ShowOddPS(QuadVarying input) : SV_Target0
+{
+    float4 texel = tex2Dlod(gBlurOdd, float4(input.uv, 0.0, 0.0));
+    return float4(texel.rgb, 1.0) * seamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
+}
+
+float4 ShowEvenPS(QuadVarying input) : SV_Target0
+{
+    float4 texel = tex2Dlod(gBlurEven, float4(input.uv, 0.0, 0.0));
+    return float4(texel.rgb, 1.0) * seamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
 }
 
 #ifdef FX_TECHNIQUES
@@ -113,5 +129,44 @@ technique White < string Script =
     QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
     QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+}
+
+technique Poisson < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
+    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;"
+    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;"
+    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
+    "RenderColorTarget0=; Pass=gBlurIndex?ShowOdd:ShowEven:ShowOdd:ShowEven:ShowOdd:ShowEven;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
+    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_BUFFER)
+    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_BUFFER)
+    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_BUFFER)
+    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_BUFFER)
+    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_BUFFER)
+    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_BUFFER)
+    QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
+    QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
+}
+
+technique WhitePoisson < string Script =
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Constant;"
+    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;"
+    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;"
+    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
+    "RenderColorTarget0=; Pass=gBlurIndex?ShowOdd:ShowEven:ShowOdd:ShowEven:ShowOdd:ShowEven;"; >
+{
+    MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
+    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_BUFFER)
+    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_BUFFER)
+    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_BUFFER)
+    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_BUFFER)
+    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_BUFFER)
+    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_BUFFER)
+    QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
+    QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
 }
 #endif

@@ -1,4 +1,5 @@
-// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored.
+// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's passes take it
+// (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -8,10 +9,12 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
+#include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 #include "passes/skin_point.fxh"
 #include "passes/irradiance.fxh"
+#include "passes/irradiance_gosselin.fxh"
 
 float Script : STANDARDSGLOBAL <
     string UIWidget = "none";
@@ -35,6 +38,17 @@ technique Irradiance < string Script =
 {
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+}
+
+technique IrradianceGosselin < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

@@ -16,6 +16,7 @@
 #include "passes/specular.fxh"
 #include "passes/skin_point.fxh"
 #include "passes/irradiance.fxh"
+#include "passes/irradiance_gosselin.fxh"
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
 #include "passes/convolution.fxh"
@@ -23,7 +24,7 @@
 #include "passes/cull.fxh"
 #include "passes/reach.fxh"
 #include "passes/final.fxh"
-#include "passes/gosselin.fxh"
+#include "passes/final_gosselin.fxh"
 
 float Script : STANDARDSGLOBAL <
     string UIWidget = "none";

@@ -1,22 +1,6 @@
-// Passes Irradiance and Final of Gosselin's technique: diffuse light without colour into texture space, alpha = kernel size; the blurred light times
-// colour, and specular reflection.
-#ifndef TEGUMENT_PASSES_GOSSELIN_FXH
-#define TEGUMENT_PASSES_GOSSELIN_FXH
-
-Texture2D gKernelSizeMap : KERNELSIZE < float4 Fallback = { 0.6, 0.6, 0.6, 1.0 }; string UIName = "Kernel size map"; >;
-SAMPLER2D(gKernelSize, LINEAR, CLAMP);
-
-float3 diffuseLight(LitPoint p)
-{
-    return gLightColor * (saturate(p.cosine) * p.shadow);
-}
-
-float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0
-{
-    LitPoint p = surfacePoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
-    return float4(diffuseLight(p), min(tex2D(gKernelSize, input.uv).x, kLargestAlpha));
-}
+// Pass Final of Gosselin's technique: the blurred light times colour, and specular reflection.
+#ifndef TEGUMENT_PASSES_FINAL_GOSSELIN_FXH
+#define TEGUMENT_PASSES_FINAL_GOSSELIN_FXH
 
 // Table 7, last row: where no texel is valid, N.L. Plain material does not scatter; without the shadow map its light has to come from the blur, which
 // a kernel size of 0 leaves as it is.

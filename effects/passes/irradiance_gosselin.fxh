@@ -1,0 +1,20 @@
+// Pass Irradiance of Gosselin's technique: diffuse light without colour into texture space; alpha: the kernel size, at most kLargestAlpha.
+#ifndef TEGUMENT_PASSES_IRRADIANCE_GOSSELIN_FXH
+#define TEGUMENT_PASSES_IRRADIANCE_GOSSELIN_FXH
+
+Texture2D gKernelSizeMap : KERNELSIZE < float4 Fallback = { 0.6, 0.6, 0.6, 1.0 }; string UIName = "Kernel size map"; >;
+SAMPLER2D(gKernelSize, LINEAR, CLAMP);
+
+float3 diffuseLight(LitPoint p)
+{
+    return gLightColor * (saturate(p.cosine) * p.shadow);
+}
+
+float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0
+{
+    LitPoint p = surfacePoint(input);
+    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    return float4(diffuseLight(p), min(tex2D(gKernelSize, input.uv).x, kLargestAlpha));
+}
+
+#endif

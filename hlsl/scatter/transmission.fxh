@@ -6,6 +6,8 @@
 
 // exp(-50) is 2e-22. Smaller shares would only bring denormal numbers, which processors may or may not flush.
 static const float kNothingPasses = 50.0;
+// mm^2, a micrometre wide: an artist may turn a Gaussian off by a variance of 0, and 0 / 0 would be no number.
+static const float kSmallestVariance = 1e-6;
 
 // Depth along the light's ray turned into thickness of a flat slab: cosine correction in so far as the lit side is parallel to this one.
 // cosine = N.L here; litNormal = normal where the light entered. No thickness where the light reaches the surface directly.
@@ -31,9 +33,10 @@ float transmissionDecode(float alpha, float range)
 // already brought the light here.
 float transmissionShare(float thickness, float variance, float apart)
 {
-    float exponent = thickness * thickness * kTransmissionExponent / variance;
+    float v = max(variance, kSmallestVariance);
+    float exponent = thickness * thickness * kTransmissionExponent / v;
     float passed = exponent < kNothingPasses ? exp(-exponent) : 0.0;
-    return kFadeNearLitSide ? passed * saturate(apart / (6.0 * sqrt(variance))) : passed;
+    return kFadeNearLitSide ? passed * saturate(apart / (6.0 * sqrt(v))) : passed;
 }
 
 // mm of surface per unit of uv, from what neighbouring pixels see.

@@ -23,8 +23,9 @@ float energyNodeSampled(float3 toEye, float roughness, int i, int j)
 {
     float phi = kPi * (i + 0.5) / kEnergyNodes;
     float u = (j + 0.5) / kEnergyNodes;
-    float cosine = rsqrt(1.0 - roughness * roughness * log(1.0 - u));
-    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    float slope = roughness * sqrt(-log(1.0 - u));
+    float cosine = rsqrt(1.0 + slope * slope);
+    float sine = slope * cosine;
     float3 halfway = float3(sine * cos(phi), sine * sin(phi), cosine);
     float vh = dot(toEye, halfway);
     float share = vh > 0.0 ? max(2.0 - toEye.z / (vh * cosine), 0.0) : 0.0;

@@ -1,0 +1,13 @@
+#include "tests/hlsl/function_case.h"
+
+namespace tegument::test {
+
+std::vector<FunctionCase> allCases() {
+    std::vector<FunctionCase> all;
+    for (auto make : {specularCases, surfaceCases, shadowCases, gaussianCases, poissonCases, scatterCases, cullCases})
+        for (FunctionCase& function : make())
+            all.push_back(std::move(function));
+    return all;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,244 @@
+#include "tests/hlsl/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <optional>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr std::uint32_t kWidth = 128; // of the grid of argument lists
+
+constexpr const char* kVertexShader = R"(
+float4 ScreenVS(uint index : SV_VertexID) : SV_Position
+{
+    return float4(index == 1 ? 3.0 : -1.0, index == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+)";
+
+struct Grid {
+    std::uint32_t rows = 0;   // of argument lists
+    std::uint32_t texels = 0; // of four components that one list takes, one below the other
+    std::uint32_t quad = 1;   // pixels a side per list
+
+    Grid(const Samples& samples, bool perQuad)
+        : rows(static_cast<std::uint32_t>(samples.count() / kWidth + 1)), texels(static_cast<std::uint32_t>(samples.components + 3) / 4),
+          quad(perQuad ? 2 : 1) {}
+};
+
+std::string argumentCode(const std::vector<Argument>& arguments) {
+    std::string code;
+    int at = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const int n = arguments[i].components;
+        std::string parts;
+        for (int c = 0; c < n; ++c)
+            parts += fmt::format("{}values[{}]", c == 0 ? "" : ", ", at + c);
+        code += n == 1 ? fmt::format("    float a{} = {};\n", i, parts) : fmt::format("    float{} a{} = float{}({});\n", n, i, n, parts);
+        at += n;
+    }
+    return code;
+}
+
+std::string pixelShader(const FunctionCase& function, const Samples& samples, const Grid& grid) {
+    std::string code = R"(#include "../hlsl/platform.fxh"
+#include "../hlsl/settings.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/surface.fxh"
+#include "../hlsl/specular.fxh"
+#include "../hlsl/shadow.fxh"
+#include "../hlsl/scatter.fxh"
+#include "../hlsl/cull.fxh"
+Texture2D gInputMap;
+Texture2D gTestMap;
+SAMPLER2D(gTest, POINT, CLAMP);
+float4 call(float values[)";
+    code += fmt::format("{}], float2 pixel)\n{{\n{}    {}\n}}\n", grid.texels * 4, argumentCode(function.arguments), function.body);
+    code += fmt::format(R"(
+float4 FunctionPS(float4 position : SV_Position) : SV_Target0
+{{
+    int2 cell = int2(position.xy) / {};
+    if (cell.y * {} + cell.x >= {}) discard;
+    float values[{}];
+    [unroll] for (int i = 0; i < {}; i++)
+    {{
+        float4 four = gInputMap.Load(int3(cell.x, cell.y * {} + i, 0));
+        values[4 * i] = four.x;
+        values[4 * i + 1] = four.y;
+        values[4 * i + 2] = four.z;
+        values[4 * i + 3] = four.w;
+    }}
+    return call(values, floor(position.xy));
+}}
+)",
+                        grid.quad, kWidth, samples.count(), grid.texels * 4, grid.texels, grid.texels);
+    return code;
+}
+
+Result<Shader> compile(const std::string& code, Stage stage, const std::string& entry, int setting, Compiler compiler) {
+    ShaderRequest request{
+        .code = code, .file = "effects/function_test.hlsl", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    request.defines = {{"TEGUMENT_SETTING", std::to_string(setting)}, {"TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize)}};
+    return compileShader(request, compiler);
+}
+
+/// Textures of the argument lists and of the map that the function samples.
+std::vector<std::array<float, 4>> inputTexels(const Samples& samples, const Grid& grid) {
+    std::vector<std::array<float, 4>> texels(static_cast<std::size_t>(kWidth) * grid.rows * grid.texels);
+    for (std::size_t index = 0; index < samples.count(); ++index) {
+        const std::span<const float> list = samples.list(index);
+        for (std::size_t c = 0; c < list.size(); ++c)
+            texels[(index / kWidth * grid.texels + c / 4) * kWidth + index % kWidth][c % 4] = list[c];
+    }
+    return texels;
+}
+
+Result<gpu::Texture> texture(gpu::Device& device, std::uint32_t width, std::uint32_t height,
+                             const std::vector<std::array<float, 4>>& texels) {
+    auto made = device.createTexture({.name = "inputs", .format = gpu::Format::RGBA32F, .width = width, .height = height});
+    if (!made) return made;
+    if (const auto uploaded = device.upload(*made, std::as_bytes(std::span(texels))); !uploaded) return uploaded.error();
+    return made;
+}
+
+/// gWorld in $Globals; a column-major matrix is stored transposed (docs/conventions.md).
+std::vector<std::byte> globals(const UniformBlock& block, const std::vector<double>& world) {
+    std::vector<std::byte> bytes(block.size);
+    for (const BlockMember& member : block.members) {
+        if (member.name != "gWorld" || world.size() != 16) continue;
+        for (std::uint32_t row = 0; row < 4; ++row)
+            for (std::uint32_t column = 0; column < 4; ++column) {
+                const auto value = static_cast<float>(world[row * 4 + column]);
+                std::memcpy(bytes.data() + member.offset + column * member.matrixStride + 4 * row, &value, sizeof value);
+            }
+    }
+    return bytes;
+}
+
+struct Draw {
+    gpu::Texture inputs;
+    gpu::Texture map;
+    gpu::Texture target;
+    gpu::Sampler sampler;
+    std::vector<std::byte> globals;
+};
+
+Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Samples& samples, const Grid& grid, const Shader& pixel) {
+    auto inputs = texture(device, kWidth, grid.rows * grid.texels, inputTexels(samples, grid));
+    if (!inputs) return inputs.error();
+    const TestMap none{.size = 1, .texels = {{0, 0, 0, 0}}};
+    const TestMap& map = function.map ? *function.map : none;
+    auto sampled = texture(device, static_cast<std::uint32_t>(map.size), static_cast<std::uint32_t>(map.size), map.texels);
+    if (!sampled) return sampled.error();
+    auto target = device.createTexture({.name = "results",
+                                        .format = gpu::Format::RGBA32F,
+                                        .width = kWidth * grid.quad,
+                                        .height = grid.rows * grid.quad,
+                                        .renderTarget = true});
+    if (!target) return target.error();
+    auto sampler = device.createSampler({.minFilter = Filter::Point,
+                                         .magFilter = Filter::Point,
+                                         .mipFilter = Filter::Point,
+                                         .addressU = Address::Clamp,
+                                         .addressV = Address::Clamp,
+                                         .compare = {}});
+    if (!sampler) return sampler.error();
+    Draw draw{std::move(*inputs), std::move(*sampled), std::move(*target), std::move(*sampler), {}};
+    if (pixel.reflection.globals) draw.globals = globals(*pixel.reflection.globals, function.world);
+    return draw;
+}
+
+struct Bound {
+    std::vector<gpu::Binding> bindings;
+    std::vector<gpu::BoundResource> resources;
+
+    void add(std::uint32_t set, std::uint32_t binding, gpu::BindingKind kind, decltype(gpu::BoundResource::resource) resource) {
+        bindings.push_back({set, binding, kind});
+        resources.push_back({set, binding, resource});
+    }
+};
+
+Bound bind(const Reflection& reflection, Draw& draw) {
+    Bound bound;
+    if (reflection.globals)
+        bound.add(reflection.globals->set, reflection.globals->binding, gpu::BindingKind::UniformBuffer,
+                  std::span<const std::byte>(draw.globals));
+    for (const Resource& resource : reflection.resources) {
+        if (resource.kind == ResourceKind::Sampler)
+            bound.add(resource.set, resource.binding, gpu::BindingKind::Sampler, &draw.sampler);
+        else
+            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, resource.name == "gInputMap" ? &draw.inputs : &draw.map);
+    }
+    return bound;
+}
+
+Result<void> run(gpu::Device& device, const Shader& vertex, const Shader& pixel, Draw& draw) {
+    Bound bound = bind(pixel.reflection, draw);
+    gpu::PipelineDesc desc{.name = "function",
+                           .vertex = {.spirv = vertex.spirv, .entry = vertex.entry},
+                           .pixel = {.spirv = pixel.spirv, .entry = pixel.entry},
+                           .bindings = bound.bindings,
+                           .attributes = {},
+                           .colorFormats = {gpu::Format::RGBA32F},
+                           .depthFormat = {}};
+    desc.state.cull = CullMode::None;
+    desc.state.depthTest = false;
+    const auto pipeline = device.createPipeline(desc);
+    if (!pipeline) return pipeline.error();
+    const auto ran = device.run([&](gpu::Recorder& recorder) -> Result<void> {
+        if (const auto cleared = recorder.clearColor(draw.target, {kPoison, kPoison, kPoison, kPoison}); !cleared) return cleared;
+        return recorder.draw({.colors = {&draw.target}}, {.pipeline = &*pipeline, .resources = bound.resources, .count = 3});
+    });
+    if (!ran) return ran.error();
+    return {};
+}
+
+Evaluated collect(const std::vector<std::byte>& bytes, const Samples& samples, const Grid& grid) {
+    std::vector<std::array<float, 4>> pixels(bytes.size() / sizeof(std::array<float, 4>));
+    std::memcpy(pixels.data(), bytes.data(), bytes.size());
+    Evaluated evaluated;
+    const std::size_t pitch = static_cast<std::size_t>(kWidth) * grid.quad;
+    for (std::size_t index = 0; index < static_cast<std::size_t>(kWidth) * grid.rows; ++index) {
+        const auto& pixel = pixels[index / kWidth * grid.quad * pitch + index % kWidth * grid.quad];
+        const bool poisoned = pixel[0] == kPoison || pixel[1] == kPoison || pixel[2] == kPoison || pixel[3] == kPoison;
+        if (index >= samples.count()) {
+            evaluated.overwritten += !poisoned;
+            continue;
+        }
+        evaluated.unwritten += poisoned;
+        evaluated.results.push_back(pixel);
+    }
+    return evaluated;
+}
+
+} // namespace
+
+glm::dvec4 TestMap::texel(int x, int y) const {
+    const auto column = static_cast<std::size_t>(glm::clamp(x, 0, size - 1));
+    const auto row = static_cast<std::size_t>(glm::clamp(y, 0, size - 1));
+    const auto& t = texels[row * static_cast<std::size_t>(size) + column];
+    return {t[0], t[1], t[2], t[3]};
+}
+
+glm::dvec4 TestMap::at(glm::dvec2 uv) const {
+    const auto place = [&](double x) { return static_cast<int>(std::floor(glm::clamp(x, -1.0, 2.0) * size)); };
+    return texel(place(uv.x), place(uv.y));
+}
+
+Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, int setting, const Samples& samples, Compiler compiler) {
+    const Grid grid(samples, function.perQuad);
+    const auto vertex = compile(kVertexShader, Stage::Vertex, "ScreenVS", setting, compiler);
+    if (!vertex) return vertex.error();
+    const auto pixel = compile(pixelShader(function, samples, grid), Stage::Pixel, "FunctionPS", setting, compiler);
+    if (!pixel) return pixel.error();
+    auto draw = prepare(device, function, samples, grid, *pixel);
+    if (!draw) return draw.error();
+    if (const auto ran = run(device, *vertex, *pixel, *draw); !ran) return ran.error();
+    const auto bytes = device.readback(draw->target);
+    if (!bytes) return bytes.error();
+    return collect(*bytes, samples, grid);
+}
+
+} // namespace tegument::test

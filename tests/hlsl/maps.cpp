@@ -1,0 +1,60 @@
+#include "tests/hlsl/maps.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace tegument::test {
+
+namespace {
+
+/// Scattered bits of a texel's place, so that the exceptions are not in a pattern.
+std::uint32_t scattered(int x, int y) {
+    auto h = static_cast<std::uint32_t>(x) * 0x9e3779b1U ^ static_cast<std::uint32_t>(y) * 0x85ebca77U;
+    h ^= h >> 15U;
+    h *= 0x2c1b3c6dU;
+    return h ^ (h >> 12U);
+}
+
+template <class Texel>
+TestMap fill(Texel texel) {
+    TestMap map{.size = kTestMapSize, .texels = {}};
+    for (int y = 0; y < kTestMapSize; ++y)
+        for (int x = 0; x < kTestMapSize; ++x)
+            map.texels.push_back(texel(x, y));
+    return map;
+}
+
+float wave(int x, int y, double period, double phase) {
+    return static_cast<float>(0.5 + 0.5 * std::sin((x + 0.7 * y) / period + phase));
+}
+
+} // namespace
+
+const TestMap& shadowMap() {
+    static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
+        if (scattered(x, y) % 29 == 0) return {0, 0, 0, 0};
+        const float step = x > 100 && x < 140 ? -6.0F : 0.0F;
+        const float seam = y > 128 ? 0.4F : 0.0F;
+        return {600 + 3 * wave(x, y, 9, 0) + step, 0.002F * static_cast<float>(x) + seam, 0.002F * static_cast<float>(y), 1};
+    });
+    return kMap;
+}
+
+const TestMap& irradianceMap() {
+    static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
+        const bool block = x > 60 && x < 90 && y > 60 && y < 90;
+        if (block || y % 37 == 0 || scattered(x, y) % 11 == 0) return {0, 0, 0, 1};
+        return {2 * wave(x, y, 5, 0), wave(x, y, 3, 1), 0.1F * wave(x, y, 2, 2), 0.99F * wave(x, y, 7, 3)};
+    });
+    return kMap;
+}
+
+const TestMap& needMap() {
+    static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
+        const float needed = (x / 8 == 5 && y / 8 == 7) || (x > 200 && y < 30) ? 1.0F : 0.0F;
+        return {needed, 4 * wave(x, y, 20, 0), 3 * wave(x, y, 30, 1), 1};
+    });
+    return kMap;
+}
+
+} // namespace tegument::test

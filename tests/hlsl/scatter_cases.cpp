@@ -1,0 +1,147 @@
+// hlsl/scatter (without gaussian.fxh) against the definitions of docs/modules/Irradiance.md and docs/skin.md.
+
+#include "tests/hlsl/maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kLargestAlpha = 0.99;
+constexpr double kOpaque = 5000;
+
+double saturate(double x) {
+    return std::clamp(x, 0.0, 1.0);
+}
+
+/// Bilinear over the valid texels among four, renormalised.
+glm::dvec4 overValid(glm::dvec2 uv) {
+    const glm::dvec2 place = uv * double{kTestMapSize} - 0.5;
+    const glm::dvec2 corner = glm::floor(place);
+    const glm::dvec2 f = place - corner;
+    glm::dvec4 sum(0);
+    double total = 0;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const glm::dvec4 texel = irradianceMap().texel(static_cast<int>(corner.x) + i, static_cast<int>(corner.y) + j);
+            if (texel.w >= 0.995) continue;
+            const double weight = (i == 0 ? 1 - f.x : f.x) * (j == 0 ? 1 - f.y : f.y);
+            sum += weight * texel;
+            total += weight;
+        }
+    return total > 1e-4 ? sum / total : glm::dvec4(0, 0, 0, 1);
+}
+
+double share(const Inputs& x) {
+    const double t = x.scalar(0);
+    const double v = x.scalar(1);
+    const double exponent = t * t / (x.seed() ? v : 2 * v);
+    const double passed = exponent < 50 ? std::exp(-exponent) : 0; // 2e-22: nothing
+    return x.seed() ? passed : passed * saturate(x.scalar(2) / (6 * std::sqrt(v)));
+}
+
+std::vector<FunctionCase> entering() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "irradianceColour",
+                     .body = "return float4(irradianceColour(a0, a1), 0);",
+                     .arguments = {linear(0, 1, 3), linear(0, 1)},
+                     .expected = [](const Inputs& x) { return values(glm::pow(glm::max(x.vec3(0), 1e-5), glm::dvec3(x.scalar(1)))); },
+                     .tolerance = {.forward = 40, .backward = 2, .why = "pow is exp2(y log2 x): 3 + 2|x| ULP with |x| up to 17"}});
+    cases.push_back(
+        {.function = "irradianceEntering",
+         .body = "return float4(irradianceEntering(a0, a1, a2, a3, a4, a5), 0);",
+         .arguments = {linear(0, 1, 3), linear(0, 1), linear(0, 10, 3), cosine(), linear(0, 1), linear(0, 1)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec3 colour = glm::pow(glm::max(x.vec3(0), 1e-5), glm::dvec3(x.scalar(1)));
+                 return values(colour * x.vec3(2) * (saturate(x.scalar(3)) * x.scalar(4) * x.scalar(5)));
+             },
+         .tolerance = {
+             .forward = 48, .backward = 2, .absolute = 1e-36, .why = "one power, four products, of which a denormal one is flushed to 0"}});
+    cases.push_back({.function = "seamValidity",
+                     .body = "return float4(seamValidity(a0), 0, 0, 0);",
+                     .arguments = {linear(0, 1.01, 4)},
+                     .expected = [](const Inputs& x) { return values(x.scalar(0, 3) < 0.995 ? 1 : 0); },
+                     .tolerance = {.forward = 0, .backward = 2, .why = "a comparison with 0.995, rounded"}});
+    cases.push_back(
+        {.function = "seamBilinear",
+         .body = "return seamBilinear(SAMPLER2D_ARG(gTest), a0);",
+         .arguments = {linear(0.01, 0.99, 2, 2e-7)},
+         .expected = [](const Inputs& x) { return values(overValid(x.vec2(0))); },
+         .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-5, .why = "the fraction of a texel rounds at 3e-5, the weights with it"},
+         .map = &irradianceMap()});
+    return cases;
+}
+
+std::vector<FunctionCase> passing() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "transmissionThickness",
+                     .body = "return float4(transmissionThickness(a0, a1, a2, a3), 0, 0, 0);",
+                     .arguments = {logarithmic(1e-3, 500), cosine(), unit(), unit()},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double path = x.scalar(0);
+                             const double parallel = saturate(-glm::dot(x.vec3(3), x.vec3(2)));
+                             if (x.scalar(1) > 0) return values(kOpaque);
+                             return values(path + parallel * (saturate(-x.scalar(1)) * path - path));
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .why = "a dot product and an interpolation"}});
+    cases.push_back(
+        {.function = "transmissionEncode",
+         .body = "return float4(transmissionEncode(a0), 0, 0, 0);",
+         .arguments = {logarithmic(1e-4, 5000)},
+         .expected = [](const Inputs& x) { return values(std::min(x.seed() ? x.scalar(0) : std::exp(-0.2 * x.scalar(0)), kLargestAlpha)); },
+         .tolerance = {.forward = 180, .backward = 1, .why = "exp: 3 + 2|x| ULP with |x| up to 87"},
+         .settings = {0, 2}});
+    cases.push_back(
+        {.function = "transmissionDecode",
+         .body = "return float4(transmissionDecode(a0, a1), 0, 0, 0);",
+         .arguments = {logarithmic(1e-6, 0.99), linear(1, 1000)},
+         .expected =
+             [](const Inputs& x) { return values(x.seed() ? x.scalar(0) * x.scalar(1) : -5 * std::log(std::max(x.scalar(0), 1e-6))); },
+         .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-6, .why = "log: 3 ULP, 2^-21 absolute near 1"},
+         .settings = {0, 2}});
+    cases.push_back({.function = "transmissionShare",
+                     .body = "return float4(transmissionShare(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {logarithmic(1e-3, 60), logarithmic(0.0064, 7.41), logarithmic(1e-3, 60)},
+                     .expected = [](const Inputs& x) { return values(share(x)); },
+                     .tolerance = {.forward = 110,
+                                   .backward = 3,
+                                   .absolute = 2e-22,
+                                   .why = "exp: 3 + 2|x| ULP with |x| up to 50, beyond which it is 0"},
+                     .settings = {0, 2},
+                     .domain = [](const Inputs& x) { return x.scalar(1) >= 0.006; }}); // the profile has no narrower Gaussian
+    cases.push_back(
+        {.function = "transmissionScale",
+         .body = "float2 p = pixel - floor(pixel / 2) * 2; return float4(transmissionScale(a0 * p.x + a1 * p.y, float2(0.25, 0.5) + a2 * "
+                 "p.x + a3 * p.y), 0, 0, 0);",
+         .arguments = {linear(-3, 3, 3), linear(-3, 3, 3), linear(-0.03, 0.03, 2, 6e-8), linear(-0.03, 0.03, 2, 6e-8)},
+         .expected =
+             [](const Inputs& x) {
+                 const double area = glm::length(glm::cross(x.vec3(0), x.vec3(1)));
+                 const glm::dvec2 dx = x.vec2(2);
+                 const glm::dvec2 dy = x.vec2(3);
+                 return values(std::sqrt(area / std::max(std::abs(dx.x * dy.y - dx.y * dy.x), 1e-12)));
+             },
+         .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-4, .why = "differences of coordinates near 0.5 keep 6e-8 of 0.03"},
+         .perQuad = true,
+         .domain =
+             [](const Inputs& x) {
+                 const double det = x.scalar(2) * x.scalar(3, 1) - x.scalar(2, 1) * x.scalar(3);
+                 return std::abs(det) > 1e-6; // thinner ones are lost in the rounding of uv
+             }});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> scatterCases() {
+    std::vector<FunctionCase> cases = entering();
+    for (FunctionCase& one : passing())
+        cases.push_back(std::move(one));
+    return cases;
+}
+
+} // namespace tegument::test

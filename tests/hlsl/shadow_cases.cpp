@@ -1,0 +1,202 @@
+// hlsl/shadow against the definitions of docs/modules/TSM.md.
+
+#include "tests/hlsl/maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kTexel = 1.0 / kTestMapSize;
+constexpr double kUvSlack = 3e-7; // a coordinate near 1, rounded a few times
+
+Argument mapUv() {
+    return linear(0.02, 0.98, 2, kUvSlack);
+}
+
+constexpr double kNoSurface = 1e9; // what a cleared texel, 0, stands for
+
+double stored(double depth) {
+    return depth <= 0 ? kNoSurface + depth : depth;
+}
+
+double depthAt(glm::dvec2 uv) {
+    return stored(shadowMap().at(uv).x);
+}
+
+glm::dvec3 normalOfLitSide(glm::dvec2 uv, const glm::dvec3& axisX, const glm::dvec3& axisY, const glm::dvec3& toLight, double footprint,
+                           double range) {
+    const double dx = depthAt(uv + glm::dvec2(kTexel, 0)) - depthAt(uv - glm::dvec2(kTexel, 0));
+    const double dy = depthAt(uv - glm::dvec2(0, kTexel)) - depthAt(uv + glm::dvec2(0, kTexel)); // up is towards smaller v
+    const glm::dvec3 n = 2 * footprint * toLight + range * (dx * axisX + dy * axisY);
+    return n / std::max(glm::length(n), 1e-10);
+}
+
+struct Corner {
+    int x, y;
+    double fx, fy;
+
+    explicit Corner(glm::dvec2 uv) {
+        const glm::dvec2 place = uv * double{kTestMapSize} - 0.5;
+        x = static_cast<int>(std::floor(place.x));
+        y = static_cast<int>(std::floor(place.y));
+        fx = place.x - x;
+        fy = place.y - y;
+    }
+};
+
+/// Interpolated where u, v and coverage of the four texels lie within 0.03, else the nearest.
+glm::dvec4 entry(glm::dvec2 uv) {
+    const Corner c(uv);
+    glm::dvec4 four[2][2];
+    glm::dvec4 low(1e30);
+    glm::dvec4 high(-1e30);
+    glm::dvec4 mean(0);
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            four[j][i] = shadowMap().texel(c.x + i, c.y + j);
+            low = glm::min(low, four[j][i]);
+            high = glm::max(high, four[j][i]);
+            mean += (i == 0 ? 1 - c.fx : c.fx) * (j == 0 ? 1 - c.fy : c.fy) * four[j][i];
+        }
+    const glm::dvec4 spread = high - low;
+    return std::max({spread.y, spread.z, spread.w}) < 0.03 ? mean : four[c.fy >= 0.5][c.fx >= 0.5];
+}
+
+/// Mean over 3 x 3 texels of bilinear comparisons; every texel is compared with the receiver's plane at its own place.
+double filtered(glm::dvec2 uv, double depth, glm::dvec2 slope) {
+    const Corner c(uv);
+    const auto lit = [&](int dx, int dy) {
+        const double plane = depth + slope.x * (dx - c.fx) + slope.y * (dy - c.fy);
+        return plane <= stored(shadowMap().texel(c.x + dx, c.y + dy).x) ? 1.0 : 0.0;
+    };
+    double sum = 0;
+    for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i)
+            sum += (1 - c.fx) * (1 - c.fy) * lit(i, j) + c.fx * (1 - c.fy) * lit(i + 1, j) + (1 - c.fx) * c.fy * lit(i, j + 1) +
+                   c.fx * c.fy * lit(i + 1, j + 1);
+    return sum / 9;
+}
+
+std::vector<FunctionCase> arithmetic() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "shadowCoordinate",
+                     .body = "return float4(shadowCoordinate(a0), 0, 0);",
+                     .arguments = {vector(4, 1, 1000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec4 clip = x.vec4(0);
+                             return values(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
+                         },
+                     .tolerance = {.forward = 4, .backward = 4, .absolute = 1e-7, .why = "a quotient of 2.5 ULP and a sum with 0.5"},
+                     .domain = [](const Inputs& x) { return x.scalar(0, 3) > 1e-3; }});
+    cases.push_back(
+        {.function = "shadowDepth",
+         .body = "return float4(shadowDepth(a0, a1), 0, 0, 0);",
+         .arguments = {vector(4, 1, 1000), vector(3, 1e-3, 1e4)},
+         .expected = [](const Inputs& x) { return values(x.seed() ? x.scalar(0, 2) / x.scalar(0, 3) : glm::length(x.vec3(1))); },
+         .tolerance = {.forward = 6, .backward = 1, .absolute = 1e-19, .why = "length or a quotient; squares of 1e-19 mm are denormal"},
+         .settings = {0, 2},
+         .domain = [](const Inputs& x) { return x.scalar(0, 3) > 1e-3; }});
+    cases.push_back({.function = "shadowFootprint",
+                     .body = "return float4(shadowFootprint(a0, a1), 0, 0, 0);",
+                     .arguments = {logarithmic(1, 1e4), linear(0.01, 2.8)},
+                     .expected = [](const Inputs& x) { return values(2 * x.scalar(0) * std::tan(x.scalar(1) / 2) * kTexel); },
+                     .tolerance = {.forward = 32,
+                                   .backward = 4,
+                                   .absolute = 0,
+                                   .why = "tan is sin / cos, each to 2^-11 of its range in Vulkan; measured far better"}});
+    cases.push_back({.function = "shadowSlope",
+                     .body = "return float4(shadowSlope(a0, a1, a2, a3, a4), 0, 0);",
+                     .arguments = {unit(), unit(), unit(), unit(), linear(0.01, 10)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec3 n = x.vec3(0);
+                             const double cosine = glm::dot(n, x.vec3(3));
+                             if (!x.corrected() || cosine <= 0) return values(0);
+                             return values(x.scalar(4) / std::max(cosine, 0.15) *
+                                           glm::dvec2(glm::dot(n, x.vec3(1)), -glm::dot(n, x.vec3(2))));
+                         },
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "dot products that may cancel"},
+                     .settings = {0, 2}});
+    cases.push_back({.function = "shadowStored",
+                     .body = "return shadowStored(a0);",
+                     .arguments = {linear(-1, 1000, 4)},
+                     .expected =
+                         [](const Inputs& x) {
+                             return values(stored(x.scalar(0)), stored(x.scalar(0, 1)), stored(x.scalar(0, 2)), stored(x.scalar(0, 3)));
+                         },
+                     .tolerance = {.forward = 1, .backward = 0, .why = "one sum"}});
+    cases.push_back({.function = "shadowHorizon",
+                     .body = "return float4(shadowHorizon(a0), 0, 0, 0);",
+                     .arguments = {cosine()},
+                     .expected = [](const Inputs& x) { return values(x.corrected() ? std::clamp(x.scalar(0) / 0.05, 0.0, 1.0) : 1); },
+                     .tolerance = {.forward = 4, .backward = 0, .why = "a product with a rounded constant"},
+                     .settings = {0, 2}});
+    return cases;
+}
+
+std::vector<FunctionCase> lookups() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "tsmNormal",
+         .body = "return float4(tsmNormal(SAMPLER2D_ARG(gTest), a0, a1, a2, a3, a4, a5), 0);",
+         .arguments = {mapUv(), unit(), unit(), unit(), linear(0.01, 2), linear(0.5, 2)},
+         .expected =
+             [](const Inputs& x) { return values(normalOfLitSide(x.vec2(0), x.vec3(1), x.vec3(2), x.vec3(3), x.scalar(4), x.scalar(5))); },
+         .tolerance = {.forward = 8, .backward = 4, .absolute = 2e-6, .why = "sums of three vectors that may cancel, normalised"},
+         .map = &shadowMap(),
+         .domain = [](const Inputs& x) { // the unnormalised sum must not vanish: it does where axes are not axes
+             for (std::size_t i : {1U, 2U, 3U})
+                 if (glm::length(x.vec3(i)) < 0.5) return false;
+             return glm::length(normalOfLitSide(x.vec2(0), x.vec3(1), x.vec3(2), x.vec3(3), x.scalar(4), x.scalar(5))) > 0.5;
+         }});
+    cases.push_back({.function = "tsmEntry",
+                     .body = "return tsmEntry(SAMPLER2D_ARG(gTest), a0);",
+                     .arguments = {mapUv()},
+                     .expected = [](const Inputs& x) { return values(entry(x.vec2(0))); },
+                     .tolerance = {.forward = 8, .backward = 2, .absolute = 2e-7, .why = "three interpolations"},
+                     .map = &shadowMap()});
+    cases.push_back({.function = "shadowLit",
+                     .body = "return float4(shadowLit(SAMPLER2D_ARG(gTest), a0, a1), 0, 0, 0);",
+                     .arguments = {mapUv(), linear(590, 610)},
+                     .expected = [](const Inputs& x) { return values(x.scalar(1) <= depthAt(x.vec2(0)) ? 1 : 0); },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "a comparison of given numbers"},
+                     .map = &shadowMap()});
+    cases.push_back({.function = "shadowFiltered",
+                     .body = "return float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, a1, a2), 0, 0, 0);",
+                     .arguments = {mapUv(), linear(590, 610), linear(-2, 2, 2, 1e-6)},
+                     .expected = [](const Inputs& x) { return values(filtered(x.vec2(0), x.scalar(1), x.vec2(2))); },
+                     .tolerance = {.forward = 16,
+                                   .backward = 2,
+                                   .absolute = 1e-6,
+                                   .why = "sixteen weights from a fraction of a texel that rounds at 3e-5"},
+                     .map = &shadowMap()});
+    cases.push_back({.function = "shadowTest",
+                     .body = "return float4(shadowTest(SAMPLER2D_ARG(gTest), a0, a1, a2, a3), 0, 0, 0);",
+                     .arguments = {mapUv(), linear(590, 610), linear(0, 3), linear(-2, 2, 2, 1e-6)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double depth = x.scalar(1) - x.scalar(2);
+                             if (!x.corrected()) return values(depth <= depthAt(x.vec2(0)) ? 1 : 0);
+                             const glm::dvec2 slope = x.vec2(3);
+                             return values(filtered(x.vec2(0), depth - std::abs(slope.x) - std::abs(slope.y), slope));
+                         },
+                     .tolerance = {.forward = 16, .backward = 2, .absolute = 1e-6, .why = "as shadowFiltered"},
+                     .settings = {0, 1, 2},
+                     .map = &shadowMap()});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> shadowCases() {
+    std::vector<FunctionCase> cases = arithmetic();
+    for (FunctionCase& lookup : lookups())
+        cases.push_back(std::move(lookup));
+    return cases;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,28 @@
+#include "tests/hlsl/sources.h"
+
+#include "host/support/file.h"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+namespace tegument::test {
+
+std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder) {
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".fxh") files.insert(entry.path());
+    // A type and a name at the start of a line, a parameter list, and a body: declarations of variables have no body.
+    static const std::regex kDefinition(
+        R"((?:^|\n)(?:static |inline )?(?:void|bool|int|uint|half|float)(?:[1-4](?:x[1-4])?)? (\w+)\([^;{}]*\)\s*\{)");
+    std::vector<ShaderFunction> functions;
+    for (const auto& path : files) {
+        const auto text = readFile(path);
+        if (!text) continue;
+        for (auto match = std::sregex_iterator(text->begin(), text->end(), kDefinition); match != std::sregex_iterator(); ++match)
+            functions.push_back({(*match)[1], std::filesystem::relative(path, folder).string()});
+    }
+    return functions;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,18 @@
+#pragma once
+// What the sources of hlsl/ define.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tegument::test {
+
+struct ShaderFunction {
+    std::string name;
+    std::string file; // relative to the folder
+};
+
+/// Every function with a body in the .fxh files below `folder`, in order of path and place.
+[[nodiscard]] std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder);
+
+} // namespace tegument::test

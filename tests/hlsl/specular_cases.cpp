@@ -1,0 +1,135 @@
+// hlsl/specular against host/reference and the formulas of docs/modules/Beckmann.md and EnergyAttenuation.md.
+
+#include "host/reference/specular.h"
+#include "tests/hlsl/function_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tegument::test {
+
+namespace {
+
+/// Vulkan allows exp(x) an error of 3 + 2|x| ULP; |x| reaches 87 before the result is denormal.
+constexpr double kExpUlp = 180;
+
+/// N.L rho_s PH F / |L + V|^2 with the guards that beckmannPH and kelemenSpecular state: |L + V|^2 at least 1e-4, N.H at least 1e-3.
+double specular(const glm::dvec3& n, const glm::dvec3& l, const glm::dvec3& v, double m, double rhoS) {
+    const glm::dvec3 h = l + v;
+    const double square = glm::dot(h, h);
+    const glm::dvec3 halfway = square > 0 ? h / std::sqrt(square) : glm::dvec3(0);
+    const double ph = reference::beckmannPH(std::max(glm::dot(n, halfway), 1e-3), m);
+    return std::clamp(glm::dot(n, l), 0.0, 1.0) * rhoS * ph * reference::fresnelSchlick(glm::dot(v, halfway)) / std::max(square, 1e-4);
+}
+
+glm::dvec3 eyeAt(double cosine) {
+    return {std::sqrt(std::max(1 - cosine * cosine, 0.0)), 0, cosine};
+}
+
+constexpr int kNodes = 32;
+
+double nodePrinted(double cosine, double m, double i, double j) {
+    const double phi = 2 * std::numbers::pi * i / (kNodes - 1);
+    const double theta = 0.5 * std::numbers::pi * j / (kNodes - 1);
+    const glm::dvec3 l{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    return std::pow(std::numbers::pi / kNodes, 2) * std::sin(theta) * specular({0, 0, 1}, l, eyeAt(cosine), m, 1);
+}
+
+/// pi F (2 - N.V / (V.H N.H)) / 32^2 at the half vector whose slope is m sqrt(-ln(1 - u)).
+double nodeSampled(double cosine, double m, double i, double j) {
+    const double phi = std::numbers::pi * (i + 0.5) / kNodes;
+    const double slope = m * std::sqrt(-std::log(1 - (j + 0.5) / kNodes));
+    const glm::dvec3 h = glm::normalize(glm::dvec3(slope * std::cos(phi), slope * std::sin(phi), 1));
+    const double vh = glm::dot(eyeAt(cosine), h);
+    const double share = vh > 0 ? std::max(2 - cosine / (vh * h.z), 0.0) : 0;
+    return reference::fresnelSchlick(vh) * share * std::numbers::pi / (kNodes * kNodes);
+}
+
+const Argument kRoughness = linear(0.01, 1);
+
+} // namespace
+
+std::vector<FunctionCase> specularCases() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "beckmannPH",
+         .body = "return float4(beckmannPH(a0, a1), 0, 0, 0);",
+         .arguments = {cosine(0, 1), kRoughness},
+         .expected = [](const Inputs& x) { return values(reference::beckmannPH(x.scalar(0), x.scalar(1))); },
+         .tolerance = {
+             .forward = kExpUlp,
+             .backward = 4,
+             .absolute = 1e-33,
+             .why = "one exponential: 3 + 2|x| ULP, |x| up to 87; below 1.2e-38 it is flushed to 0, before the quotient by m^2 c^4"}});
+    cases.push_back({.function = "beckmannEncode",
+                     .body = "return float4(beckmannEncode(a0), 0, 0, 0);",
+                     .arguments = {logarithmic(1e-29, 1e6)},
+                     .expected = [](const Inputs& x) { return values(0.5 * std::pow(std::max(x.scalar(0), 1e-30), 0.1)); },
+                     .tolerance = {.forward = 24, .why = "pow is exp2(0.1 log2 x): 3 + 2|0.1 * 97| ULP and 3 of the logarithm"}});
+    cases.push_back(
+        {.function = "beckmannDecode",
+         .body = "return float4(beckmannDecode(a0), 0, 0, 0);",
+         .arguments = {linear(0, 2)},
+         .expected = [](const Inputs& x) { return values(std::pow(2 * x.scalar(0), 10)); },
+         .tolerance = {.forward = 300,
+                       .why = "pow is exp2(10 log2 x): 3 + 2|x| ULP with |x| up to 126, and ten times those of the logarithm"}});
+    cases.push_back({.function = "fresnelSchlick",
+                     .body = "return float4(fresnelSchlick(a0, a1), 0, 0, 0);",
+                     .arguments = {cosine(-1, 2), linear(0, 1)},
+                     .expected = [](const Inputs& x) { return values(reference::fresnelSchlick(x.scalar(0), x.scalar(1))); },
+                     .tolerance = {.forward = 8, .backward = 2, .why = "eight roundings"}});
+    cases.push_back(
+        {.function = "kelemenSpecular",
+         .body = "return float4(kelemenSpecular(a0, a1, a2, a3, a4), 0, 0, 0);",
+         .arguments = {unit(), unit(), unit(), kRoughness, linear(0, 1)},
+         .expected = [](const Inputs& x) { return values(specular(x.vec3(0), x.vec3(1), x.vec3(2), x.scalar(3), x.scalar(4))); },
+         .tolerance = {
+             .forward = kExpUlp, .backward = 4, .absolute = 1e-7, .why = "one exponential, and unit vectors whose sums round at 1e-7"}});
+    cases.push_back({.function = "energyDiffuseShare",
+                     .body = "return float4(energyDiffuseShare(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(0, 2), linear(0, 1)},
+                     .expected = [](const Inputs& x) { return values(std::max(1 - (x.seed() ? 1 : x.scalar(1)) * x.scalar(0), 0.0)); },
+                     .tolerance = {.forward = 2, .backward = 1, .why = "a product and a difference"},
+                     .settings = {0, 1, 2}});
+    cases.push_back(
+        {.function = "energyNodePrinted",
+         .body = "return float4(energyNodePrinted(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
+         .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
+         .expected = [](const Inputs& x) { return values(nodePrinted(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
+         .tolerance = {.forward = kExpUlp,
+                       .backward = 4,
+                       .absolute = 2e-5,
+                       .why = "N.H rounds at 1e-7, and PH changes by up to 2 / m^2 of its peak for it"},
+         .domain = [](const Inputs& x) { return x.scalar(1) > 0.03; }});
+    cases.push_back(
+        {.function = "energyNodeSampled",
+         .body = "return float4(energyNodeSampled(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
+         .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
+         .expected = [](const Inputs& x) { return values(nodeSampled(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
+         .tolerance = {.forward = 16,
+                       .backward = 16,
+                       .absolute = 2e-8,
+                       .why = "the half vector's sine is the root of 1 - cosine^2; the weight is pi / 1024"}});
+    cases.push_back(
+        {.function = "energyDirectionalAlbedo",
+         .body = "return float4(energyDirectionalAlbedo(a0, a1), 0, 0, 0);",
+         .arguments = {cosine(0.05, 1), linear(0.1, 1)},
+         .expected = [](const Inputs& x) { return values(reference::directionalAlbedo(x.scalar(0), x.scalar(1)) / std::numbers::pi); },
+         .tolerance = {.forward = 4, .backward = 0, .absolute = 2e-3, .why = "1024 midpoints; the horizon cuts some of their cells"},
+         .samples = 512});
+    cases.push_back(
+        {.function = "energyDirectionalAlbedo",
+         .body = "return float4(energyDirectionalAlbedo(a0, a1), 0, 0, 0);",
+         .arguments = {cosine(1e-7, 1), linear(0.1, 1)},
+         .expected = [](const Inputs& x) { return values(reference::directionalAlbedoPrinted(x.scalar(0), x.scalar(1), kNodes)); },
+         .tolerance = {.forward = 4,
+                       .backward = 0,
+                       .absolute = 2e-5,
+                       .why = "1024 terms; where m is 0.1 N.H rounds at 1e-7 and PH changes by 200 times that"},
+         .settings = {0},
+         .samples = 512});
+    return cases;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,89 @@
+// hlsl/surface and hlsl/workspace.fxh against the formulas of docs/conventions.md and docs/modules/Stretch.md.
+
+#include "tests/hlsl/function_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kLengthOfZero = 1e-10; // vectors shorter than this shrink towards zero instead of becoming unit vectors
+
+glm::dvec3 normalised(const glm::dvec3& v) {
+    return v / std::max(glm::length(v), kLengthOfZero);
+}
+
+const std::vector<double> kWorld = {0.5, 1, -2, 0, 3, 0.25, 1, 0, -1, 2, 4, 0, 10, -20, 30, 1};
+
+/// (p, 1) M, rows of M as stored.
+glm::dvec3 transformed(const glm::dvec3& p) {
+    glm::dvec3 result{};
+    for (int column = 0; column < 3; ++column) {
+        const auto c = static_cast<std::size_t>(column);
+        result[column] = p.x * kWorld[c] + p.y * kWorld[4 + c] + p.z * kWorld[8 + c] + kWorld[12 + c];
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<FunctionCase> surfaceCases() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "safeNormalize",
+                     .body = "return float4(safeNormalize(a0), 0);",
+                     .arguments = {vector(3, 1e-8, 1e6)},
+                     .expected = [](const Inputs& x) { return values(normalised(x.vec3(0))); },
+                     .tolerance = {.forward = 6, .backward = 2, .why = "a dot product, rsqrt (2 ULP in Vulkan), a product"}});
+    cases.push_back(
+        {.function = "surfaceNormal",
+         .body = "return float4(surfaceNormal(a0, float4(a1, a2 < 0.5 ? 1.0 : -1.0), a3), 0);",
+         .arguments = {unit(), unit(), linear(0, 1), linear(0, 1, 3)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec3 normal = x.vec3(0);
+                 const glm::dvec3 tangent = x.vec3(1);
+                 const double sign = x.scalar(2) < 0.5 ? 1 : -1;
+                 const glm::dvec3 t = 2.0 * x.vec3(3) - 1.0;
+                 return values(normalised(t.x * tangent + t.y * sign * glm::cross(normal, tangent) + t.z * normal));
+             },
+         .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "sums of three terms that may cancel; then normalised"},
+         .domain =
+             [](const Inputs& x) {
+                 const glm::dvec3 t = 2.0 * x.vec3(3) - 1.0;
+                 const glm::dvec3 sum = t.x * x.vec3(1) + t.y * glm::cross(x.vec3(0), x.vec3(1)) + t.z * x.vec3(0);
+                 return glm::length(sum) > 0.1; // shorter ones come from maps that hold no normal
+             }});
+    cases.push_back({.function = "stretchEncode",
+                     .body = "return float4(stretchEncode(a0, a1, a2), 0, 0);",
+                     .arguments = {vector(3, 1e-5, 100), vector(3, 1e-5, 100), linear(1, 16384)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec2 mm{glm::length(x.vec3(0)), glm::length(x.vec3(1))};
+                             return values(102.4 / (glm::max(mm, 1e-3) * x.scalar(2)));
+                         },
+                     .tolerance = {.forward = 8, .backward = 1, .why = "length (an inverse square root) and a quotient, 2.5 ULP each"}});
+    cases.push_back({.function = "stretchUvPerMillimetre",
+                     .body = "return float4(stretchUvPerMillimetre(a0), 0, 0);",
+                     .arguments = {vector(4, 1e-6, 10)},
+                     .expected = [](const Inputs& x) { return values(x.vec2(0) / 102.4); },
+                     .tolerance = {.forward = 4, .backward = 0, .why = "a quotient by a constant that rounds itself"}});
+    cases.push_back({.function = "unwrapPosition",
+                     .body = "return unwrapPosition(a0, a1);",
+                     .arguments = {linear(-1, 2, 2), linear(0, 1)},
+                     .expected = [](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), x.scalar(1), 1); },
+                     .tolerance = {.forward = 1, .backward = 0, .why = "doubling is exact, one difference"}});
+    cases.push_back({.function = "worldPosition",
+                     .body = "return float4(worldPosition(a0), 0);",
+                     .arguments = {vector(3, 1e-3, 1e4)},
+                     .expected = [](const Inputs& x) { return values(transformed(x.vec3(0))); },
+                     .tolerance = {.forward = 4,
+                                   .backward = 4,
+                                   .absolute = 1e-5,
+                                   .why = "three products and sums that may cancel against the translation of 30 mm"},
+                     .world = kWorld});
+    return cases;
+}
+
+} // namespace tegument::test

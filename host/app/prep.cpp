@@ -2,6 +2,7 @@
 
 #include "host/app/commands.h"
 #include "host/app/output.h"
+#include "host/app/prep_mesh.h"
 #include "meshprep/human.h"
 
 #include <CLI/CLI.hpp>
@@ -76,8 +77,9 @@ int prepHuman(const HumanArguments& arguments) {
 } // namespace
 
 void addPrep(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("prep", "Prepare meshes for the effects");
-    command->require_subcommand(1);
+    CLI::App* command = program.add_subcommand("prep", "Prepare meshes for the effects: tegument prep IN -o OUT (docs/meshprep.md)");
+    command->require_subcommand(0, 1);
+    addPrepMesh(*command, action);
     auto arguments = std::make_shared<HumanArguments>();
     CLI::App* human =
         command->add_subcommand("human", "Make the default head from the MakeHuman base body, once, in the cache (docs/human.md)");

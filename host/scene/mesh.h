@@ -62,6 +62,8 @@ struct MeshOptions {
 
 /// Writes positions, normals, tangents, UVs, indices, parts, embedded textures (PNG) as one glb in metres.
 [[nodiscard]] Result<void> writeGlb(const std::filesystem::path& path, const Mesh& mesh);
+/// Writes positions, normals, UVs and triangles as binary PLY, in millimetres.
+[[nodiscard]] Result<void> writePly(const std::filesystem::path& path, const Mesh& mesh);
 
 /// Fills `normals` (angle weighted over equal positions) when empty.
 void computeNormals(Mesh& mesh);

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tegument {
@@ -42,6 +43,15 @@ public:
             }
             if (slot.tag == tag && equal(slot.item)) return slot.item;
         }
+    }
+
+    /// The equal item, if there is one.
+    template <class Equal>
+    [[nodiscard]] std::optional<std::uint32_t> find(std::uint64_t hash, Equal equal) const {
+        const auto tag = static_cast<std::uint32_t>(hash >> 32);
+        for (std::size_t at = hash & (slots_.size() - 1); slots_[at].item != kFree; at = (at + 1) & (slots_.size() - 1))
+            if (slots_[at].tag == tag && equal(slots_[at].item)) return slots_[at].item;
+        return std::nullopt;
     }
 
 private:

@@ -1,0 +1,10 @@
+#pragma once
+// tegument prep IN -o OUT, beside the subcommands of `prep`.
+
+#include "host/app/commands.h"
+
+namespace tegument::app {
+
+void addPrepMesh(CLI::App& prep, Action& action);
+
+} // namespace tegument::app

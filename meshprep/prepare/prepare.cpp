@@ -1,0 +1,165 @@
+#include "meshprep/prepare/prepare.h"
+
+#include "meshprep/prepare/clean.h"
+#include "meshprep/prepare/vertices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+
+namespace tegument::prep {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Runs the steps and keeps the book.
+class Preparation {
+public:
+    Preparation(const std::filesystem::path& path, const PrepOptions& options) : path_(path), options_(options) {}
+
+    Result<Prepared> run() {
+        if (auto error = readFile()) return *error;
+        clean();
+        if (surface_.mesh.indices.empty() && report_.input.faces > 0)
+            return inputError(7020, {.file = path_.string(), .byte = {}}, "no triangle is left", whereTheyWent());
+        shape();
+        finish();
+        return Prepared{.mesh = std::move(surface_.mesh), .report = std::move(report_)};
+    }
+
+private:
+    void begin(const char* name) {
+        if (options_.progress) options_.progress(name);
+        started_ = Clock::now();
+    }
+
+    void end(std::string name, std::size_t changed, std::string text) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+        report_.steps.push_back({.name = std::move(name), .changed = changed, .text = std::move(text), .seconds = seconds});
+    }
+
+    /// A step that counts one thing.
+    template <class Step>
+    void count(const char* name, const char* what, Step step) {
+        begin(name);
+        const std::size_t changed = step();
+        end(name, changed, fmt::format("{} {}", changed, what));
+    }
+
+    std::optional<Error> readFile() {
+        begin("read");
+        Result<ReadMesh> file = readMesh(path_, options_.read);
+        if (!file) return file.error();
+        surface_.mesh = std::move(file->mesh);
+        const ReadCounts& counts = file->counts;
+        report_.input = {.vertices = counts.vertices, .faces = counts.faces};
+        report_.triangles = surface_.triangles();
+        report_.warnings = surface_.mesh.warnings;
+        if (counts.faces == 0 && counts.vertices > 0)
+            return inputError(7021, {.file = path_.string(), .byte = {}}, fmt::format("{} vertices and no faces", counts.vertices),
+                              "a cloud of points must be made a surface first");
+        end("read", counts.faces, fmt::format("{} vertices, {} faces", counts.vertices, counts.faces));
+        noteDropped("faces of fewer than three corners", "small faces", counts.smallFaces);
+        noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
+        noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);
+        return std::nullopt;
+    }
+
+    void noteDropped(const char* what, const char* name, std::size_t dropped) {
+        begin(name);
+        if (dropped > 0) end(name, dropped, fmt::format("{} {} left out", dropped, what));
+    }
+
+    void clean() {
+        count("places", "vertices at the place of an earlier one", [&] { return findPlaces(surface_, options_.same); });
+        count("collapsed", "triangles with two corners at one place left out", [&] { return dropCollapsed(surface_); });
+        if (!options_.keepDuplicates)
+            count("duplicates", "triangles that repeat another left out", [&] { return dropDuplicates(surface_); });
+        count("unreferenced", "vertices of no triangle left out", [&] { return dropUnreferenced(surface_); });
+        if (options_.orient)
+            count("orient", "triangles turned to face as most of their component", [&] { return orientByMajority(surface_); });
+    }
+
+    [[nodiscard]] std::string whereTheyWent() const {
+        std::string text;
+        for (const PrepStep& step : report_.steps)
+            if (step.name != "read" && step.changed > 0) text += (text.empty() ? "" : "; ") + step.text;
+        return text;
+    }
+
+    void shape() {
+        begin("topology");
+        report_.topology = examine(surface_);
+        const Topology& t = report_.topology;
+        end("topology", 0,
+            fmt::format("{} components, {} boundary edges, {} edges of more than two triangles, {} bow ties, {} opposed edges, "
+                        "{} pairs back to back, {} triangles without area",
+                        t.components, t.boundaryEdges, t.crowdedEdges, t.bowTies, t.opposedEdges, t.backToBackPairs, t.flatTriangles));
+        begin("centre");
+        report_.centring = centre(surface_, options_.centre);
+        const Centring& c = report_.centring;
+        end("centre", c.vertices,
+            fmt::format("moved by ({:.6g}, {:.6g}, {:.6g}); radius {:.6g}, minimal {:.6g}", c.moved.x, c.moved.y, c.moved.z, c.radius,
+                        c.minimalRadius));
+        begin("normals");
+        const NormalChanges changes = makeNormals(surface_, options_.normals);
+        end("normals", changes.normals, fmt::format("{} normals made, {} vertices split for them", changes.normals, changes.split));
+        count("weld", "vertices equal to an earlier one in all that is kept", [&] { return weldVertices(surface_); });
+        if (!surface_.mesh.uvs.empty()) makeTangents();
+    }
+
+    void makeTangents() {
+        begin("tangents");
+        const std::size_t before = surface_.mesh.positions.size();
+        computeTangents(surface_.mesh);
+        const std::size_t split = surface_.mesh.positions.size() - before;
+        end("tangents", surface_.mesh.positions.size(), fmt::format("MikkTSpace, {} vertices split at mirror lines", split));
+    }
+
+    void finish() {
+        Mesh& mesh = surface_.mesh;
+        for (const CacheModel& model : kCacheModels)
+            report_.cache.push_back({.model = model, .before = measure(model, mesh.indices, mesh.positions.size()), .after = {}});
+        count("fetch order", "vertices moved to the order of their use", [&] { return orderVertices(mesh); });
+        for (CacheComparison& comparison : report_.cache)
+            comparison.after = measure(comparison.model, mesh.indices, mesh.positions.size());
+        report_.output = {.vertices = mesh.positions.size(), .faces = mesh.indices.size() / 3};
+        const bool small = report_.output.vertices <= kMost16BitVertices;
+        const std::size_t vertexBytes = 24 + (mesh.uvs.empty() ? 0 : 8) + (mesh.tangents.empty() ? 0 : 16);
+        report_.bytes = sizes(report_.output.vertices, report_.output.faces, vertexBytes, small);
+        report_.seedBytes = sizes(report_.output.vertices, report_.output.faces, 24, small);
+    }
+
+    const std::filesystem::path& path_;
+    const PrepOptions& options_;
+    Surface surface_;
+    PrepReport report_;
+    Clock::time_point started_;
+};
+
+std::optional<Error> check(const PrepOptions& options) {
+    const SamePlace& same = options.same;
+    if (!(same.epsilon >= 0) || !std::isfinite(same.epsilon))
+        return usageError(7022, fmt::format("a weld distance of {:g}", same.epsilon), "give a length in the file's unit, or 0");
+    if (same.decimals && (*same.decimals < 0 || *same.decimals > kMostDecimals))
+        return usageError(7023, fmt::format("{} decimals", *same.decimals), fmt::format("give 0 to {}", kMostDecimals));
+    if (same.decimals && same.epsilon > 0) return usageError(7024, "a weld distance and a number of decimals", "choose one of them");
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<Prepared> prepareMesh(const std::filesystem::path& path, const PrepOptions& options) {
+    if (auto wrong = check(options)) return *wrong;
+    try {
+        return Preparation(path, options).run();
+    } catch (const std::bad_alloc&) {
+        return machineError(7025, fmt::format("{}: not enough memory to prepare the mesh", path.string()), "close programs, or reduce it");
+    }
+}
+
+} // namespace tegument::prep

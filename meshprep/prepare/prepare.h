@@ -1,0 +1,64 @@
+#pragma once
+// The whole way of `tegument prep`: a mesh file read, cleaned, centred, given normals, indexed and put in order. docs/meshprep.md.
+
+#include "host/scene/read_mesh.h"
+#include "meshprep/prepare/centre.h"
+#include "meshprep/prepare/figures.h"
+#include "meshprep/prepare/points.h"
+#include "meshprep/prepare/topology.h"
+#include "meshprep/prepare/vertex_normals.h"
+
+#include <functional>
+
+namespace tegument::prep {
+
+struct PrepOptions {
+    ReadOptions read;
+    SamePlace same;
+    bool keepDuplicates = false; // leave triangles that repeat another
+    bool orient = false;         // turn the minority of each component
+    CentreMode centre = CentreMode::Ball;
+    NormalOptions normals;
+    std::function<void(const std::string&)> progress; // told before each step
+};
+
+/// What one step did. `changed` counts what `text` says.
+struct PrepStep {
+    std::string name;
+    std::size_t changed = 0;
+    std::string text;
+    double seconds = 0;
+};
+
+struct Count {
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+};
+
+struct CacheComparison {
+    CacheModel model;
+    CacheFigures before; // indexed, in the file's order
+    CacheFigures after;
+};
+
+struct PrepReport {
+    Count input; // as in the file: polygons count as faces
+    std::vector<PrepStep> steps;
+    Count output;
+    std::size_t triangles = 0; // of the input, polygons cut
+    Topology topology;         // of what is written
+    Centring centring;
+    std::vector<CacheComparison> cache;
+    SizeFigures bytes;     // with all that is written
+    SizeFigures seedBytes; // by the source document's vertex of 24 bytes: position and normal
+    std::vector<Diagnostic> warnings;
+};
+
+struct Prepared {
+    Mesh mesh;
+    PrepReport report;
+};
+
+[[nodiscard]] Result<Prepared> prepareMesh(const std::filesystem::path& path, const PrepOptions& options);
+
+} // namespace tegument::prep

@@ -1,0 +1,133 @@
+#include "meshprep/prepare/topology.h"
+
+#include "host/scene/normals.h"
+#include "meshprep/prepare/clean.h"
+
+namespace tegument::prep {
+
+namespace {
+
+constexpr std::uint32_t kNone = UINT32_MAX;
+
+std::size_t countBowTies(const Surface& surface, DisjointSets& fans) {
+    std::vector<std::uint32_t> fanAt(surface.pointCount, kNone);
+    std::vector<bool> several(surface.pointCount, false);
+    for (std::uint32_t corner = 0; corner < surface.mesh.indices.size(); ++corner) {
+        const std::uint32_t point = surface.pointAt(corner);
+        const std::uint32_t fan = fans.find(corner);
+        if (fanAt[point] == kNone) fanAt[point] = fan;
+        several[point] = several[point] || fanAt[point] != fan;
+    }
+    return static_cast<std::size_t>(std::ranges::count(several, true));
+}
+
+std::size_t countComponents(const Surface& surface) {
+    DisjointSets sets(surface.pointCount);
+    for (std::size_t i = 0; i < surface.mesh.indices.size(); i += 3)
+        for (const std::size_t next : {1u, 2u})
+            sets.join(surface.pointAt(i), surface.pointAt(i + next));
+    std::vector<bool> root(surface.pointCount, false);
+    for (std::size_t corner = 0; corner < surface.mesh.indices.size(); ++corner)
+        root[sets.find(surface.pointAt(corner))] = true;
+    return static_cast<std::size_t>(std::ranges::count(root, true));
+}
+
+std::size_t countFlat(const Surface& surface) {
+    std::size_t flat = 0;
+    for (std::size_t triangle = 0; triangle < surface.triangles(); ++triangle)
+        flat += faceNormal(cornersOf(surface.mesh, triangle)) == glm::dvec3(0);
+    return flat;
+}
+
+void countEdges(const EdgeTable& edges, Topology& topology) {
+    edges.forEach([&](std::span<const HalfEdge> sides) {
+        topology.boundaryEdges += sides.size() == 1;
+        topology.crowdedEdges += sides.size() > 2;
+        topology.opposedEdges += sides.size() == 2 && sides[0].forwards == sides[1].forwards;
+    });
+}
+
+/// Sides of triangles across edges of exactly two triangles.
+struct Neighbours {
+    std::vector<std::uint32_t> across; // by corner: the triangle behind the side that starts there, or none
+    std::vector<bool> opposed;         // by corner: it is seen from the other side
+
+    explicit Neighbours(const Surface& surface) : across(surface.mesh.indices.size(), kNone), opposed(surface.mesh.indices.size(), false) {
+        EdgeTable(surface).forEach([&](std::span<const HalfEdge> sides) {
+            if (sides.size() != 2) return;
+            for (const std::size_t i : {0u, 1u}) {
+                across[sides[i].corner] = sides[1 - i].triangle();
+                opposed[sides[i].corner] = sides[0].forwards == sides[1].forwards;
+            }
+        });
+    }
+};
+
+/// The triangles reached from `start` across edges, with whether each is seen from the other side than `start`.
+void flood(const Neighbours& neighbours, std::uint32_t start, std::vector<bool>& seen, std::vector<bool>& turned,
+           std::vector<std::uint32_t>& reached) {
+    reached.assign(1, start);
+    seen[start] = true;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        for (std::uint32_t corner = 3 * reached[i]; corner < 3 * reached[i] + 3; ++corner) {
+            const std::uint32_t next = neighbours.across[corner];
+            if (next == kNone || seen[next]) continue;
+            seen[next] = true;
+            turned[next] = turned[reached[i]] != neighbours.opposed[corner];
+            reached.push_back(next);
+        }
+}
+
+} // namespace
+
+DisjointSets cornerFans(const Surface& surface, const EdgeTable& edges, const std::vector<std::uint32_t>& backToBack) {
+    DisjointSets fans(surface.mesh.indices.size());
+    const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
+        if (a.forwards == b.forwards || backToBack[a.triangle()] == b.triangle()) return;
+        fans.join(a.corner, nextCorner(b.corner));
+        fans.join(nextCorner(a.corner), b.corner);
+    };
+    edges.forEach([&](std::span<const HalfEdge> sides) {
+        constexpr std::size_t kFew = 8; // an edge of a million triangles: each is joined to the next ones only, so time stays linear
+        for (std::size_t i = 0; i < sides.size(); ++i)
+            for (std::size_t k = i + 1; k < std::min(sides.size(), i + kFew); ++k)
+                join(sides[i], sides[k]);
+    });
+    return fans;
+}
+
+Topology examine(const Surface& surface) {
+    Topology topology;
+    const EdgeTable edges(surface);
+    countEdges(edges, topology);
+    const std::vector<std::uint32_t> back = backToBack(surface);
+    for (std::uint32_t i = 0; i < back.size(); ++i)
+        topology.backToBackPairs += back[i] > i;
+    DisjointSets fans = cornerFans(surface, edges, back);
+    topology.bowTies = countBowTies(surface, fans);
+    topology.flatTriangles = countFlat(surface);
+    topology.components = countComponents(surface);
+    return topology;
+}
+
+std::size_t orientByMajority(Surface& surface) {
+    const Neighbours neighbours(surface);
+    const std::size_t count = surface.triangles();
+    std::vector<bool> seen(count, false);
+    std::vector<bool> turned(count, false);
+    std::vector<std::uint32_t> reached;
+    std::size_t changed = 0;
+    for (std::uint32_t start = 0; start < count; ++start) {
+        if (seen[start]) continue;
+        flood(neighbours, start, seen, turned, reached);
+        const auto others = static_cast<std::size_t>(std::ranges::count_if(reached, [&](std::uint32_t t) { return turned[t]; }));
+        const bool minority = 2 * others <= reached.size(); // of the triangles that differ from `start`
+        for (const std::uint32_t t : reached)
+            if (turned[t] == minority)
+                std::swap(surface.mesh.indices[3 * std::size_t{t} + 1], surface.mesh.indices[3 * std::size_t{t} + 2]);
+        changed += minority ? others : reached.size() - others;
+    }
+    return changed;
+}
+
+} // namespace tegument::prep

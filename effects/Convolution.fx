@@ -19,6 +19,7 @@
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
 #include "passes/convolution.fxh"
+#include "passes/blur_parameters.fxh"
 #include "passes/poisson.fxh"
 
 float Script : STANDARDSGLOBAL <

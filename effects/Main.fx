@@ -20,6 +20,7 @@
 #include "passes/stretch.fxh"
 #include "passes/profile.fxh"
 #include "passes/convolution.fxh"
+#include "passes/blur_parameters.fxh"
 #include "passes/poisson.fxh"
 #include "passes/cull.fxh"
 #include "passes/reach.fxh"

@@ -31,10 +31,15 @@ bool facesAway(CullVarying input, float slack)
     return cullBackFace(safeNormalize(input.normal), safeNormalize(input.toEye), slack);
 }
 
-// The condition of the prepass, equations 41 and 42 in the form of the setting.
+// Equations 41 and 42 in the form of the setting.
+bool outsidePoint(CullVarying input)
+{
+    return kCullAsPrinted ? cullOutsideAsPrinted(input.clip) : cullOutside(input.clip);
+}
+
 bool hiddenPoint(CullVarying input)
 {
-    return (kCullAsPrinted ? cullOutsideAsPrinted(input.clip) : cullOutside(input.clip)) || facesAway(input, 0.0);
+    return outsidePoint(input) || facesAway(input, 0.0);
 }
 
 CullVarying cullVarying(MeshInput input)

@@ -2,11 +2,6 @@
 #ifndef TEGUMENT_PASSES_POISSON_FXH
 #define TEGUMENT_PASSES_POISSON_FXH
 
-float gBlurSize < string UIName = "Radius of each blur"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 20.0; float UIStep = 0.1; string UIHelp = "mm where the kernel size is 1; settings seed and deon2007: pairs of texels"; > = SKIN_BLUR_SIZE;
-float gBlurTurn < string UIName = "Turn from blur to blur"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 6.2832; float UIStep = 0.01; string UIHelp = "radians by which the disc is turned, so that the blurs do not repeat its pattern"; > = SKIN_BLUR_TURN;
-int gBlurCount < string UIName = "Blurs"; string UIWidget = "Slider"; int UIMin = 1; int UIMax = 6; > = 3;
-int gBlurIndex < string UIWidget = "None"; string UIHelp = "counted by the script"; > = -1;
-
 Texture2D gBlurOddMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
 Texture2D gBlurEvenMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
 SAMPLER2D(gBlurOdd, POINT, CLAMP);

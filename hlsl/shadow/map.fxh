@@ -46,7 +46,8 @@ float shadowHorizon(float cosine)
 // Maps are cleared to 0, because Direct3D 9 clears to 0..1 in 8 bits: there is no surface, and nothing lies in front of anything.
 float4 shadowStored(float4 depth)
 {
-    return depth + kNoSurface * step(depth, 0.0);
+    return float4(depth.x > 0.0 ? depth.x : kNoSurface, depth.y > 0.0 ? depth.y : kNoSurface, depth.z > 0.0 ? depth.z : kNoSurface,
+                  depth.w > 0.0 ? depth.w : kNoSurface);
 }
 
 // Lit where the nearest surface is not before this depth.

@@ -80,6 +80,7 @@ void addPrep(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("prep", "Prepare meshes for the effects: tegument prep IN -o OUT (docs/meshprep.md)");
     command->require_subcommand(0, 1);
     addPrepMesh(*command, action);
+    addPrepShape(*command, action);
     auto arguments = std::make_shared<HumanArguments>();
     CLI::App* human =
         command->add_subcommand("human", "Make the default head from the MakeHuman base body, once, in the cache (docs/human.md)");

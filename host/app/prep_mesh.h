@@ -6,5 +6,6 @@
 namespace tegument::app {
 
 void addPrepMesh(CLI::App& prep, Action& action);
+void addPrepShape(CLI::App& prep, Action& action);
 
 } // namespace tegument::app

@@ -7,7 +7,7 @@ namespace tegument::prep {
 
 /// Exact (0.0 and -0.0 are equal) unless one of these is given.
 struct SamePlace {
-    double epsilon = 0;          // in file units: at most this far from the first vertex of the place
+    double epsilon = 0;          // mm: at most this far from the first vertex of the place
     std::optional<int> decimals; // equal when printed with this many decimals, as the source document's programs did
 };
 

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
     tegument::app::addCheck(program, action);
     tegument::app::addInfo(program, action);
     tegument::app::addPrep(program, action);
+    tegument::app::addFur(program, action);
     tegument::app::addSheet(program, action);
     tegument::app::addCompare(program, action);
     try {

@@ -1,0 +1,247 @@
+// tegument fur: the maps that the shells of effects/Fur.fx read.
+
+#include "host/app/commands.h"
+#include "host/app/output.h"
+#include "host/image/dds.h"
+#include "meshprep/fur/fur_map.h"
+#include "meshprep/fur/strand_statistics.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct TextureArguments {
+    FurOptions fur;
+    int size = 1024;
+    std::string output = "out/fur";
+    std::string seeds;
+    bool json = false;
+};
+
+struct SeedRange {
+    std::uint32_t first = 1;
+    std::uint32_t last = 1;
+};
+
+constexpr std::uint32_t kMostSeeds = 256;
+
+Result<SeedRange> parseSeeds(const std::string& text) {
+    SeedRange range;
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%u..%u%c", &range.first, &range.last, &rest);
+    if (read != 2 || text.find('-') != std::string::npos || range.last < range.first || range.last - range.first >= kMostSeeds)
+        return usageError(8050, fmt::format("--seeds {} is no range", text), "write it as 1..16, at most 256 of them");
+    return range;
+}
+
+/// The cube map's side whose six faces have about as many texels as the sphere map: both are compared at equal memory.
+int cubeSide(int size) {
+    return std::max(1, static_cast<int>(std::lround(size / std::sqrt(6.0) / 4)) * 4);
+}
+
+DdsTexture cubeDds(const std::array<Image, 6>& faces) {
+    DdsTexture cube;
+    for (const Image& face : faces) {
+        DdsTexture one = makeDds(face, DdsFormat::Rgba8, true);
+        cube.format = one.format;
+        cube.mips = one.mips;
+        for (Image& level : one.images)
+            cube.images.push_back(std::move(level));
+    }
+    cube.faces = 6;
+    return cube;
+}
+
+Json toJson(const StrandStatistics& figures) {
+    return {{"strands", figures.count},
+            {"wanted", figures.wanted},
+            {"nearest_min", figures.nearestLeast},
+            {"nearest_mean", figures.nearestMean},
+            {"nearest_cv", figures.nearestCv},
+            {"patch_cv", figures.patchCv},
+            {"poisson_cv", figures.poissonCv}};
+}
+
+std::vector<std::string> row(const std::string& name, const StrandStatistics& figures, double coverage) {
+    return {name,
+            fmt::format("{}", figures.count),
+            fmt::format("{}", figures.wanted),
+            fmt::format("{:.2f}", figures.nearestLeast),
+            fmt::format("{:.2f}", figures.nearestMean),
+            fmt::format("{:.3f}", figures.nearestCv),
+            fmt::format("{:.4f}", figures.patchCv),
+            fmt::format("{:.4f}", figures.poissonCv),
+            fmt::format("{:.2f} %", 100 * coverage)};
+}
+
+const std::vector<std::string> kHeader{"map", "strands", "N", "nearest min", "mean", "nearest CV", "patch CV", "Poisson CV", "covered"};
+
+struct Maps {
+    StrandSet plane;
+    StrandSet sphere;
+    StrandSet cube;
+    Image texture;
+    Image sphereMap;
+    std::array<Image, 6> cubeMap;
+};
+
+Result<Maps> makeMaps(const TextureArguments& arguments, Progress& progress) {
+    const int side = cubeSide(arguments.size);
+    progress.say("placing strands");
+    auto plane = strandsOnTexture(arguments.size, arguments.size, arguments.fur);
+    if (!plane) return plane.error();
+    auto sphere = strandsOnSphere(sphereMapTexels(arguments.size), arguments.fur);
+    if (!sphere) return sphere.error();
+    auto cube = strandsOnSphere(cubeMapTexels(side), arguments.fur);
+    if (!cube) return cube.error();
+    progress.say("drawing the texture");
+    Maps maps;
+    maps.texture = drawFurTexture(*plane, arguments.size, arguments.size, arguments.fur);
+    progress.say("drawing the sphere map");
+    maps.sphereMap = drawSphereMap(*sphere, arguments.size, arguments.fur);
+    progress.say("drawing the cube map");
+    maps.cubeMap = drawCubeMap(*cube, side, arguments.fur);
+    maps.plane = std::move(*plane);
+    maps.sphere = std::move(*sphere);
+    maps.cube = std::move(*cube);
+    return maps;
+}
+
+Result<void> writeBoth(const fs::path& folder, const std::string& name, const Image& picture, const DdsTexture& texture) {
+    if (const auto written = writePng(folder / (name + ".png"), picture, PngEncoding::Raw); !written) return written;
+    return writeDds(folder / (name + ".dds"), texture);
+}
+
+Result<void> writeMaps(const fs::path& folder, const Maps& maps) {
+    if (const auto written = writeBoth(folder, "fur", maps.texture, makeDds(maps.texture, DdsFormat::Rgba8, true)); !written)
+        return written;
+    if (const auto written = writeBoth(folder, "fur_sphere", maps.sphereMap, makeDds(maps.sphereMap, DdsFormat::Rgba8, true)); !written)
+        return written;
+    return writeBoth(folder, "fur_cube", unfoldCube(maps.cubeMap), cubeDds(maps.cubeMap));
+}
+
+void describe(Image& image, const TextureArguments& arguments) {
+    image.metadata["Software"] = fmt::format("tegument {}", TEGUMENT_VERSION);
+    image.metadata["tegument:seed"] = fmt::format("{}", arguments.fur.seed);
+    image.metadata["tegument:density"] = fmt::format("{}", arguments.fur.density);
+    image.metadata["tegument:spacing"] = fmt::format("{}", arguments.fur.spacing);
+}
+
+int one(const TextureArguments& arguments) {
+    Progress progress;
+    auto maps = makeMaps(arguments, progress);
+    progress.clear();
+    if (!maps) return fail(maps.error(), arguments.json);
+    describe(maps->texture, arguments);
+    describe(maps->sphereMap, arguments);
+    if (const auto written = writeMaps(arguments.output, *maps); !written) return fail(written.error(), arguments.json);
+
+    const auto plane = statisticsOnTexture(maps->plane, arguments.size, arguments.size);
+    const auto sphere = statisticsOnSphere(maps->sphere, sphereMapTexels(arguments.size));
+    const auto cube = statisticsOnSphere(maps->cube, cubeMapTexels(cubeSide(arguments.size)));
+    if (arguments.json) {
+        print({{"seed", arguments.fur.seed}, {"texture", toJson(plane)}, {"sphere", toJson(sphere)}, {"cube", toJson(cube)}});
+        return 0;
+    }
+    fmt::print("{}",
+               table(kHeader, {row("texture", plane, coverage(maps->texture)), row("sphere map", sphere, sphereCoverage(maps->sphereMap)),
+                               row("cube map", cube, cubeCoverage(maps->cubeMap))}));
+    for (const char* name : {"fur", "fur_sphere", "fur_cube"})
+        fmt::print("wrote {0}.png and {0}.dds\n", (fs::path(arguments.output) / name).string());
+    return 0;
+}
+
+/// The middle of a texture, large enough to see single strands.
+void paste(Image& sheet, const Image& texture, int left, int top, int side) {
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const float height = texture.at(x % texture.width, y % texture.height, 3);
+            for (int c = 0; c < 3; ++c)
+                sheet.at(left + x, top + y, c) = height;
+        }
+}
+
+int several(const TextureArguments& arguments) {
+    const auto range = parseSeeds(arguments.seeds);
+    if (!range) return fail(range.error(), arguments.json);
+    constexpr int kColumns = 4;
+    constexpr int kGap = 8;
+    constexpr int kLargestThumbnail = 256;
+    const int count = static_cast<int>(range->last - range->first + 1);
+    const int side = std::min(arguments.size, kLargestThumbnail);
+    const int rows = (count + kColumns - 1) / kColumns;
+    Image sheet{
+        .width = kColumns * (side + kGap) - kGap, .height = rows * (side + kGap) - kGap, .channels = 3, .pixels = {}, .metadata = {}};
+    sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, 1.0F);
+
+    std::vector<StrandStatistics> figures;
+    std::vector<std::vector<std::string>> lines;
+    Json list = Json::array();
+    Progress progress;
+    for (int i = 0; i < count; ++i) {
+        FurOptions options = arguments.fur;
+        options.seed = range->first + static_cast<std::uint32_t>(i);
+        progress.say(fmt::format("seed {}", options.seed));
+        const auto set = strandsOnTexture(arguments.size, arguments.size, options);
+        if (!set) return fail(set.error(), arguments.json);
+        const Image texture = drawFurTexture(*set, arguments.size, arguments.size, options);
+        paste(sheet, texture, i % kColumns * (side + kGap), i / kColumns * (side + kGap), side);
+        figures.push_back(statisticsOnTexture(*set, arguments.size, arguments.size));
+        lines.push_back(row(fmt::format("seed {}", options.seed), figures.back(), coverage(texture)));
+        Json entry = toJson(figures.back());
+        entry["seed"] = options.seed;
+        entry["covered"] = coverage(texture);
+        list.push_back(entry);
+    }
+    progress.clear();
+    const fs::path picture = fs::path(arguments.output) / "fur_seeds.png";
+    if (const auto written = writePng(picture, sheet, PngEncoding::Raw); !written) return fail(written.error(), arguments.json);
+    const std::uint32_t best = range->first + static_cast<std::uint32_t>(evenest(figures));
+    if (arguments.json) {
+        print({{"seeds", list}, {"evenest", best}});
+        return 0;
+    }
+    std::vector<std::string> header = kHeader;
+    header.front() = "fur";
+    fmt::print("{}\nseed {} is the evenest: most strands, least patch CV\nwrote {}\n", table(header, lines), best, picture.string());
+    return 0;
+}
+
+void addTexture(CLI::App& fur, Action& action) {
+    auto arguments = std::make_shared<TextureArguments>();
+    CLI::App* command = fur.add_subcommand("texture", "Make fur as a texture, a sphere map and a cube map (docs/fur.md)");
+    command->add_option("-o,--output", arguments->output, "Folder to write to")->capture_default_str();
+    command->add_option("--size", arguments->size, "Side of the texture and of the sphere map; the cube map takes as many texels")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    command->add_option("--density", arguments->fur.density, "Strands per texel; N = density * width * height")->capture_default_str();
+    command->add_option("--spacing", arguments->fur.spacing, "Least distance between two roots, in texels")->capture_default_str();
+    command->add_option("--radius", arguments->fur.radius, "Radius of a strand, in texels")->capture_default_str();
+    command->add_option("--shortest", arguments->fur.shortest, "Shortest strand as a share of the longest")->capture_default_str();
+    command->add_flag("--taper", arguments->fur.taper, "Strands are cones: alpha is the height over each texel");
+    command->add_option("--seed", arguments->fur.seed, "Seed of the noise")->capture_default_str();
+    command->add_option("--seeds", arguments->seeds, "Compare a range of seeds, such as 1..16, as a table and one sheet");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return arguments->seeds.empty() ? one(*arguments) : several(*arguments); }; });
+}
+
+} // namespace
+
+void addFur(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand("fur", "Make what fur needs");
+    command->require_subcommand(1);
+    addTexture(*command, action);
+}
+
+} // namespace tegument::app

@@ -42,14 +42,54 @@ class MainEffect : public Run {
 protected:
     Result<RunResult> render(Compiler compiler, const std::string& setting, const std::string& technique = "DEonLuebke",
                              std::vector<std::string> dump = {}) {
+        return renderView(closeUp(), {.technique = technique, .compiler = compiler, .dump = std::move(dump)}, setting);
+    }
+
+    Result<RunResult> renderView(const Workspace& view, RunOptions options, const std::string& setting = "2", int mapSize = 128) {
         const auto effect =
-            loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
+            loadEffect("effects/Main.fx",
+                       {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}, .includeFolders = {}});
         if (!effect) return effect.error();
         const Mesh mesh = sphere();
-        return runEffect(*device_, *effect, &mesh, closeUp(),
-                         {.technique = technique, .width = kPicture, .height = kPicture, .compiler = compiler, .dump = std::move(dump)});
+        options.width = kPicture;
+        options.height = kPicture;
+        return runEffect(*device_, *effect, &mesh, view, options);
+    }
+
+    /// Gosselin's technique with this many blurs.
+    Result<RunResult> blurred(double count) {
+        return renderView(closeUp(), {.technique = "Gosselin", .compiler = defaultCompiler(), .parameters = {{"gBlurCount", {count}}}});
     }
 };
+
+struct View {
+    const char* name;
+    glm::vec3 camera;
+    glm::vec3 target;
+    glm::vec3 light;
+};
+
+/// Whole, close, half out of the picture, almost out of it, from the side that the light does not reach, with the light behind.
+const std::vector<View> kViews = {
+    {"front", {0, 0, 5}, {0, 0, 0}, {3, 4, 5}},        {"close", {0.3F, 0.2F, 1.6F}, {0.2F, 0.1F, 0}, {3, 4, 5}},
+    {"half out", {0, 0, 3}, {1.2F, 0, 0}, {-3, 2, 5}}, {"almost out", {0, 0, 3}, {1.2F, 1.4F, 0}, {3, 4, 5}},
+    {"dark side", {-4, -1, -3}, {0, 0, 0}, {3, 4, 5}}, {"inside", {0.2F, 0, 0.9F}, {1, 0, 0}, {3, 4, 5}},
+    {"light behind", {0, 1, 5}, {0, 0, 0}, {0, 1, -6}}};
+
+Workspace workspaceOf(const View& view) {
+    Workspace workspace = closeUp();
+    workspace.camera.position = view.camera;
+    workspace.camera.target = view.target;
+    workspace.light.position = view.light;
+    return workspace;
+}
+
+std::vector<std::string> passNames(const RunResult& result) {
+    std::vector<std::string> names;
+    for (const PassReport& pass : result.passes)
+        names.push_back(pass.name);
+    return names;
+}
 
 double meanOf(const Image& image) {
     double sum = 0;
@@ -74,36 +114,130 @@ double differingShare(const Image& a, const Image& b) {
 
 TEST_F(MainEffect, both_compilers_draw_the_same_picture_in_every_setting) {
     if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not installed";
-    for (const char* setting : {"0", "1", "2"}) {
-        const auto dxc = render(Compiler::Dxc, setting);
-        const auto glslang = render(Compiler::Glslang, setting);
-        ASSERT_TRUE(succeeded(dxc));
-        ASSERT_TRUE(succeeded(glslang));
-        ASSERT_GT(meanOf(dxc->image), 0.01) << "the picture is not black";
-        // The two order sums differently, and a comparison with the shadow map may fall the other way on its edge.
-        EXPECT_LT(differingShare(dxc->image, glslang->image), 1e-3) << "setting " << setting;
-    }
+    for (const char* technique : {"DEonLuebke", "Gosselin"})
+        for (const char* setting : {"0", "1", "2"}) {
+            const auto dxc = render(Compiler::Dxc, setting, technique);
+            const auto glslang = render(Compiler::Glslang, setting, technique);
+            ASSERT_TRUE(succeeded(dxc));
+            ASSERT_TRUE(succeeded(glslang));
+            ASSERT_GT(meanOf(dxc->image), 0.01) << "the picture is not black";
+            // The two order sums differently, and a comparison with the shadow map may fall the other way on its edge.
+            EXPECT_LT(differingShare(dxc->image, glslang->image), 1e-3) << technique << ", setting " << setting;
+        }
 }
+
+const std::map<std::string, std::vector<const char*>> kTargets = {
+    {"DEonLuebke",
+     {"gTsmMap", "gTsmDepthMap", "gIrradianceMap", "gIrradiance2Map", "gIrradiance3Map", "gIrradiance4Map", "gIrradiance5Map",
+      "gIrradiance6Map", "gIrradianceUMap", "gUnwrapDepthMap"}},
+    {"Gosselin", {"gShadowMap", "gShadowDepthMap", "gIrradianceMap", "gBlurOddMap", "gBlurEvenMap", "gUnwrapDepthMap"}}};
 
 TEST_F(MainEffect, every_target_can_be_read_and_is_finite) {
-    for (const char* setting : {"0", "1", "2"}) {
-        const auto result = render(defaultCompiler(), setting, "DEonLuebke", {"all"});
-        ASSERT_TRUE(succeeded(result));
-        for (const char* name : {"gTsmMap", "gTsmDepthMap", "gIrradianceMap", "gIrradiance2Map", "gIrradiance3Map", "gIrradiance4Map",
-                                 "gIrradiance5Map", "gIrradiance6Map", "gIrradianceUMap", "gUnwrapDepthMap"})
-            EXPECT_TRUE(result->dumped.contains(name)) << name;
-        for (const auto& [name, image] : result->dumped)
-            EXPECT_TRUE(std::ranges::all_of(image.pixels, [](float value) { return std::isfinite(value); }))
-                << name << ", setting " << setting;
+    for (const auto& [technique, names] : kTargets)
+        for (const char* setting : {"0", "1", "2"}) {
+            const auto result = render(defaultCompiler(), setting, technique, {"all"});
+            ASSERT_TRUE(succeeded(result));
+            for (const char* name : names)
+                EXPECT_TRUE(result->dumped.contains(name)) << name;
+            for (const auto& [name, image] : result->dumped)
+                EXPECT_TRUE(std::ranges::all_of(image.pixels, [](float value) { return std::isfinite(value); }))
+                    << name << ", setting " << setting;
+        }
+}
+
+TEST_F(MainEffect, culling_leaves_every_pixel_of_every_view_as_it_is) {
+    for (const std::string technique : {"DEonLuebke", "Gosselin"})
+        for (const View& view : kViews) {
+            const auto all = renderView(workspaceOf(view), {.technique = technique, .compiler = defaultCompiler()});
+            const auto culled = renderView(workspaceOf(view), {.technique = technique + "Culled", .compiler = defaultCompiler()});
+            ASSERT_TRUE(succeeded(all));
+            ASSERT_TRUE(succeeded(culled));
+            EXPECT_EQ(all->image.pixels, culled->image.pixels) << technique << ", " << view.name;
+        }
+}
+
+/// Share of the texels of the irradiance map that the technique has lit.
+double litShare(const RunResult& result) {
+    const Image& map = result.dumped.at("gIrradianceMap");
+    int lit = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            lit += map.at(x, y, 3) < 0.995F;
+    return lit / (static_cast<double>(map.width) * map.height);
+}
+
+TEST_F(MainEffect, culling_spares_texels_that_neither_show_nor_pass_light_on) {
+    Workspace view = closeUp();
+    view.light.position = view.camera.position;
+    for (const std::string technique : {"DEonLuebke", "Gosselin"}) {
+        const RunOptions whole{.technique = technique, .compiler = defaultCompiler(), .dump = {"gIrradianceMap"}};
+        const RunOptions sparing{.technique = technique + "Culled", .compiler = defaultCompiler(), .dump = {"gIrradianceMap"}};
+        const auto all = renderView(view, whole, "2", 512);
+        const auto culled = renderView(view, sparing, "2", 512);
+        ASSERT_TRUE(succeeded(all));
+        ASSERT_TRUE(succeeded(culled));
+        EXPECT_LT(litShare(*culled), 0.9 * litShare(*all)) << technique; // the sphere is small against the reach
     }
 }
 
-TEST_F(MainEffect, culling_leaves_every_pixel_as_it_is) {
-    const auto all = render(defaultCompiler(), "2", "DEonLuebke");
-    const auto culled = render(defaultCompiler(), "2", "DEonLuebkeCulled");
-    ASSERT_TRUE(succeeded(all));
-    ASSERT_TRUE(succeeded(culled));
-    EXPECT_EQ(all->image.pixels, culled->image.pixels);
+TEST_F(MainEffect, as_many_blurs_run_as_are_asked_for) {
+    for (int count = 1; count <= 6; ++count) {
+        const auto result = blurred(count);
+        ASSERT_TRUE(succeeded(result));
+        std::vector<std::string> expected = {"ShadowMap", "Irradiance"};
+        for (int i = 1; i <= count; ++i)
+            expected.push_back("Blur" + std::to_string(i));
+        expected.emplace_back(count % 2 == 1 ? "Final" : "FinalEven");
+        EXPECT_EQ(passNames(*result), expected);
+        EXPECT_TRUE(result->warnings.empty()) << "Final reads a map that no blur has written";
+    }
+}
+
+TEST_F(MainEffect, a_count_of_blurs_out_of_range_is_an_error) {
+    EXPECT_EQ(code(blurred(0)), 2301);
+    EXPECT_EQ(code(blurred(7)), 2301);
+}
+
+/// Sum of the squared steps between neighbouring texels: how rough the light is.
+double roughness(const Image& map) {
+    double sum = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 1; x < map.width; ++x)
+            sum += std::pow(map.at(x, y, 1) - map.at(x - 1, y, 1), 2);
+    return sum;
+}
+
+TEST_F(MainEffect, every_blur_more_makes_the_light_smoother) {
+    double before = 1e9;
+    for (int count = 1; count <= 6; ++count) {
+        const std::string last = count % 2 == 1 ? "gBlurOddMap" : "gBlurEvenMap";
+        const auto result = renderView(closeUp(), {.technique = "Gosselin",
+                                                   .compiler = defaultCompiler(),
+                                                   .parameters = {{"gBlurCount", {static_cast<double>(count)}}, {"gBlurSize", {12}}},
+                                                   .dump = {last}});
+        ASSERT_TRUE(succeeded(result));
+        EXPECT_LT(roughness(result->dumped.at(last)), before) << count << " blurs";
+        before = roughness(result->dumped.at(last));
+    }
+}
+
+TEST_F(MainEffect, a_radius_of_zero_leaves_the_light_unblurred) {
+    const RunOptions options{.technique = "Gosselin",
+                             .compiler = defaultCompiler(),
+                             .parameters = {{"gBlurSize", {0}}},
+                             .dump = {"gIrradianceMap", "gBlurOddMap"}};
+    for (const char* setting : {"0", "2"}) {
+        const auto result = renderView(closeUp(), options, setting);
+        ASSERT_TRUE(succeeded(result));
+        const Image& before = result->dumped.at("gIrradianceMap");
+        const Image& after = result->dumped.at("gBlurOddMap");
+        for (int y = 0; y < before.height; ++y)
+            for (int x = 0; x < before.width; ++x)
+                for (int c = 0; c < 4 && before.at(x, y, 3) < 0.995F;
+                     ++c) // the sum of 13 equal halves, divided by 13, rounds to a neighbour
+                    ASSERT_NEAR(after.at(x, y, c), before.at(x, y, c), 2e-3F * std::abs(before.at(x, y, c)))
+                        << setting << " " << x << " " << y;
+    }
 }
 
 } // namespace

@@ -17,6 +17,12 @@ Error malformed(SourcePosition at, const std::string& text, std::string hint) {
     return inputError(5302, std::move(at), text, std::move(hint));
 }
 
+Error notANumber(SourcePosition at, std::string_view word) {
+    return malformed(std::move(at), fmt::format("'{}' is not a number", word.substr(0, 40)),
+                     word.find(',') != std::string_view::npos ? "write numbers with a decimal point, not a comma"
+                                                              : "export the mesh again");
+}
+
 Error overclaimed(SourcePosition at, const std::string& text) {
     return inputError(5303, std::move(at), text, "the file is cut off or damaged: fetch or export it again");
 }

@@ -37,8 +37,9 @@ struct Source {
 /// glb by its magic, else glTF as JSON.
 [[nodiscard]] Result<ReadMesh> readGltf(const Source& source);
 
-[[nodiscard]] Error truncated(SourcePosition at, const std::string& text);                        // TG5301
-[[nodiscard]] Error malformed(SourcePosition at, const std::string& text, std::string hint = {}); // TG5302
+[[nodiscard]] Error truncated(SourcePosition at, const std::string& text);                                             // TG5301
+[[nodiscard]] Error malformed(SourcePosition at, const std::string& text, std::string hint = "export the mesh again"); // TG5302
+[[nodiscard]] Error notANumber(SourcePosition at, std::string_view word);                                              // TG5302
 [[nodiscard]] Error overclaimed(SourcePosition at, const std::string& text); // TG5303: counts or offsets that point outside the file
 [[nodiscard]] Error badIndex(SourcePosition at, const std::string& text);    // TG5304
 [[nodiscard]] Error notFinite(SourcePosition at, const std::string& text);   // TG5305

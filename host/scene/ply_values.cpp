@@ -84,7 +84,7 @@ double PlyValues::parseWord(std::size_t end, bool wholeWanted) {
     offset_ = end;
     double value = 0;
     const bool number = parseReal(word, value);
-    if (!number) fail(malformed(at(), fmt::format("'{}' is not a number", word.substr(0, 40))));
+    if (!number) fail(notANumber(at(), word));
     if (number && wholeWanted && !(value == std::floor(value)))
         fail(malformed(at(), fmt::format("'{}' is not a whole number", word.substr(0, 40))));
     return value;

@@ -122,8 +122,7 @@ private:
             const std::string_view word = nextWord(line);
             if (word.empty() && i >= least) break;
             if (!parseReal(word, values[i]))
-                fail(malformed(here(), word.empty() ? fmt::format("{} numbers are needed here", least)
-                                                    : fmt::format("'{}' is not a number", word.substr(0, 40))));
+                fail(word.empty() ? malformed(here(), fmt::format("{} numbers are needed here", least)) : notANumber(here(), word));
         }
         return values;
     }

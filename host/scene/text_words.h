@@ -29,7 +29,7 @@ public:
         if (word.empty())
             fail(truncated(source_.atByte(source_.bytes.size()), std::string(what) + " is missing"));
         else if (!parseReal(word, value))
-            fail(malformed(at(), "'" + std::string(word.substr(0, 40)) + "' is not a number: " + std::string(what) + " is expected"));
+            fail(notANumber(at(), word));
         return error_ ? 0 : value;
     }
 

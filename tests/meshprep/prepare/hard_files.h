@@ -1,0 +1,31 @@
+#pragma once
+// Mesh files that programs get wrong, and what is right for each (docs/meshprep.md has the table). Written from their descriptions.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument::testing_prep {
+
+/// The right behaviour: either one error, or counts.
+struct Expected {
+    int error = 0; // code; 0: none
+    int line = 0;
+    std::optional<std::size_t> byte;
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::string step; // one that must have happened...
+    std::size_t changed = 0;
+};
+
+struct HardFile {
+    int number = 0; // in the table; variants share one
+    std::string name;
+    std::string bytes;
+    Expected expected;
+};
+
+/// Numbers 1 to 54 without 46 and 47 (real scans) and 48 (ten million triangles).
+[[nodiscard]] std::vector<HardFile> hardFiles();
+
+} // namespace tegument::testing_prep

@@ -4,6 +4,7 @@
 #include "host/app/commands.h"
 #include "host/app/effect_options.h"
 #include "host/app/output.h"
+#include "host/emit/emit.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +20,8 @@ struct CheckArguments {
     std::vector<std::string> targets = {"all"};
     EffectOptions effect;
     bool allSettings = false;
+    std::string emitFolder;
+    std::vector<std::string> emitKinds = {"all"};
     bool json = false;
 };
 
@@ -37,13 +40,36 @@ Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names)
     for (const std::string& name : names) {
         const std::vector<Target> targets = targetsByName(name);
         if (targets.empty())
-            return usageError(8020, fmt::format("unknown target '{}'", name), "targets: fx_2_0 fx_4_0 fx_5_0 spirv-dxc spirv-glslang all");
+            return usageError(8020, fmt::format("unknown target '{}'", name),
+                              "targets: fx_2_0 fx_4_0 fx_5_0 sm5 spirv-dxc spirv-glslang all");
         wanted.insert(wanted.end(), targets.begin(), targets.end());
     }
     std::vector<Target> ordered;
     for (const Target target : kAllTargets)
         if (std::ranges::find(wanted, target) != wanted.end()) ordered.push_back(target);
     return ordered;
+}
+
+Result<std::vector<EmitKind>> chosenKinds(const std::vector<std::string>& names) {
+    std::vector<EmitKind> wanted;
+    for (const std::string& name : names) {
+        const std::vector<EmitKind> kinds = emitKindsByName(name);
+        if (kinds.empty())
+            return usageError(8021, fmt::format("unknown output '{}'", name),
+                              "outputs: fx_2_0 fx_4_0 fx_5_0 sm5 spirv-dxc spirv-glslang spirv glsl glsl-es msl all");
+        wanted.insert(wanted.end(), kinds.begin(), kinds.end());
+    }
+    return wanted;
+}
+
+/// Two files of one name would write to one folder.
+Result<void> namesAreDistinct(const std::vector<std::filesystem::path>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (files[i].stem() == files[j].stem())
+                return usageError(8022, fmt::format("{} and {} would be written to the same folder", files[j].string(), files[i].string()),
+                                  "emit them into different folders");
+    return {};
 }
 
 CheckOptions checkOptions(const CheckArguments& arguments) {
@@ -67,8 +93,10 @@ Json targetJson(const TargetCheck& target) {
     return json;
 }
 
-Json usageJson(const EntryUsage& entry) {
-    return {{"entry", entry.entry},
+Json usageJson(const PassUsage& entry) {
+    return {{"technique", entry.technique},
+            {"pass", entry.pass},
+            {"entry", entry.entry},
             {"profile", entry.profile},
             {"instruction_slots", entry.usage.instructionSlots},
             {"constants", entry.usage.constants},
@@ -82,7 +110,7 @@ Json fileJson(const FileReport& file) {
     for (const TargetCheck& target : file.targets)
         json["targets"].push_back(targetJson(target));
     if (!file.sm3.empty()) json["sm3"] = Json::array();
-    for (const EntryUsage& entry : file.sm3)
+    for (const PassUsage& entry : file.sm3)
         json["sm3"].push_back(usageJson(entry));
     return json;
 }
@@ -92,8 +120,8 @@ std::string title(const FileReport& file) {
 }
 
 /// The entry point that comes nearest to shader model 3's 512 slots.
-std::string heaviest(const std::vector<EntryUsage>& sm3) {
-    const auto most = std::ranges::max_element(sm3, {}, [](const EntryUsage& entry) { return entry.usage.instructionSlots; });
+std::string heaviest(const std::vector<PassUsage>& sm3) {
+    const auto most = std::ranges::max_element(sm3, {}, [](const PassUsage& pass) { return pass.usage.instructionSlots; });
     if (most == sm3.end()) return "-";
     return fmt::format("{} {}", most->entry, most->usage.instructionSlots);
 }
@@ -130,24 +158,51 @@ void printProblems(const CheckReport& report) {
     }
 }
 
+/// The folders that were written, or the first thing that went wrong; a file that failed has been reported already.
+Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckOptions& checked, const CheckArguments& arguments) {
+    std::vector<std::string> folders;
+    const auto kinds = chosenKinds(arguments.emitKinds);
+    if (!kinds) return kinds.error();
+    for (const FileReport& file : report.files) {
+        if (file.failed()) continue;
+        const auto variant = std::ranges::find(checked.variants, file.variant, &Variant::name);
+        const auto folder = emitEffect(file, {.folder = arguments.emitFolder, .kinds = *kinds, .defines = variant->defines});
+        if (!folder) return folder.error();
+        folders.push_back(folder->string());
+    }
+    return folders;
+}
+
+Result<void> argumentsFit(const CheckArguments& arguments, const std::vector<std::filesystem::path>& files) {
+    if (arguments.emitFolder.empty()) return {};
+    if (const auto kinds = chosenKinds(arguments.emitKinds); !kinds) return kinds.error();
+    return namesAreDistinct(files);
+}
+
 int check(const CheckArguments& arguments) {
     const auto targets = chosenTargets(arguments.targets);
     if (!targets) return fail(targets.error(), arguments.json);
     const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
+    if (const auto fit = argumentsFit(arguments, files); !fit) return fail(fit.error(), arguments.json);
     Progress progress;
     progress.say(fmt::format("checking {} files", files.size()));
-    const CheckReport report = checkEffects(files, *targets, checkOptions(arguments));
+    const CheckOptions options = checkOptions(arguments);
+    const CheckReport report = checkEffects(files, *targets, options);
+    const Result<std::vector<std::string>> emitted =
+        arguments.emitFolder.empty() ? std::vector<std::string>() : emitAll(report, options, arguments);
     progress.clear();
 
     if (arguments.json) {
         Json json{{"passed", !report.failed()}, {"complete", report.complete()}, {"files", Json::array()}};
         for (const FileReport& file : report.files)
             json["files"].push_back(fileJson(file));
-        print(json);
+        if (emitted && !emitted->empty()) json["emitted"] = *emitted;
+        if (emitted) print(json);
     } else {
         printProblems(report);
         printTable(report);
     }
+    if (!emitted) return fail(emitted.error(), arguments.json);
     return report.failed() ? static_cast<int>(Blame::Input) : 0;
 }
 
@@ -157,10 +212,16 @@ void addCheck(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand("check", "Compile effects for every target, offline and without a GPU");
     command->add_option("effects", arguments->files, "Effect files (.fx)")->required();
-    command->add_option("--target", arguments->targets, "fx_2_0, fx_4_0, fx_5_0, spirv-dxc, spirv-glslang or all; may be repeated")
+    command->add_option("--target", arguments->targets, "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang or all; may be repeated")
         ->capture_default_str();
     command->add_flag("--all-settings", arguments->allSettings, "Check each setting: seed, deon2007 and corrected");
     addEffectOptions(*command, arguments->effect);
+    CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
+    command
+        ->add_option("--emit-kind", arguments->emitKinds,
+                     "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated")
+        ->capture_default_str()
+        ->needs(emit);
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer("A target whose tool is absent is reported as not checked, never as passed. Exit code 1 when any target failed.");
     command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });

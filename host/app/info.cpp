@@ -4,6 +4,7 @@
 #include "host/app/effect_options.h"
 #include "host/app/output.h"
 #include "host/effect/model.h"
+#include "host/emit/effect_json.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,61 +16,27 @@ namespace tegument::app {
 
 namespace {
 
-Json valueJson(const Value& value, const Type& type) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    const auto& numbers = std::get<std::vector<double>>(value);
-    const auto one = [&](double number) -> Json {
-        if (type.base == BaseType::Bool) return number != 0;
-        if (type.base == BaseType::Int || type.base == BaseType::Uint) return static_cast<std::int64_t>(number);
-        return number;
-    };
-    if (numbers.size() == 1) return one(numbers[0]);
-    Json list = Json::array();
-    for (const double number : numbers)
-        list.push_back(one(number));
-    return list;
-}
-
-Json annotationsJson(const Annotations& annotations) {
-    Json json = Json::object();
-    for (const Annotation& annotation : annotations.list)
-        json[annotation.name] = valueJson(annotation.value, annotation.type);
-    return json;
-}
-
-std::string typeName(const Type& type) {
-    return type.elements == 0 ? type.name : fmt::format("{}[{}]", type.name, type.elements);
-}
-
 bool isTarget(const Parameter& parameter) {
     return equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET");
-}
-
-Json parameterJson(const Parameter& parameter) {
-    Json json{{"name", parameter.name}, {"type", typeName(parameter.type)}, {"semantic", parameter.semantic}};
-    json["default"] = parameter.defaultValue ? valueJson(*parameter.defaultValue, parameter.type) : Json(nullptr);
-    json["annotations"] = annotationsJson(parameter.annotations);
-    return json;
 }
 
 Json passJson(const Pass& pass) {
     Json json{{"name", pass.name}};
     if (pass.vertexShader) json["vertex_shader"] = pass.vertexShader->entry;
     if (pass.pixelShader) json["pixel_shader"] = pass.pixelShader->entry;
-    json["annotations"] = annotationsJson(pass.annotations);
+    json["annotations"] = toJson(pass.annotations);
     return json;
 }
 
 Json effectJson(const Effect& effect) {
     Json json{{"file", effect.file.string()}, {"parameters", Json::array()}, {"targets", Json::array()}, {"techniques", Json::array()}};
     for (const Parameter& parameter : effect.parameters)
-        json[isTarget(parameter) ? "targets" : "parameters"].push_back(parameterJson(parameter));
+        json[isTarget(parameter) ? "targets" : "parameters"].push_back(toJson(parameter));
     for (const Technique& technique : effect.techniques) {
         Json passes = Json::array();
         for (const Pass& pass : technique.passes)
             passes.push_back(passJson(pass));
-        json["techniques"].push_back(
-            {{"name", technique.name}, {"annotations", annotationsJson(technique.annotations)}, {"passes", passes}});
+        json["techniques"].push_back({{"name", technique.name}, {"annotations", toJson(technique.annotations)}, {"passes", passes}});
     }
     const Parameter* global = nullptr;
     for (const Parameter& parameter : effect.parameters)

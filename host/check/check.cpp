@@ -17,7 +17,8 @@ struct NamedTarget {
     Target target;
     std::string_view name;
 };
-constexpr std::array kNames = {NamedTarget{Target::Fx2, "fx_2_0"}, NamedTarget{Target::Fx4, "fx_4_0"}, NamedTarget{Target::Fx5, "fx_5_0"},
+constexpr std::array kNames = {NamedTarget{Target::Fx2, "fx_2_0"},         NamedTarget{Target::Fx4, "fx_4_0"},
+                               NamedTarget{Target::Fx5, "fx_5_0"},         NamedTarget{Target::Sm5, "sm5"},
                                NamedTarget{Target::SpirvDxc, "spirv-dxc"}, NamedTarget{Target::SpirvGlslang, "spirv-glslang"}};
 
 bool isError(const Diagnostic& diagnostic) {
@@ -40,11 +41,13 @@ std::vector<Variant> settingVariants() {
     return {{"seed", {{"TEGUMENT_SETTING", "0"}}}, {"deon2007", {{"TEGUMENT_SETTING", "1"}}}, {"corrected", {{"TEGUMENT_SETTING", "2"}}}};
 }
 
+bool FileReport::failed() const {
+    return std::ranges::any_of(diagnostics, isError) ||
+           std::ranges::any_of(targets, [](const TargetCheck& target) { return target.verdict == Verdict::Failed; });
+}
+
 bool CheckReport::failed() const {
-    return std::ranges::any_of(files, [](const FileReport& file) {
-        return std::ranges::any_of(file.diagnostics, isError) ||
-               std::ranges::any_of(file.targets, [](const TargetCheck& target) { return target.verdict == Verdict::Failed; });
-    });
+    return std::ranges::any_of(files, &FileReport::failed);
 }
 
 bool CheckReport::complete() const {
@@ -83,14 +86,21 @@ bool mentions(const std::filesystem::path& file, std::string_view word) {
 std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderReference>& shader, ShaderKind kind) {
     if (!shader) return {};
     const auto same = [&](const EntryPoint& entry) { return entry.name == shader->entry && entry.kind == kind; };
-    const auto found = std::ranges::find_if(work.entries, same);
-    if (found != work.entries.end()) return static_cast<std::size_t>(found - work.entries.begin());
-    work.entries.push_back({shader->entry, kind, shader->profile, shader->at});
-    return work.entries.size() - 1;
+    const auto found = std::ranges::find_if(work.report.entries, same);
+    if (found != work.report.entries.end()) return static_cast<std::size_t>(found - work.report.entries.begin());
+    work.report.entries.push_back({.name = shader->entry,
+                                   .kind = kind,
+                                   .profile = shader->profile,
+                                   .at = shader->at,
+                                   .sm5 = {},
+                                   .sm5Reflection = {},
+                                   .dxc = {},
+                                   .glslang = {}});
+    return work.report.entries.size() - 1;
 }
 
 void collectEntries(Work& work) {
-    for (const Technique& technique : work.effect.techniques)
+    for (const Technique& technique : work.effect().techniques)
         for (const Pass& pass : technique.passes) {
             const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex);
             const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel);
@@ -114,8 +124,9 @@ TargetCheck* Work::find(Target target) {
 }
 
 Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets, const CheckOptions& options) {
-    Work work{
-        .file = file, .variant = &variant, .effect = {}, .entries = {}, .pairs = {}, .report = {.file = file, .variant = variant.name}};
+    Work work{.file = file, .variant = &variant, .includeFolders = options.includeFolders, .pairs = {}, .report = {}};
+    work.report.file = file;
+    work.report.variant = variant.name;
     for (const Target target : targets)
         work.report.targets.push_back({.target = target});
     auto effect = loadEffect(file, {.defines = variant.defines, .includeFolders = options.includeFolders});
@@ -125,12 +136,28 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
             target.verdict = Verdict::Failed;
         return work;
     }
-    work.effect = std::move(*effect);
-    work.report.diagnostics = work.effect.warnings;
+    work.report.effect = std::move(*effect);
+    work.report.diagnostics = work.effect().warnings;
     work.dialect = mentions(file, "FX_D3D10") ||
-                   std::ranges::any_of(work.effect.includes, [](const auto& path) { return mentions(path, "FX_D3D10"); });
+                   std::ranges::any_of(work.effect().includes, [](const auto& path) { return mentions(path, "FX_D3D10"); });
     collectEntries(work);
     return work;
+}
+
+std::string spellingObstacle(const Work& work) {
+    if (work.report.entries.empty()) return "no pass names a shader";
+    if (const auto intrinsic = direct3D9Intrinsic(work.effect()))
+        return fmt::format("Direct3D 9 intrinsic at {}({},{})", intrinsic->at.file, intrinsic->at.line, intrinsic->at.column);
+    return {};
+}
+
+void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint) {
+    report.diagnostics.push_back({.severity = Severity::Error,
+                                  .code = code,
+                                  .at = std::move(at),
+                                  .text = std::move(text),
+                                  .hint = std::move(hint),
+                                  .sourceLine = {}});
 }
 
 void conclude(TargetCheck& report) {

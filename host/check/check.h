@@ -1,11 +1,14 @@
 #pragma once
 // Does an effect compile everywhere? Every target's own compiler is asked; what could not be asked is `not checked`, never passed.
 
+#include "host/compile/compile.h"
 #include "host/compile/microsoft.h"
+#include "host/effect/model.h"
 #include "host/support/result.h"
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,10 +17,10 @@
 
 namespace tegument {
 
-enum class Target { Fx2, Fx4, Fx5, SpirvDxc, SpirvGlslang };
-inline constexpr std::array kAllTargets = {Target::Fx2, Target::Fx4, Target::Fx5, Target::SpirvDxc, Target::SpirvGlslang};
+enum class Target { Fx2, Fx4, Fx5, Sm5, SpirvDxc, SpirvGlslang };
+inline constexpr std::array kAllTargets = {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvDxc, Target::SpirvGlslang};
 
-/// "fx_2_0", "fx_4_0", "fx_5_0", "spirv-dxc", "spirv-glslang".
+/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "spirv-dxc", "spirv-glslang".
 [[nodiscard]] std::string_view targetName(Target target);
 /// The targets of one name; "all" is every target; empty for an unknown name.
 [[nodiscard]] std::vector<Target> targetsByName(std::string_view name);
@@ -47,11 +50,41 @@ struct TargetCheck {
     double milliseconds = 0;
 };
 
-/// What an entry point takes of shader model 3.
-struct EntryUsage {
+/// What a stage of a pass takes of shader model 3, read from the shader inside the fx_2_0 effect.
+struct PassUsage {
+    std::string technique;
+    std::string pass;
     std::string entry;
-    std::string profile;
+    std::string profile; // "vs_3_0", "ps_3_0"
     Sm3Usage usage;
+};
+
+/// A resource that shader model 3 counts, and how much of it every device has.
+struct Sm3Limit {
+    std::string_view what;
+    int Sm3Usage::*used;
+    int vertex;
+    int pixel;
+};
+
+/// What Direct3D 9 promises for shader model 3 (MaxVertexShader30InstructionSlots and MaxPixelShader30InstructionSlots are at least 512).
+/// A vertex shader may write 11 registers besides the position, but a pixel shader reads 10.
+inline constexpr std::array kSm3Limits = {
+    Sm3Limit{"instruction slots", &Sm3Usage::instructionSlots, 512, 512}, Sm3Limit{"constant registers", &Sm3Usage::constants, 256, 224},
+    Sm3Limit{"samplers", &Sm3Usage::samplers, 4, 16}, Sm3Limit{"interpolators", &Sm3Usage::interpolators, 10, 10}};
+
+enum class ShaderKind { Vertex, Pixel, Geometry, Compute };
+
+/// One entry point of an effect and what the compilers made of it; empty where they were not asked or refused.
+struct EntryPoint {
+    std::string name;
+    ShaderKind kind = ShaderKind::Pixel;
+    std::string profile; // as the effect writes it
+    SourcePosition at;
+    std::string sm5; // the blob
+    std::optional<Sm5Reflection> sm5Reflection;
+    std::optional<Shader> dxc;
+    std::optional<Shader> glslang;
 };
 
 struct FileReport {
@@ -59,7 +92,13 @@ struct FileReport {
     std::string variant;
     std::vector<Diagnostic> diagnostics; // of the front end; with an error among them every target has failed
     std::vector<TargetCheck> targets;    // in the order asked for
-    std::vector<EntryUsage> sm3;         // with target fx_2_0
+    std::vector<PassUsage> sm3;          // with target fx_2_0
+
+    Effect effect;                          // when it could be loaded
+    std::map<Target, std::string> binaries; // of fx_2_0, fx_4_0, fx_5_0
+    std::vector<EntryPoint> entries;        // each once, in the order of passes
+
+    [[nodiscard]] bool failed() const;
 };
 
 struct CheckReport {
@@ -71,10 +110,10 @@ struct CheckReport {
 /// Loads each file, then:
 ///   spirv-*  every entry point that a pass names: compiled, validated, vertex and pixel stage linked by semantic; when both are asked for,
 ///            their reflections are held against each other (TG3201).
-///   fx_*     the whole file through Microsoft's compiler, one process for all files; techniques and passes or shaders inside the binary
-///   are
-///            counted against the front end's (TG3202).
-///   fx_2_0   also every entry point as vs_3_0 or ps_3_0, held against the limits of shader model 3 (TG3203).
+///   sm5      every entry point by Microsoft's compiler as vs_5_0, ps_5_0, gs_5_0 or cs_5_0, as Direct3D 11 without effects loads it;
+///            stages linked by register (TG3205).
+///   fx_*     the whole file by Microsoft's compiler; techniques, passes and shaders inside the binary are counted against the front end's
+///            (TG3202). fx_2_0: every shader inside is held against the limits of shader model 3 (TG3203).
 [[nodiscard]] CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const std::vector<Target>& targets,
                                        const CheckOptions& options = {});
 

@@ -1,9 +1,10 @@
 #include "host/check/work.h"
 
+#include "host/compile/effect_binary.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace tegument::check {
 
@@ -13,7 +14,7 @@ namespace {
 struct Ticket {
     Work* work;
     TargetCheck* report;
-    const EntryPoint* entry; // null: the effect as a whole
+    EntryPoint* entry; // null: the effect as a whole
 };
 
 struct Batch {
@@ -32,23 +33,12 @@ int shadersOf(const Pass& pass) {
            static_cast<int>(pass.geometryShader.has_value()) + static_cast<int>(pass.computeShader.has_value());
 }
 
-/// Files that do not distinguish targets keep only the techniques that are written for the target.
-bool exists(const Technique& technique, Target target, bool dialect) {
-    if (dialect) return true;
-    switch (target) {
-    case Target::Fx2: return technique.kind == TechniqueKind::D3D9;
-    case Target::Fx4: return technique.kind == TechniqueKind::D3D10;
-    default: return technique.kind != TechniqueKind::D3D9;
-    }
-}
-
 Expected expectedIn(const Work& work, Target target) {
     Expected expected;
-    for (const Technique& technique : work.effect.techniques) {
-        if (!exists(technique, target, work.dialect)) continue;
+    for (const Technique* technique : techniquesIn(work, target)) {
         ++expected.techniques;
-        expected.passes += static_cast<int>(technique.passes.size());
-        for (const Pass& pass : technique.passes)
+        expected.passes += static_cast<int>(technique->passes.size());
+        for (const Pass& pass : technique->passes)
             expected.shaders += shadersOf(pass);
     }
     return expected;
@@ -58,42 +48,47 @@ std::vector<std::pair<std::string, std::string>> definesFor(const Work& work, Ta
     auto defines = work.variant->defines;
     if (target == Target::Fx4) defines.emplace_back("FX_D3D10", "1");
     if (target == Target::Fx5) defines.emplace_back("FX_D3D11", "1");
+    if (target == Target::Sm5) defines.emplace_back("FX_ENTRY", "1");
     return defines;
 }
 
-/// The profile that measures an entry point against shader model 3; empty where that says nothing.
-std::string sm3Profile(const EntryPoint& entry, bool dialect) {
-    if (entry.kind != ShaderKind::Vertex && entry.kind != ShaderKind::Pixel) return {};
-    const std::string profile = entry.kind == ShaderKind::Vertex ? "vs_3_0" : "ps_3_0";
-    return dialect || entry.profile == profile ? profile : std::string();
+void addJob(Work& work, TargetCheck& report, EntryPoint* entry, std::string profile, Batch& batch) {
+    batch.jobs.push_back({.profile = std::move(profile),
+                          .entry = entry == nullptr ? "" : entry->name,
+                          .source = work.file,
+                          .defines = definesFor(work, report.target),
+                          .output = {},
+                          .includeFolders = work.includeFolders,
+                          .shader = {}});
+    batch.tickets.push_back({&work, &report, entry});
 }
 
-void addJobs(Work& work, Target target, Batch& batch) {
+void addEffect(Work& work, Target target, Batch& batch) {
     TargetCheck* report = work.find(target);
     if (report == nullptr || !work.loaded()) return;
-    if (expectedIn(work, target).techniques == 0) {
+    if (expectedIn(work, target).techniques == 0)
         report->reason = fmt::format("the file has no technique for {}", targetName(target));
-        return;
-    }
-    const auto defines = definesFor(work, target);
-    batch.jobs.push_back({.profile = std::string(targetName(target)), .entry = {}, .source = work.file, .defines = defines, .output = {}});
-    batch.tickets.push_back({&work, report, nullptr});
-    if (target != Target::Fx2) return;
-    for (const EntryPoint& entry : work.entries) {
-        const std::string profile = sm3Profile(entry, work.dialect);
-        if (profile.empty()) continue;
-        batch.jobs.push_back({.profile = profile, .entry = entry.name, .source = work.file, .defines = defines, .output = {}});
-        batch.tickets.push_back({&work, report, &entry});
-    }
+    else
+        addJob(work, *report, nullptr, std::string(targetName(target)), batch);
 }
 
-void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint) {
-    report.diagnostics.push_back({.severity = Severity::Error,
-                                  .code = code,
-                                  .at = std::move(at),
-                                  .text = std::move(text),
-                                  .hint = std::move(hint),
-                                  .sourceLine = {}});
+std::string sm5Profile(ShaderKind kind) {
+    switch (kind) {
+    case ShaderKind::Vertex: return "vs_5_0";
+    case ShaderKind::Pixel: return "ps_5_0";
+    case ShaderKind::Geometry: return "gs_5_0";
+    case ShaderKind::Compute: return "cs_5_0";
+    }
+    return {};
+}
+
+void addEntries(Work& work, Batch& batch) {
+    TargetCheck* report = work.find(Target::Sm5);
+    if (report == nullptr || !work.loaded()) return;
+    report->reason = spellingObstacle(work);
+    if (!report->reason.empty()) return;
+    for (EntryPoint& entry : work.report.entries)
+        addJob(work, *report, &entry, sm5Profile(entry.kind), batch);
 }
 
 /// Microsoft's compiler drops blocks that it does not know without a word.
@@ -110,44 +105,30 @@ void compareCounts(const Work& work, const MicrosoftResult& result, TargetCheck&
     if (result.shaderCount >= 0) compare("shaders", result.shaderCount, expected.shaders);
 }
 
-struct Limit {
-    std::string_view what;
-    int Sm3Usage::*used;
-    int vertex;
-    int pixel;
-};
-
-/// What Direct3D 9 promises for shader model 3 (MaxVertexShader30InstructionSlots and MaxPixelShader30InstructionSlots are at least 512).
-/// A vertex shader may write 11 registers besides the position, but a pixel shader reads 10.
-constexpr std::array kLimits = {Limit{"instruction slots", &Sm3Usage::instructionSlots, 512, 512},
-                                Limit{"constant registers", &Sm3Usage::constants, 256, 224}, Limit{"samplers", &Sm3Usage::samplers, 4, 16},
-                                Limit{"interpolators", &Sm3Usage::interpolators, 10, 10}};
-
-void holdAgainstLimits(const EntryPoint& entry, const Sm3Usage& usage, TargetCheck& report) {
-    const bool vertex = entry.kind == ShaderKind::Vertex;
-    for (const Limit& limit : kLimits) {
-        const int most = vertex ? limit.vertex : limit.pixel;
-        if (usage.*limit.used <= most) continue;
-        addError(report, 3203, entry.at,
-                 fmt::format("{} takes {} {}, {} has {}", entry.name, usage.*limit.used, limit.what, vertex ? "vs_3_0" : "ps_3_0", most),
-                 "split the pass, or keep this entry point out of fx_2_0");
-    }
+void takeEffect(Work& work, MicrosoftResult& result, TargetCheck& report) {
+    report.entries = expectedIn(work, report.target).shaders;
+    if (!result.ok) return;
+    compareCounts(work, result, report);
+    work.report.binaries[report.target] = std::move(result.binary);
 }
 
-void take(const Ticket& ticket, const MicrosoftResult& result) {
+void takeEntry(EntryPoint& entry, MicrosoftResult& result, TargetCheck& report) {
+    ++report.entries;
+    if (!result.ok) return;
+    if (!result.sm5)
+        return addError(report, 3103, entry.at, fmt::format("the compiled {} cannot be read back by Microsoft's compiler", entry.name), "");
+    entry.sm5 = std::move(result.binary);
+    entry.sm5Reflection = std::move(result.sm5);
+}
+
+void take(const Ticket& ticket, MicrosoftResult& result) {
     TargetCheck& report = *ticket.report;
     report.diagnostics.insert(report.diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
     report.milliseconds += result.milliseconds;
-    if (ticket.entry == nullptr) {
-        if (result.ok) compareCounts(*ticket.work, result, report);
-        report.entries = expectedIn(*ticket.work, report.target).shaders;
-        return;
-    }
-    if (!result.ok) return;
-    if (!result.sm3)
-        return addError(report, 3203, ticket.entry->at, fmt::format("the listing of {} cannot be read", ticket.entry->name), "");
-    ticket.work->report.sm3.push_back({ticket.entry->name, ticket.entry->kind == ShaderKind::Vertex ? "vs_3_0" : "ps_3_0", *result.sm3});
-    holdAgainstLimits(*ticket.entry, *result.sm3, report);
+    if (ticket.entry == nullptr)
+        takeEffect(*ticket.work, result, report);
+    else
+        takeEntry(*ticket.entry, result, report);
 }
 
 void leaveUnchecked(const Batch& batch, const std::string& reason) {
@@ -155,21 +136,60 @@ void leaveUnchecked(const Batch& batch, const std::string& reason) {
         ticket.report->reason = reason;
 }
 
+/// Direct3D 11 without effects joins stages by register: nobody but us would see that a semantic lies in two places.
+void linkSm5(const Work& work, const StagePair& pair, TargetCheck& report) {
+    const EntryPoint& vertex = work.report.entries[pair.vertex];
+    const EntryPoint& pixel = work.report.entries[pair.pixel];
+    if (!vertex.sm5Reflection || !pixel.sm5Reflection) return;
+    const auto& outputs = vertex.sm5Reflection->reflection.outputs;
+    for (const StageVariable& input : pixel.sm5Reflection->reflection.inputs) {
+        const auto output = std::ranges::find(outputs, input.semantic, &StageVariable::semantic);
+        if (output == outputs.end())
+            addError(report, 3004, pixel.at, fmt::format("{} reads {}, which {} does not write", pixel.name, input.semantic, vertex.name),
+                     "give both the same struct");
+        else if (output->location != input.location)
+            addError(report, 3205, pixel.at,
+                     fmt::format("{} reads {} from register {}, {} writes it to register {}", pixel.name, input.semantic, input.location,
+                                 vertex.name, output->location),
+                     "give both the same struct");
+    }
+}
+
 } // namespace
 
+std::vector<const Technique*> techniquesIn(const Work& work, Target target) {
+    std::vector<const Technique*> found;
+    for (const Technique& technique : work.effect().techniques) {
+        const bool nine = technique.kind == TechniqueKind::D3D9;
+        const bool ten = technique.kind == TechniqueKind::D3D10;
+        // Files that do not distinguish targets keep only the techniques that are written for the target.
+        const bool exists = work.dialect || (target == Target::Fx2 ? nine : target == Target::Fx4 ? ten : !nine);
+        if (exists) found.push_back(&technique);
+    }
+    return found;
+}
+
 void checkMicrosoft(std::vector<Work>& works) {
-    Batch batch;
+    Batch batch; // the long jobs first, so that no process waits for the other's last one
+    for (const Target target : {Target::Fx2, Target::Fx4, Target::Fx5})
+        for (Work& work : works)
+            addEffect(work, target, batch);
     for (Work& work : works)
-        for (const Target target : {Target::Fx2, Target::Fx4, Target::Fx5})
-            addJobs(work, target, batch);
+        addEntries(work, batch);
     if (batch.jobs.empty()) return;
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) return leaveUnchecked(batch, missing);
-    const auto results = compileWithMicrosoft(batch.jobs);
+    auto results = compileWithMicrosoft(batch.jobs);
     if (!results) return leaveUnchecked(batch, format(results.error()));
     for (std::size_t i = 0; i < results->size(); ++i)
         take(batch.tickets[i], (*results)[i]);
+    measureShaderModel3(works);
+    for (Work& work : works) {
+        TargetCheck* sm5 = work.find(Target::Sm5);
+        for (const StagePair& pair : work.pairs)
+            if (sm5 != nullptr) linkSm5(work, pair, *sm5);
+    }
     for (const Ticket& ticket : batch.tickets)
-        if (ticket.entry == nullptr) conclude(*ticket.report);
+        if (ticket.report->verdict == Verdict::NotChecked) conclude(*ticket.report);
 }
 
 } // namespace tegument::check

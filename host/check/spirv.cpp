@@ -15,17 +15,16 @@ Stage stageOf(ShaderKind kind) {
     return kind == ShaderKind::Compute ? Stage::Compute : Stage::Pixel;
 }
 
-/// Compiled entry points in the order of Work::entries; empty where the compiler refused.
-using Shaders = std::vector<std::optional<Shader>>;
+/// The member of an entry point that holds this compiler's shader.
+using Slot = std::optional<Shader> EntryPoint::*;
 
 void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) {
     into.insert(into.end(), more.begin(), more.end());
 }
 
-Shaders compileAll(const Work& work, Compiler compiler, TargetCheck& report) {
-    Shaders shaders;
-    for (const EntryPoint& entry : work.entries) {
-        auto shader = compileShader({.code = work.effect.code,
+void compileAll(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
+    for (EntryPoint& entry : work.report.entries) {
+        auto shader = compileShader({.code = work.effect().code,
                                      .file = work.file.string(),
                                      .entry = entry.name,
                                      .stage = stageOf(entry.kind),
@@ -33,53 +32,49 @@ Shaders compileAll(const Work& work, Compiler compiler, TargetCheck& report) {
                                      .includeFolders = {}},
                                     compiler);
         append(report.diagnostics, shader ? shader->warnings : shader.error().diagnostics);
-        shaders.push_back(shader ? std::optional(std::move(*shader)) : std::nullopt);
+        if (shader) entry.*slot = std::move(*shader);
         ++report.entries;
     }
-    return shaders;
 }
 
-void linkAll(const Work& work, const Shaders& shaders, TargetCheck& report) {
+void linkAll(const Work& work, Slot slot, TargetCheck& report) {
     for (const StagePair& pair : work.pairs) {
-        if (!shaders[pair.vertex] || !shaders[pair.pixel]) continue;
-        Shader pixel = *shaders[pair.pixel]; // another pass may pair it with another vertex shader
-        if (auto linked = linkStages(*shaders[pair.vertex], pixel); !linked) append(report.diagnostics, linked.error().diagnostics);
+        const std::optional<Shader>& vertex = work.report.entries[pair.vertex].*slot;
+        std::optional<Shader> pixel = work.report.entries[pair.pixel].*slot; // another pass may pair it with another vertex shader
+        if (!vertex || !pixel) continue;
+        auto linked = linkStages(*vertex, *pixel);
+        if (linked) continue;
+        Error error = linked.error();
+        for (Diagnostic& diagnostic : error.diagnostics)
+            diagnostic.at = work.report.entries[pair.pixel].at;
+        append(report.diagnostics, error.diagnostics);
     }
 }
 
 /// Why no entry point of this file can be tried; empty when they can.
 std::string obstacle(const Work& work, Compiler compiler) {
     if (!compilerAvailable(compiler)) return "the DXC library is not there (./bootstrap build fetches it)";
-    if (work.entries.empty()) return "no pass names a shader";
-    const auto geometry = std::ranges::find(work.entries, ShaderKind::Geometry, &EntryPoint::kind);
-    if (geometry != work.entries.end())
+    const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
+    if (geometry != work.report.entries.end())
         return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
-    if (const auto intrinsic = direct3D9Intrinsic(work.effect))
-        return fmt::format("Direct3D 9 intrinsic at {}({},{})", intrinsic->at.file, intrinsic->at.line, intrinsic->at.column);
-    return {};
+    return spellingObstacle(work);
 }
 
-Shaders checkTarget(const Work& work, Compiler compiler, TargetCheck& report) {
+void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
     report.reason = obstacle(work, compiler);
-    if (!report.reason.empty()) return {};
+    if (!report.reason.empty()) return;
     const auto start = std::chrono::steady_clock::now();
-    Shaders shaders = compileAll(work, compiler, report);
-    linkAll(work, shaders, report);
+    compileAll(work, compiler, slot, report);
+    linkAll(work, slot, report);
     report.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return shaders;
 }
 
-void compareAll(const Work& work, const Shaders& dxc, const Shaders& glslang, TargetCheck& report) {
-    for (std::size_t i = 0; i < std::min(dxc.size(), glslang.size()); ++i) {
-        if (!dxc[i] || !glslang[i]) continue;
-        for (const std::string& difference : compareReflections(dxc[i]->reflection, glslang[i]->reflection))
-            report.diagnostics.push_back(
-                {.severity = Severity::Error,
-                 .code = 3201,
-                 .at = work.entries[i].at,
-                 .text = fmt::format("DXC (first) and glslang (second) see {} differently: {}", work.entries[i].name, difference),
-                 .hint = "fill every 16 bytes of the parameters exactly (docs/compilers.md)",
-                 .sourceLine = {}});
+void compareAll(const Work& work, TargetCheck& report) {
+    for (const EntryPoint& entry : work.report.entries) {
+        if (!entry.dxc || !entry.glslang) continue;
+        for (const std::string& difference : compareReflections(entry.dxc->reflection, entry.glslang->reflection))
+            addError(report, 3201, entry.at, fmt::format("DXC (first) and glslang (second) see {} differently: {}", entry.name, difference),
+                     "fill every 16 bytes of the parameters exactly (docs/compilers.md)");
     }
 }
 
@@ -88,9 +83,9 @@ void compareAll(const Work& work, const Shaders& dxc, const Shaders& glslang, Ta
 void checkSpirv(Work& work) {
     TargetCheck* dxc = work.find(Target::SpirvDxc);
     TargetCheck* glslang = work.find(Target::SpirvGlslang);
-    const Shaders first = dxc != nullptr ? checkTarget(work, Compiler::Dxc, *dxc) : Shaders{};
-    const Shaders second = glslang != nullptr ? checkTarget(work, Compiler::Glslang, *glslang) : Shaders{};
-    if (glslang != nullptr) compareAll(work, first, second, *glslang);
+    if (dxc != nullptr) checkTarget(work, Compiler::Dxc, &EntryPoint::dxc, *dxc);
+    if (glslang != nullptr) checkTarget(work, Compiler::Glslang, &EntryPoint::glslang, *glslang);
+    if (glslang != nullptr) compareAll(work, *glslang);
     for (TargetCheck* report : {dxc, glslang})
         if (report != nullptr && report->reason.empty()) conclude(*report);
 }

@@ -2,20 +2,10 @@
 // One file in one variant on its way through the check.
 
 #include "host/check/check.h"
-#include "host/effect/model.h"
 
 namespace tegument::check {
 
-enum class ShaderKind { Vertex, Pixel, Geometry, Compute };
-
-struct EntryPoint {
-    std::string name;
-    ShaderKind kind = ShaderKind::Pixel;
-    std::string profile; // as the effect writes it
-    SourcePosition at;
-};
-
-/// Indices into Work::entries of the two stages of a pass.
+/// Indices into FileReport::entries of the two stages of a pass.
 struct StagePair {
     std::size_t vertex = 0;
     std::size_t pixel = 0;
@@ -24,22 +14,32 @@ struct StagePair {
 struct Work {
     std::filesystem::path file;
     const Variant* variant = nullptr;
-    Effect effect;
+    std::vector<std::filesystem::path> includeFolders;
     /// The file distinguishes the targets by FX_D3D10, as hlsl/platform.fxh does: its techniques exist on all of them.
     bool dialect = false;
-    std::vector<EntryPoint> entries; // each once
-    std::vector<StagePair> pairs;    // each once
+    std::vector<StagePair> pairs; // each once
     FileReport report;
 
     [[nodiscard]] bool loaded() const;
+    [[nodiscard]] const Effect& effect() const { return report.effect; }
     [[nodiscard]] TargetCheck* find(Target target);
 };
 
 [[nodiscard]] Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets,
                         const CheckOptions& options);
 
+/// Why no entry point of this file can be tried by compilers that know Direct3D 10's spelling only; empty when they can.
+[[nodiscard]] std::string spellingObstacle(const Work& work);
+
+void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint);
+
 void checkSpirv(Work& work);
 void checkMicrosoft(std::vector<Work>& works);
+/// Of the fx_2_0 binaries that checkMicrosoft has put into the reports.
+void measureShaderModel3(std::vector<Work>& works);
+
+/// The techniques that the binary of a target must hold, in their order.
+[[nodiscard]] std::vector<const Technique*> techniquesIn(const Work& work, Target target);
 
 /// Sets the verdict by what the diagnostics hold, and drops repetitions among them.
 void conclude(TargetCheck& report);

@@ -23,6 +23,8 @@ namespace dxc {
 } // namespace dxc
 
 namespace glslang_hlsl {
+/// Once for the process; false: nothing of glslang can be used.
+bool initialise();
 [[nodiscard]] std::string name();
 [[nodiscard]] std::string identity();
 [[nodiscard]] Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes);

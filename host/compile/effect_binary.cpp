@@ -1,7 +1,9 @@
 #include "host/compile/effect_binary.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 
 namespace tegument {
 
@@ -24,6 +26,15 @@ public:
         return word;
     }
     void skip(std::size_t words) { at_ += words * sizeof(std::uint32_t); }
+    /// A block with its length before it, padded to whole words.
+    std::string_view block() {
+        const std::size_t length = next();
+        good_ = good_ && length <= bytes_.size() - std::min(at_, bytes_.size());
+        if (!good_) return {};
+        const std::string_view found = bytes_.substr(at_, length);
+        at_ += (length + 3) / 4 * 4;
+        return found;
+    }
     [[nodiscard]] bool good() const { return good_; }
 
 private:
@@ -36,33 +47,53 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
     return WordReader(bytes, at).next();
 }
 
+struct Fx2Counts {
+    std::uint32_t techniques = 0;
+    std::uint32_t passes = 0;
+};
+
 /// fx_2_0: tag, offset of the tables from byte 8; there: counts, then parameters (type, value, flags, annotations), then techniques
-/// (name, annotations, passes), passes (name, annotations, states of four words). An annotation is two words.
-std::optional<EffectContent> readFx2(std::string_view bytes) {
-    WordReader reader(bytes, 8 + std::size_t{wordAt(bytes, 4)});
+/// (name, annotations, passes), passes (name, annotations, states of four words). An annotation is two words. Leaves the reader behind.
+Fx2Counts walkFx2(WordReader& reader) {
+    Fx2Counts counts;
     const std::uint32_t parameters = reader.next();
-    const std::uint32_t techniques = reader.next();
+    counts.techniques = reader.next();
     reader.skip(2); // unknown, number of objects
     for (std::uint32_t i = 0; i < parameters && reader.good(); ++i) {
         reader.skip(3);
         reader.skip(2 * std::size_t{reader.next()});
     }
-    std::uint32_t passes = 0;
-    for (std::uint32_t i = 0; i < techniques && reader.good(); ++i) {
+    for (std::uint32_t i = 0; i < counts.techniques && reader.good(); ++i) {
         reader.skip(1);
         const std::size_t annotations = reader.next();
-        const std::uint32_t count = reader.next();
+        const std::uint32_t passes = reader.next();
         reader.skip(2 * annotations);
-        for (std::uint32_t pass = 0; pass < count && reader.good(); ++pass) {
+        for (std::uint32_t pass = 0; pass < passes && reader.good(); ++pass) {
             reader.skip(1);
             const std::size_t passAnnotations = reader.next();
             const std::size_t states = reader.next();
             reader.skip(2 * passAnnotations + 4 * states);
         }
-        passes += count;
+        counts.passes += passes;
     }
+    return counts;
+}
+
+WordReader fx2Tables(std::string_view bytes) {
+    return {bytes, 8 + std::size_t{wordAt(bytes, 4)}};
+}
+
+std::optional<EffectContent> readFx2(std::string_view bytes) {
+    WordReader reader = fx2Tables(bytes);
+    const Fx2Counts counts = walkFx2(reader);
     if (!reader.good()) return {};
-    return EffectContent{.techniques = static_cast<int>(techniques), .passes = static_cast<int>(passes)};
+    return EffectContent{.techniques = static_cast<int>(counts.techniques), .passes = static_cast<int>(counts.passes)};
+}
+
+/// Vertex shaders begin with 0xfffe and their version, pixel shaders with 0xffff.
+bool isShader(std::string_view object) {
+    const std::uint32_t tag = wordAt(object, 0) >> 16U;
+    return object.size() >= 8 && (tag == 0xfffeU || tag == 0xffffU);
 }
 
 /// fx_4_0 and fx_5_0: word 7 counts the techniques, word 17 the shaders.
@@ -85,6 +116,34 @@ std::string_view fxChunk(std::string_view bytes) {
 }
 
 } // namespace
+
+bool isPixelShader(const EffectShader& shader) {
+    return wordAt(shader.bytes, 0) >> 16U == 0xffffU;
+}
+
+/// Behind the techniques: number of values and of resources; values (object, block); resources (technique, pass, element, state, kind,
+/// block).
+std::vector<EffectShader> fx2Shaders(std::string_view bytes) {
+    WordReader reader = fx2Tables(bytes);
+    std::vector<EffectShader> shaders;
+    if (wordAt(bytes, 0) != kFx2) return shaders;
+    walkFx2(reader);
+    const std::uint32_t values = reader.next();
+    const std::uint32_t resources = reader.next();
+    for (std::uint32_t i = 0; i < values && reader.good(); ++i) {
+        reader.skip(1);
+        reader.block();
+    }
+    for (std::uint32_t i = 0; i < resources && reader.good(); ++i) {
+        const auto technique = static_cast<int>(reader.next());
+        const auto pass = static_cast<int>(reader.next());
+        reader.skip(3);
+        const std::string_view object = reader.block();
+        if (technique >= 0 && isShader(object)) shaders.push_back({technique, pass, object});
+    }
+    std::ranges::sort(shaders, {}, [](const EffectShader& s) { return std::tuple(s.technique, s.pass, isPixelShader(s)); });
+    return shaders;
+}
 
 std::optional<EffectContent> readEffectBinary(std::string_view bytes) {
     if (bytes.starts_with("DXBC")) bytes = fxChunk(bytes);

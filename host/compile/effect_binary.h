@@ -3,14 +3,27 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace tegument {
+
+/// A compiled vertex or pixel shader inside an fx_2_0 effect; `bytes` points into the effect.
+struct EffectShader {
+    int technique = 0;
+    int pass = 0;
+    std::string_view bytes;
+};
 
 struct EffectContent {
     int techniques = 0;
     int passes = -1;  // fx_2_0 only
     int shaders = -1; // fx_4_0 and fx_5_0 only
 };
+
+[[nodiscard]] bool isPixelShader(const EffectShader& shader);
+
+/// The shaders of model 3 (and below) that the passes of an fx_2_0 effect hold, in the order of passes, vertex shaders first.
+[[nodiscard]] std::vector<EffectShader> fx2Shaders(std::string_view bytes);
 
 /// Reads the header of fx_2_0 (0xfeff0901), fx_4_0 (0xfeff1001, inside a DXBC container) or fx_5_0 (0xfeff2001). Nothing: not an effect.
 [[nodiscard]] std::optional<EffectContent> readEffectBinary(std::string_view bytes);

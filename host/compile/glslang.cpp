@@ -85,9 +85,13 @@ std::string identity() {
     return fmt::format("{} generator {}", name(), glslang::GetSpirvGeneratorVersion());
 }
 
-Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes) {
+bool initialise() {
     static const bool kInitialised = glslang::InitializeProcess();
-    if (!kInitialised) return machineError(3002, "glslang could not be initialised");
+    return kInitialised;
+}
+
+Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes) {
+    if (!initialise()) return machineError(3002, "glslang could not be initialised");
 
     glslang::TShader shader(language(request.stage));
     const std::array strings{request.code.data()};

@@ -108,8 +108,11 @@ public:
         if (!code) fs::create_directory(folder / "claims", code);
         if (code) return notRunnable(fmt::format("cannot link the compiler into {}: {}", folder.string(), code.message()));
         std::string list;
-        for (std::size_t i = 0; i < jobs_.size(); ++i)
+        for (std::size_t i = 0; i < jobs_.size(); ++i) {
             list += line(i);
+            if (jobs_[i].profile != "listing") continue;
+            if (auto written = writeFile(file(i, "in"), jobs_[i].shader); !written) return written.error();
+        }
         if (auto written = writeFile(folder / "jobs.txt", list); !written) return written.error();
         return wineProcess(folder / "hlslc.exe", {windowsPath(folder / "jobs.txt"), windowsPath(folder / "claims")});
     }
@@ -146,10 +149,11 @@ private:
     [[nodiscard]] std::string line(std::size_t index) const {
         const MicrosoftJob& job = jobs_[index];
         std::error_code code;
+        const fs::path source = job.profile == "listing" ? file(index, "in") : fs::absolute(job.source, code);
         std::string folders;
         for (const fs::path& folder : job.includeFolders)
             folders += (folders.empty() ? "" : "|") + windowsPath(fs::absolute(folder, code));
-        std::string text = fmt::format("{}\t{}\t{}\t{}\t{}\t{}", job.profile, job.entry, windowsPath(fs::absolute(job.source, code)),
+        std::string text = fmt::format("{}\t{}\t{}\t{}\t{}\t{}", job.profile, job.entry, windowsPath(source),
                                        windowsPath(file(index, "bin")), isSm3(job) ? windowsPath(file(index, "asm")) : "", folders);
         for (const auto& [name, value] : job.defines)
             text += fmt::format("\t{}={}", name, value);

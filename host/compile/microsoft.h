@@ -21,6 +21,7 @@ struct MicrosoftJob {
     std::vector<std::pair<std::string, std::string>> defines;
     std::filesystem::path output;                      // empty: only in the result
     std::vector<std::filesystem::path> includeFolders; // empty: Microsoft's own include handler, as in most engines
+    std::string shader;                                // of a listing
 };
 
 /// What ps_3_0 or vs_3_0 used, read from the disassembly: the SM3 limits are asserted by us because the compiler does not hold all of them.
@@ -28,7 +29,8 @@ struct Sm3Usage {
     int instructionSlots = 0;
     int constants = 0; // highest register + 1
     int samplers = 0;
-    int interpolators = 0; // pixel shader inputs; vertex shader outputs without the position
+    int interpolators = 0;               // pixel shader inputs; vertex shader outputs without the position
+    std::map<std::string, int> varyings; // their semantics, "TEXCOORD3", with the number of components
 };
 
 /// What D3DReflect says of a shader of model 4 or 5: registers in place of bindings and locations, every set 0.

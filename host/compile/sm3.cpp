@@ -3,6 +3,7 @@
 #include "host/compile/scan.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <vector>
 
@@ -70,7 +71,21 @@ private:
         if (const auto sampler = registerOf(name, 's')) samplers_.insert(*sampler);
         const auto interpolator = registerOf(name, vertex_ ? 'o' : 'v');
         const bool position = kind == "dcl_position" || kind == "dcl_position0";
-        if (interpolator && !(vertex_ && position)) interpolators_.insert(*interpolator);
+        if (!interpolator || (vertex_ && position)) return;
+        interpolators_.insert(*interpolator);
+        if (kind.starts_with("dcl_")) varying(kind.substr(4), name);
+    }
+
+    /// "texcoord3_pp" and "v2.xyz".
+    void varying(std::string_view usage_, std::string_view name) {
+        std::string semantic(usage_.substr(0, usage_.find('_')));
+        std::ranges::transform(semantic, semantic.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        if (std::isdigit(static_cast<unsigned char>(semantic.back())) == 0) semantic += '0';
+        const std::size_t dot = name.find('.');
+        const std::string_view mask = dot == std::string_view::npos ? "xyzw" : name.substr(dot + 1);
+        int& components = usage.varyings[semantic];
+        for (const char letter : mask)
+            components = std::max(components, letter == 'w' ? 4 : letter - 'x' + 1);
     }
 
     bool vertex_ = false;

@@ -1,0 +1,124 @@
+// What the passes of an fx_2_0 effect take of shader model 3, read from the shaders inside it: Microsoft's compiler holds few of the
+// limits.
+
+#include "host/check/work.h"
+
+#include "host/compile/effect_binary.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace tegument::check {
+
+namespace {
+
+/// The listings of all shaders of all effects, each compiled shader disassembled once.
+class Listings {
+public:
+    void add(std::string_view shader) {
+        if (!jobs_.emplace(shader, list_.size()).second) return;
+        list_.push_back({.profile = "listing",
+                         .entry = {},
+                         .source = {},
+                         .defines = {},
+                         .output = {},
+                         .includeFolders = {},
+                         .shader = std::string(shader)});
+    }
+
+    /// False: nothing could be run.
+    bool run() {
+        if (list_.empty()) return true;
+        auto results = compileWithMicrosoft(list_);
+        if (results) results_ = std::move(*results);
+        return static_cast<bool>(results);
+    }
+
+    [[nodiscard]] const std::optional<Sm3Usage>& of(std::string_view shader) const { return results_[jobs_.at(shader)].sm3; }
+
+private:
+    std::map<std::string_view, std::size_t> jobs_;
+    std::vector<MicrosoftJob> list_;
+    std::vector<MicrosoftResult> results_;
+};
+
+struct PassShaders {
+    const Technique* technique;
+    const Pass* pass;
+    const std::optional<Sm3Usage>* vertex = nullptr;
+    const std::optional<Sm3Usage>* pixel = nullptr;
+};
+
+void holdAgainstLimits(const ShaderReference& shader, const Sm3Usage& usage, bool vertex, TargetCheck& report) {
+    for (const Sm3Limit& limit : kSm3Limits) {
+        const int most = vertex ? limit.vertex : limit.pixel;
+        if (usage.*limit.used <= most) continue;
+        addError(report, 3203, shader.at,
+                 fmt::format("{} takes {} {}, {} has {}", shader.entry, usage.*limit.used, limit.what, vertex ? "vs_3_0" : "ps_3_0", most),
+                 "split the pass, or keep this entry point out of fx_2_0");
+    }
+}
+
+void takeStage(const PassShaders& shaders, bool vertex, Work& work, TargetCheck& report) {
+    const auto* usage = vertex ? shaders.vertex : shaders.pixel;
+    const auto& shader = vertex ? shaders.pass->vertexShader : shaders.pass->pixelShader;
+    if (usage == nullptr || !*usage || !shader) return; // of an older model, or none
+    work.report.sm3.push_back({.technique = shaders.technique->name,
+                               .pass = shaders.pass->name,
+                               .entry = shader->entry,
+                               .profile = vertex ? "vs_3_0" : "ps_3_0",
+                               .usage = **usage});
+    holdAgainstLimits(*shader, **usage, vertex, report);
+}
+
+/// Direct3D 9 joins stages by semantic; what nobody wrote is undefined there, without a word from any compiler.
+void link(const PassShaders& shaders, TargetCheck& report) {
+    if (shaders.vertex == nullptr || shaders.pixel == nullptr || !*shaders.vertex || !*shaders.pixel || !shaders.pass->pixelShader) return;
+    const auto& written = (*shaders.vertex)->varyings;
+    for (const auto& [semantic, components] : (*shaders.pixel)->varyings) {
+        const auto output = written.find(semantic);
+        if (output != written.end() && output->second >= components) continue;
+        const std::string vertex = shaders.pass->vertexShader ? shaders.pass->vertexShader->entry : "the vertex shader";
+        addError(report, output == written.end() ? 3004 : 3005, shaders.pass->pixelShader->at,
+                 fmt::format("{} reads {} component{} of {}, {} writes {}", shaders.pass->pixelShader->entry, components,
+                             components == 1 ? "" : "s", semantic, vertex, output == written.end() ? 0 : output->second),
+                 "give both the same struct");
+    }
+}
+
+std::vector<PassShaders> passesOf(const Work& work, const Listings& listings) {
+    std::vector<PassShaders> passes;
+    const auto techniques = techniquesIn(work, Target::Fx2);
+    for (const EffectShader& shader : fx2Shaders(work.report.binaries.at(Target::Fx2))) {
+        const auto technique = static_cast<std::size_t>(shader.technique);
+        const auto pass = static_cast<std::size_t>(shader.pass);
+        if (technique >= techniques.size() || pass >= techniques[technique]->passes.size()) continue; // TG3202 says so
+        const Pass* found = &techniques[technique]->passes[pass];
+        if (passes.empty() || passes.back().pass != found) passes.push_back({techniques[technique], found});
+        (isPixelShader(shader) ? passes.back().pixel : passes.back().vertex) = &listings.of(shader.bytes);
+    }
+    return passes;
+}
+
+} // namespace
+
+void measureShaderModel3(std::vector<Work>& works) {
+    Listings listings;
+    for (Work& work : works)
+        if (const auto binary = work.report.binaries.find(Target::Fx2); binary != work.report.binaries.end())
+            for (const EffectShader& shader : fx2Shaders(binary->second))
+                listings.add(shader.bytes);
+    if (!listings.run()) return;
+    for (Work& work : works) {
+        TargetCheck* report = work.find(Target::Fx2);
+        if (report == nullptr || !work.report.binaries.contains(Target::Fx2)) continue;
+        for (const PassShaders& shaders : passesOf(work, listings)) {
+            takeStage(shaders, true, work, *report);
+            takeStage(shaders, false, work, *report);
+            link(shaders, *report);
+        }
+    }
+}
+
+} // namespace tegument::check

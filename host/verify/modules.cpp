@@ -16,8 +16,14 @@ struct Module {
 };
 
 constexpr std::array kModules = {
+    Module{"OriginalTexture", verify::verifyOriginalTexture},
     Module{"Beckmann", verify::verifyBeckmann},
     Module{"EnergyAttenuation", verify::verifyEnergyAttenuation},
+    Module{"Specular", verify::verifySpecular},
+    Module{"ShadowMap", verify::verifyShadowMap},
+    Module{"TSM", verify::verifyTsm},
+    Module{"Stretch", verify::verifyStretch},
+    Module{"Irradiance", verify::verifyIrradiance},
 };
 
 std::vector<std::string> names() {

@@ -63,6 +63,24 @@ void addMetric(ModuleReport& report, const Context& context, std::string name, d
 /// Step of a half relative to the value: 2^-11 where the hardware rounds, 2^-10 where it truncates, as lavapipe does.
 inline constexpr double kHalfStep = 1.0 / 1024;
 
+inline constexpr const char* kOutline =
+    "outlines and borders of charts, where a rasteriser that snaps vertices to 1/256 pixel may see the other side";
+/// Texels of the shadow map by which its filter softens an edge: half of 3 + 1, and one for its grid.
+inline constexpr double kShadowEdge = 3;
+inline constexpr const char* kShadowApart = "within 3 texels of the shadow map from where light is cut off (the map's filter and "
+                                            "resolution), or seen edge-on by the light, N.L below 0.15 "
+                                            "(its tolerance and the horizon term)";
+/// Limits of a picture of shadows where it is not apart: 0 and 1 exactly in setting corrected, with false shadows in the printed ones.
+[[nodiscard]] Limits shadowLimits(const Context& context);
+
+[[nodiscard]] Result<ModuleReport> verifyOriginalTexture(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifySpecular(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyShadowMap(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyTsm(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyStretch(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyIrradiance(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyConvolution(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyMain(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyBeckmann(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyEnergyAttenuation(const Context& context);
 

@@ -3,7 +3,8 @@
 #include "host/app/commands.h"
 #include "host/app/effect_options.h"
 #include "host/app/output.h"
-#include "host/run/run.h"
+#include "host/app/picture_files.h"
+#include "host/app/scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,14 +23,12 @@ struct RenderOptions {
     std::string file;
     EffectOptions effect;
     std::string technique;
-    std::string mesh;
-    std::string workspace;
-    std::optional<double> unitMm;
+    SceneOptions scene;
     std::vector<std::string> sets;
     std::string size = "1024x1024";
     std::string compiler;
     std::vector<std::string> dump;
-    std::string output;
+    PictureOptions pictures;
     std::string device;
     int frames = 1;
     bool validate = false;
@@ -37,10 +36,9 @@ struct RenderOptions {
 };
 
 /// Everything that is read from disk before the device is touched.
-struct Scene {
+struct Job {
     Effect effect;
-    Workspace workspace;
-    std::optional<Mesh> mesh;
+    Scene scene;
     RunOptions run;
 };
 
@@ -112,78 +110,31 @@ bool needsMesh(const Effect& effect, const std::string& technique) {
     return chosen && std::ranges::any_of(chosen->passes, drawsGeometry);
 }
 
-/// --workspace, else the human of the effects' own folder, else built-in defaults. With --mesh only its camera and light stay.
-Result<Workspace> chooseWorkspace(const RenderOptions& options, bool mesh) {
-    const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
-    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
-    const fs::path human = fs::path(options.file).parent_path() / "workspaces" / "human.json";
-    std::error_code code;
-    if (!fs::exists(human, code)) return Workspace{};
-    Result<Workspace> workspace = loadWorkspace(human, load);
-    if (!workspace || options.mesh.empty()) return workspace;
-    workspace->attribution.clear(); // these spoke of the human
-    workspace->textures.clear();
-    workspace->unitMm.reset();
-    workspace->flipV = false;
-    return workspace;
-}
-
-Result<Mesh> chooseMesh(const RenderOptions& options, const Workspace& workspace) {
-    const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
-    if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
-    MeshOptions load = meshOptions(workspace);
-    if (options.unitMm) load.unitMm = options.unitMm;
-    Result<Mesh> mesh =
-        loadMesh(options.mesh.empty() && workspace.file.has_parent_path() ? workspace.file.parent_path() / path : fs::path(path), load);
-    if (mesh && mesh->attribution.empty()) mesh->attribution = workspace.attribution;
-    return mesh;
-}
-
-Result<Scene> loadScene(const RenderOptions& options) {
+Result<Job> loadJob(const RenderOptions& options) {
     const auto size = parseSize(options.size);
     if (!size) return size.error();
     auto effect = loadEffect(options.file, loadOptions(options.effect));
     if (!effect) return effect.error();
-    Scene scene{.effect = std::move(*effect), .workspace = {}, .mesh = {}, .run = {}};
-    scene.run.technique = options.technique;
-    scene.run.width = size->first;
-    scene.run.height = size->second;
-    scene.run.frames = options.frames;
-    scene.run.warmUpFrames = options.frames > 1 ? 2 : 0;
-    scene.run.dump = options.dump;
-    scene.run.compiler = options.compiler.empty() ? defaultCompiler() : options.compiler == "dxc" ? Compiler::Dxc : Compiler::Glslang;
-    if (!compilerAvailable(scene.run.compiler))
+    Job job{.effect = std::move(*effect), .scene = {}, .run = {}};
+    job.run.technique = options.technique;
+    job.run.width = size->first;
+    job.run.height = size->second;
+    job.run.frames = options.frames;
+    job.run.warmUpFrames = options.frames > 1 ? 2 : 0;
+    job.run.dump = options.dump;
+    job.run.compiler = options.compiler.empty() ? defaultCompiler() : options.compiler == "dxc" ? Compiler::Dxc : Compiler::Glslang;
+    if (!compilerAvailable(job.run.compiler))
         return machineError(8015, fmt::format("the compiler {} is not available", options.compiler),
                             "run ./bootstrap build, or use --compiler glslang");
     for (const std::string& set : options.sets)
-        if (const auto applied = applySet(set, scene.effect, scene.run); !applied) return applied.error();
+        if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
-    const bool drawsMesh = needsMesh(scene.effect, options.technique);
-    auto workspace = chooseWorkspace(options, drawsMesh);
-    if (!workspace) return workspace.error();
-    scene.workspace = std::move(*workspace);
-    if (!drawsMesh) return scene;
-    auto mesh = chooseMesh(options, scene.workspace);
-    if (!mesh) return mesh.error();
-    scene.mesh = std::move(*mesh);
-    return scene;
-}
-
-Result<void> writePicture(const fs::path& path, const Image& image) {
-    return toLower(path.extension().string()) == ".exr" ? writeExr(path, image) : writePng(path, image, PngEncoding::Display);
-}
-
-/// <output without extension>.<target>.exr
-fs::path dumpPath(const fs::path& output, const std::string& target) {
-    fs::path path = output;
-    return path.replace_extension("." + target + ".exr");
-}
-
-Result<void> writeAll(const fs::path& output, const RunResult& result) {
-    if (const auto written = writePicture(output, result.image); !written) return written;
-    for (const auto& [name, image] : result.dumped)
-        if (const auto written = writeExr(dumpPath(output, name), image); !written) return written;
-    return {};
+    SceneOptions sceneOptions = options.scene;
+    sceneOptions.effect = options.file;
+    auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique));
+    if (!scene) return scene.error();
+    job.scene = std::move(*scene);
+    return job;
 }
 
 int mapSize(const RenderOptions& options, const RunResult& result) {
@@ -192,11 +143,32 @@ int mapSize(const RenderOptions& options, const RunResult& result) {
     return found == result.image.metadata.end() ? 0 : std::atoi(found->second.c_str());
 }
 
-Json resultJson(const RenderOptions& options, const Scene& scene, const gpu::Device& device, const RunResult& result,
-                const fs::path& output) {
+Json vectorJson(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json objectsJson(const std::vector<RunObject>& objects) {
+    Json json = Json::array();
+    for (const RunObject& object : objects)
+        json.push_back({{"mesh", object.mesh->name},
+                        {"attribution", object.mesh->attribution},
+                        {"position", vectorJson(object.placement.position)},
+                        {"rotation", vectorJson(object.placement.rotation)},
+                        {"scale", object.placement.scale}});
+    return json;
+}
+
+Json passesJson(const RunResult& result, bool several) {
     Json passes = Json::array();
-    for (const PassReport& pass : result.passes)
+    for (const PassReport& pass : result.passes) {
         passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
+        if (several) passes.back()["object"] = pass.object;
+    }
+    return passes;
+}
+
+Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device& device, const RunResult& result,
+                const std::vector<fs::path>& files) {
     Json targets = Json::array();
     for (const TargetReport& target : result.targets)
         targets.push_back({{"name", target.name},
@@ -204,80 +176,93 @@ Json resultJson(const RenderOptions& options, const Scene& scene, const gpu::Dev
                            {"height", target.height},
                            {"format", target.format},
                            {"bytes", target.bytes}});
-    Json json{{"effect", scene.effect.file.string()},
+    const bool several = !job.scene.objects.empty();
+    Json json{{"effect", job.effect.file.string()},
               {"technique", result.technique},
               {"setting", options.effect.setting.empty() ? "corrected" : options.effect.setting},
-              {"compiler", compilerName(scene.run.compiler)},
+              {"compiler", compilerName(job.run.compiler)},
               {"device", device.info().name},
               {"driver", device.info().driver},
-              {"resolution", {scene.run.width, scene.run.height}},
+              {"resolution", {job.run.width, job.run.height}},
               {"map_size", mapSize(options, result)},
-              {"passes", passes},
+              {"passes", passesJson(result, several)},
               {"targets", targets},
-              {"output", output.string()}};
+              {"bytes", result.bytes},
+              {"device_bytes", result.deviceBytes},
+              {"output", files.back().string()}};
+    if (several) json["objects"] = objectsJson(job.scene.objects);
     Json dumps = Json::object();
     for (const auto& dumped : result.dumped)
-        dumps[dumped.first] = dumpPath(output, dumped.first).string();
+        dumps[dumped.first] = dumpPath(files.back(), dumped.first, options.pictures.formats.front()).string();
     if (!dumps.empty()) json["dumped"] = dumps;
+    for (const fs::path& file : files)
+        json["files"].push_back(file.string());
     if (!result.warnings.empty()) json["warnings"] = toJson(result.warnings);
     if (options.validate) json["validation_messages"] = device.validationMessages();
     return json;
 }
 
-void printReport(const Scene& scene, const gpu::Device& device, const RunResult& result, const fs::path& output) {
+/// The passes' times; of several objects summed over them.
+std::vector<std::vector<std::string>> timeRows(const RunResult& result) {
     double total = 0;
-    std::vector<std::vector<std::string>> rows;
+    std::vector<std::pair<std::string, double>> times;
+    int object = 0;
+    std::size_t next = 0; // of this object's passes
     for (const PassReport& pass : result.passes) {
-        rows.push_back({pass.name, fmt::format("{:.3f}", pass.milliseconds)});
+        if (pass.object != object) next = 0;
+        object = pass.object;
+        if (next < times.size() && times[next].first == pass.name)
+            times[next].second += pass.milliseconds;
+        else
+            times.emplace_back(pass.name, pass.milliseconds);
+        ++next;
         total += pass.milliseconds;
     }
-    rows.push_back({"total", fmt::format("{:.3f}", total)});
-    fmt::print("{} {}, {}x{}, {}\n{} ({}){}\n\n{}", scene.effect.file.filename().string(), result.technique, scene.run.width,
-               scene.run.height, compilerName(scene.run.compiler), device.info().name, device.info().driver,
-               device.info().cpu ? ", a software device: times are good as ratios only" : "", table({"pass", "ms"}, rows));
+    times.emplace_back("total", total);
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [name, milliseconds] : times)
+        rows.push_back({name, fmt::format("{:.3f}", milliseconds)});
+    return rows;
+}
+
+void printReport(const Job& job, const gpu::Device& device, const RunResult& result, const std::vector<fs::path>& files) {
+    fmt::print("{} {}, {}x{}, {}\n{} ({}){}\n\n{}", job.effect.file.filename().string(), result.technique, job.run.width, job.run.height,
+               compilerName(job.run.compiler), device.info().name, device.info().driver,
+               device.info().cpu ? ", a software device: times are good as ratios only" : "", table({"pass", "ms"}, timeRows(result)));
     fmt::print("\n{} targets, {:.1f} MiB\n", result.targets.size(), static_cast<double>(result.bytes) / (1024.0 * 1024.0));
-    if (scene.mesh && !scene.mesh->attribution.empty()) fmt::print("mesh: {}\n", scene.mesh->attribution);
-    for (const auto& dumped : result.dumped)
-        fmt::print("wrote {}\n", dumpPath(output, dumped.first).string());
-    fmt::print("wrote {}\n", output.string());
-}
-
-fs::path outputPath(const RenderOptions& options) {
-    if (!options.output.empty()) return options.output;
-    return fs::path("out") / fs::path(options.file).stem().concat(".png");
-}
-
-Result<void> checkOutput(const fs::path& output) {
-    const std::string extension = toLower(output.extension().string());
-    if (extension == ".png" || extension == ".exr") return {};
-    return usageError(8016, fmt::format("{} is neither a .png nor a .exr", output.string()),
-                      "PNG is for looking, EXR holds the linear floats");
+    if (!job.scene.objects.empty()) fmt::print("{} objects, {} meshes\n", job.scene.objects.size(), job.scene.meshes.size());
+    if (const auto found = result.image.metadata.find("attribution"); found != result.image.metadata.end())
+        fmt::print("mesh: {}\n", found->second);
+    for (const fs::path& file : files)
+        fmt::print("wrote {}\n", file.string());
 }
 
 int render(const RenderOptions& options) {
-    const fs::path output = outputPath(options);
-    if (const auto checked = checkOutput(output); !checked) return fail(checked.error(), options.json);
+    const auto output = outputPath(options.pictures, options.file);
+    if (!output) return fail(output.error(), options.json);
     Progress progress;
     progress.say("reading");
-    const auto scene = loadScene(options);
-    if (!scene) return fail(scene.error(), options.json);
+    const auto job = loadJob(options);
+    if (!job) return fail(job.error(), options.json);
     progress.clear();
-    warn(scene->effect.warnings);
-    if (scene->mesh) warn(scene->mesh->warnings);
+    warn(job->effect.warnings);
+    for (const Mesh& mesh : job->scene.meshes)
+        warn(mesh.warnings);
 
     auto device = gpu::Device::create({.validation = options.validate, .prefer = options.device});
     if (!device) return fail(device.error(), options.json);
     progress.say("rendering");
-    const auto result = runEffect(*device, scene->effect, scene->mesh ? &*scene->mesh : nullptr, scene->workspace, scene->run);
+    const auto result = runScene(*device, job->effect, job->scene, job->run);
     progress.clear();
     if (!result) return fail(result.error(), options.json);
     warn(result->warnings);
-    if (const auto written = writeAll(output, *result); !written) return fail(written.error(), options.json);
+    const auto files = writePictures(options.pictures, *output, *result);
+    if (!files) return fail(files.error(), options.json);
 
     if (options.json) {
-        print(resultJson(options, *scene, *device, *result, output));
+        print(resultJson(options, *job, *device, *result, *files));
     } else {
-        printReport(*scene, *device, *result, output);
+        printReport(*job, *device, *result, *files);
     }
     const auto messages = device->validationMessages();
     for (const std::string& message : messages)
@@ -292,16 +277,16 @@ void addRender(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("render", "Run an effect on a mesh and write the picture");
     command->add_option("effect", options->file, "Effect file (.fx)")->required();
     command->add_option("-t,--technique", options->technique, "Technique; default: the one the effect's script names");
-    command->add_option("-m,--mesh", options->mesh, "Mesh (.glb, .gltf, .ply, .obj); default: the workspace's");
-    command->add_option("-w,--workspace", options->workspace,
+    command->add_option("-m,--mesh", options->scene.mesh, "Mesh (.glb, .gltf, .ply, .obj); default: the workspace's");
+    command->add_option("-w,--workspace", options->scene.workspace,
                         "Workspace file (docs/workspace.md); default: workspaces/human.json beside the effect");
-    command->add_option("--unit-mm", options->unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
+    command->add_option("--unit-mm", options->scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
     command->add_option("-s,--set", options->sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated");
     command->add_option("--size", options->size, "Picture size in pixels")->capture_default_str();
     command->add_option("--compiler", options->compiler, "dxc or glslang; default: DXC where it is installed")
         ->check(CLI::IsMember({"dxc", "glslang"}));
-    command->add_option("--dump", options->dump, "Write this target as EXR beside the picture, or all of them; may be repeated");
-    command->add_option("-o,--output", options->output, "Picture to write (.png or .exr); default: out/<effect>.png");
+    command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated");
+    addPictureOptions(*command, options->pictures);
     command->add_option("--device", options->device, "Part of the Vulkan device's name");
     command->add_option("--frames", options->frames, "Frames to time; the table shows medians")
         ->check(CLI::Range(1, 10000))

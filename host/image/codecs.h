@@ -30,7 +30,7 @@ struct Samples8 {
     std::vector<unsigned char> bytes;
 };
 [[nodiscard]] Result<std::string> encodePng(const Samples8& samples, const std::map<std::string, std::string>& metadata);
-[[nodiscard]] Result<std::string> encodeExr(const Image& image);
+[[nodiscard]] Result<std::string> encodeExr(const Image& image, ExrDepth depth);
 
 /// TG5201: the file ends at `byte`, before its own description is fulfilled.
 [[nodiscard]] Error truncated(const Encoded& in, std::size_t byte, const std::string& detail);

@@ -13,6 +13,7 @@
 #include <ImfVersion.h>
 
 #include <fmt/format.h>
+#include <half.h>
 
 #include <algorithm>
 #include <array>
@@ -187,17 +188,19 @@ std::vector<std::string> channelNames(int channels) {
     return {all.begin(), all.begin() + channels};
 }
 
-std::string encode(const Image& image) {
+/// `pixels` hold the image's values as this type.
+template <class T>
+std::string encode(const Image& image, const std::vector<T>& pixels, Imf::PixelType type) {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     const std::vector<std::string> names = channelNames(image.channels);
     Imf::FrameBuffer frame;
-    const std::size_t pixelBytes = names.size() * sizeof(float);
+    const std::size_t pixelBytes = names.size() * sizeof(T);
     for (std::size_t c = 0; c < names.size(); ++c) {
-        header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+        header.channels().insert(names[c], Imf::Channel(type));
         // OpenEXR's slice is not const, but a file being written only reads from it.
-        char* start = const_cast<char*>(reinterpret_cast<const char*>(image.pixels.data() + c));
-        frame.insert(names[c], Imf::Slice(Imf::FLOAT, start, pixelBytes, pixelBytes * static_cast<std::size_t>(image.width)));
+        char* start = const_cast<char*>(reinterpret_cast<const char*>(pixels.data() + c));
+        frame.insert(names[c], Imf::Slice(type, start, pixelBytes, pixelBytes * static_cast<std::size_t>(image.width)));
     }
     for (const auto& [key, value] : image.metadata)
         header.insert(std::string(kPrefix) + key, Imf::StringAttribute(value));
@@ -224,9 +227,10 @@ Result<Image> decodeExr(const Encoded& in) {
     }
 }
 
-Result<std::string> encodeExr(const Image& image) {
+Result<std::string> encodeExr(const Image& image, ExrDepth depth) {
     try {
-        return encode(image);
+        if (depth == ExrDepth::Float) return encode(image, image.pixels, Imf::FLOAT);
+        return encode(image, std::vector<half>(image.pixels.begin(), image.pixels.end()), Imf::HALF);
     } catch (const std::exception& error) {
         return machineError(5205, fmt::format("EXR cannot be encoded: {}", error.what()));
     }

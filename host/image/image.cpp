@@ -121,9 +121,9 @@ Result<Image> loadImage(const std::filesystem::path& path) {
     return decodeImage(std::as_bytes(std::span(*bytes)), path.string());
 }
 
-Result<void> writeExr(const std::filesystem::path& path, const Image& image) {
+Result<void> writeExr(const std::filesystem::path& path, const Image& image, ExrDepth depth) {
     assert(consistent(image));
-    const Result<std::string> bytes = codec::encodeExr(image);
+    const Result<std::string> bytes = codec::encodeExr(image, depth);
     if (!bytes) return bytes.error();
     return writeFile(path, *bytes);
 }

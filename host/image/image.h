@@ -41,8 +41,10 @@ struct Image {
 [[nodiscard]] Result<Image> loadImage(const std::filesystem::path& path);
 [[nodiscard]] Result<Image> decodeImage(std::span<const std::byte> bytes, const std::string& nameForMessages);
 
-/// 32-bit float EXR, ZIP, channels R G B A (or Y for one, R G for two), metadata as string attributes.
-[[nodiscard]] Result<void> writeExr(const std::filesystem::path& path, const Image& image);
+/// Half: values are rounded to the nearest, those beyond 65504 to infinity.
+enum class ExrDepth { Float, Half };
+/// EXR, ZIP, channels R G B A (or Y for one, R G for two), metadata as string attributes.
+[[nodiscard]] Result<void> writeExr(const std::filesystem::path& path, const Image& image, ExrDepth depth = ExrDepth::Float);
 
 /// How float values become 8-bit.
 enum class PngEncoding {

@@ -1,10 +1,10 @@
 #include "host/run/execute.h"
 
-#include "host/run/frame.h"
 #include "host/run/pixels.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -57,9 +57,15 @@ std::vector<PassReport> medians(const std::vector<Sections>& frames) {
         std::vector<double> times;
         for (const Sections& sections : frames)
             times.push_back(sections[i].milliseconds);
-        reports.push_back({.name = frames.front()[i].name, .milliseconds = median(std::move(times))});
+        reports.push_back({.name = frames.front()[i].name, .object = 0, .milliseconds = median(std::move(times))});
     }
     return reports;
+}
+
+void nameObjects(const Frame& frame, std::vector<PassReport>& reports) {
+    std::size_t next = 0;
+    for (const auto& item : frame.items)
+        if (const auto* draw = std::get_if<FrameDraw>(&item)) reports[next++].object = draw->object;
 }
 
 Result<std::vector<PassReport>> runFrames(const RunInput& input, const Frame& frame) {
@@ -70,7 +76,9 @@ Result<std::vector<PassReport>> runFrames(const RunInput& input, const Frame& fr
         if (!sections) return sections.error();
         if (i >= input.options.warmUpFrames) timed.push_back(std::move(*sections));
     }
-    return medians(timed);
+    auto reports = medians(timed);
+    nameObjects(frame, reports);
+    return reports;
 }
 
 std::string defined(const Effect& effect, std::string_view name, std::string_view otherwise) {
@@ -86,8 +94,20 @@ std::string settingName(const std::string& number) {
     return number == "2" ? "corrected" : number;
 }
 
+/// The different values of the objects' meshes, in order.
+template <class Value>
+std::string ofMeshes(std::span<const ObjectRun> objects, const Value& value) {
+    std::vector<std::string> all;
+    for (const ObjectRun& object : objects)
+        if (std::string text = value(*object.input.mesh); !text.empty() && std::ranges::find(all, text) == all.end())
+            all.push_back(std::move(text));
+    return fmt::format("{}", fmt::join(all, "; "));
+}
+
 /// What a picture must say about its making (docs/running.md, "Metadata").
-std::map<std::string, std::string> metadata(const RunInput& input, const Prepared& prepared) {
+std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects) {
+    const RunInput& input = objects.front().input;
+    const Prepared& prepared = objects.front().prepared;
     std::map<std::string, std::string> entries{{"effect", input.effect.file.filename().string()},
                                                {"technique", prepared.plan.technique->name},
                                                {"setting", settingName(defined(input.effect, "TEGUMENT_SETTING", "2"))},
@@ -97,10 +117,21 @@ std::map<std::string, std::string> metadata(const RunInput& input, const Prepare
                                                {"driver", input.device.info().driver}};
     if (const Numbers* seed = prepared.values.find("gSeed"); seed && !seed->empty()) entries["seed"] = fmt::format("{}", seed->front());
     if (!input.mesh || !prepared.drawsMesh) return entries;
-    entries["mesh"] = input.mesh->name;
-    entries["unit_mm"] = fmt::format("{}", input.mesh->unitMm);
-    if (!input.mesh->attribution.empty()) entries["attribution"] = input.mesh->attribution;
+    entries["mesh"] = ofMeshes(objects, [](const Mesh& mesh) { return mesh.name; });
+    entries["unit_mm"] = ofMeshes(objects, [](const Mesh& mesh) { return fmt::format("{}", mesh.unitMm); });
+    const std::string attribution = ofMeshes(objects, [](const Mesh& mesh) { return mesh.attribution; });
+    if (!attribution.empty()) entries["attribution"] = attribution;
     return entries;
+}
+
+/// Objects of one effect have most of their warnings in common.
+std::vector<Diagnostic> warningsOf(std::span<const ObjectRun> objects) {
+    std::vector<Diagnostic> all;
+    std::set<std::string> known;
+    for (const ObjectRun& object : objects)
+        for (const Diagnostic& warning : object.prepared.warnings)
+            if (known.insert(format(warning)).second) all.push_back(warning);
+    return all;
 }
 
 void reportTargets(const Resources& resources, RunResult& result) {
@@ -129,27 +160,35 @@ Result<void> readTargets(const RunInput& input, const std::vector<std::string>& 
 
 } // namespace
 
-Result<RunResult> execute(const RunInput& input, Prepared& prepared) {
-    const auto dump = targetsToDump(input, prepared);
+Result<RunResult> execute(std::span<const ObjectRun> objects, Resources& resources) {
+    const RunInput& input = objects.front().input;
+    const auto dump = targetsToDump(input, objects.back().prepared);
     if (!dump) return dump.error();
-    auto resources = allocate(input, prepared);
-    if (!resources) return resources.error();
-    const auto frame = buildFrame(input, prepared, *resources);
+    RunResult result;
+    result.deviceBytes = input.device.allocatedBytes();
+    const auto frame = buildFrame(objects, resources);
     if (!frame) return frame.error();
     auto passes = runFrames(input, *frame);
     if (!passes) return passes.error();
-    RunResult result;
     result.passes = std::move(*passes);
-    result.technique = prepared.plan.technique->name;
-    if (const auto read = readTargets(input, *dump, *resources, result); !read) return read.error();
-    result.image.metadata = metadata(input, prepared);
+    result.technique = objects.front().prepared.plan.technique->name;
+    if (const auto read = readTargets(input, *dump, resources, result); !read) return read.error();
+    result.image.metadata = metadata(objects);
     for (auto& dumped : result.dumped) {
         dumped.second.metadata = result.image.metadata;
         dumped.second.metadata["target"] = dumped.first;
     }
-    reportTargets(*resources, result);
-    result.warnings = std::move(prepared.warnings);
+    reportTargets(resources, result);
+    result.warnings = warningsOf(objects);
     return result;
+}
+
+Result<RunResult> execute(const RunInput& input, const Prepared& prepared) {
+    if (const auto dump = targetsToDump(input, prepared); !dump) return dump.error();
+    Resources resources;
+    if (const auto allocated = allocate(input, prepared, resources); !allocated) return allocated.error();
+    const ObjectRun only{input, prepared};
+    return execute(std::span(&only, 1), resources);
 }
 
 } // namespace tegument::run

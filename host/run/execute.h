@@ -1,13 +1,15 @@
 #pragma once
 // Runs what was prepared, frame after frame, and reads targets back.
 
-#include "host/run/prepare.h"
+#include "host/run/frame.h"
 
-#include <string>
+#include <span>
 
 namespace tegument::run {
 
-/// TG4029 a target to dump that the technique does not use.
-[[nodiscard]] Result<RunResult> execute(const RunInput& input, Prepared& prepared);
+/// One mesh, or none. TG4029 a target to dump that the technique does not use.
+[[nodiscard]] Result<RunResult> execute(const RunInput& input, const Prepared& prepared);
+/// Several, whose resources are allocated.
+[[nodiscard]] Result<RunResult> execute(std::span<const ObjectRun> objects, Resources& resources);
 
 } // namespace tegument::run

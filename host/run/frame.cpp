@@ -1,6 +1,7 @@
 #include "host/run/frame.h"
 
 #include "host/run/constants.h"
+#include "host/support/text.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +12,13 @@ namespace tegument::run {
 
 namespace {
 
+/// At work on one object of the frame.
 struct Builder {
     const RunInput& input;
     const Prepared& prepared;
+    int object;
     Resources& resources;
-    Frame frame;
+    Frame& frame;
 };
 
 /// A shader that does not write a bound target leaves it as it is in Direct3D; in Vulkan it would write undefined values.
@@ -99,7 +102,7 @@ Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& sha
         if (resource.kind == ResourceKind::Sampler || resource.kind == ResourceKind::CompareSampler)
             bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.samplers.at(resource.name));
         else
-            bound.resource = builder.resources.texture(resource.name);
+            bound.resource = builder.resources.texture(builder.prepared, resource.name);
         item.draw.resources.push_back(bound);
     }
     return {};
@@ -129,10 +132,10 @@ Extent extentOf(const gpu::Targets& targets) {
 Result<void> addDraw(Builder& builder, const DrawStep& step) {
     const auto instances = instancesOf(builder, step);
     if (!instances) return instances.error();
-    FrameDraw item{.name = step.pass->name, .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
+    FrameDraw item{.name = step.pass->name, .object = builder.object, .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
     const auto pipeline = pipelineFor(builder, step, item.targets);
     if (!pipeline) return pipeline.error();
-    const Geometry& geometry = step.kind == DrawKind::Buffer ? *builder.resources.quad : *builder.resources.mesh;
+    const Geometry& geometry = step.kind == DrawKind::Buffer ? *builder.resources.quad : builder.resources.meshes.at(builder.input.mesh);
     item.draw.pipeline = *pipeline;
     item.draw.vertices = &geometry.vertices;
     item.draw.indices = &geometry.indices;
@@ -147,13 +150,23 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     return {};
 }
 
+bool isCallers(const std::string& target) {
+    return target == kPicture || target == kPictureDepth;
+}
+
 Result<void> addStep(Builder& builder, const Step& step) {
     if (const auto* draw = std::get_if<DrawStep>(&step)) return addDraw(builder, *draw);
-    if (const auto* clear = std::get_if<ClearStep>(&step))
+    const auto* clear = std::get_if<ClearStep>(&step);
+    if (clear && (builder.object == 0 || !isCallers(clear->target)))
         builder.frame.items.emplace_back(FrameClear{&builder.resources.targets.at(clear->target), *clear});
     if (const auto* mips = std::get_if<MipStep>(&step))
         builder.frame.items.emplace_back(FrameMips{&builder.resources.targets.at(mips->target)});
     return {};
+}
+
+bool drawsMesh(const Step& step) {
+    const auto* draw = std::get_if<DrawStep>(&step);
+    return draw && draw->kind != DrawKind::Buffer;
 }
 
 Result<void> recordClear(const FrameClear& item, gpu::Recorder& recorder) {
@@ -173,11 +186,25 @@ Result<void> recordDraw(const FrameDraw& item, gpu::Recorder& recorder) {
 
 } // namespace
 
-Result<Frame> buildFrame(const RunInput& input, const Prepared& prepared, Resources& resources) {
-    Builder builder{.input = input, .prepared = prepared, .resources = resources, .frame = {}};
-    for (const Step& step : prepared.plan.steps)
-        if (const auto added = addStep(builder, step); !added) return added.error();
-    return std::move(builder.frame);
+Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources) {
+    Frame frame;
+    const auto add = [&](std::size_t index, const Step& step) {
+        Builder builder{.input = objects[index].input,
+                        .prepared = objects[index].prepared,
+                        .object = static_cast<int>(index),
+                        .resources = resources,
+                        .frame = frame};
+        return addStep(builder, step);
+    };
+    const auto& global = objects.front().input.effect.standardsGlobal;
+    const bool together = global && equalsIgnoreCase(global->scriptClass, "scene");
+    for (std::size_t script = 0; script < (together ? 1 : objects.size()); ++script)
+        for (const Step& step : objects[script].prepared.plan.steps) {
+            const bool everyMesh = together && drawsMesh(step);
+            for (std::size_t mesh = everyMesh ? 0 : script; mesh < (everyMesh ? objects.size() : script + 1); ++mesh)
+                if (const auto added = add(mesh, step); !added) return added.error();
+        }
+    return frame;
 }
 
 Result<void> record(const Frame& frame, gpu::Recorder& recorder) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -13,8 +14,15 @@
 
 namespace tegument::run {
 
+/// One mesh of a scene, prepared; or the only one.
+struct ObjectRun {
+    const RunInput& input;
+    const Prepared& prepared;
+};
+
 struct FrameDraw {
     std::string name;
+    int object = 0;
     gpu::Targets targets;
     gpu::Draw draw; // its spans point into `blocks`
     std::vector<std::vector<std::byte>> blocks;
@@ -37,8 +45,9 @@ struct Frame {
     std::vector<std::variant<FrameDraw, FrameClear, FrameMips>> items;
 };
 
-/// TG4006 the annotation Instances asks for an impossible number.
-[[nodiscard]] Result<Frame> buildFrame(const RunInput& input, const Prepared& prepared, Resources& resources);
+/// The scripts of all objects one after the other, the caller's targets cleared in the first only. An effect of script class "scene" runs
+/// its script once and draws all meshes where it draws geometry. TG4006 the annotation Instances asks for an impossible number.
+[[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
 /// Records the frame; each draw is a timed section with its pass's name.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder);

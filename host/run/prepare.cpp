@@ -40,6 +40,10 @@ Result<void> checkTextureNames(const RunInput& input) {
 
 Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
     for (const Pass* pass : prepared.plan.passes()) {
+        if (input.before && input.before->programs.contains(pass)) {
+            prepared.programs.emplace(pass, input.before->programs.at(pass));
+            continue;
+        }
         auto program = compilePass(input.effect, *pass, input.options.compiler);
         if (!program) return program.error();
         for (const Diagnostic& warning : program->vertex.warnings)
@@ -126,7 +130,7 @@ Result<Prepared> prepare(const RunInput& input) {
     if (const auto checked = checkTextureNames(input); !checked) return checked.error();
     Prepared prepared;
     const Extent picture{static_cast<std::uint32_t>(input.options.width), static_cast<std::uint32_t>(input.options.height)};
-    prepared.scene = viewScene(input.workspace, input.mesh, picture);
+    prepared.scene = input.placed ? viewScene(*input.placed, *input.mesh, picture) : viewScene(input.workspace, input.mesh, picture);
     const ValueSources sources{.set = &input.options.parameters,
                                .workspace = &input.workspace.parameters,
                                .workspaceFile = input.workspace.file.string(),

@@ -3,6 +3,7 @@
 // key is the hash of exactly this.
 
 #include "host/effect/model.h"
+#include "host/image/dds.h"
 #include "host/run/plan.h"
 #include "host/run/program.h"
 #include "host/run/run.h"
@@ -12,10 +13,13 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace tegument::run {
+
+struct Prepared;
 
 struct RunInput {
     gpu::Device& device; // producing effects run on it
@@ -23,15 +27,20 @@ struct RunInput {
     const Mesh* mesh = nullptr;
     const Workspace& workspace;
     const RunOptions& options;
-    std::vector<std::string> producers; // that are being run, to find circles
+    std::vector<std::string> producers;              // that are being run, to find circles
+    const PlacedObject* placed = nullptr;            // where the mesh stands; null: alone, where its file has it
+    const Prepared* before = nullptr;                // an object of the same scene: its compiled passes serve this one too
+    const std::set<std::string>* uploaded = nullptr; // keys of textures that the GPU holds already
 };
 
 /// A texture that is not a target, ready for upload.
 struct TextureData {
-    Image image;
+    Image image; // of a cube map: the first face; without pixels where the GPU holds it already
     gpu::Format format = gpu::Format::RGBA8;
     bool decode = false; // sRGB to linear on upload
-    bool mips = false;
+    bool mips = false;   // the chain is to be made
+    std::string key;     // equal for equal texels
+    DdsTexture file;     // a cube map, or a file that brings its mip levels; else without images
 };
 
 struct Prepared {

@@ -7,6 +7,7 @@
 #include "host/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -21,31 +22,95 @@ bool wantsMips(const Effect& effect, const std::string& texture) {
     });
 }
 
+bool isSrgb(const Parameter& parameter) {
+    return equalsIgnoreCase(parameter.annotations.string("ColorSpace").value_or("linear"), "sRGB");
+}
+
+bool isCube(const Parameter& parameter) {
+    return parameter.type.base == BaseType::TextureCube;
+}
+
 TextureData fromImage(const Parameter& parameter, Image image, bool mips) {
-    const bool srgb = equalsIgnoreCase(parameter.annotations.string("ColorSpace").value_or("linear"), "sRGB");
-    TextureData texture{.image = std::move(image), .format = {}, .decode = false, .mips = mips};
+    const bool srgb = isSrgb(parameter);
+    TextureData texture{.image = std::move(image), .format = {}, .decode = false, .mips = mips, .key = {}, .file = {}};
     texture.format = formatFor(texture.image, srgb);
     texture.decode = srgb && texture.image.bitsPerChannel == 16; // float files are linear already, 8 bits are decoded by the sampler
     return texture;
 }
 
-TextureData fromConstant(const ConstantSource& constant) {
-    Image image{.width = 1, .height = 1, .channels = 4, .pixels = {constant.begin(), constant.end()}};
-    return {.image = std::move(image), .format = gpu::Format::RGBA32F};
+/// A cube map, or the mip levels that a file brings, go to the GPU as they are.
+TextureData fromDds(const Parameter& parameter, DdsTexture file, bool mips) {
+    TextureData texture = fromImage(parameter, file.at(0, 0), mips && file.mips == 1);
+    if (file.isCube() || file.mips > 1) texture.file = std::move(file);
+    return texture;
+}
+
+TextureData fromConstant(const Parameter& parameter, const ConstantSource& constant) {
+    const Image texel{.width = 1, .height = 1, .channels = 4, .pixels = {constant.begin(), constant.end()}};
+    TextureData texture{.image = texel, .format = gpu::Format::RGBA32F, .decode = false, .mips = false, .key = {}, .file = {}};
+    if (isCube(parameter)) texture.file = {.format = DdsFormat::Rgba32F, .faces = 6, .mips = 1, .images = std::vector<Image>(6, texel)};
+    return texture;
+}
+
+/// 1.0 in a kernel size map would mark an invalid texel in the irradiance map; shaders read it as 0.99.
+void warnOfInvalidKernelSizes(const Parameter& parameter, const Image& image, std::vector<Diagnostic>& warnings) {
+    if (!equalsIgnoreCase(parameter.semantic, "KERNELSIZE")) return;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const std::size_t count = image.pixels.size() / channels;
+    std::size_t full = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        full += image.pixels[i * channels] >= 1 ? 1 : 0;
+    if (full == 0) return;
+    warnings.push_back({.severity = Severity::Warning,
+                        .code = 4034,
+                        .at = parameter.at,
+                        .text = fmt::format("{:.2f} % of the kernel size map's texels are 1.0, which marks texels without skin",
+                                            100.0 * static_cast<double>(full) / static_cast<double>(count)),
+                        .hint = "they are read as 0.99; paint 0.99 at most",
+                        .sourceLine = {}});
+}
+
+/// What makes two textures of a scene the same: where it comes from, and what is made of it. Textures drawn by other effects have the key
+/// of their cache file, which is known later: empty.
+std::string keyOf(const TextureSource& source, const Parameter& parameter, bool mips) {
+    if (const auto* constant = std::get_if<ConstantSource>(&source))
+        return fmt::format("constant {} cube {}", fmt::join(*constant, " "), isCube(parameter));
+    std::string from;
+    if (const auto* file = std::get_if<FileSource>(&source)) from = std::filesystem::weakly_canonical(file->path).string();
+    if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source)) from = fmt::format("mesh {}", fmt::ptr(*embedded));
+    if (from.empty()) return {};
+    return fmt::format("{} srgb {} mips {}", from, isSrgb(parameter), mips);
+}
+
+Result<TextureData> fromSource(const RunInput& input, const Parameter& parameter, const TextureSource& source, bool mips,
+                               std::vector<Diagnostic>& warnings) {
+    if (const auto* producer = std::get_if<ProducerSource>(&source)) return produceTexture(input, parameter, *producer, warnings);
+    if (const auto* constant = std::get_if<ConstantSource>(&source)) return fromConstant(parameter, *constant);
+    if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source)) {
+        warnOfInvalidKernelSizes(parameter, (*embedded)->image, warnings);
+        return fromImage(parameter, (*embedded)->image, mips);
+    }
+    auto file = loadNamed(parameter, std::get<FileSource>(source));
+    if (!file) return file.error();
+    TextureData texture = file->texture.images.empty() ? fromImage(parameter, std::move(file->picture), mips)
+                                                       : fromDds(parameter, std::move(file->texture), mips);
+    warnOfInvalidKernelSizes(parameter, texture.image, warnings);
+    return texture;
 }
 
 Result<TextureData> load(const RunInput& input, const Parameter& parameter, std::vector<Diagnostic>& warnings) {
     const auto source = findTexture(parameter, input.effect, input.options.textures, input.workspace, input.mesh);
     if (!source) return source.error();
+    const bool flat = std::holds_alternative<const EmbeddedTexture*>(*source) || std::holds_alternative<ProducerSource>(*source);
+    if (isCube(parameter) && flat)
+        return inputError(4038, parameter.at, fmt::format("{} is a TextureCube, and what would fill it is no cube map", parameter.name),
+                          fmt::format("give a DDS file with six faces: --set {}=FILE", parameter.name));
     const bool mips = wantsMips(input.effect, parameter.name);
-    if (const auto* file = std::get_if<FileSource>(&*source)) {
-        auto image = loadNamed(parameter, *file);
-        if (!image) return image.error();
-        return fromImage(parameter, std::move(*image), mips);
-    }
-    if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&*source)) return fromImage(parameter, (*embedded)->image, mips);
-    if (const auto* producer = std::get_if<ProducerSource>(&*source)) return produceTexture(input, parameter, *producer, warnings);
-    return fromConstant(std::get<ConstantSource>(*source));
+    const std::string key = keyOf(*source, parameter, mips);
+    if (input.uploaded && input.uploaded->contains(key)) return TextureData{.image = {}, .format = {}, .key = key, .file = {}};
+    auto texture = fromSource(input, parameter, *source, mips, warnings);
+    if (texture && !key.empty()) texture->key = key;
+    return texture;
 }
 
 } // namespace
@@ -61,8 +126,9 @@ Result<void> prepareTextures(const RunInput& input, Prepared& prepared) {
             return inputError(4005, {.file = input.effect.file.string(), .byte = {}},
                               fmt::format("a shader samples {}, which the effect does not declare outside FX_ENTRY", name),
                               "declare it outside the #ifdef");
-        if (parameter->type.base != BaseType::Texture2D)
-            return inputError(4032, parameter->at, fmt::format("{} is a {}: this host loads Texture2D only", name, parameter->type.name));
+        if (parameter->type.base != BaseType::Texture2D && !isCube(*parameter))
+            return inputError(4032, parameter->at,
+                              fmt::format("{} is a {}: this host loads Texture2D and TextureCube", name, parameter->type.name));
         auto texture = load(input, *parameter, prepared.warnings);
         if (!texture) return texture.error();
         prepared.textures.emplace(name, std::move(*texture));

@@ -32,6 +32,13 @@ std::string meshKey(const Mesh& mesh) {
                        hashOf(mesh.indices));
 }
 
+std::string textureKey(const TextureData& texture) {
+    std::string key = fmt::format("{} {}x{}", hashOf(texture.image.pixels), texture.image.width, texture.image.height);
+    for (const Image& image : texture.file.images)
+        key += " " + hashOf(image.pixels);
+    return key;
+}
+
 Result<std::string> sourceKey(const Effect& effect) {
     std::string key;
     std::vector<fs::path> files = effect.includes;
@@ -100,11 +107,13 @@ std::optional<Image> cached(const fs::path& path, const TargetDesc& target) {
     return fits ? std::optional(std::move(*image)) : std::nullopt;
 }
 
-Result<TextureData> draw(const RunInput& own, Prepared& prepared, const std::string& target, std::vector<Diagnostic>& warnings) {
+Result<TextureData> draw(const RunInput& own, Prepared& prepared, const std::string& target, const std::set<std::string>* uploaded,
+                         std::vector<Diagnostic>& warnings) {
     const TargetDesc& desc = prepared.targets.at(target);
-    TextureData texture{.image = {}, .format = productFormat(desc.format)};
     const auto key = productKey(own, prepared, target);
     if (!key) return key.error();
+    TextureData texture{.image = {}, .format = productFormat(desc.format), .key = "product " + *key, .file = {}};
+    if (uploaded && uploaded->contains(texture.key)) return texture;
     if (auto image = cached(productPath(*key), desc)) {
         texture.image = std::move(*image);
         return texture;
@@ -131,6 +140,15 @@ Result<void> checkProduct(const Effect& effect, const Prepared& prepared, const 
                       didYouMean(source.target, drawn));
 }
 
+/// A texture that is drawn once belongs to the mesh wherever it stands: it is drawn as if the mesh stood in its own space, camera and light
+/// moved along. So several heads of one mesh share it.
+std::optional<PlacedObject> inOwnSpace(const RunInput& input) {
+    if (!input.placed) return std::nullopt;
+    PlacedObject local{.placement = {}, .scene = seenFrom(input.placed->scene, input.placed->placement)};
+    local.placement.scale = input.placed->placement.scale;
+    return local;
+}
+
 Result<TextureData> produce(const RunInput& input, const ProducerSource& source, std::vector<Diagnostic>& warnings) {
     const std::string self = fs::weakly_canonical(source.effect).string();
     std::vector<std::string> chain = input.producers;
@@ -142,17 +160,19 @@ Result<TextureData> produce(const RunInput& input, const ProducerSource& source,
     const auto effect = loadEffect(source.effect, {.defines = input.effect.defines, .includeFolders = {}});
     if (!effect) return effect.error();
     const RunOptions options = producerOptions(input.options, *effect, source.target);
-    const RunInput own{.device = input.device,
-                       .effect = *effect,
-                       .mesh = input.mesh,
-                       .workspace = input.workspace,
-                       .options = options,
-                       .producers = std::move(chain)};
+    RunInput own{.device = input.device,
+                 .effect = *effect,
+                 .mesh = input.mesh,
+                 .workspace = input.workspace,
+                 .options = options,
+                 .producers = std::move(chain)};
+    const std::optional<PlacedObject> local = inOwnSpace(input);
+    own.placed = local ? &*local : nullptr;
     auto prepared = prepare(own);
     if (!prepared) return prepared.error();
     if (const auto checked = checkProduct(*effect, *prepared, source); !checked) return checked.error();
     if (const auto textures = prepareTextures(own, *prepared); !textures) return textures.error();
-    return draw(own, *prepared, source.target, warnings);
+    return draw(own, *prepared, source.target, input.uploaded, warnings);
 }
 
 } // namespace
@@ -171,7 +191,7 @@ Result<std::string> productKey(const RunInput& input, const Prepared& prepared, 
                         input.device.info().driver);
     *key += valueKey(prepared);
     for (const auto& [name, texture] : prepared.textures)
-        *key += fmt::format("{} {} {}x{}\n", name, hashOf(texture.image.pixels), texture.image.width, texture.image.height);
+        *key += fmt::format("{} {}\n", name, textureKey(texture));
     if (prepared.drawsMesh && input.mesh) *key += meshKey(*input.mesh);
     return contentHash(*key);
 }

@@ -14,6 +14,7 @@ namespace {
 
 Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Resources& resources) {
     for (const auto& [name, target] : prepared.targets) {
+        if (resources.targets.contains(name)) continue;
         auto texture = input.device.createTexture({.name = name,
                                                    .format = target.format,
                                                    .width = target.extent.width,
@@ -27,18 +28,36 @@ Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Re
     return {};
 }
 
+Result<void> uploadLevels(gpu::Device& device, const TextureData& data, gpu::Texture& texture) {
+    if (data.file.images.empty()) return device.upload(texture, texels(data.image, data.format, data.decode));
+    for (int face = 0; face < data.file.faces; ++face)
+        for (int mip = 0; mip < data.file.mips; ++mip) {
+            const auto uploaded = device.upload(texture, texels(data.file.at(face, mip), data.format, data.decode),
+                                                static_cast<std::uint32_t>(mip), static_cast<std::uint32_t>(face));
+            if (!uploaded) return uploaded;
+        }
+    return {};
+}
+
+Result<gpu::Texture> uploadTexture(gpu::Device& device, const std::string& name, const TextureData& data) {
+    auto texture = device.createTexture({.name = name,
+                                         .format = data.format,
+                                         .width = static_cast<std::uint32_t>(data.image.width),
+                                         .height = static_cast<std::uint32_t>(data.image.height),
+                                         .mips = data.mips ? 0U : static_cast<std::uint32_t>(data.file.mips),
+                                         .cube = data.file.isCube()});
+    if (!texture) return texture;
+    if (const auto uploaded = uploadLevels(device, data, *texture); !uploaded) return uploaded.error();
+    return texture;
+}
+
 Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Resources& resources) {
     std::vector<gpu::Texture*> chains;
     for (const auto& [name, data] : prepared.textures) {
-        auto texture = input.device.createTexture({.name = name,
-                                                   .format = data.format,
-                                                   .width = static_cast<std::uint32_t>(data.image.width),
-                                                   .height = static_cast<std::uint32_t>(data.image.height),
-                                                   .mips = data.mips ? 0U : 1U});
+        if (resources.textures.contains(data.key)) continue;
+        auto texture = uploadTexture(input.device, name, data);
         if (!texture) return texture.error();
-        const auto uploaded = input.device.upload(*texture, texels(data.image, data.format, data.decode));
-        if (!uploaded) return uploaded;
-        const auto placed = resources.textures.emplace(name, std::move(*texture));
+        const auto placed = resources.textures.emplace(data.key, std::move(*texture));
         if (data.mips) chains.push_back(&placed.first->second);
     }
     if (chains.empty()) return {};
@@ -58,6 +77,7 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
     for (const Sampler& sampler : input.effect.samplers)
         declared.push_back(sampler.name);
     for (const std::string& name : names) {
+        if (resources.samplers.contains(name)) continue;
         const Sampler* sampler = input.effect.findSampler(name);
         if (!sampler)
             return inputError(4005, {.file = input.effect.file.string(), .byte = {}},
@@ -71,29 +91,32 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
 }
 
 Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resources& resources) {
-    auto quad = uploadGeometry(input.device, fullScreenQuad());
-    if (!quad) return quad.error();
-    resources.quad = std::move(*quad);
-    if (!prepared.drawsMesh) return {};
+    if (!resources.quad) {
+        auto quad = uploadGeometry(input.device, fullScreenQuad());
+        if (!quad) return quad.error();
+        resources.quad = std::move(*quad);
+    }
+    if (!prepared.drawsMesh || resources.meshes.contains(input.mesh)) return {};
     auto mesh = uploadGeometry(input.device, *input.mesh);
     if (!mesh) return mesh.error();
-    resources.mesh = std::move(*mesh);
+    resources.meshes.emplace(input.mesh, std::move(*mesh));
     return {};
 }
 
 } // namespace
 
-gpu::Texture* Resources::texture(const std::string& name) {
+gpu::Texture* Resources::texture(const Prepared& prepared, const std::string& name) {
     if (const auto target = targets.find(name); target != targets.end()) return &target->second;
-    const auto found = textures.find(name);
+    const auto data = prepared.textures.find(name);
+    if (data == prepared.textures.end()) return nullptr;
+    const auto found = textures.find(data->second.key);
     return found == textures.end() ? nullptr : &found->second;
 }
 
-Result<Resources> allocate(const RunInput& input, const Prepared& prepared) {
-    Resources resources;
+Result<void> allocate(const RunInput& input, const Prepared& prepared, Resources& resources) {
     for (const auto step : {allocateTargets, uploadTextures, createSamplers, uploadMeshes})
-        if (const auto done = step(input, prepared, resources); !done) return done.error();
-    return resources;
+        if (const auto done = step(input, prepared, resources); !done) return done;
+    return {};
 }
 
 } // namespace tegument::run

@@ -15,15 +15,17 @@ namespace tegument::run {
 
 struct Resources {
     std::map<std::string, gpu::Texture> targets;
-    std::map<std::string, gpu::Texture> textures;
+    std::map<std::string, gpu::Texture> textures; // by TextureData::key
     std::map<std::string, gpu::Sampler> samplers;
-    std::optional<Geometry> mesh;
+    std::map<const Mesh*, Geometry> meshes;
     std::optional<Geometry> quad;
 
-    [[nodiscard]] gpu::Texture* texture(const std::string& name);
+    /// What a parameter's name means to an object.
+    [[nodiscard]] gpu::Texture* texture(const Prepared& prepared, const std::string& name);
 };
 
-/// Everything in `prepared.targets`, `prepared.textures` and what the passes sample with; the mesh only if a pass draws it.
-[[nodiscard]] Result<Resources> allocate(const RunInput& input, const Prepared& prepared);
+/// Everything in `prepared.targets`, `prepared.textures` and what the passes sample with, as far as it is not there yet; the mesh only if a
+/// pass draws it.
+[[nodiscard]] Result<void> allocate(const RunInput& input, const Prepared& prepared, Resources& resources);
 
 } // namespace tegument::run

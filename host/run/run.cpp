@@ -2,7 +2,30 @@
 
 #include "host/run/execute.h"
 
+#include <cassert>
+#include <deque>
+
 namespace tegument {
+
+namespace {
+
+PlacedScene placeScene(const Workspace& workspace, std::span<const RunObject> objects) {
+    std::vector<PlacedMesh> meshes;
+    for (const RunObject& object : objects)
+        meshes.push_back({.mesh = object.mesh, .placement = object.placement});
+    return placeScene(workspace, boundsOfAll(meshes));
+}
+
+/// The device holds its textures now: what they took in memory is free for the next object's.
+void forgetTexels(run::Prepared& prepared, std::set<std::string>& uploaded) {
+    for (auto& [name, texture] : prepared.textures) {
+        uploaded.insert(texture.key);
+        texture.image = {};
+        texture.file = {};
+    }
+}
+
+} // namespace
 
 Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
                             const RunOptions& options) {
@@ -12,6 +35,39 @@ Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mes
     if (!prepared) return prepared.error();
     if (const auto textures = run::prepareTextures(input, *prepared); !textures) return textures.error();
     return run::execute(input, *prepared);
+}
+
+Result<RunResult> runScene(gpu::Device& device, const Effect& effect, std::span<const RunObject> objects, const Workspace& workspace,
+                           const RunOptions& options) {
+    assert(!objects.empty());
+    const PlacedScene scene = placeScene(workspace, objects);
+    std::vector<run::PlacedObject> placed;
+    for (const RunObject& object : objects)
+        placed.push_back({.placement = object.placement, .scene = scene});
+    run::Resources resources;
+    std::set<std::string> uploaded;
+    std::deque<run::RunInput> inputs; // objects point at these two
+    std::deque<run::Prepared> prepared;
+    std::vector<run::ObjectRun> runs;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        inputs.push_back({.device = device,
+                          .effect = effect,
+                          .mesh = objects[i].mesh,
+                          .workspace = objects[i].workspace,
+                          .options = options,
+                          .producers = {},
+                          .placed = &placed[i],
+                          .before = prepared.empty() ? nullptr : &prepared.front(),
+                          .uploaded = &uploaded});
+        auto ready = run::prepare(inputs.back());
+        if (!ready) return ready.error();
+        if (const auto textures = run::prepareTextures(inputs.back(), *ready); !textures) return textures.error();
+        if (const auto allocated = run::allocate(inputs.back(), *ready, resources); !allocated) return allocated.error();
+        forgetTexels(*ready, uploaded);
+        prepared.push_back(std::move(*ready));
+        runs.push_back({inputs.back(), prepared.back()});
+    }
+    return run::execute(runs, resources);
 }
 
 } // namespace tegument

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,16 @@ struct RunOptions {
     int frames = 1; // pass times are medians over these
 };
 
+/// One mesh of a scene of several.
+struct RunObject {
+    const Mesh* mesh = nullptr;
+    Workspace workspace; // workspaceOf(): its own textures and parameters
+    Placement placement;
+};
+
 struct PassReport {
     std::string name; // "ConvolutionU" ...; a pass run several times: one entry per run, in order
+    int object = 0;   // which of the scene's objects it drew
     double milliseconds = 0;
 };
 
@@ -43,10 +52,11 @@ struct TargetReport {
 
 struct RunResult {
     Image image;                         // the caller's colour target, linear, RGBA 32-bit float
-    std::map<std::string, Image> dumped; // by target name, 1 to 4 channels; depth as one channel
+    std::map<std::string, Image> dumped; // by target name, 1 to 4 channels; depth as one channel; of several objects: the last one's
     std::vector<PassReport> passes;
     std::vector<TargetReport> targets; // only what was allocated
     std::uint64_t bytes = 0;           // of all targets
+    std::uint64_t deviceBytes = 0;     // of everything on the device: targets, textures, meshes
     std::string technique;
     std::vector<Diagnostic> warnings;
 };
@@ -56,5 +66,11 @@ struct RunResult {
 /// effect.
 [[nodiscard]] Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
                                           const RunOptions& options);
+
+/// The effect's script once for each object, in order, with the same targets: what it draws into the caller's targets adds up, hidden or
+/// not by their common depth; those are cleared once, before the first object. Every other target belongs to one object at a time, so
+/// memory does not grow with objects. The light's pyramid is fitted to each object alone: objects throw no shadow on each other.
+[[nodiscard]] Result<RunResult> runScene(gpu::Device& device, const Effect& effect, std::span<const RunObject> objects,
+                                         const Workspace& workspace, const RunOptions& options);
 
 } // namespace tegument

@@ -29,18 +29,18 @@ Numbers numbers(const glm::mat4& m) {
 
 struct MatrixName {
     std::string_view name;
+    bool world;                        // begins with the object's own matrix
     const glm::mat4 Matrices::*matrix; // null: identity
     const glm::mat4 Matrices::*inverse;
 };
 
-// The mesh is in world millimetres already: WORLD is the identity.
 constexpr std::array kMatrices = {
-    MatrixName{"WORLD", nullptr, nullptr},
-    MatrixName{"VIEW", &Matrices::view, &Matrices::inverseView},
-    MatrixName{"PROJECTION", &Matrices::projection, &Matrices::inverseProjection},
-    MatrixName{"WORLDVIEW", &Matrices::view, &Matrices::inverseView},
-    MatrixName{"VIEWPROJECTION", &Matrices::viewProjection, &Matrices::inverseViewProjection},
-    MatrixName{"WORLDVIEWPROJECTION", &Matrices::viewProjection, &Matrices::inverseViewProjection},
+    MatrixName{"WORLD", true, nullptr, nullptr},
+    MatrixName{"VIEW", false, &Matrices::view, &Matrices::inverseView},
+    MatrixName{"PROJECTION", false, &Matrices::projection, &Matrices::inverseProjection},
+    MatrixName{"WORLDVIEW", true, &Matrices::view, &Matrices::inverseView},
+    MatrixName{"VIEWPROJECTION", false, &Matrices::viewProjection, &Matrices::inverseViewProjection},
+    MatrixName{"WORLDVIEWPROJECTION", true, &Matrices::viewProjection, &Matrices::inverseViewProjection},
 };
 
 struct MatrixForm {
@@ -57,12 +57,20 @@ constexpr std::array<std::string_view, 11> kOthers = {"POSITION",       "DIFFUSE
                                                       "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE"};
 constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
 
-std::optional<glm::mat4> matrixOf(std::string_view semantic, const Matrices& view) {
+/// A mesh that stands where its file has it keeps the matrices of the view bit for bit.
+glm::mat4 withWorld(const glm::mat4& view, const glm::dmat4& world, bool inverse) {
+    if (world == glm::dmat4(1)) return view;
+    if (inverse) return glm::mat4(glm::inverse(world) * glm::dmat4(view));
+    return glm::mat4(glm::dmat4(view) * world); // GLM's order: first world, then view
+}
+
+std::optional<glm::mat4> matrixOf(std::string_view semantic, const Matrices& view, const glm::dmat4& world) {
     for (const MatrixName& base : kMatrices)
         for (const MatrixForm& form : kForms) {
             if (!equalsIgnoreCase(semantic, fmt::format("{}{}", base.name, form.suffix))) continue;
             const glm::mat4 Matrices::*member = form.inverse ? base.inverse : base.matrix;
-            const glm::mat4 matrix = member ? view.*member : glm::mat4(1);
+            glm::mat4 matrix = member ? view.*member : glm::mat4(1);
+            if (base.world) matrix = withWorld(matrix, world, form.inverse);
             return form.transpose ? glm::transpose(matrix) : matrix;
         }
     return std::nullopt;
@@ -126,6 +134,11 @@ Result<std::optional<Numbers>> fitted(const Parameter& parameter, Numbers value)
     return std::optional(std::move(value));
 }
 
+void fillMatrices(SceneView& scene, Extent picture) {
+    scene.camera = cameraMatrices(scene.placed.camera, static_cast<double>(picture.width) / picture.height);
+    scene.light = lightMatrices(scene.placed.light, scene.bounds);
+}
+
 Bounds unitBounds() {
     return {.minimum = glm::vec3(-1), .maximum = glm::vec3(1), .centre = glm::vec3(0), .radius = 1};
 }
@@ -135,8 +148,18 @@ Bounds unitBounds() {
 SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture) {
     SceneView scene{.hasMesh = mesh != nullptr, .bounds = mesh ? mesh->bounds : unitBounds(), .placed = {}, .camera = {}, .light = {}};
     scene.placed = placeScene(workspace, scene.bounds);
-    scene.camera = cameraMatrices(scene.placed.camera, static_cast<double>(picture.width) / picture.height);
-    scene.light = lightMatrices(scene.placed.light, scene.bounds);
+    fillMatrices(scene, picture);
+    return scene;
+}
+
+SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture) {
+    SceneView scene{.hasMesh = true,
+                    .bounds = placedBounds(mesh, object.placement),
+                    .world = worldMatrix(object.placement),
+                    .placed = object.scene,
+                    .camera = {},
+                    .light = {}};
+    fillMatrices(scene, picture);
     return scene;
 }
 
@@ -145,7 +168,7 @@ Result<std::optional<std::vector<double>>> semanticValue(const Parameter& parame
     const auto owner = ownerOf(parameter);
     if (!owner) return owner.error();
     const std::string semantic = toLower(parameter.semantic);
-    if (const auto matrix = matrixOf(semantic, *owner == Owner::Light ? scene.light : scene.camera))
+    if (const auto matrix = matrixOf(semantic, *owner == Owner::Light ? scene.light : scene.camera, scene.world))
         return fitted(parameter, numbers(*matrix));
     if (auto value = ofOwner(semantic, *owner, scene)) return fitted(parameter, std::move(*value));
     if (auto value = ofBounds(semantic, scene.bounds); value && scene.hasMesh) return fitted(parameter, std::move(*value));

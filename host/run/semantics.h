@@ -16,7 +16,8 @@ namespace tegument::run {
 /// Everything that semantics can ask for, in world millimetres.
 struct SceneView {
     bool hasMesh = false;
-    Bounds bounds;
+    Bounds bounds; // of the mesh, where it stands
+    glm::dmat4 world{1};
     PlacedScene placed;
     Matrices camera;
     Matrices light;
@@ -24,6 +25,13 @@ struct SceneView {
 
 /// `mesh` may be null: then camera and light look at a unit sphere, and bounds have no value.
 [[nodiscard]] SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture);
+
+/// Where a mesh stands, and the scene's camera and light.
+struct PlacedObject {
+    Placement placement;
+    PlacedScene scene;
+};
+[[nodiscard]] SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture);
 
 /// Numbers in row order as Parameter::defaultValue holds them. nullopt: the host binds nothing to this parameter, or it asks for a mesh
 /// that is not there. TG4013: the semantic's value does not have the parameter's type; TG4014: unknown Object. VIEWPORTPIXELSIZE depends on

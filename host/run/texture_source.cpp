@@ -1,5 +1,6 @@
 #include "host/run/texture_source.h"
 
+#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace tegument::run {
@@ -75,6 +77,34 @@ Error notFound(const Parameter& parameter, const Mesh* mesh) {
                       fmt::format("give a file: --set {}=FILE", parameter.name));
 }
 
+Result<LoadedFile> load(const fs::path& path) {
+    const auto bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    const auto view = std::as_bytes(std::span(*bytes));
+    LoadedFile file;
+    if (isDds(view)) {
+        auto texture = decodeDds(view, path.string());
+        if (!texture) return texture.error();
+        file.texture = std::move(*texture);
+        return file;
+    }
+    auto picture = decodeImage(view, path.string());
+    if (!picture) return picture.error();
+    file.picture = std::move(*picture);
+    return file;
+}
+
+/// Says whose texture it is and who named the file.
+Error named(Error error, const Parameter& parameter, const FileSource& source) {
+    error.diagnostics.push_back({.severity = Severity::Note,
+                                 .code = 4031,
+                                 .at = parameter.at,
+                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, source.namedBy),
+                                 .hint = {},
+                                 .sourceLine = {}});
+    return error;
+}
+
 } // namespace
 
 Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect, const std::map<std::string, std::string>& set,
@@ -89,17 +119,16 @@ Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effe
     return notFound(parameter, mesh);
 }
 
-Result<Image> loadNamed(const Parameter& parameter, const FileSource& source) {
-    auto image = loadImage(source.path);
-    if (image) return image;
-    Error error = image.error();
-    error.diagnostics.push_back({.severity = Severity::Note,
-                                 .code = 4031,
-                                 .at = parameter.at,
-                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, source.namedBy),
-                                 .hint = {},
-                                 .sourceLine = {}});
-    return error;
+Result<LoadedFile> loadNamed(const Parameter& parameter, const FileSource& source) {
+    auto file = load(source.path);
+    if (!file) return named(file.error(), parameter, source);
+    const bool cube = file->texture.isCube();
+    if (cube == (parameter.type.base == BaseType::TextureCube)) return file;
+    const char* what = cube ? "the file is a cube map" : "the file is no cube map";
+    return named(inputError(4038, {.file = source.path.string(), .byte = {}},
+                            fmt::format("{} is a {}; {}", parameter.name, parameter.type.name, what),
+                            cube ? "give a picture" : "give a DDS file with six faces"),
+                 parameter, source);
 }
 
 } // namespace tegument::run

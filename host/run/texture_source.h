@@ -2,7 +2,7 @@
 // Where the texture of a parameter comes from, in the order of docs/running.md: --set, workspace, mesh, ResourceName, Producer, Fallback.
 
 #include "host/effect/model.h"
-#include "host/image/image.h"
+#include "host/image/dds.h"
 #include "host/scene/mesh.h"
 #include "host/scene/workspace.h"
 
@@ -31,7 +31,12 @@ using TextureSource = std::variant<FileSource, const EmbeddedTexture*, ProducerS
                                                 const std::map<std::string, std::string>& set, const Workspace& workspace,
                                                 const Mesh* mesh);
 
-/// Named files must exist: an error of loadImage, with a note that names the parameter (TG4031).
-[[nodiscard]] Result<Image> loadNamed(const Parameter& parameter, const FileSource& source);
+/// A DDS file with all its faces and levels, any other as one face with one level. Named files must exist: what cannot be read is an error
+/// with a note that names the parameter (TG4031). TG4038 a cube map for a Texture2D or a picture for a TextureCube.
+struct LoadedFile {
+    DdsTexture texture;
+    Image picture; // when it was no DDS file; `texture` then has no images
+};
+[[nodiscard]] Result<LoadedFile> loadNamed(const Parameter& parameter, const FileSource& source);
 
 } // namespace tegument::run

@@ -108,6 +108,20 @@ Matrices lightMatrices(const Light& light, const Bounds& bounds) {
     return assemble(lookAt(position, centre, glm::dvec3(0, 1, 0)), fov, 1, planes.nearPlane, planes.farPlane);
 }
 
+PlacedScene seenFrom(const PlacedScene& scene, const Placement& placement) {
+    Placement rigid = placement;
+    rigid.scale = 1;
+    if (rigid == Placement{}) return scene;
+    const glm::dmat4 back = glm::inverse(worldMatrix(rigid));
+    const auto moved = [&](glm::vec3& point) { point = glm::vec3(transformPoint(back, glm::dvec3(point))); };
+    PlacedScene result = scene;
+    moved(result.camera.position);
+    moved(result.camera.target);
+    moved(result.light.position);
+    result.camera.up = glm::vec3(glm::dmat3(back) * glm::dvec3(scene.camera.up));
+    return result;
+}
+
 PlacedScene placeScene(const Workspace& workspace, const Bounds& bounds) {
     PlacedScene scene{.camera = workspace.camera, .light = workspace.light};
     const float unit = bounds.radius > 0 ? bounds.radius : 1;

@@ -28,16 +28,13 @@ public:
     Result<Workspace> read(const LocatedJson& root) {
         workspace_.file = path_;
         readObject(root, "the workspace",
-                   {{"mesh", [&](const LocatedJson& v) { readMeshPath(v); }},
-                    {"unit_mm", [&](const LocatedJson& v) { workspace_.unitMm = number(v, "unit_mm", kLeast, kMost); }},
-                    {"flip_v", [&](const LocatedJson& v) { workspace_.flipV = boolean(v, "flip_v"); }},
-                    {"head", [&](const LocatedJson& v) { workspace_.head = boolean(v, "head"); }},
-                    {"attribution", [&](const LocatedJson& v) { workspace_.attribution = string(v, "attribution"); }},
-                    {"camera", [&](const LocatedJson& v) { readCamera(v); }},
-                    {"light", [&](const LocatedJson& v) { readLight(v); }},
-                    {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
-                    {"textures", [&](const LocatedJson& v) { readTextures(v); }},
-                    {"parameters", [&](const LocatedJson& v) { readParameters(v); }}});
+                   withMeshKeys(workspace_, {{"objects", [&](const LocatedJson& v) { readObjects(v); }},
+                                             {"camera", [&](const LocatedJson& v) { readCamera(v); }},
+                                             {"light", [&](const LocatedJson& v) { readLight(v); }},
+                                             {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
+                                             {"textures", [&](const LocatedJson& v) { readTextures(v, workspace_.textures); }},
+                                             {"parameters", [&](const LocatedJson& v) { readParameters(v, workspace_.parameters); }}}));
+        refuseMeshBesideObjects(root);
         if (error_) return *error_;
         return std::move(workspace_);
     }
@@ -45,6 +42,7 @@ public:
 private:
     static constexpr double kLeast = 1e-6; // of lengths and units; nothing smaller is meant
     static constexpr double kMost = 1e9;
+    static constexpr std::size_t kMostObjects = 256; // the script runs once for each
 
     struct Key {
         std::string name;
@@ -79,10 +77,52 @@ private:
         fail(5401, member, fmt::format("unknown key '{}' in {}", name, what), near.empty() ? "known keys: " + all + ", comment" : near);
     }
 
-    void readMeshPath(const LocatedJson& value) {
+    /// The keys that say which mesh, in front of others.
+    std::vector<Key> withMeshKeys(MeshSource& source, const std::vector<Key>& others) {
+        std::vector<Key> keys = {{"mesh", [&](const LocatedJson& v) { readMeshPath(v, source); }},
+                                 {"unit_mm", [&](const LocatedJson& v) { source.unitMm = number(v, "unit_mm", kLeast, kMost); }},
+                                 {"flip_v", [&](const LocatedJson& v) { source.flipV = boolean(v, "flip_v"); }},
+                                 {"head", [&](const LocatedJson& v) { source.head = boolean(v, "head"); }},
+                                 {"attribution", [&](const LocatedJson& v) { source.attribution = string(v, "attribution"); }}};
+        keys.insert(keys.end(), others.begin(), others.end());
+        return keys;
+    }
+
+    void readObjects(const LocatedJson& value) {
+        if (!expect(value, LocatedJson::Kind::List, "objects")) return;
+        if (value.items.empty()) fail(5403, value, "objects is an empty list", "name one mesh at least, or leave objects out");
+        if (value.items.size() > kMostObjects)
+            fail(5403, value, fmt::format("{} objects, but {} at most can be drawn", value.items.size(), kMostObjects), {});
+        for (const LocatedJson& item : value.items)
+            if (!error_) readObject(item);
+    }
+
+    void readObject(const LocatedJson& value) {
+        const std::string what = fmt::format("objects[{}]", workspace_.objects.size());
+        SceneObject object;
+        readObject(value, what,
+                   withMeshKeys(object, {{"position", [&](const LocatedJson& v) { object.placement.position = vector(v, "position"); }},
+                                         {"rotation", [&](const LocatedJson& v) { object.placement.rotation = vector(v, "rotation"); }},
+                                         {"scale", [&](const LocatedJson& v) { object.placement.scale = real(v, "scale", 1e-3, 1e3); }},
+                                         {"textures", [&](const LocatedJson& v) { readTextures(v, object.textures); }},
+                                         {"parameters", [&](const LocatedJson& v) { readParameters(v, object.parameters); }}}));
+        if (!error_ && object.meshPath.empty()) fail(5407, value, fmt::format("{} names no mesh", what), "give its \"mesh\"");
+        workspace_.objects.push_back(std::move(object));
+    }
+
+    /// What describes the one mesh belongs into each of several objects.
+    void refuseMeshBesideObjects(const LocatedJson& root) {
+        if (error_ || workspace_.objects.empty()) return;
+        for (std::size_t i = 0; i < root.keys.size(); ++i)
+            for (const char* name : {"mesh", "unit_mm", "flip_v", "head", "attribution"})
+                if (root.keys[i] == name)
+                    fail(5407, root.items[i], fmt::format("'{}' stands beside 'objects'", name), "write it into each of the objects");
+    }
+
+    void readMeshPath(const LocatedJson& value, MeshSource& source) {
         const std::string path = expandedPath(value, "mesh");
         if (error_) return;
-        workspace_.meshPath = path;
+        source.meshPath = path;
         const std::string hint = path.find("human") != std::string::npos ? "run: tegument prep human" : "";
         if (options_.requireMesh) requireFile(value, path, hint);
     }
@@ -118,20 +158,20 @@ private:
             fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what), "give its position in millimetres");
     }
 
-    void readTextures(const LocatedJson& value) {
+    void readTextures(const LocatedJson& value, std::map<std::string, std::string>& textures) {
         if (!expect(value, LocatedJson::Kind::Object, "textures")) return;
         forEachMember(value, [&](const std::string& name, const LocatedJson& member) {
             const std::string path = expandedPath(member, "textures." + name);
             if (error_) return;
             if (options_.requireMesh) requireFile(member, path, "");
-            workspace_.textures[name] = path;
+            textures[name] = path;
         });
     }
 
-    void readParameters(const LocatedJson& value) {
+    void readParameters(const LocatedJson& value, std::map<std::string, std::vector<double>>& parameters) {
         if (!expect(value, LocatedJson::Kind::Object, "parameters")) return;
         forEachMember(value, [&](const std::string& name, const LocatedJson& member) {
-            workspace_.parameters[name] = parameterValue(member, "parameters." + name);
+            parameters[name] = parameterValue(member, "parameters." + name);
         });
     }
 
@@ -252,8 +292,19 @@ Result<Workspace> loadWorkspace(const fs::path& path, const WorkspaceOptions& op
     return parseWorkspace(*text, path, options);
 }
 
-MeshOptions meshOptions(const Workspace& workspace) {
-    return {.unitMm = workspace.unitMm, .flipV = workspace.flipV, .expectHead = workspace.head};
+MeshOptions meshOptions(const MeshSource& source) {
+    return {.unitMm = source.unitMm, .flipV = source.flipV, .expectHead = source.head};
+}
+
+Workspace workspaceOf(const Workspace& workspace, const SceneObject& object) {
+    Workspace own = workspace;
+    own.objects.clear();
+    static_cast<MeshSource&>(own) = object;
+    for (const auto& [name, file] : object.textures)
+        own.textures[name] = file;
+    for (const auto& [name, value] : object.parameters)
+        own.parameters[name] = value;
+    return own;
 }
 
 } // namespace tegument

@@ -2,6 +2,7 @@
 // The workspace of seed-style tools: global values that effects take by semantic or name. JSON, schema in docs/workspace.md.
 
 #include "host/scene/mesh.h"
+#include "host/scene/placement.h"
 #include "host/support/result.h"
 
 #include <glm/glm.hpp>
@@ -30,14 +31,26 @@ struct Light {
     glm::vec3 color{1};
 };
 
-struct Workspace {
-    std::filesystem::path file; // empty: built in defaults
-    std::string meshPath;       // relative to the file
+/// A mesh file and how it is to be read.
+struct MeshSource {
+    std::string meshPath; // relative to the workspace file
     std::optional<double> unitMm;
     std::string attribution;
     bool flipV = false; // the mesh file's v runs against its format's convention
     bool head = true;   // the mesh is a human head: its size is checked
-    /// "mesh" frame: position and target are relative to the mesh's bounding sphere centre in units of its radius; "world": mm.
+};
+
+/// One of several meshes in a scene.
+struct SceneObject : MeshSource {
+    Placement placement;
+    std::map<std::string, std::string> textures; // these win over the workspace's
+    std::map<std::string, std::vector<double>> parameters;
+};
+
+struct Workspace : MeshSource {
+    std::filesystem::path file;       // empty: built in defaults
+    std::vector<SceneObject> objects; // empty: the one mesh above
+    /// "mesh" frame: position and target are relative to the bounding sphere's centre in units of its radius; "world": mm.
     bool cameraRelative = true;
     bool lightRelative = true;
     Camera camera{.position = {0, 0, 5}}; // relative: a little more than the whole mesh
@@ -58,8 +71,11 @@ struct WorkspaceOptions {
 [[nodiscard]] Result<Workspace> parseWorkspace(const std::string& text, const std::filesystem::path& path,
                                                const WorkspaceOptions& options = {});
 
-/// How the workspace wants its mesh read.
-[[nodiscard]] MeshOptions meshOptions(const Workspace& workspace);
+/// How the workspace wants a mesh read.
+[[nodiscard]] MeshOptions meshOptions(const MeshSource& source);
+
+/// The workspace as one of its objects sees it: with its own mesh, textures and parameters.
+[[nodiscard]] Workspace workspaceOf(const Workspace& workspace, const SceneObject& object);
 
 /// Camera and light in world millimetres, planes fitted tightly to the bounds where they were not given.
 struct PlacedScene {
@@ -67,5 +83,7 @@ struct PlacedScene {
     Light light;
 };
 [[nodiscard]] PlacedScene placeScene(const Workspace& workspace, const Bounds& bounds);
+/// The same scene in the space of an object that stands so: turned and moved back, not scaled.
+[[nodiscard]] PlacedScene seenFrom(const PlacedScene& scene, const Placement& placement);
 
 } // namespace tegument

@@ -142,6 +142,16 @@ TEST_F(Textures, a_fallback_stands_in_where_nothing_names_a_file) {
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.1F, 0.2F, 0.3F, 0.4F}, 1e-6F));
 }
 
+TEST_F(Textures, kernel_sizes_of_one_are_warned_of_with_their_share) {
+    Mesh mesh = square();
+    mesh.textures.push_back({.role = "kernelSize", .image = {.width = 4, .height = 1, .channels = 1, .pixels = {0.5F, 1, 0.99F, 0}}});
+    const auto result = draw(pixel("Fallback"), &mesh);
+    ASSERT_TRUE(succeeded(result));
+    ASSERT_EQ(result->warnings.size(), 1U);
+    EXPECT_EQ(result->warnings.front().code, 4034);
+    EXPECT_EQ(result->warnings.front().text, "25.00 % of the kernel size map's texels are 1.0, which marks texels without skin");
+}
+
 TEST_F(Textures, a_texture_that_nothing_names_is_an_error_that_says_where_it_looked) {
     const auto result = draw(pixel("Resource"));
     ASSERT_EQ(code(result), 4030);

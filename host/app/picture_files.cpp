@@ -1,0 +1,81 @@
+#include "host/app/picture_files.h"
+
+#include "host/image/dds.h"
+#include "host/support/text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Eight bits, halves or floats as the target was declared; what DDS has no such form of becomes floats. `format` is a D3DFORMAT.
+DdsFormat ddsFormat(const Image& image, const std::string& format) {
+    const bool halves = format.find("16F") != std::string::npos;
+    if (image.channels == 1) return halves ? DdsFormat::R16F : DdsFormat::R32F;
+    if (image.channels == 2) return halves ? DdsFormat::Rg16F : DdsFormat::Rg32F;
+    if (format.find("8") != std::string::npos && format.find("F") == std::string::npos) return DdsFormat::Rgba8;
+    return halves ? DdsFormat::Rgba16F : DdsFormat::Rgba32F;
+}
+
+Result<void> writeTarget(const PictureOptions& options, const fs::path& path, const Image& image, const std::string& format) {
+    const std::string extension = toLower(path.extension().string());
+    if (extension == ".png") return writePng(path, image, PngEncoding::Raw);
+    if (extension == ".exr") return writeExr(path, image, format.find("16F") != std::string::npos ? ExrDepth::Half : ExrDepth::Float);
+    return writeDds(path, makeDds(image, ddsFormat(image, format), options.mips),
+                    options.ddsHeader == "d3d9" ? DdsHeader::Direct3D9 : DdsHeader::Dx10);
+}
+
+std::string formatOf(const RunResult& result, const std::string& target) {
+    const auto found = std::ranges::find(result.targets, target, &TargetReport::name);
+    return found == result.targets.end() ? std::string() : found->format;
+}
+
+} // namespace
+
+void addPictureOptions(CLI::App& command, PictureOptions& options) {
+    command.add_option("-o,--output", options.output, "Picture to write (.png, .exr or .dds); default: out/<effect>.png");
+    command.add_option("--dump-format", options.formats, "Of dumped targets: exr, dds (for engines) or png (for looking); may be repeated")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"exr", "dds", "png"}))
+        ->capture_default_str();
+    command.add_flag("--mips", options.mips, "Write DDS files with all their mip levels");
+    command.add_option("--dds-header", options.ddsHeader, "dx10, or d3d9 for Direct3D 9's loaders")
+        ->check(CLI::IsMember({"dx10", "d3d9"}))
+        ->capture_default_str();
+}
+
+Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effect) {
+    const fs::path output = options.output.empty() ? fs::path("out") / effect.stem().concat(".png") : fs::path(options.output);
+    const std::string extension = toLower(output.extension().string());
+    if (extension == ".png" || extension == ".exr" || extension == ".dds") return output;
+    return usageError(8016, fmt::format("{} is none of .png, .exr and .dds", output.string()),
+                      "PNG is for looking, EXR and DDS hold the linear floats");
+}
+
+fs::path dumpPath(const fs::path& output, const std::string& target, const std::string& format) {
+    fs::path path = output;
+    return path.replace_extension(fmt::format(".{}.{}", target, format));
+}
+
+Result<std::vector<fs::path>> writePictures(const PictureOptions& options, const fs::path& output, const RunResult& result) {
+    std::vector<fs::path> written;
+    for (const auto& [name, image] : result.dumped)
+        for (const std::string& format : options.formats) {
+            written.push_back(dumpPath(output, name, format));
+            if (const auto done = writeTarget(options, written.back(), image, formatOf(result, name)); !done) return done.error();
+        }
+    const bool display = toLower(output.extension().string()) == ".png";
+    const auto done =
+        display ? writePng(output, result.image, PngEncoding::Display) : writeTarget(options, output, result.image, "A32B32G32R32F");
+    if (!done) return done.error();
+    written.push_back(output);
+    return written;
+}
+
+} // namespace tegument::app

@@ -1,0 +1,90 @@
+#include "host/app/scene.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <tuple>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// --workspace, else the human of the effects' own folder, else built-in defaults. With --mesh only its camera and light stay.
+Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
+    const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
+    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
+    const fs::path human = fs::path(options.effect).parent_path() / "workspaces" / "human.json";
+    std::error_code code;
+    if (!fs::exists(human, code)) return Workspace{};
+    Result<Workspace> workspace = loadWorkspace(human, load);
+    if (!workspace || options.mesh.empty()) return workspace;
+    workspace->attribution.clear(); // these spoke of the human
+    workspace->textures.clear();
+    workspace->unitMm.reset();
+    workspace->flipV = false;
+    return workspace;
+}
+
+fs::path beside(const Workspace& workspace, const std::string& path) {
+    return workspace.file.has_parent_path() ? workspace.file.parent_path() / path : fs::path(path);
+}
+
+Result<Mesh> readMesh(const fs::path& path, const MeshOptions& load, const std::string& attribution) {
+    Result<Mesh> mesh = loadMesh(path, load);
+    if (mesh && mesh->attribution.empty()) mesh->attribution = attribution;
+    return mesh;
+}
+
+Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
+    const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
+    if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
+    MeshOptions load = meshOptions(workspace);
+    if (options.unitMm) load.unitMm = options.unitMm;
+    return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
+}
+
+/// Objects whose meshes are read alike share one.
+Result<void> loadObjects(Scene& scene) {
+    std::map<std::tuple<std::string, std::optional<double>, bool, bool, std::string>, const Mesh*> known;
+    for (const SceneObject& object : scene.workspace.objects) {
+        const fs::path path = beside(scene.workspace, object.meshPath);
+        const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, object.head, object.attribution}];
+        if (!mesh) {
+            auto read = readMesh(path, meshOptions(object), object.attribution);
+            if (!read) return read.error();
+            mesh = &scene.meshes.emplace_back(std::move(*read));
+        }
+        scene.objects.push_back({.mesh = mesh, .workspace = workspaceOf(scene.workspace, object), .placement = object.placement});
+    }
+    return {};
+}
+
+} // namespace
+
+Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
+    auto workspace = chooseWorkspace(options, needsMesh);
+    if (!workspace) return workspace.error();
+    Scene scene{.workspace = std::move(*workspace), .meshes = {}, .objects = {}};
+    if (!needsMesh) return scene;
+    if (!scene.workspace.objects.empty()) {
+        if (!options.mesh.empty() || options.unitMm)
+            return usageError(8017,
+                              fmt::format("{} has {} objects: which of them is meant?", options.workspace, scene.workspace.objects.size()),
+                              "leave --mesh and --unit-mm out, or give a workspace of one mesh");
+        if (const auto loaded = loadObjects(scene); !loaded) return loaded.error();
+        return scene;
+    }
+    auto mesh = chooseMesh(options, scene.workspace);
+    if (!mesh) return mesh.error();
+    scene.meshes.push_back(std::move(*mesh));
+    return scene;
+}
+
+Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options) {
+    if (!scene.objects.empty()) return runScene(device, effect, scene.objects, scene.workspace, options);
+    return runEffect(device, effect, scene.meshes.empty() ? nullptr : &scene.meshes.front(), scene.workspace, options);
+}
+
+} // namespace tegument::app

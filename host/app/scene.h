@@ -1,0 +1,32 @@
+#pragma once
+// The scene of a run, read from disk: workspace and meshes.
+
+#include "host/run/run.h"
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument::app {
+
+struct SceneOptions {
+    std::string effect;    // the effect file: its folder has the default workspace
+    std::string workspace; // empty: the human of the effects' own folder, else built-in defaults
+    std::string mesh;      // in place of the workspace's
+    std::optional<double> unitMm;
+};
+
+/// `workspace.objects` empty: one mesh, or none.
+struct Scene {
+    Workspace workspace;
+    std::deque<Mesh> meshes; // each file once, however many objects have it
+    std::vector<RunObject> objects;
+};
+
+/// Without `needsMesh` none is read, nor need it exist. TG8014 none was given, TG8017 --mesh or --unit-mm for a scene of several objects.
+[[nodiscard]] Result<Scene> loadScene(const SceneOptions& options, bool needsMesh);
+
+[[nodiscard]] Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options);
+
+} // namespace tegument::app

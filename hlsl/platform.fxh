@@ -24,9 +24,11 @@
 #define SAMPLER2D(s, filter, address) SamplerState s { Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
 #endif
 #define SAMPLER2D_SRGB(s, filter, address) SAMPLER2D(s, filter, address)
+#define SAMPLERCUBE(s, filter) SAMPLER2D(s, filter, CLAMP)
 #define SAMPLER2D_OF(s, map, filter, address) SAMPLER2D(s, filter, address)
 #define tex2D(s, uv) s##Map.Sample(s, uv)
 #define tex2Dlod(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
+#define texCUBE(s, direction) s##Map.Sample(s, direction)
 #define SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
 #define SAMPLER2D_ARG(s) s##Map, s
 #define SAMPLER2D_ARG_OF(s, map) map, s
@@ -35,10 +37,23 @@
 #define SAMPLER2D(s, filter, address) sampler2D s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
 #define SAMPLER2D_SRGB(s, filter, address) sampler2D s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; SRGBTexture = TRUE; }
 #define SAMPLER2D_OF(s, map, filter, address) sampler2D s { Texture = <map>; Filter = MIN_MAG_MIP_##filter; AddressU = address; AddressV = address; }
+#define SAMPLERCUBE(s, filter) samplerCUBE s { Texture = <s##Map>; Filter = MIN_MAG_MIP_##filter; AddressU = CLAMP; AddressV = CLAMP; AddressW = CLAMP; }
 #define SAMPLER2D_PARAM(s) sampler2D s
 #define SAMPLER2D_ARG(s) s
 #define SAMPLER2D_ARG_OF(s, map) s
 #define HALF_PIXEL(position, viewport) ((position) + float4(float2(-1, 1) / (viewport) * (position).w, 0, 0))
+#endif
+
+// Layers drawn over one another: SM4 draws them as instances of one draw (pass annotation Instances), Direct3D 9 in a loop of the script whose index
+// it writes into a parameter. LAYER_INPUT declares a vertex shader's input, LAYER_INDEX(looped) is the layer, counted from 0.
+#ifdef FX_SM4
+#define LAYER_INPUT(type, name) type name, uint fxInstance : SV_InstanceID
+#define LAYER_INDEX(looped) ((float)fxInstance)
+#define LAYER_SCRIPT(count, index, passName) "Pass=" passName ";"
+#else
+#define LAYER_INPUT(type, name) type name
+#define LAYER_INDEX(looped) (looped)
+#define LAYER_SCRIPT(count, index, passName) "LoopByCount=" count "; LoopGetIndex=" index "; Pass=" passName "; LoopEnd;"
 #endif
 
 // Full state sets, one per pass: Direct3D 9 keeps what the pass before has set. Front faces are counter-clockwise (docs/conventions.md).
@@ -46,6 +61,7 @@
 //   STATE_SOLID     depth test and write, back faces culled
 //   STATE_TWOSIDED  depth test and write, both faces: maps seen from the light
 //   STATE_EQUAL     drawn where the depth target holds the depth of the fragment, both faces
+//   STATE_LAYER     depth test and write, back faces culled, blended over what is there by alpha
 //   STATE_PREPASS   writes depth where it is greater, no colour, both faces
 #ifdef FX_TECHNIQUES
 #ifdef FX_SM4
@@ -64,27 +80,35 @@ DepthStencilState fxDepthEqual { DepthEnable = TRUE; DepthWriteMask = ZERO; Dept
 DepthStencilState fxDepthGreater { DepthEnable = TRUE; DepthWriteMask = ALL; DepthFunc = GREATER; };
 BlendState fxOpaque { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 15; };
 BlendState fxNoColour { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 0; };
+BlendState fxOver { BlendEnable[0] = TRUE; SrcBlend = SRC_ALPHA; DestBlend = INV_SRC_ALPHA; BlendOp = ADD; SrcBlendAlpha = ONE; DestBlendAlpha = INV_SRC_ALPHA; BlendOpAlpha = ADD; RenderTargetWriteMask[0] = 15; };
 RasterizerState fxBothFaces { CullMode = NONE; FrontCounterClockwise = TRUE; };
 RasterizerState fxFrontFaces { CullMode = BACK; FrontCounterClockwise = TRUE; };
 #define FX_STATE(depth, blend, faces) SetDepthStencilState(depth, 0); SetBlendState(blend, float4(0, 0, 0, 0), 0xffffffff); SetRasterizerState(faces)
 #define STATE_BUFFER FX_STATE(fxDepthOff, fxOpaque, fxBothFaces)
 #define STATE_SOLID FX_STATE(fxDepthLess, fxOpaque, fxFrontFaces)
 #define STATE_TWOSIDED FX_STATE(fxDepthLess, fxOpaque, fxBothFaces)
+#define STATE_LAYER FX_STATE(fxDepthLess, fxOver, fxFrontFaces)
 #define STATE_EQUAL FX_STATE(fxDepthEqual, fxOpaque, fxBothFaces)
 #define STATE_PREPASS FX_STATE(fxDepthGreater, fxNoColour, fxBothFaces)
 #else
 #define VS_MODEL vs_3_0
 #define PS_MODEL ps_3_0
-#define FX_STATE(test, write, compare, colour, cull) ZEnable = test; ZWriteEnable = write; ZFunc = compare; ColorWriteEnable = colour; CullMode = cull; AlphaBlendEnable = FALSE; AlphaTestEnable = FALSE; StencilEnable = FALSE; SRGBWriteEnable = FALSE
-#define STATE_BUFFER FX_STATE(FALSE, FALSE, ALWAYS, 15, NONE)
-#define STATE_SOLID FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CW)
-#define STATE_TWOSIDED FX_STATE(TRUE, TRUE, LESSEQUAL, 15, NONE)
-#define STATE_EQUAL FX_STATE(TRUE, FALSE, EQUAL, 15, NONE)
-#define STATE_PREPASS FX_STATE(TRUE, TRUE, GREATER, 0, NONE)
+#define FX_STATE(test, write, compare, colour, cull, blend) ZEnable = test; ZWriteEnable = write; ZFunc = compare; ColorWriteEnable = colour; CullMode = cull; AlphaBlendEnable = blend; AlphaTestEnable = FALSE; StencilEnable = FALSE; SRGBWriteEnable = FALSE
+#define STATE_BUFFER FX_STATE(FALSE, FALSE, ALWAYS, 15, NONE, FALSE)
+#define STATE_SOLID FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CW, FALSE)
+#define STATE_TWOSIDED FX_STATE(TRUE, TRUE, LESSEQUAL, 15, NONE, FALSE)
+#define STATE_LAYER FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CW, TRUE); SrcBlend = SRCALPHA; DestBlend = INVSRCALPHA; BlendOp = ADD; SeparateAlphaBlendEnable = TRUE; SrcBlendAlpha = ONE; DestBlendAlpha = INVSRCALPHA; BlendOpAlpha = ADD
+#define STATE_EQUAL FX_STATE(TRUE, FALSE, EQUAL, 15, NONE, FALSE)
+#define STATE_PREPASS FX_STATE(TRUE, TRUE, GREATER, 0, NONE, FALSE)
 #endif
 
 // One line per pass: its name, entry points, states.
 #define MESH_PASS(name, vs, ps, states) pass name < string Script = "Draw=Geometry;"; > { VertexShader = compile VS_MODEL vs(); PixelShader = compile PS_MODEL ps(); states; }
+#ifdef FX_SM4
+#define LAYER_PASS(name, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Instances = count; > { VertexShader = compile VS_MODEL vs(); PixelShader = compile PS_MODEL ps(); states; }
+#else
+#define LAYER_PASS(name, count, vs, ps, states) MESH_PASS(name, vs, ps, states)
+#endif
 #define QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; > { VertexShader = compile VS_MODEL vs(); PixelShader = compile PS_MODEL ps(); states; }
 #endif
 

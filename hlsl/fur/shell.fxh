@@ -1,0 +1,39 @@
+// Shells: the mesh drawn once more for each of n layers, moved out along its normals (seed 004, "extrusao da malha"):
+//   P' = P + N * K * meshRadius * l / n,  l = 1 .. n; layer 0 is the mesh itself. K and n may change from frame to frame.
+#ifndef TEGUMENT_FUR_SHELL_FXH
+#define TEGUMENT_FUR_SHELL_FXH
+
+// Height of a layer in the coat, 0 the skin, 1 the tips. index counts from 0; outerFirst 1 draws the outermost shell first.
+float furLayerHeight(float index, float layers, float outerFirst)
+{
+    float count = max(layers, 1.0);
+    return saturate(lerp(index + 1.0, count - index, outerFirst) / count);
+}
+
+// mm. furLength: K, the coat's thickness as a share of the mesh's radius (mm).
+float furDistance(float furLength, float meshRadius, float height)
+{
+    return furLength * meshRadius * height;
+}
+
+// From the root to the point at this height, in units of the distance along the normal; lean 0 upright, 1 tips as far down as out. World is y up.
+float3 furStrand(float3 normal, float lean, float height)
+{
+    return normal + float3(0.0, -lean * height, 0.0);
+}
+
+// Unit direction of the strand there: derivative of height * furStrand.
+float3 furTangent(float3 normal, float lean, float height)
+{
+    return safeNormalize(normal + float3(0.0, -2.0 * lean * height, 0.0));
+}
+
+// How much of a texel is covered at this height. alpha: of a fur map, the height at which its strands end; taper 0 takes it as coverage, whatever the
+// height (the seed's maps hold 0 and 1), 1 compares it with the height, across `softness` of it.
+float furCoverage(float alpha, float height, float taper, float softness)
+{
+    float standing = saturate((alpha - height) / max(softness, 1e-4) + 0.5);
+    return lerp(alpha, min(standing, saturate(alpha * 1e4)), taper);
+}
+
+#endif

@@ -1,0 +1,23 @@
+#pragma once
+// The orders, each for one piece. All return the piece's faces as a list of corners: every face once, with its winding.
+
+#include "meshprep/order/piece.h"
+
+namespace tegument::order {
+
+using Corners = std::vector<std::uint32_t>;
+
+/// For a FIFO cache of `entries` vertices.
+[[nodiscard]] Corners linYu(const Piece& piece, unsigned entries);
+
+/// For a FIFO cache of `entries` vertices; a strip is broken off when more than `limit` vertices would have come since the start of the
+/// next. `links`: of `linkFaces`.
+[[nodiscard]] Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit);
+
+/// For a FIFO cache of `entries` vertices.
+[[nodiscard]] Corners tipsify(const Piece& piece, unsigned entries);
+
+/// meshoptimizer's; `entries` matter only where a vertex has so many faces that its general order would take quadratic time.
+[[nodiscard]] Corners meshopt(const Piece& piece, unsigned entries);
+
+} // namespace tegument::order

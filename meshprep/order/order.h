@@ -1,0 +1,33 @@
+#pragma once
+// The triangles of a mesh in an order that lets the GPU reuse transformed vertices. docs/orders.md.
+
+#include "meshprep/order/cache.h"
+
+#include <span>
+#include <vector>
+
+namespace tegument::order {
+
+enum class Method {
+    LinYu,   // G. Lin, T. P.-Y. Yu, An improved vertex caching scheme for 3D mesh rendering, TVCG 12(4), 2006
+    Hoppe,   // H. Hoppe, Optimization of mesh locality for transparent vertex caching, SIGGRAPH 1999, in the form that D3DX ships
+    Tipsify, // P. Sander, D. Nehab, J. Barczak, Fast triangle reordering for vertex locality and reduced overdraw, SIGGRAPH 2007
+    Meshopt, // meshoptimizer's vertex-cache optimiser
+    Best     // for each component the best of those that suit the cache, and never worse than what came in
+};
+
+/// "lin-yu", "hoppe", "tipsify", "meshopt" or "best"; TG7041 otherwise.
+[[nodiscard]] Result<Method> parseMethod(std::string_view text);
+[[nodiscard]] std::string_view name(Method method);
+
+/// The same triangles, each with its winding, in a new order; a triangle's first corner may change. Any triangles are taken: degenerate,
+/// repeated, many to an edge, unconnected; vertices that no triangle names are ignored. Time grows linearly with the triangles, whatever
+/// the vertices' valences. Fails with TG7042 when an index is not below `vertexCount` or the list is no list of triangles, and with TG7043
+/// when there is not enough memory or there are more than 2^30 triangles.
+[[nodiscard]] Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
+                                                         const CacheModel& cache);
+
+/// Whether both lists hold the same triangles with the same winding, each as often: first corners and order may differ.
+[[nodiscard]] bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
+
+} // namespace tegument::order

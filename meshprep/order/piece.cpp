@@ -1,0 +1,97 @@
+#include "meshprep/order/piece.h"
+
+#include <limits>
+
+namespace tegument::order {
+
+namespace {
+
+/// Components below this size are gathered: a soup of a million triangles is not a million runs of every order.
+constexpr std::size_t kSmallPiece = 1024;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+bool namedBefore(std::span<const std::uint32_t> corners, std::size_t corner) {
+    const std::size_t face = corner - corner % 3;
+    for (std::size_t i = face; i < corner; ++i)
+        if (corners[i] == corners[corner]) return true;
+    return false;
+}
+
+/// A search in breadth over the faces; what it reaches is numbered in the order of reaching.
+class Search {
+public:
+    Search(std::span<const std::uint32_t> indices, std::size_t vertexCount, std::vector<std::uint32_t>& reached)
+        : indices_(indices), around_(facesOfVertices(indices, vertexCount)), number_(vertexCount, kNone), taken_(indices.size() / 3, 0),
+          reached_(reached) {}
+
+    [[nodiscard]] bool taken(std::size_t face) const { return taken_[face] != 0; }
+
+    /// Takes all faces that hang together with this one; `out` gets their corners, numbered from `base` on.
+    void spread(std::size_t face, std::size_t base, std::vector<std::uint32_t>& out) {
+        std::size_t next = reached_.size();
+        take(face, base, out);
+        for (; next < reached_.size(); ++next)
+            for (const std::uint32_t f : around_.of(reached_[next]))
+                if (!taken(f)) take(f, base, out);
+    }
+
+private:
+    void take(std::size_t face, std::size_t base, std::vector<std::uint32_t>& out) {
+        taken_[face] = 1;
+        for (const std::uint32_t vertex : indices_.subspan(3 * face, 3)) {
+            if (number_[vertex] == kNone) {
+                number_[vertex] = static_cast<std::uint32_t>(reached_.size() - base);
+                reached_.push_back(vertex);
+            }
+            out.push_back(number_[vertex]);
+        }
+    }
+
+    std::span<const std::uint32_t> indices_;
+    VertexFaces around_;
+    std::vector<std::uint32_t> number_;
+    std::vector<std::uint8_t> taken_;
+    std::vector<std::uint32_t>& reached_;
+};
+
+} // namespace
+
+VertexFaces facesOfVertices(std::span<const std::uint32_t> corners, std::size_t vertexCount) {
+    VertexFaces around;
+    around.first.assign(vertexCount + 1, 0);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (!namedBefore(corners, i)) ++around.first[corners[i]];
+    std::uint32_t end = 0;
+    for (std::uint32_t& first : around.first)
+        first = end += first;
+    around.faces.resize(end);
+    for (std::size_t i = corners.size(); i-- > 0;)
+        if (!namedBefore(corners, i)) around.faces[--around.first[corners[i]]] = static_cast<std::uint32_t>(i / 3);
+    return around;
+}
+
+Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount) {
+    Search search(indices, vertexCount, original_);
+    corners_.reserve(indices.size());
+    for (std::size_t face = 0; face < indices.size() / 3; ++face) {
+        if (search.taken(face)) continue;
+        const std::size_t faces = corners_.size() / 3;
+        if (pieces_.empty() || faces - pieces_.back().face >= kSmallPiece) pieces_.push_back({.face = faces, .vertex = original_.size()});
+        search.spread(face, pieces_.back().vertex, corners_);
+    }
+}
+
+Piece Pieces::piece(std::size_t i) const {
+    const auto corners = std::span(corners_).subspan(3 * pieces_[i].face, 3 * (end(i).face - pieces_[i].face));
+    const std::size_t vertices = end(i).vertex - pieces_[i].vertex;
+    return {.corners = corners, .vertexCount = static_cast<std::uint32_t>(vertices), .around = facesOfVertices(corners, vertices)};
+}
+
+void Pieces::restore(std::size_t i, std::span<const std::uint32_t> corners, std::span<std::uint32_t> out) const {
+    const std::span numbers = std::span(original_).subspan(pieces_[i].vertex);
+    for (std::size_t c = 0; c < corners.size(); ++c)
+        out[3 * pieces_[i].face + c] = numbers[corners[c]];
+}
+
+} // namespace tegument::order

@@ -1,0 +1,160 @@
+#include "meshprep/order/order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace tegument::order {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+constexpr Method kMethods[] = {Method::LinYu, Method::Hoppe, Method::Tipsify, Method::Meshopt, Method::Best};
+constexpr CacheModel kModels[] = {fifo(3), fifo(16), fifo(64), lru(16), kWarp};
+
+struct Input {
+    const char* name;
+    Indices indices;
+    std::size_t vertices = 0;
+};
+
+Indices grid(std::uint32_t side) {
+    Indices out;
+    for (std::uint32_t y = 0; y < side; ++y)
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const std::uint32_t a = y * (side + 1) + x;
+            const std::uint32_t c = a + side + 1;
+            out.insert(out.end(), {a, c, a + 1, a + 1, c, c + 1});
+        }
+    return out;
+}
+
+Indices fan(std::uint32_t valence) {
+    Indices out;
+    for (std::uint32_t i = 0; i < valence; ++i)
+        out.insert(out.end(), {0, 1 + i, 1 + (i + 1) % valence});
+    return out;
+}
+
+/// Corners anywhere: every edge crowded, corners repeated, triangles repeated.
+Indices soup(std::size_t faces, std::uint32_t vertices) {
+    std::mt19937 random(5);
+    Indices out(3 * faces);
+    for (std::uint32_t& index : out)
+        index = static_cast<std::uint32_t>(random() % vertices);
+    return out;
+}
+
+Indices twice(Indices indices) {
+    const Indices once = indices;
+    indices.insert(indices.end(), once.begin(), once.end());
+    return indices;
+}
+
+/// Every triangle and the same seen from behind.
+Indices doubled(Indices indices) {
+    const Indices front = indices;
+    for (std::size_t i = 0; i < front.size(); i += 3)
+        indices.insert(indices.end(), {front[i], front[i + 2], front[i + 1]});
+    return indices;
+}
+
+std::vector<Input> hardInputs() {
+    return {{"nothing", {}, 0},
+            {"vertices without triangles", {}, 5},
+            {"one triangle", {2, 1, 0}, 3},
+            {"one triangle among many vertices", {900, 7, 30}, 1000},
+            {"a triangle of one vertex", {0, 0, 0, 0, 1, 2}, 3},
+            {"triangles of two vertices", {0, 1, 0, 1, 1, 2, 3, 2, 2, 0, 1, 2}, 4},
+            {"a triangle many times", Indices(300, 4), 5},
+            {"a grid", grid(20), 441},
+            {"a grid twice", twice(grid(12)), 169},
+            {"a grid seen from both sides", doubled(grid(12)), 169},
+            {"a fan", fan(3000), 3001},
+            {"a book of pages on one edge",
+             [] {
+                 Indices book;
+                 for (std::uint32_t i = 2; i < 2000; ++i)
+                     book.insert(book.end(), {i % 2, 1 - i % 2, i});
+                 return book;
+             }(),
+             2000},
+            {"a soup", soup(3000, 500), 500},
+            {"a soup of few vertices", soup(3000, 8), 8},
+            {"unconnected triangles",
+             [] {
+                 Indices all(9000);
+                 for (std::uint32_t i = 0; i < all.size(); ++i)
+                     all[i] = i;
+                 return all;
+             }(),
+             9000}};
+}
+
+TEST(Orders, keep_every_triangle_and_its_winding) {
+    for (const Input& input : hardInputs())
+        for (const Method method : kMethods)
+            for (const CacheModel& model : kModels) {
+                const auto out = reorder(input.indices, input.vertices, method, model);
+                ASSERT_TRUE(out) << input.name;
+                EXPECT_TRUE(samePermutation(input.indices, *out)) << input.name << ", " << name(method) << ", " << name(model);
+            }
+}
+
+TEST(Orders, are_never_worse_than_what_came_in_when_the_best_is_asked_for) {
+    for (const Input& input : hardInputs())
+        for (const CacheModel& model : kModels) {
+            const auto out = reorder(input.indices, input.vertices, Method::Best, model);
+            ASSERT_TRUE(out) << input.name;
+            EXPECT_LE(measure(model, *out, input.vertices).misses, measure(model, input.indices, input.vertices).misses) << input.name;
+        }
+}
+
+TEST(Orders, of_the_same_input_are_the_same) {
+    const Indices input = soup(2000, 700);
+    for (const Method method : kMethods)
+        EXPECT_EQ(*reorder(input, 700, method, fifo(16)), *reorder(input, 700, method, fifo(16))) << name(method);
+}
+
+TEST(Orders, refuse_an_index_that_names_no_vertex) {
+    const Indices input = {0, 1, 2, 2, 1, 3};
+    const auto out = reorder(input, 3, Method::Best, fifo(16));
+    ASSERT_FALSE(out);
+    EXPECT_EQ(out.error().diagnostics.front().code, 7042);
+    EXPECT_EQ(out.error().diagnostics.front().text, "triangle 1 names vertex 3 of 3");
+}
+
+TEST(Orders, refuse_a_list_that_is_not_of_triangles) {
+    const Indices input = {0, 1, 2, 0};
+    const auto out = reorder(input, 3, Method::Best, fifo(16));
+    ASSERT_FALSE(out);
+    EXPECT_EQ(out.error().diagnostics.front().code, 7042);
+}
+
+TEST(Orders, are_written_as_they_are_named) {
+    for (const Method method : kMethods) {
+        const auto parsed = parseMethod(name(method));
+        ASSERT_TRUE(parsed);
+        EXPECT_EQ(*parsed, method);
+    }
+}
+
+TEST(Orders, of_other_names_are_refused) {
+    for (const char* text : {"", "linyu", "Best", "forsyth"}) {
+        const auto parsed = parseMethod(text);
+        ASSERT_FALSE(parsed) << text;
+        EXPECT_EQ(parsed.error().diagnostics.front().code, 7041);
+    }
+}
+
+TEST(SamePermutation, sees_a_lost_triangle_a_repeated_one_and_a_turned_winding) {
+    const Indices two = {0, 1, 2, 2, 1, 3};
+    EXPECT_TRUE(samePermutation(two, Indices{1, 3, 2, 1, 2, 0}));
+    EXPECT_FALSE(samePermutation(two, Indices{0, 1, 2}));
+    EXPECT_FALSE(samePermutation(two, Indices{0, 1, 2, 0, 1, 2}));
+    EXPECT_FALSE(samePermutation(two, Indices{0, 1, 2, 1, 2, 3}));
+}
+
+} // namespace
+} // namespace tegument::order

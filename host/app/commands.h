@@ -17,6 +17,7 @@ using Action = std::function<int()>;
 
 void addRender(CLI::App& program, Action& action);
 void addCheck(CLI::App& program, Action& action);
+void addFlatten(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);
 void addPrep(CLI::App& program, Action& action);
 void addFur(CLI::App& program, Action& action);

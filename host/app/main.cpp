@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
     tegument::app::Action action;
     tegument::app::addRender(program, action);
     tegument::app::addCheck(program, action);
+    tegument::app::addFlatten(program, action);
     tegument::app::addInfo(program, action);
     tegument::app::addPrep(program, action);
     tegument::app::addFur(program, action);

@@ -1,0 +1,51 @@
+// tegument flatten: an effect and its includes as one file.
+
+#include "host/effect/flatten.h"
+#include "host/app/commands.h"
+#include "host/app/effect_options.h"
+#include "host/app/output.h"
+#include "host/support/file.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace tegument::app {
+
+namespace {
+
+struct FlattenArguments {
+    std::string file;
+    std::string output;
+    std::vector<std::string> includeFolders;
+};
+
+int flatten(const FlattenArguments& arguments) {
+    PreprocessOptions options{
+        .defines = {}, .includeFolders = {}, .read = [](const std::filesystem::path& path) { return readFile(path); }};
+    for (const std::string& folder : arguments.includeFolders)
+        options.includeFolders.emplace_back(folder);
+    const auto text = flattenEffect(arguments.file, options);
+    if (!text) return fail(text.error(), false);
+    if (arguments.output.empty()) {
+        fmt::print("{}", *text);
+        return 0;
+    }
+    if (const auto written = writeFile(arguments.output, *text); !written) return fail(written.error(), false);
+    return 0;
+}
+
+} // namespace
+
+void addFlatten(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<FlattenArguments>();
+    CLI::App* command = program.add_subcommand("flatten", "Merge an effect and its includes into one file that compiles alone");
+    command->add_option("effect", arguments->file, "Effect file (.fx)")->required();
+    command->add_option("-o,--output", arguments->output, "The one file; without it: standard output");
+    command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files");
+    command->footer("Comments and conditionals stay: -D selects targets and settings as before.");
+    command->callback([arguments, &action] { action = [arguments] { return flatten(*arguments); }; });
+}
+
+} // namespace tegument::app

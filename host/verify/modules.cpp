@@ -24,6 +24,8 @@ constexpr std::array kModules = {
     Module{"TSM", verify::verifyTsm},
     Module{"Stretch", verify::verifyStretch},
     Module{"Irradiance", verify::verifyIrradiance},
+    Module{"Convolution", verify::verifyConvolution},
+    Module{"Main", verify::verifyMain},
 };
 
 std::vector<std::string> names() {

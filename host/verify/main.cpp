@@ -1,0 +1,87 @@
+// Module Main: the whole picture, lit from in front and from behind.
+
+#include "host/reference/picture.h"
+#include "host/verify/truth.h"
+
+#include <algorithm>
+
+namespace tegument::verify {
+
+namespace {
+
+struct Part {
+    const char* technique;
+    const char* subject;
+    bool fromBehind;
+    bool diffuses;
+    Limits limits;
+};
+
+/// Pixels whose shadow the map can tell.
+std::vector<std::uint8_t> counted(const Truth& truth, const Seen& seen) {
+    auto counts = interior(seen);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] != 0 && truth.skin.nearShadowEdge(*seen.pixels[i], kShadowEdge)) counts[i] = 0;
+    return counts;
+}
+
+Result<void> comparePart(ModuleReport& report, const Context& context, const Part& part) {
+    Scene scene = sceneOf(context.options);
+    if (part.fromBehind) scene = backlit(std::move(scene));
+    const Truth truth = truthOf(scene, context.options);
+    const int size = context.options.pictureSize;
+    const auto run = render(context, {.effect = "Main.fx",
+                                      .technique = part.technique,
+                                      .width = size,
+                                      .height = size,
+                                      .mesh = &scene.mesh,
+                                      .workspace = scene.workspace,
+                                      .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
+    if (!run) return run.error();
+    const Seen seen = look(truth.skin, truth.camera);
+    const auto counts = counted(truth, seen);
+    const reference::SkinPicture picture(truth.skin, context.options.mapSize, truth.lightFar - truth.lightNear);
+    const Image exact = paint(seen, 3, [&](const reference::SurfacePoint& point, std::size_t) {
+        return glm::dvec4(part.diffuses ? picture.radiance(point, truth.camera.eye) : picture.lambert(point, truth.camera.eye), 1);
+    });
+    const auto compared = compare(report, context, {part.subject, rgb(run->image), exact, counts}, part.limits);
+    if (!compared) return compared;
+    noteApart(report, part.subject, counts, covered(seen), kShadowApart);
+    return {};
+}
+
+Limits pictureLimits(const Context& context, bool fromBehind) {
+    if (context.options.setting != "corrected")
+        return {.relativeL2 = fromBehind ? 0.5 : 0.2,
+                .bias = fromBehind ? 0.2 : 0.06,
+                .why =
+                    "false shadows of the printed comparison, widths and gain of the printed kernel (docs/modules/TSM.md, Convolution.md)"};
+    return fromBehind ? Limits{.relativeL2 = 0.06,
+                               .p99 = 0.25,
+                               .bias = 0.02,
+                               .why = "the way through the body is known to a texel of the map; edges of the lit side"}
+                      : Limits{.relativeL2 = 0.02,
+                               .p99 = 0.08,
+                               .bias = 5e-3,
+                               .why = "edges of shadows are soft in the map and sharp for rays: their blur differs nearby"};
+}
+
+} // namespace
+
+Result<ModuleReport> verifyMain(const Context& context) {
+    ModuleReport report{.module = "Main",
+                        .summary = "Every pixel against the formula of docs/skin.md with shadows and thickness by rays, each map blurred "
+                                   "by one Gaussian of its whole "
+                                   "width, reflectance and albedo evaluated; in front and behind"};
+    const bool corrected = context.options.setting == "corrected";
+    const Limits plain =
+        corrected ? Limits{.relativeL2 = 5e-3, .p99 = 0.02, .bias = 2e-3, .why = "look-ups of colour in 8 bits; the albedo table"}
+                  : pictureLimits(context, false);
+    for (const Part& part : {Part{"Lambert", "without diffusion", false, false, plain},
+                             Part{"DEonLuebke", "lit from in front", false, true, pictureLimits(context, false)},
+                             Part{"DEonLuebke", "lit from behind", true, true, pictureLimits(context, true)}})
+        if (const auto compared = comparePart(report, context, part); !compared) return compared.error();
+    return report;
+}
+
+} // namespace tegument::verify

@@ -1,39 +1,28 @@
 #pragma once
-// What an order of triangles costs: vertex shader runs under models of the hardware, and bytes.
+// Figures of a mesh: what its order is measured by, and its bytes.
 
-#include "meshprep/prepare/surface.h"
+#include "meshprep/order/cache.h"
 
 #include <array>
-#include <span>
-#include <string_view>
+#include <cstddef>
 
 namespace tegument::prep {
 
-/// A model of how transformed vertices are reused. `cache` 0: within a batch only.
-struct CacheModel {
+struct NamedModel {
     std::string_view name;
-    unsigned cache = 0;          // entries, first in first out
-    unsigned batchVertices = 0;  // a batch ends with this many vertices...
-    unsigned batchTriangles = 0; // ...or this many triangles; 0: there are no batches
+    order::CacheModel model;
 };
 
-/// FIFO caches as in the literature, and batches after B. Kerbl et al., Revisiting the vertex cache (HPG 2018): warp (32 vertices or 32
-/// triangles, NVIDIA-like), wave (64 vertices or 128 triangles with a cache of 14, AMD-like), fifo128 (Intel-like). The last three are the
-/// settings that meshoptimizer's author fitted to those GPUs.
-inline constexpr std::array<CacheModel, 7> kCacheModels = {{{"fifo12", 12, 0, 0},
-                                                            {"fifo16", 16, 0, 0},
-                                                            {"fifo24", 24, 0, 0},
-                                                            {"fifo32", 32, 0, 0},
-                                                            {"warp", 32, 32, 32},
-                                                            {"wave", 14, 64, 128},
-                                                            {"fifo128", 128, 0, 0}}};
-
-struct CacheFigures {
-    double acmr = 0; // vertices transformed per triangle
-    double atvr = 0; // vertices transformed per vertex: 1 at best
-};
-
-[[nodiscard]] CacheFigures measure(const CacheModel& model, std::span<const std::uint32_t> indices, std::size_t vertices);
+/// What every report measures: caches as in the literature, and batches of three makers' GPUs: warp (NVIDIA-like), wave (64 vertices or 128
+/// triangles with a cache of 14, AMD-like), fifo128 (Intel-like), with the settings that meshoptimizer's author fitted to them.
+inline constexpr std::array<NamedModel, 7> kReportedModels = {
+    {{"fifo12", order::fifo(12)},
+     {"fifo16", order::fifo(16)},
+     {"fifo24", order::fifo(24)},
+     {"fifo32", order::fifo(32)},
+     {"warp", order::kWarp},
+     {"wave", {.replacement = order::Replacement::Fifo, .entries = 14, .batchVertices = 64, .batchTriangles = 128}},
+     {"fifo128", order::fifo(128)}}};
 
 /// Bytes against a list of triangles that share nothing.
 struct SizeFigures {

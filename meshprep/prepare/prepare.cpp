@@ -27,8 +27,9 @@ public:
         if (surface_.mesh.indices.empty() && report_.input.faces > 0)
             return inputError(7020, {.file = path_.string(), .byte = {}}, "no triangle is left", whereTheyWent());
         shape();
-        finish();
-        return Prepared{.mesh = std::move(surface_.mesh), .report = std::move(report_)};
+        if (auto error = putInOrder()) return *error;
+        if (auto error = pack()) return *error;
+        return Prepared{.mesh = std::move(surface_.mesh), .glb = std::move(glb_), .report = std::move(report_)};
     }
 
 private:
@@ -120,23 +121,105 @@ private:
         end("tangents", surface_.mesh.positions.size(), fmt::format("MikkTSpace, {} vertices split at mirror lines", split));
     }
 
-    void finish() {
+    std::optional<Error> putInOrder() {
         Mesh& mesh = surface_.mesh;
-        for (const CacheModel& model : kCacheModels)
-            report_.cache.push_back({.model = model, .before = measure(model, mesh.indices, mesh.positions.size()), .after = {}});
+        surface_.point = {}; // vertices are numbered anew from here on
+        for (const NamedModel& model : kReportedModels)
+            report_.cache.push_back(
+                {.model = model, .before = order::measure(model.model, mesh.indices, mesh.positions.size()), .after = {}});
+        if (options_.order) {
+            begin("order");
+            const std::vector<std::uint32_t> before = mesh.indices;
+            if (auto error = reorderParts(mesh.indices, mesh.parts)) return error;
+            std::size_t moved = 0;
+            for (std::size_t i = 0; i < before.size(); i += 3)
+                moved += !std::equal(&before[i], &before[i] + 3, &mesh.indices[i]);
+            end("order", moved,
+                fmt::format("{} triangles moved: {} for {}", moved, order::name(*options_.order), order::name(options_.cache)));
+        }
+        if (options_.overdraw) orderByDepth();
         count("fetch order", "vertices moved to the order of their use", [&] { return orderVertices(mesh); });
         for (CacheComparison& comparison : report_.cache)
-            comparison.after = measure(comparison.model, mesh.indices, mesh.positions.size());
+            comparison.after = order::measure(comparison.model.model, mesh.indices, mesh.positions.size());
+        return options_.levels > 1 ? addLevels() : std::nullopt;
+    }
+
+    /// Parts are drawn one by one, so each is ordered by itself.
+    std::optional<Error> reorderParts(std::vector<std::uint32_t>& indices, const std::vector<MeshPart>& parts) const {
+        for (const MeshPart& part : parts) {
+            const auto own = std::span(indices).subspan(part.firstIndex, part.indexCount);
+            const auto ordered = order::reorder(own, surface_.mesh.positions.size(), *options_.order, options_.cache);
+            if (!ordered) return ordered.error();
+            assert(order::samePermutation(own, *ordered));
+            std::ranges::copy(*ordered, own.begin());
+        }
+        return std::nullopt;
+    }
+
+    void orderByDepth() {
+        begin("overdraw");
+        report_.overdraw = orderForOverdraw(surface_.mesh);
+        end("overdraw", surface_.triangles(),
+            fmt::format("{:.3f} fragments per pixel before, {:.3f} after", report_.overdraw->before, report_.overdraw->after));
+    }
+
+    std::optional<Error> addLevels() {
+        begin("levels");
+        std::vector<Level> levels = makeLevels(surface_.mesh, options_.levels);
+        std::string text = fmt::format("{} coarser", levels.size());
+        for (Level& level : levels) {
+            if (options_.order)
+                if (auto error = reorderParts(level.mesh.indices, level.mesh.parts)) return error;
+            const std::size_t triangles = level.mesh.indices.size() / 3;
+            report_.levels.push_back({.triangles = triangles, .error = level.error});
+            text += fmt::format("; {} triangles, at most {:.4g} mm off, {:.4g} rms", triangles, level.error.greatest, level.error.rms);
+            glb_.levels.push_back(std::move(level.mesh));
+        }
+        end("levels", levels.size(), std::move(text));
+        return std::nullopt;
+    }
+
+    /// What is left is how the numbers are stored.
+    std::optional<Error> pack() {
+        Mesh& mesh = surface_.mesh;
+        const std::size_t bytes = vertexBytes(mesh, options_.precision);
+        if (options_.precision != VertexPrecision::Float) {
+            begin("precision");
+            const auto error = reducePrecision(mesh, options_.precision);
+            if (!error) return error.error();
+            report_.precision = *error;
+            end("precision", mesh.positions.size(),
+                fmt::format("positions at most {:.3g} mm off, normals {:.3g} degrees, texture coordinates {:.3g}", error->positionMm,
+                            error->normalDegrees, error->uv));
+            glb_.format = options_.precision == VertexPrecision::Unorm16 ? VertexFormat::Unorm16 : VertexFormat::Float;
+        }
         report_.output = {.vertices = mesh.positions.size(), .faces = mesh.indices.size() / 3};
-        const bool small = report_.output.vertices <= kMost16BitVertices;
-        const std::size_t vertexBytes = 24 + (mesh.uvs.empty() ? 0 : 8) + (mesh.tangents.empty() ? 0 : 16);
-        report_.bytes = sizes(report_.output.vertices, report_.output.faces, vertexBytes, small);
-        report_.seedBytes = sizes(report_.output.vertices, report_.output.faces, 24, small);
+        const bool chunked = options_.chunk16 && mesh.positions.size() > kMost16BitVertices;
+        if (chunked) cutUp();
+        const bool small = chunked || report_.output.vertices <= kMost16BitVertices;
+        const std::size_t stored = report_.output.vertices + report_.chunks.duplicates;
+        report_.bytes = sizes(stored, report_.output.faces, bytes, small);
+        report_.seedBytes = sizes(stored, report_.output.faces, 24, small);
+        glb_.moved = glm::dvec3(report_.centring.moved);
+        return std::nullopt;
+    }
+
+    void cutUp() {
+        begin("chunks");
+        std::vector<MeshLevel*> levels;
+        for (MeshLevel& level : glb_.levels)
+            levels.push_back(&level);
+        report_.chunks = cutIntoChunks(surface_.mesh, levels);
+        glb_.partsOwnVertices = true;
+        end("chunks", report_.chunks.count,
+            fmt::format("{} pieces of at most {} vertices, {} vertices more", report_.chunks.count, kMost16BitVertices,
+                        report_.chunks.duplicates));
     }
 
     const std::filesystem::path& path_;
     const PrepOptions& options_;
     Surface surface_;
+    GlbOptions glb_;
     PrepReport report_;
     Clock::time_point started_;
 };

@@ -1,11 +1,17 @@
 #pragma once
 // The whole way of `tegument prep`: a mesh file read, cleaned, centred, given normals, indexed and put in order. docs/meshprep.md.
 
+#include "host/scene/glb.h"
 #include "host/scene/read_mesh.h"
+#include "meshprep/order/order.h"
 #include "meshprep/prepare/centre.h"
+#include "meshprep/prepare/chunks.h"
 #include "meshprep/prepare/figures.h"
+#include "meshprep/prepare/levels.h"
+#include "meshprep/prepare/overdraw.h"
 #include "meshprep/prepare/points.h"
 #include "meshprep/prepare/topology.h"
+#include "meshprep/prepare/vertex_format.h"
 #include "meshprep/prepare/vertex_normals.h"
 
 #include <functional>
@@ -19,6 +25,12 @@ struct PrepOptions {
     bool orient = false;         // turn the minority of each component
     CentreMode centre = CentreMode::Ball;
     NormalOptions normals;
+    std::optional<order::Method> order = order::Method::Best; // none: the file's
+    order::CacheModel cache = order::kWarp;
+    bool overdraw = false;
+    int levels = 4; // the full mesh counts as one
+    VertexPrecision precision = VertexPrecision::Float;
+    bool chunk16 = false;
     std::function<void(const std::string&)> progress; // told before each step
 };
 
@@ -36,9 +48,14 @@ struct Count {
 };
 
 struct CacheComparison {
-    CacheModel model;
-    CacheFigures before; // indexed, in the file's order
-    CacheFigures after;
+    NamedModel model;
+    order::CacheCost before; // indexed, in the file's order
+    order::CacheCost after;
+};
+
+struct LevelFigures {
+    std::size_t triangles = 0;
+    SurfaceDistance error; // mm
 };
 
 struct PrepReport {
@@ -49,13 +66,18 @@ struct PrepReport {
     Topology topology;         // of what is written
     Centring centring;
     std::vector<CacheComparison> cache;
-    SizeFigures bytes;     // with all that is written
+    std::vector<LevelFigures> levels; // from the second on
+    std::optional<Overdraw> overdraw;
+    VertexError precision;
+    Chunks chunks;
+    SizeFigures bytes;     // with all that is written of the full mesh
     SizeFigures seedBytes; // by the source document's vertex of 24 bytes: position and normal
     std::vector<Diagnostic> warnings;
 };
 
 struct Prepared {
     Mesh mesh;
+    GlbOptions glb; // how to write it, with its levels
     PrepReport report;
 };
 

@@ -1,0 +1,153 @@
+#include "tests/d3d/cases.h"
+
+#include "host/support/file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace tegument::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A sphere of 100 mm with one chart.
+Mesh sphere() {
+    constexpr int kRings = 48;
+    constexpr int kSectors = 96;
+    Mesh mesh;
+    mesh.name = "sphere";
+    for (int ring = 0; ring <= kRings; ++ring)
+        for (int sector = 0; sector <= kSectors; ++sector) {
+            const float v = static_cast<float>(ring) / kRings;
+            const float u = static_cast<float>(sector) / kSectors;
+            const float theta = std::numbers::pi_v<float> * v;
+            const float phi = 2 * std::numbers::pi_v<float> * u;
+            mesh.positions.push_back(100.0F * glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)));
+            mesh.uvs.emplace_back(u, v);
+        }
+    for (std::uint32_t ring = 0; ring < kRings; ++ring)
+        for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+            const std::uint32_t a = ring * (kSectors + 1) + sector;
+            const std::uint32_t b = a + kSectors + 1;
+            mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+        }
+    mesh.parts = {{.name = "sphere", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
+    computeBounds(mesh);
+    computeNormals(mesh);
+    computeTangents(mesh);
+    return mesh;
+}
+
+constexpr int kTextureSize = 512;
+
+/// The mean over squares of texels: what is tested is drawing, not filtering of large maps.
+Image reduced(const Image& image) {
+    const int factor = std::max(1, image.width / kTextureSize);
+    if (factor == 1) return image;
+    Image small{
+        .width = image.width / factor, .height = image.height / factor, .channels = image.channels, .bitsPerChannel = image.bitsPerChannel};
+    small.pixels.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) *
+                        static_cast<std::size_t>(small.channels));
+    for (int y = 0; y < small.height * factor; ++y)
+        for (int x = 0; x < small.width * factor; ++x)
+            for (int channel = 0; channel < image.channels; ++channel)
+                small.at(x / factor, y / factor, channel) += image.at(x, y, channel) / static_cast<float>(factor * factor);
+    return small;
+}
+
+std::vector<Case> discover() {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator("effects", code))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    std::ranges::sort(files);
+    std::vector<Case> cases;
+    for (const fs::path& file : files) {
+        const auto effect = loadCase({.effect = file, .technique = {}});
+        if (!effect) continue; // tests/effect and tests/check say why
+        for (const Technique& technique : effect->techniques)
+            for (const int bits : {16, 32})
+                if (bits == 16 || file.stem() == "Convolution") cases.push_back({file, technique.name, bits});
+    }
+    return cases;
+}
+
+} // namespace
+
+std::string engineName(Engine engine) {
+    constexpr std::array kNames = {"vulkan", "d3d9", "d3d10", "d3d11"};
+    return kNames[static_cast<std::size_t>(engine)];
+}
+
+std::vector<std::pair<std::string, std::string>> Case::defines() const {
+    return {{"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)}, {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}};
+}
+
+Result<Effect> loadCase(const Case& drawn) {
+    return loadEffect(drawn.effect, {.defines = drawn.defines(), .includeFolders = {}});
+}
+
+const std::vector<Case>& allCases() {
+    static const std::vector<Case> cases = discover();
+    return cases;
+}
+
+Result<Mesh> testMesh() {
+    const fs::path human = cacheFolder() / "human" / "human.glb";
+    std::error_code code;
+    if (!fs::exists(human, code)) return sphere();
+    auto mesh = loadMesh(human);
+    if (!mesh) return mesh;
+    for (EmbeddedTexture& texture : mesh->textures)
+        texture.image = reduced(texture.image);
+    return mesh;
+}
+
+Workspace testWorkspace() {
+    Workspace workspace;
+    workspace.camera.position = {1.75F, 0.35F, 3.7F};
+    workspace.camera.target = {0, 0.17F, 0.1F};
+    workspace.light.position = {-3.2F, 3.6F, 6};
+    workspace.light.color = glm::vec3(1.7F);
+    workspace.background = glm::vec3(2, 4, 6) / 255.0F;
+    return workspace;
+}
+
+fs::path drawings() {
+    return TEGUMENT_DRAWINGS;
+}
+
+fs::path drawing(const Case& drawn, Engine engine, const std::string& target) {
+    return drawings() / (drawn.name() + "." + engineName(engine) + "." + target + ".f32");
+}
+
+fs::path statusFile(const Case& drawn, Engine engine) {
+    return drawings() / (drawn.name() + "." + engineName(engine) + ".status");
+}
+
+Result<Image> readFloats(const fs::path& path) {
+    const auto bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    std::array<std::uint32_t, 3> head{};
+    if (bytes->size() >= sizeof head) std::memcpy(head.data(), bytes->data(), sizeof head);
+    const std::size_t count = std::size_t{head[0]} * head[1] * head[2];
+    if (count == 0 || bytes->size() != sizeof head + count * sizeof(float))
+        return inputError(5201, {.file = path.string(), .byte = {}}, "not a file of raw floats, or cut short");
+    Image image{.width = static_cast<int>(head[0]), .height = static_cast<int>(head[1]), .channels = static_cast<int>(head[2])};
+    image.pixels.resize(count);
+    std::memcpy(image.pixels.data(), bytes->data() + sizeof head, count * sizeof(float));
+    return image;
+}
+
+Result<void> writeFloats(const fs::path& path, const Image& image) {
+    const std::array head = {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height),
+                             static_cast<std::uint32_t>(image.channels)};
+    std::string bytes(reinterpret_cast<const char*>(head.data()), sizeof head);
+    bytes.append(reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(float));
+    return writeFile(path, bytes);
+}
+
+} // namespace tegument::test

@@ -1,0 +1,58 @@
+#pragma once
+// What is drawn: every technique of every effect, on one scene, by every engine. Where the drawings are.
+
+#include "host/effect/model.h"
+#include "host/image/image.h"
+#include "host/scene/mesh.h"
+#include "host/scene/workspace.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tegument::test {
+
+/// Maps and picture are small: llvmpipe draws them. The picture is not square and of another size than the maps, so that a half pixel taken
+/// from the wrong target, or a depth target of the wrong size, shows.
+inline constexpr int kMapSize = 256;
+inline constexpr int kPictureWidth = 288;
+inline constexpr int kPictureHeight = 240;
+
+struct Case {
+    std::filesystem::path effect;
+    std::string technique;
+    int mapBits = 16; // TEGUMENT_MAP_BITS
+
+    /// Of what is compiled once for all techniques.
+    [[nodiscard]] std::string effectName() const { return effect.stem().string() + (mapBits == 16 ? "" : "32"); }
+    [[nodiscard]] std::string name() const { return effectName() + "_" + technique; }
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> defines() const;
+};
+
+enum class Engine { Vulkan, Direct3D9, Direct3D10, Direct3D11 };
+inline constexpr std::array kDirect3D = {Engine::Direct3D9, Engine::Direct3D10, Engine::Direct3D11};
+std::string engineName(Engine engine); // "d3d9"
+
+/// The effect as all engines get it.
+[[nodiscard]] Result<Effect> loadCase(const Case& drawn);
+/// From the files: effects/*.fx and the techniques that they hold. Those of Convolution.fx also with maps of 32 bits: what differs between
+/// engines in the cascade of 16-bit maps must vanish there.
+[[nodiscard]] const std::vector<Case>& allCases();
+
+/// The human where it was made (./bootstrap test), with its maps reduced; else a sphere.
+[[nodiscard]] Result<Mesh> testMesh();
+/// A portrait; its background has values that Direct3D 9 can clear to, eight bits a channel.
+[[nodiscard]] Workspace testWorkspace();
+
+/// All drawings, of one build of the tests.
+[[nodiscard]] std::filesystem::path drawings();
+[[nodiscard]] std::filesystem::path drawing(const Case& drawn, Engine engine, const std::string& target);
+/// "ok", or why there is no drawing.
+[[nodiscard]] std::filesystem::path statusFile(const Case& drawn, Engine engine);
+
+/// Raw floats: width, height, channels, values.
+[[nodiscard]] Result<Image> readFloats(const std::filesystem::path& path);
+[[nodiscard]] Result<void> writeFloats(const std::filesystem::path& path, const Image& image);
+
+} // namespace tegument::test

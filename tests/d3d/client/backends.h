@@ -1,0 +1,15 @@
+#pragma once
+// One effect on one version of Direct3D. Devices are made once for all jobs.
+
+#include "job.h"
+#include "script.h"
+
+#include <memory>
+
+namespace client {
+
+std::unique_ptr<Engine> openDirect3D9(const Job& job);
+std::unique_ptr<Engine> openDirect3D10(const Job& job);
+std::unique_ptr<Engine> openDirect3D11(const Job& job);
+
+} // namespace client

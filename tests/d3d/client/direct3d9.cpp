@@ -1,0 +1,394 @@
+// Direct3D 9 through D3DX: everything comes from the effect file, as an engine would have it: targets from annotations, values by semantic.
+
+#include "backends.h"
+#include "com.h"
+
+#include <d3d9.h>
+#include <d3dx9.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace client {
+
+namespace {
+
+struct Target {
+    Com<IDirect3DTexture9> texture;
+    Com<IDirect3DSurface9> surface;
+    unsigned width = 0;
+    unsigned height = 0;
+    D3DFORMAT format = D3DFMT_UNKNOWN;
+};
+
+struct Mesh {
+    Com<IDirect3DVertexBuffer9> vertices;
+    Com<IDirect3DIndexBuffer9> indices;
+    unsigned vertexCount = 0;
+    unsigned triangleCount = 0;
+};
+
+struct NamedFormat {
+    const char* name;
+    D3DFORMAT format;
+    unsigned channels;
+    bool halves;
+};
+
+constexpr NamedFormat kFormats[] = {
+    {"R16F", D3DFMT_R16F, 1, true},  {"G16R16F", D3DFMT_G16R16F, 2, true},  {"A16B16G16R16F", D3DFMT_A16B16G16R16F, 4, true},
+    {"R32F", D3DFMT_R32F, 1, false}, {"G32R32F", D3DFMT_G32R32F, 2, false}, {"A32B32G32R32F", D3DFMT_A32B32G32R32F, 4, false},
+};
+
+const NamedFormat& formatNamed(const std::string& name) {
+    for (const NamedFormat& format : kFormats)
+        if (upper(name) == format.name) return format;
+    fail("no target of format '" + name + "' in Direct3D 9");
+}
+
+const NamedFormat& describe(D3DFORMAT format) {
+    return *std::find_if(std::begin(kFormats), std::end(kFormats), [&](const NamedFormat& known) { return known.format == format; });
+}
+
+IDirect3DDevice9* device() {
+    static Com<IDirect3DDevice9> made;
+    if (made) return made.get();
+    const HWND window = CreateWindowA("STATIC", "d3d_client", WS_OVERLAPPEDWINDOW, 0, 0, 64, 64, nullptr, nullptr, nullptr, nullptr);
+    static Com<IDirect3D9> direct3D(Direct3DCreate9(D3D_SDK_VERSION));
+    if (!direct3D) fail("there is no Direct3D 9");
+    D3DPRESENT_PARAMETERS parameters{};
+    parameters.Windowed = TRUE;
+    parameters.SwapEffect = D3DSWAPEFFECT_DISCARD;
+    parameters.BackBufferFormat = D3DFMT_X8R8G8B8;
+    parameters.BackBufferWidth = parameters.BackBufferHeight = 64;
+    parameters.hDeviceWindow = window;
+    must(direct3D->CreateDevice(D3DADAPTER_DEFAULT, D3DDEVTYPE_HAL, window, D3DCREATE_HARDWARE_VERTEXPROCESSING, &parameters, made.put()),
+         "CreateDevice");
+    return made.get();
+}
+
+D3DFORMAT formatOf(TexelFormat format) {
+    switch (format) {
+    case TexelFormat::Rgba16: return D3DFMT_A16B16G16R16;
+    case TexelFormat::R16Float: return D3DFMT_R16F;
+    case TexelFormat::Rg16Float: return D3DFMT_G16R16F;
+    case TexelFormat::Rgba16Float: return D3DFMT_A16B16G16R16F;
+    case TexelFormat::R32Float: return D3DFMT_R32F;
+    case TexelFormat::Rg32Float: return D3DFMT_G32R32F;
+    case TexelFormat::Rgba32Float: return D3DFMT_A32B32G32R32F;
+    default: return D3DFMT_A8R8G8B8; // its sampler says whether it is sRGB
+    }
+}
+
+/// Direct3D 9 keeps blue first.
+void copyRow(const std::uint8_t* from, std::uint8_t* to, std::size_t bytes, bool swap) {
+    std::memcpy(to, from, bytes);
+    if (!swap) return;
+    for (std::size_t i = 0; i < bytes; i += 4)
+        std::swap(to[i], to[i + 2]);
+}
+
+void fillLevel(IDirect3DTexture9* texture, unsigned level, const TextureFile& file) {
+    const unsigned width = std::max(file.width >> level, 1U);
+    const unsigned height = std::max(file.height >> level, 1U);
+    const std::size_t bytes = std::size_t{width} * bytesPerTexel(file.format);
+    const bool swap = formatOf(file.format) == D3DFMT_A8R8G8B8;
+    D3DLOCKED_RECT locked{};
+    must(texture->LockRect(level, &locked, nullptr, 0), "LockRect");
+    for (unsigned y = 0; y < height; ++y)
+        copyRow(file.levels[level].data() + y * bytes,
+                static_cast<std::uint8_t*>(locked.pBits) + y * static_cast<std::size_t>(locked.Pitch), bytes, swap);
+    must(texture->UnlockRect(level), "UnlockRect");
+}
+
+Com<IDirect3DTexture9> upload(const TextureFile& file) {
+    Com<IDirect3DTexture9> texture;
+    must(device()->CreateTexture(file.width, file.height, static_cast<UINT>(file.levels.size()), 0, formatOf(file.format), D3DPOOL_MANAGED,
+                                 texture.put(), nullptr),
+         "CreateTexture");
+    for (unsigned level = 0; level < file.levels.size(); ++level)
+        fillLevel(texture.get(), level, file);
+    return texture;
+}
+
+template <class T>
+void fillBuffer(T* buffer, const void* from, std::size_t bytes) {
+    void* to = nullptr;
+    must(buffer->Lock(0, 0, &to, 0), "Lock");
+    std::memcpy(to, from, bytes);
+    must(buffer->Unlock(), "Unlock");
+}
+
+Mesh upload(const MeshFile& file) {
+    Mesh mesh;
+    const std::size_t vertexBytes = file.vertices.size() * sizeof(float);
+    const std::size_t indexBytes = file.indices.size() * sizeof(std::uint32_t);
+    must(device()->CreateVertexBuffer(static_cast<UINT>(vertexBytes), 0, 0, D3DPOOL_MANAGED, mesh.vertices.put(), nullptr),
+         "CreateVertexBuffer");
+    must(device()->CreateIndexBuffer(static_cast<UINT>(indexBytes), 0, D3DFMT_INDEX32, D3DPOOL_MANAGED, mesh.indices.put(), nullptr),
+         "CreateIndexBuffer");
+    fillBuffer(mesh.vertices.get(), file.vertices.data(), vertexBytes);
+    fillBuffer(mesh.indices.get(), file.indices.data(), indexBytes);
+    mesh.vertexCount = static_cast<unsigned>(file.vertices.size() / kVertexFloats);
+    mesh.triangleCount = static_cast<unsigned>(file.indices.size() / 3);
+    return mesh;
+}
+
+Target colorTarget(unsigned width, unsigned height, D3DFORMAT format, unsigned levels) {
+    Target target{{}, {}, width, height, format};
+    const DWORD usage = D3DUSAGE_RENDERTARGET | (levels == 1 ? 0 : D3DUSAGE_AUTOGENMIPMAP);
+    must(device()->CreateTexture(width, height, levels, usage, format, D3DPOOL_DEFAULT, target.texture.put(), nullptr), "CreateTexture");
+    must(target.texture->GetSurfaceLevel(0, target.surface.put()), "GetSurfaceLevel");
+    return target;
+}
+
+Target depthTarget(unsigned width, unsigned height) {
+    Target target{{}, {}, width, height, D3DFMT_D24S8};
+    must(device()->CreateDepthStencilSurface(width, height, D3DFMT_D24S8, D3DMULTISAMPLE_NONE, 0, FALSE, target.surface.put(), nullptr),
+         "CreateDepthStencilSurface");
+    return target;
+}
+
+class Direct3D9 final : public Engine {
+public:
+    explicit Direct3D9(const Job& job) : job_(job) {
+        loadEffect();
+        makeTargets();
+        for (const auto& [name, file] : job.textures)
+            setTexture(name, textures_.emplace_back(upload(readTexture(job.path(file)))).get());
+        setValues();
+        quad_ = upload(fullScreenQuad());
+        if (!job.mesh.empty()) mesh_ = upload(readMesh(job.path(job.mesh)));
+        declareVertices();
+        clearAll();
+    }
+
+    std::string techniqueScript() override { return text(technique_, "Script"); }
+    std::vector<std::string> passes() override {
+        D3DXTECHNIQUE_DESC technique{};
+        must(effect_->GetTechniqueDesc(technique_, &technique), "GetTechniqueDesc");
+        std::vector<std::string> names;
+        for (UINT i = 0; i < technique.Passes; ++i) {
+            D3DXPASS_DESC pass{};
+            must(effect_->GetPassDesc(effect_->GetPass(technique_, i), &pass), "GetPassDesc");
+            names.emplace_back(pass.Name);
+        }
+        return names;
+    }
+    std::string passScript(const std::string& pass) override { return text(effect_->GetPassByName(technique_, pass.c_str()), "Script"); }
+
+    Numbers numbers(const std::string& parameter) override {
+        const D3DXHANDLE handle = effect_->GetParameterByName(nullptr, parameter.c_str());
+        D3DXPARAMETER_DESC desc{};
+        must(effect_->GetParameterDesc(handle, &desc), "GetParameterDesc " + parameter);
+        Numbers values(std::size_t{desc.Rows} * desc.Columns);
+        must(effect_->GetFloatArray(handle, values.data(), static_cast<UINT>(values.size())), "GetFloatArray " + parameter);
+        return values;
+    }
+    void setNumber(const std::string& parameter, float value) override {
+        must(effect_->SetFloat(parameter.c_str(), value), "SetFloat " + parameter);
+    }
+
+    void bind(const Bound& bound) override;
+    void clear(Clear what, const Numbers& value) override;
+    void draw(const std::string& pass, Drawing drawing) override;
+    std::vector<std::string> targets() override;
+    Pixels read(const std::string& target) override;
+
+private:
+    void loadEffect();
+    void makeTargets();
+    void makeTarget(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc);
+    void setValues();
+    void setValue(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc, Numbers value);
+    void declareVertices();
+    void clearAll();
+
+    std::string text(D3DXHANDLE owner, const char* annotation) {
+        LPCSTR value = nullptr;
+        const D3DXHANDLE handle = effect_->GetAnnotationByName(owner, annotation);
+        return handle && SUCCEEDED(effect_->GetString(handle, &value)) && value ? value : "";
+    }
+    unsigned number(D3DXHANDLE owner, const char* annotation, unsigned otherwise) {
+        INT value = 0;
+        const D3DXHANDLE handle = effect_->GetAnnotationByName(owner, annotation);
+        return handle && SUCCEEDED(effect_->GetInt(handle, &value)) ? static_cast<unsigned>(value) : otherwise;
+    }
+    void setTexture(const std::string& name, IDirect3DTexture9* texture) {
+        must(effect_->SetTexture(name.c_str(), texture), "SetTexture " + name);
+    }
+    template <class Visit>
+    void forEachParameter(Visit&& visit) {
+        D3DXEFFECT_DESC effect{};
+        must(effect_->GetDesc(&effect), "GetDesc");
+        for (UINT i = 0; i < effect.Parameters; ++i) {
+            const D3DXHANDLE parameter = effect_->GetParameter(nullptr, i);
+            D3DXPARAMETER_DESC desc{};
+            must(effect_->GetParameterDesc(parameter, &desc), "GetParameterDesc");
+            visit(parameter, desc);
+        }
+    }
+
+    const Job& job_;
+    Com<ID3DXEffect> effect_;
+    D3DXHANDLE technique_ = nullptr;
+    std::map<std::string, Target> colors_;
+    std::map<std::string, Target> depths_;
+    std::vector<Com<IDirect3DTexture9>> textures_;
+    Com<IDirect3DVertexDeclaration9> declaration_;
+    Mesh mesh_;
+    Mesh quad_;
+    bool depthBound_ = false;
+};
+
+void Direct3D9::loadEffect() {
+    Com<ID3DXBuffer> messages;
+    const HRESULT result =
+        D3DXCreateEffectFromFileA(device(), job_.path(job_.effect).c_str(), nullptr, nullptr, 0, nullptr, effect_.put(), messages.put());
+    if (FAILED(result) && messages) fail(static_cast<const char*>(messages->GetBufferPointer()));
+    must(result, "D3DXCreateEffectFromFile");
+    technique_ = effect_->GetTechniqueByName(job_.technique.c_str());
+    if (!technique_) fail("the effect has no technique " + job_.technique);
+    must(effect_->ValidateTechnique(technique_), "ValidateTechnique " + job_.technique);
+    must(effect_->SetTechnique(technique_), "SetTechnique");
+}
+
+void Direct3D9::makeTarget(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
+    const std::string semantic = upper(desc.Semantic ? desc.Semantic : "");
+    const unsigned width = number(parameter, "Width", job_.width);
+    const unsigned height = number(parameter, "Height", job_.height);
+    if (semantic == "RENDERDEPTHSTENCILTARGET") depths_[desc.Name] = depthTarget(width, height);
+    if (semantic != "RENDERCOLORTARGET") return;
+    const D3DFORMAT format = formatNamed(text(parameter, "Format")).format;
+    Target& target = colors_[desc.Name] = colorTarget(width, height, format, number(parameter, "MipLevels", 1));
+    setTexture(desc.Name, target.texture.get());
+}
+
+void Direct3D9::makeTargets() {
+    colors_[""] = colorTarget(job_.width, job_.height, D3DFMT_A32B32G32R32F, 1);
+    depths_[""] = depthTarget(job_.width, job_.height);
+    forEachParameter([&](D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
+        if (desc.Class == D3DXPC_OBJECT) makeTarget(parameter, desc);
+    });
+}
+
+void Direct3D9::setValue(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc, Numbers value) {
+    const std::string name = desc.Name;
+    if (value.size() == 16 && desc.Elements == 0) {
+        must(effect_->SetMatrix(parameter, reinterpret_cast<const D3DXMATRIX*>(value.data())), "SetMatrix " + name);
+        return;
+    }
+    if (value.size() == 3 && desc.Columns == 4) value.push_back(1); // a position's w, a colour's alpha
+    must(effect_->SetFloatArray(parameter, value.data(), static_cast<UINT>(value.size())), "SetFloatArray " + name);
+}
+
+void Direct3D9::setValues() {
+    forEachParameter([&](D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
+        if (desc.Class == D3DXPC_OBJECT) return;
+        const Numbers* value = desc.Semantic ? job_.findScene(desc.Semantic, text(parameter, "Object")) : nullptr;
+        if (value) setValue(parameter, desc, *value);
+        if (const auto own = job_.values.find(desc.Name); own != job_.values.end()) setValue(parameter, desc, own->second);
+    });
+}
+
+void Direct3D9::declareVertices() {
+    const D3DVERTEXELEMENT9 elements[] = {{0, 0, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_POSITION, 0},
+                                          {0, 12, D3DDECLTYPE_FLOAT3, 0, D3DDECLUSAGE_NORMAL, 0},
+                                          {0, 24, D3DDECLTYPE_FLOAT4, 0, D3DDECLUSAGE_TANGENT, 0},
+                                          {0, 40, D3DDECLTYPE_FLOAT2, 0, D3DDECLUSAGE_TEXCOORD, 0},
+                                          D3DDECL_END()};
+    must(device()->CreateVertexDeclaration(elements, declaration_.put()), "CreateVertexDeclaration");
+}
+
+/// A frame depends on nothing that was there before.
+void Direct3D9::clearAll() {
+    for (const auto& [name, target] : colors_) {
+        bind({.colors = {name}, .depth = std::nullopt});
+        const auto& rgb = job_.background;
+        clear(Clear::Color, name.empty() ? Numbers{rgb[0], rgb[1], rgb[2], 0} : Numbers{0, 0, 0, 0});
+    }
+    for (const auto& [depthName, depth] : depths_)
+        for (const auto& [name, color] : colors_) {
+            if (color.width != depth.width || color.height != depth.height) continue; // the viewport limits what is cleared
+            bind({.colors = {name}, .depth = depthName});
+            clear(Clear::Depth, {1});
+            clear(Clear::Stencil, {0});
+        }
+}
+
+void Direct3D9::bind(const Bound& bound) {
+    for (DWORD stage = 0; stage < 16; ++stage) // a target must not be sampled while it is one
+        device()->SetTexture(stage, nullptr);
+    const Target& first = colors_.at(bound.colors[0].value_or(""));
+    for (DWORD slot = 0; slot < kMaxColors; ++slot) {
+        const auto& name = bound.colors[slot];
+        if (name || slot > 0) must(device()->SetRenderTarget(slot, name ? colors_.at(*name).surface.get() : nullptr), "SetRenderTarget");
+    }
+    const Target* depth = bound.depth ? &depths_.at(*bound.depth) : nullptr;
+    depthBound_ = depth && depth->width == first.width && depth->height == first.height;
+    must(device()->SetDepthStencilSurface(depthBound_ ? depth->surface.get() : nullptr), "SetDepthStencilSurface");
+    const float size[] = {static_cast<float>(first.width), static_cast<float>(first.height)};
+    if (const D3DXHANDLE parameter = effect_->GetParameterBySemantic(nullptr, "VIEWPORTPIXELSIZE"))
+        must(effect_->SetFloatArray(parameter, size, 2), "SetFloatArray VIEWPORTPIXELSIZE");
+}
+
+/// Direct3D 9 clears to bytes.
+void Direct3D9::clear(Clear what, const Numbers& value) {
+    if (what == Clear::Color) {
+        for (const float channel : value)
+            if (channel < 0 || channel > 1) fail("the script clears to a value that Direct3D 9 cannot: " + std::to_string(channel));
+        must(device()->Clear(0, nullptr, D3DCLEAR_TARGET, D3DCOLOR_COLORVALUE(value[0], value[1], value[2], value[3]), 1, 0), "Clear");
+    } else if (what == Clear::Depth) {
+        must(device()->Clear(0, nullptr, D3DCLEAR_ZBUFFER, 0, value[0], 0), "Clear");
+    } else {
+        must(device()->Clear(0, nullptr, D3DCLEAR_STENCIL, 0, 1, static_cast<DWORD>(value[0])), "Clear");
+    }
+}
+
+void Direct3D9::draw(const std::string& pass, Drawing drawing) {
+    const std::vector<std::string> names = passes();
+    const auto index = static_cast<UINT>(std::find(names.begin(), names.end(), pass) - names.begin());
+    const Mesh& mesh = drawing == Drawing::Quad ? quad_ : mesh_;
+    UINT count = 0;
+    must(device()->BeginScene(), "BeginScene");
+    must(effect_->Begin(&count, 0), "Begin");
+    must(effect_->BeginPass(index), "BeginPass " + pass);
+    must(device()->SetVertexDeclaration(declaration_.get()), "SetVertexDeclaration");
+    must(device()->SetStreamSource(0, mesh.vertices.get(), 0, kVertexBytes), "SetStreamSource");
+    must(device()->SetIndices(mesh.indices.get()), "SetIndices");
+    must(device()->DrawIndexedPrimitive(D3DPT_TRIANGLELIST, 0, 0, mesh.vertexCount, 0, mesh.triangleCount), "DrawIndexedPrimitive");
+    must(effect_->EndPass(), "EndPass");
+    must(effect_->End(), "End");
+    must(device()->EndScene(), "EndScene");
+}
+
+std::vector<std::string> Direct3D9::targets() {
+    std::vector<std::string> names;
+    for (const auto& [name, target] : colors_)
+        names.push_back(name);
+    return names;
+}
+
+Pixels Direct3D9::read(const std::string& name) {
+    const Target& target = colors_.at(name);
+    const NamedFormat& format = describe(target.format);
+    Com<IDirect3DSurface9> copy;
+    must(device()->CreateOffscreenPlainSurface(target.width, target.height, target.format, D3DPOOL_SYSTEMMEM, copy.put(), nullptr),
+         "CreateOffscreenPlainSurface");
+    must(device()->GetRenderTargetData(target.surface.get(), copy.get()), "GetRenderTargetData");
+    D3DLOCKED_RECT locked{};
+    must(copy->LockRect(&locked, nullptr, D3DLOCK_READONLY), "LockRect");
+    Pixels pixels{target.width, target.height, format.channels, {}};
+    appendRows(pixels, locked.pBits, static_cast<unsigned>(locked.Pitch), format.halves);
+    copy->UnlockRect();
+    return pixels;
+}
+
+} // namespace
+
+std::unique_ptr<Engine> openDirect3D9(const Job& job) {
+    return std::make_unique<Direct3D9>(job);
+}
+
+} // namespace client

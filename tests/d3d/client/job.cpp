@@ -1,0 +1,136 @@
+#include "job.h"
+
+#include "com.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace client {
+
+namespace {
+
+Numbers restAsNumbers(std::istream& line) {
+    Numbers numbers;
+    for (float number = 0; line >> number;)
+        numbers.push_back(number);
+    return numbers;
+}
+
+std::string restAsText(std::istream& line) {
+    std::string text;
+    std::getline(line >> std::ws, text);
+    return text;
+}
+
+std::string objectOf(const std::string& written) {
+    return written == "-" ? "" : upper(written);
+}
+
+void readTarget(std::istream& line, Job& job) {
+    std::string name;
+    std::string kind;
+    TargetShape shape;
+    line >> name >> kind >> shape.width >> shape.height >> shape.format >> shape.levels;
+    shape.depth = kind == "depth";
+    job.targets[name] = shape;
+}
+
+/// What a scene says. False: another kind of statement.
+bool readScene(const std::string& key, std::istream& line, Job& job) {
+    std::string name;
+    std::string object;
+    if (key == "picture") {
+        line >> job.width >> job.height >> job.background[0] >> job.background[1] >> job.background[2];
+    } else if (key == "mesh") {
+        line >> job.mesh;
+    } else if (key == "scene") {
+        line >> name >> object;
+        job.scene.push_back({upper(name), objectOf(object), restAsNumbers(line)});
+    } else if (key == "value") {
+        line >> name;
+        job.values[name] = restAsNumbers(line);
+    } else if (key == "texture") {
+        line >> name >> job.textures[name];
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// What an effect file would say.
+bool readEffect(const std::string& key, std::istream& line, Job& job) {
+    std::string name;
+    if (key == "effect") {
+        line >> job.effect;
+    } else if (key == "technique") {
+        line >> job.technique;
+    } else if (key == "target") {
+        readTarget(line, job);
+    } else if (key == "parameter") {
+        std::string semantic;
+        std::string object;
+        line >> name >> semantic >> object;
+        job.parameters[name] = {upper(semantic), objectOf(object)};
+    } else if (key == "number") {
+        line >> name;
+        job.numbers[name] = restAsNumbers(line);
+    } else if (key == "script") {
+        job.script = restAsText(line);
+    } else if (key == "sampler") {
+        line >> name >> job.samplers[name].filter >> job.samplers[name].address;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool readPass(const std::string& key, std::istream& line, Job& job) {
+    if (key == "pass") {
+        PassInfo& pass = job.passes.emplace_back();
+        line >> pass.name >> pass.vertexFile >> pass.pixelFile;
+        return true;
+    }
+    if (job.passes.empty()) return false;
+    PassInfo& pass = job.passes.back();
+    if (key == "passscript") {
+        pass.script = restAsText(line);
+        return true;
+    }
+    if (key != "state") return false;
+    std::string name;
+    line >> name;
+    pass.state[name] = restAsNumbers(line);
+    return true;
+}
+
+} // namespace
+
+std::string upper(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+    return text;
+}
+
+const Numbers* Job::findScene(const std::string& semantic, const std::string& object) const {
+    for (const SceneValue& value : scene)
+        if (value.semantic == upper(semantic) && value.object == upper(object)) return &value.numbers;
+    return nullptr;
+}
+
+Job readJob(const std::string& folder, const std::string& file) {
+    std::ifstream in(folder + "\\" + file);
+    if (!in) fail("cannot read " + folder + "\\" + file);
+    Job job;
+    job.folder = folder;
+    for (std::string text; std::getline(in, text);) {
+        std::istringstream line(text);
+        std::string key;
+        line >> key;
+        if (!readScene(key, line, job) && !readEffect(key, line, job) && !readPass(key, line, job))
+            fail("unknown statement '" + key + "' in " + file);
+    }
+    return job;
+}
+
+} // namespace client

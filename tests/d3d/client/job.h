@@ -1,0 +1,89 @@
+#pragma once
+// One effect to run: what an engine would know of its scene. Written by the host (tests/d3d/job_file.cpp), one statement a line:
+//
+//   effect FILE                            fx_2_0 or fx_4_0
+//   technique NAME
+//   picture WIDTH HEIGHT R G B             the application's targets, and what it clears them to (alpha 0)
+//   mesh FILE                              counts, 12 floats a vertex, 32-bit indices
+//   scene SEMANTIC OBJECT NUMBER...        a value that effects may ask for by semantic; OBJECT - is the camera or the mesh
+//   value NAME NUMBER...                   a value that the user has set
+//   texture NAME FILE                      levels of a texture, see pixels.h
+//   target NAME color|depth WIDTH HEIGHT FORMAT LEVELS
+//   parameter NAME SEMANTIC OBJECT         Direct3D 11 only from here on: compiled entry points know no semantics, scripts and states
+//   number NAME NUMBER                     what a script reads, where no shader does
+//   script TEXT
+//   pass NAME VERTEX-FILE PIXEL-FILE
+//   passscript TEXT                        of the pass before it
+//   state KEY NUMBER...                    of the pass before it
+//   sampler NAME FILTER ADDRESS
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace client {
+
+using Numbers = std::vector<float>;
+
+struct SceneValue {
+    std::string semantic; // upper case
+    std::string object;   // empty: camera or mesh
+    Numbers numbers;
+};
+
+struct TargetShape {
+    bool depth = false;
+    unsigned width = 0;
+    unsigned height = 0;
+    std::string format; // D3DFORMAT name
+    unsigned levels = 1;
+};
+
+struct ParameterInfo {
+    std::string semantic;
+    std::string object;
+};
+
+struct PassInfo {
+    std::string name;
+    std::string vertexFile;
+    std::string pixelFile;
+    std::string script;
+    std::map<std::string, Numbers> state;
+};
+
+struct SamplerInfo {
+    std::string filter;
+    std::string address;
+};
+
+struct Job {
+    std::string folder; // all files are in it
+    std::string effect;
+    std::string technique;
+    unsigned width = 1;
+    unsigned height = 1;
+    std::array<float, 3> background{};
+    std::string mesh;
+    std::vector<SceneValue> scene;
+    std::map<std::string, Numbers> values;
+    std::map<std::string, std::string> textures;
+    std::map<std::string, TargetShape> targets;
+    std::map<std::string, ParameterInfo> parameters;
+    std::map<std::string, Numbers> numbers;
+    std::string script;
+    std::vector<PassInfo> passes;
+    std::map<std::string, SamplerInfo> samplers;
+
+    [[nodiscard]] std::string path(const std::string& file) const { return folder + "\\" + file; }
+    /// Null: the scene has no such value.
+    [[nodiscard]] const Numbers* findScene(const std::string& semantic, const std::string& object) const;
+};
+
+/// `folder\file`.
+Job readJob(const std::string& folder, const std::string& file);
+
+std::string upper(std::string text);
+
+} // namespace client

@@ -1,0 +1,119 @@
+#include "tests/d3d/difference.h"
+
+#include "host/run/target_desc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tegument::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Kind kindOf(const Parameter& parameter) {
+    const auto target = run::describeTarget(parameter, {kPictureWidth, kPictureHeight});
+    if (!target) return Kind::Float;
+    if (gpu::isDepth(target->format)) return Kind::Depth;
+    const bool half = run::d3dName(target->format).ends_with("16F");
+    return half ? Kind::Half : Kind::Float;
+}
+
+/// Largest over the pixel's channels.
+double pixelDistance(const Image& a, const Image& b, std::size_t pixel) {
+    double largest = 0;
+    for (std::size_t channel = 0; channel < static_cast<std::size_t>(a.channels); ++channel) {
+        const std::size_t i = pixel * static_cast<std::size_t>(a.channels) + channel;
+        const double difference = std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
+        largest = std::max(largest, std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity());
+    }
+    return largest;
+}
+
+double scaleOf(const Image& image) {
+    double scale = 1;
+    for (const float value : image.pixels)
+        scale = std::max(scale, std::abs(static_cast<double>(value)));
+    return scale;
+}
+
+Distance measure(const Image& image, const Image& reference, double limit) {
+    Distance result{.scale = scaleOf(reference)};
+    result.pixels = reference.pixels.size() / static_cast<std::size_t>(reference.channels);
+    std::vector<double> all(result.pixels);
+    for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
+        all[pixel] = pixelDistance(image, reference, pixel) / result.scale;
+        result.beyond += all[pixel] > limit ? 1 : 0;
+    }
+    const auto largest = std::ranges::max_element(all);
+    const auto at = static_cast<int>(largest - all.begin());
+    result.largest = *largest;
+    result.x = at % reference.width;
+    result.y = at / reference.width;
+    const auto rank = all.begin() + static_cast<std::ptrdiff_t>(0.999 * static_cast<double>(all.size() - 1));
+    std::ranges::nth_element(all, rank);
+    result.p999 = *rank;
+    return result;
+}
+
+} // namespace
+
+double tolerance(Kind kind) {
+    switch (kind) {
+    case Kind::Half: return 1e-3;    // one step of a half below 1 or above: wined3d and lavapipe round single values differently
+    case Kind::Picture: return 5e-3; // eight bits of a colour map and its filter; one step of the display's 255 is 4e-3
+    default: return 1e-5;            // a hundred steps of a float
+    }
+}
+
+std::vector<DrawnTarget> targetsOf(const Case& drawn) {
+    std::vector<DrawnTarget> targets;
+    const auto effect = loadCase(drawn);
+    if (!effect) return targets;
+    std::error_code code;
+    for (const Parameter& parameter : effect->parameters)
+        if (run::isTarget(parameter) && fs::exists(drawing(drawn, Engine::Vulkan, parameter.name), code))
+            targets.push_back({parameter.name, kindOf(parameter)});
+    targets.push_back({"picture", Kind::Picture});
+    return targets;
+}
+
+const std::vector<Exception>& exceptions() {
+    static const std::string kRounding =
+        "each of up to ten passes rounds to half again, and where ps_3_0 adds in another order than SM4 the "
+        "last bit falls to the other side; with 32-bit maps the difference is gone";
+    static const std::string kThickness =
+        "alpha is exp(-0.2 t) of a thickness that is the difference of two depths near 1,300 mm, whose last "
+        "bit is 1.2e-4 mm, and t counts in mm";
+    static const std::string kShadowEdge = "a depth one step apart turns a comparison at the edge of a shadow";
+    static const std::vector<Exception> all = {
+        {Engine::Direct3D9, "Convolution_", "gIrradiance", 5e-3, 0.25, kRounding},
+        {Engine::Direct3D9, "Main_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},
+        {Engine::Direct3D9, "Main_", "picture", 5e-2, 4.0 / (kPictureWidth * kPictureHeight), kShadowEdge},
+        {Engine::Direct3D9, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
+        {Engine::Direct3D10, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
+        {Engine::Direct3D11, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
+    };
+    return all;
+}
+
+const Exception* exceptionFor(const Case& drawn, Engine engine, const DrawnTarget& target) {
+    for (const Exception& exception : exceptions())
+        if (exception.engine == engine && drawn.name().starts_with(exception.cases) && target.name.starts_with(exception.targets))
+            return &exception;
+    return nullptr;
+}
+
+Result<Distance> distance(const Case& drawn, Engine engine, const DrawnTarget& target) {
+    const auto reference = readFloats(drawing(drawn, Engine::Vulkan, target.name));
+    if (!reference) return reference.error();
+    const fs::path path = drawing(drawn, engine, target.name);
+    const auto image = readFloats(path);
+    if (!image) return image.error();
+    if (image->width != reference->width || image->height != reference->height || image->channels != reference->channels)
+        return inputError(5260, {.file = path.string(), .byte = {}}, "the target has another size or other channels than Vulkan's");
+    return measure(*image, *reference, tolerance(target.kind));
+}
+
+} // namespace tegument::test

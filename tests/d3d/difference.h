@@ -1,0 +1,51 @@
+#pragma once
+// How far an engine's target is from the one that Vulkan drew, and how far it may be.
+
+#include "tests/d3d/cases.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tegument::test {
+
+enum class Kind { Float, Half, Depth, Picture };
+
+/// Largest difference that passes, by kind, in units of the target's largest magnitude where that is above 1.
+[[nodiscard]] double tolerance(Kind kind);
+
+/// A target that Vulkan has drawn.
+struct DrawnTarget {
+    std::string name; // "picture": the application's
+    Kind kind = Kind::Float;
+};
+[[nodiscard]] std::vector<DrawnTarget> targetsOf(const Case& drawn);
+
+/// Over every channel of every pixel; a value that is not a number counts as infinitely far.
+struct Distance {
+    double scale = 1;   // what differences are measured in
+    double largest = 0; // in these units, like the others
+    double p999 = 0;    // 99.9 % of the pixels differ by no more
+    int x = 0;          // of the largest
+    int y = 0;
+    std::size_t beyond = 0; // pixels beyond the tolerance
+    std::size_t pixels = 0;
+};
+
+/// An Error: no drawing, or another size.
+[[nodiscard]] Result<Distance> distance(const Case& drawn, Engine engine, const DrawnTarget& target);
+
+/// A known difference: where, how many pixels, how far, and why.
+struct Exception {
+    Engine engine = Engine::Direct3D9;
+    std::string cases;   // beginning of their names
+    std::string targets; // beginning of their names
+    double largest = 0;  // in the units of Distance
+    double beyond = 0;   // share of the pixels beyond the tolerance
+    std::string reason;
+};
+[[nodiscard]] const std::vector<Exception>& exceptions();
+/// Null: the tolerance holds for every pixel.
+[[nodiscard]] const Exception* exceptionFor(const Case& drawn, Engine engine, const DrawnTarget& target);
+
+} // namespace tegument::test

@@ -1,0 +1,78 @@
+// Draws everything with everything, once; compare_test.cpp looks at the results. CTest runs this first (a fixture).
+
+#include "host/run/execute.h"
+#include "host/support/file.h"
+#include "tests/d3d/engines.h"
+#include "tests/d3d/job_file.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One case on Vulkan, and its inputs written down for the others.
+Result<void> drawWithVulkan(gpu::Device& device, const Mesh& mesh, const Case& drawn,
+                            std::map<Engine, std::vector<std::string>>& jobFiles) {
+    const auto effect = loadCase(drawn);
+    if (!effect) return effect.error();
+    const Workspace workspace = testWorkspace();
+    const RunOptions options{
+        .technique = drawn.technique, .width = kPictureWidth, .height = kPictureHeight, .compiler = Compiler::Dxc, .dump = {"all"}};
+    const run::RunInput input{
+        .device = device, .effect = *effect, .mesh = &mesh, .workspace = workspace, .options = options, .producers = {}};
+    auto prepared = run::prepare(input);
+    if (!prepared) return prepared.error();
+    if (const auto textures = run::prepareTextures(input, *prepared); !textures) return textures;
+    for (const Engine engine : kDirect3D) {
+        auto job = writeJob(drawn, engine, input, *prepared);
+        if (!job) return job.error();
+        jobFiles[engine].push_back(std::move(*job));
+    }
+    const auto result = run::execute(input, *prepared);
+    if (!result) return result.error();
+    for (const auto& [name, image] : result->dumped)
+        if (const auto written = writeFloats(drawing(drawn, Engine::Vulkan, name), image); !written) return written;
+    if (const auto written = writeFloats(drawing(drawn, Engine::Vulkan, "picture"), result->image); !written) return written;
+    return writeFile(statusFile(drawn, Engine::Vulkan), "ok");
+}
+
+std::string statusOf(const Case& drawn, Engine engine) {
+    const auto status = readFile(statusFile(drawn, engine));
+    return status ? *status : "not drawn";
+}
+
+TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
+    fs::remove_all(drawings());
+    if (const std::string missing = clientsMissing(); !missing.empty()) GTEST_SKIP() << missing;
+    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not installed";
+    auto device = gpu::Device::create({});
+    if (!device) GTEST_SKIP() << format(device.error());
+    const auto mesh = testMesh();
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    const auto meshWritten = writeMeshFile(drawings() / kMeshFile, *mesh);
+    ASSERT_TRUE(meshWritten) << format(meshWritten.error());
+
+    ASSERT_FALSE(allCases().empty());
+    std::map<Engine, std::vector<std::string>> jobFiles;
+    for (const Case& drawn : allCases()) {
+        const auto done = drawWithVulkan(*device, *mesh, drawn, jobFiles);
+        ASSERT_TRUE(done) << drawn.name() << "\n" << format(done.error());
+    }
+    const auto refused = compileAll(allCases());
+    ASSERT_TRUE(refused) << format(refused.error());
+    for (const std::string& message : *refused)
+        ADD_FAILURE() << message;
+    for (const Engine engine : kDirect3D) {
+        const auto done = drawAll(engine, allCases(), jobFiles[engine]);
+        ASSERT_TRUE(done) << format(done.error());
+        for (const Case& drawn : allCases())
+            EXPECT_EQ(statusOf(drawn, engine), "ok") << drawn.name() << " on " << engineName(engine);
+    }
+}
+
+} // namespace
+} // namespace tegument::test

@@ -1,0 +1,139 @@
+#include "tests/d3d/engines.h"
+
+#include "host/compile/microsoft.h"
+#include "host/compile/microsoft_messages.h"
+#include "host/compile/wine.h"
+#include "host/support/file.h"
+#include "tests/d3d/job_file.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <span>
+#include <sstream>
+
+namespace tegument::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kStartSeconds = 60; // a slow machine's first process in the prefix
+constexpr double kDrawSeconds = 10;  // the longest technique takes under a second
+
+std::vector<std::pair<std::string, std::string>> definesFor(const Case& drawn, const char* target) {
+    auto defines = drawn.defines();
+    if (*target != '\0') defines.emplace_back(target, "1");
+    return defines;
+}
+
+void addEntry(const Case& drawn, const std::optional<ShaderReference>& shader, const char* profile,
+              std::map<std::string, MicrosoftJob>& jobs) {
+    if (!shader) return;
+    const std::string file = entryFile(drawn, *shader);
+    jobs[file] = {.profile = profile,
+                  .entry = shader->entry,
+                  .source = drawn.effect,
+                  .defines = definesFor(drawn, "FX_ENTRY"),
+                  .output = drawings() / file};
+}
+
+void addJobs(const Case& drawn, std::map<std::string, MicrosoftJob>& jobs) {
+    for (const Engine engine : {Engine::Direct3D9, Engine::Direct3D10}) {
+        const bool nine = engine == Engine::Direct3D9;
+        const std::string file = effectFile(drawn, engine);
+        jobs[file] = {.profile = nine ? "fx_2_0" : "fx_4_0",
+                      .entry = {},
+                      .source = drawn.effect,
+                      .defines = definesFor(drawn, nine ? "" : "FX_D3D10"),
+                      .output = drawings() / file};
+    }
+    const auto effect = loadCase(drawn);
+    if (!effect) return;
+    for (const Pass& pass : effect->findTechnique(drawn.technique)->passes) {
+        addEntry(drawn, pass.vertexShader, "vs_5_0", jobs);
+        addEntry(drawn, pass.pixelShader, "ps_5_0", jobs);
+    }
+}
+
+/// The client with Microsoft's compiler beside it: Wine takes a native library from there, and d3dx9_43 wants one.
+Result<fs::path> clientBesideCompiler() {
+    std::error_code code;
+    const fs::path client = drawings() / "d3d_client.exe";
+    const fs::path library = drawings() / "d3dcompiler_47.dll";
+    fs::remove(client, code);
+    fs::remove(library, code);
+    fs::create_symlink(TEGUMENT_D3D_CLIENT, client, code);
+    if (!code) fs::create_symlink(microsoftCompilerLibrary(), library, code);
+    if (code) return machineError(5002, fmt::format("cannot link the client into {}: {}", drawings().string(), code.message()));
+    return client;
+}
+
+std::vector<std::string> linesOf(const fs::path& file) {
+    std::vector<std::string> lines;
+    const auto text = readFile(file);
+    std::istringstream in(text ? *text : "");
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+/// One process: as many results as it got through.
+Result<std::vector<std::string>> drawBatch(Engine engine, const fs::path& client, std::span<const Case> cases,
+                                           std::span<const std::string> jobFiles) {
+    std::string list;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        list += fmt::format("{} {}.{}.\n", jobFiles[i], cases[i].name(), engineName(engine));
+    const std::string jobs = engineName(engine) + ".jobs";
+    const std::string results = engineName(engine) + ".results";
+    std::error_code code;
+    fs::remove(drawings() / results, code);
+    if (const auto written = writeFile(drawings() / jobs, list); !written) return written.error();
+    const auto process = runInWine(client, {engineName(engine).substr(3), windowsPath(drawings()), jobs, results},
+                                   kStartSeconds + kDrawSeconds * static_cast<double>(cases.size()));
+    if (!process) return process.error();
+    std::vector<std::string> lines = linesOf(drawings() / results);
+    if (lines.size() < cases.size() && (lines.empty() || lines.back() == "ok"))
+        lines.push_back(process->timedOut ? "the client did not end in time"
+                                          : fmt::format("the client ended with exit code {} {}", process->exitCode, process->output));
+    return lines;
+}
+
+} // namespace
+
+std::string clientsMissing() {
+    if (std::string missing = microsoftCompilerMissing(); !missing.empty()) return missing;
+    std::error_code code;
+    return fs::exists(TEGUMENT_D3D_CLIENT, code) ? "" : "d3d_client.exe was not built (g++-mingw-w64-x86-64 was not installed)";
+}
+
+Result<std::vector<std::string>> compileAll(const std::vector<Case>& cases) {
+    std::map<std::string, MicrosoftJob> byFile;
+    for (const Case& drawn : cases)
+        addJobs(drawn, byFile);
+    std::vector<MicrosoftJob> jobs;
+    for (auto& [file, job] : byFile)
+        jobs.push_back(std::move(job));
+    const auto results = compileWithMicrosoft(jobs);
+    if (!results) return results.error();
+    std::vector<std::string> refused;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+        if (!(*results)[i].ok && !(*results)[i].diagnostics.empty())
+            refused.push_back(fmt::format("{} {}: {}", jobs[i].profile, jobs[i].entry, format((*results)[i].diagnostics.front())));
+    return refused;
+}
+
+Result<void> drawAll(Engine engine, const std::vector<Case>& cases, const std::vector<std::string>& jobFiles) {
+    const auto client = clientBesideCompiler();
+    if (!client) return client.error();
+    for (std::size_t done = 0; done < cases.size();) {
+        const auto lines = drawBatch(engine, *client, std::span(cases).subspan(done), std::span(jobFiles).subspan(done));
+        if (!lines) return lines.error();
+        for (const std::string& line : *lines)
+            if (const auto written = writeFile(statusFile(cases[done++], engine), line); !written) return written;
+    }
+    return {};
+}
+
+} // namespace tegument::test

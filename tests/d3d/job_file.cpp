@@ -1,0 +1,206 @@
+#include "tests/d3d/job_file.h"
+
+#include "host/run/geometry.h"
+#include "host/run/pixels.h"
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace tegument::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using run::Numbers;
+
+template <class T>
+void append(std::string& bytes, const T* values, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+/// Shortest text that reads back as the same float.
+std::string text(const Numbers& numbers) {
+    std::string line;
+    for (const double number : numbers)
+        line += fmt::format(" {}", static_cast<float>(number));
+    return line;
+}
+
+Type numeric(int rows, int columns) {
+    return {.base = BaseType::Float, .rows = rows, .columns = columns, .elements = 0, .name = "float"};
+}
+
+/// What the scene has for a semantic: asked for as a matrix, a vector and a number.
+std::optional<Numbers> sceneValue(const std::string& semantic, const std::string& object, const run::SceneView& scene) {
+    for (const Type& type : {numeric(4, 4), numeric(1, 3), numeric(1, 1)}) {
+        Parameter parameter{.name = semantic, .type = type, .semantic = semantic, .annotations = {}, .defaultValue = {}, .at = {}};
+        if (!object.empty()) parameter.annotations.list.push_back({.name = "Object", .type = {}, .value = object, .at = {}, .pieces = {}});
+        if (const auto value = run::semanticValue(parameter, scene); value && *value) return **value;
+    }
+    return std::nullopt;
+}
+
+std::string sceneLines(const run::SceneView& scene) {
+    std::string lines;
+    for (const std::string& semantic : run::numericSemantics())
+        for (const char* object : {"", "PointLight0"})
+            if (const auto value = sceneValue(semantic, object, scene))
+                lines += fmt::format("scene {} {}{}\n", semantic, *object == '\0' ? "-" : object, text(*value));
+    return lines;
+}
+
+std::string targetLines(const run::Prepared& prepared) {
+    std::string lines;
+    for (const auto& [name, target] : prepared.targets) {
+        if (name == run::kPicture || name == run::kPictureDepth) continue;
+        lines += fmt::format("target {} {} {} {} {} {}\n", name, gpu::isDepth(target.format) ? "depth" : "color", target.extent.width,
+                             target.extent.height, run::d3dName(target.format), target.mips);
+    }
+    return lines;
+}
+
+Result<std::uint32_t> texelFormat(const std::string& name, gpu::Format format) {
+    using gpu::Format; // in the order of client/pixels.h
+    constexpr std::array kFormats = {Format::RGBA8,   Format::RGBA8Srgb, Format::RGBA16, Format::R16F,   Format::RG16F,
+                                     Format::RGBA16F, Format::R32F,      Format::RG32F,  Format::RGBA32F};
+    const auto* found = std::ranges::find(kFormats, format);
+    if (found == kFormats.end()) return machineError(5002, fmt::format("{} has a format that the clients do not read", name));
+    return static_cast<std::uint32_t>(found - kFormats.begin());
+}
+
+/// All levels as the device makes them: mip chains made by each engine in its own way would differ in rounding.
+Result<std::string> textureBytes(gpu::Device& device, const std::string& name, const run::TextureData& data) {
+    const auto format = texelFormat(name, data.format);
+    if (!format) return format.error();
+    auto texture = device.createTexture({.name = name,
+                                         .format = data.format,
+                                         .width = static_cast<std::uint32_t>(data.image.width),
+                                         .height = static_cast<std::uint32_t>(data.image.height),
+                                         .mips = data.mips ? 0U : 1U});
+    if (!texture) return texture.error();
+    if (const auto done = device.upload(*texture, run::texels(data.image, data.format, data.decode)); !done) return done.error();
+    if (data.mips) {
+        const auto made = device.run([&](gpu::Recorder& recorder) { return recorder.generateMips(*texture); });
+        if (!made) return made.error();
+    }
+    const std::array head = {*format, texture->desc().width, texture->desc().height, texture->desc().mips};
+    std::string bytes;
+    append(bytes, head.data(), head.size());
+    for (std::uint32_t level = 0; level < texture->desc().mips; ++level) {
+        const auto texels = device.readback(*texture, level);
+        if (!texels) return texels.error();
+        append(bytes, texels->data(), texels->size());
+    }
+    return bytes;
+}
+
+Result<std::string> textureLines(const run::RunInput& input, const run::Prepared& prepared) {
+    std::string lines;
+    for (const auto& [name, data] : prepared.textures) {
+        const auto bytes = textureBytes(input.device, name, data);
+        if (!bytes) return bytes.error();
+        const std::string file = contentHash(*bytes) + ".texture";
+        std::error_code code;
+        if (!fs::exists(drawings() / file, code))
+            if (const auto written = writeFile(drawings() / file, *bytes); !written) return written.error();
+        lines += fmt::format("texture {} {}\n", name, file);
+    }
+    return lines;
+}
+
+std::string blendLine(std::size_t slot, const TargetBlend& blend) {
+    return fmt::format("state blend{} {} {} {} {} {} {} {} {}\n", slot, static_cast<int>(blend.enable), static_cast<int>(blend.src),
+                       static_cast<int>(blend.dst), static_cast<int>(blend.op), static_cast<int>(blend.srcAlpha),
+                       static_cast<int>(blend.dstAlpha), static_cast<int>(blend.opAlpha), blend.writeMask);
+}
+
+std::string stateLines(const PipelineState& state) {
+    constexpr std::size_t kTargets = 4;
+    std::string lines =
+        fmt::format("state depth {} {} {}\nstate raster {} {}\n", static_cast<int>(state.depthTest), static_cast<int>(state.depthWrite),
+                    static_cast<int>(state.depthCompare), static_cast<int>(state.cull), static_cast<int>(state.frontCounterClockwise));
+    for (std::size_t slot = 0; slot < kTargets; ++slot)
+        lines += blendLine(slot, state.targets.at(slot));
+    return lines;
+}
+
+std::string scriptOf(const Annotations& annotations) {
+    return annotations.string("Script").value_or("");
+}
+
+std::string passLines(const Case& drawn, const Technique& technique) {
+    std::string lines = fmt::format("script {}\n", scriptOf(technique.annotations));
+    for (const Pass& pass : technique.passes)
+        lines += fmt::format("pass {} {} {}\npassscript {}\n{}", pass.name, entryFile(drawn, *pass.vertexShader),
+                             entryFile(drawn, *pass.pixelShader), scriptOf(pass.annotations), stateLines(pass.state));
+    return lines;
+}
+
+std::string samplerLines(const Effect& effect) {
+    std::string lines;
+    for (const Sampler& sampler : effect.samplers)
+        lines += fmt::format("sampler {} {} {}\n", sampler.name, static_cast<int>(sampler.state.minFilter),
+                             static_cast<int>(sampler.state.addressU));
+    return lines;
+}
+
+/// What compiled entry points have lost.
+std::string declarationLines(const run::RunInput& input, const run::Prepared& prepared) {
+    std::string lines;
+    for (const Parameter& parameter : input.effect.parameters) {
+        if (!parameter.type.isNumeric()) continue;
+        if (!parameter.semantic.empty())
+            lines += fmt::format("parameter {} {} {}\n", parameter.name, parameter.semantic,
+                                 parameter.annotations.string("Object").value_or("-"));
+        if (const Numbers* value = prepared.values.find(parameter.name))
+            lines += fmt::format("number {}{}\n", parameter.name, text(*value));
+    }
+    return lines;
+}
+
+} // namespace
+
+Result<void> writeMeshFile(const fs::path& path, const Mesh& mesh) {
+    const std::vector<float> vertices = run::interleave(mesh);
+    const std::array counts = {static_cast<std::uint32_t>(mesh.positions.size()), static_cast<std::uint32_t>(mesh.indices.size())};
+    std::string bytes;
+    append(bytes, counts.data(), counts.size());
+    append(bytes, vertices.data(), vertices.size());
+    append(bytes, mesh.indices.data(), mesh.indices.size());
+    return writeFile(path, bytes);
+}
+
+std::string effectFile(const Case& drawn, Engine engine) {
+    return drawn.effectName() + (engine == Engine::Direct3D9 ? ".fx2.fxo" : ".fx4.fxo");
+}
+
+std::string entryFile(const Case& drawn, const ShaderReference& shader) {
+    return drawn.effectName() + "." + shader.entry + ".cso";
+}
+
+Result<std::string> writeJob(const Case& drawn, Engine engine, const run::RunInput& input, const run::Prepared& prepared) {
+    const Technique* technique = input.effect.findTechnique(drawn.technique);
+    assert(technique);
+    const auto textures = textureLines(input, prepared);
+    if (!textures) return textures.error();
+    const glm::vec3 background = input.workspace.background;
+    std::string lines = fmt::format("technique {}\npicture {} {}{}\n", drawn.technique, kPictureWidth, kPictureHeight,
+                                    text({background.x, background.y, background.z}));
+    if (prepared.drawsMesh) lines += fmt::format("mesh {}\n", kMeshFile);
+    lines += sceneLines(prepared.scene) + *textures;
+    if (engine != Engine::Direct3D11) lines += fmt::format("effect {}\n", effectFile(drawn, engine));
+    if (engine != Engine::Direct3D9) lines += targetLines(prepared); // Wine's Direct3D 10 cannot read the numbers of annotations
+    if (engine == Engine::Direct3D11)
+        lines += declarationLines(input, prepared) + samplerLines(input.effect) + passLines(drawn, *technique);
+    const std::string file = fmt::format("{}.{}.job", drawn.name(), engineName(engine));
+    if (const auto written = writeFile(drawings() / file, lines); !written) return written.error();
+    return file;
+}
+
+} // namespace tegument::test

@@ -34,6 +34,7 @@ struct DeviceState {
     std::unique_ptr<MessageLog> log = std::make_unique<MessageLog>();
     vk::raii::Instance instance{nullptr};
     vk::raii::DebugUtilsMessengerEXT messenger{nullptr};
+    vk::raii::SurfaceKHR surface{nullptr}; // null: headless
     vk::raii::PhysicalDevice physical{nullptr};
     vk::raii::Device device{nullptr};
     vk::raii::Queue queue{nullptr};

@@ -1,6 +1,6 @@
 #pragma once
-// A thin Vulkan 1.3 layer: a headless device, textures, pipelines, and a recorder that tracks layouts and barriers itself.
-// It knows nothing of effects or scenes. No Vulkan type and no exception crosses this header.
+// A thin Vulkan 1.3 layer: a device, headless or with a window, textures, pipelines, and a recorder that tracks layouts and barriers
+// itself. It knows nothing of effects or scenes. No Vulkan type and no exception crosses this header.
 
 #include "host/support/result.h"
 #include "host/support/state.h"
@@ -43,9 +43,17 @@ enum class Format {
 [[nodiscard]] std::uint32_t bytesPerPixel(Format format);
 [[nodiscard]] std::string_view name(Format format);
 
+/// What a window library gives, without its types. The surface belongs to the device, which must be gone before the window is.
+struct WindowSurface {
+    std::vector<std::string> instanceExtensions;
+    /// A VkInstance in, a VkSurfaceKHR out.
+    std::function<Result<std::uint64_t>(void* instance)> create;
+};
+
 struct DeviceOptions {
     bool validation = false; // Khronos validation with synchronization validation; a missing layer is an error
     std::string prefer;      // part of a device name, ignoring case; empty: $TEGUMENT_DEVICE, else discrete, integrated, virtual, CPU
+    const WindowSurface* window = nullptr; // null: headless; else a device that can draw to it (host/gpu/present.h)
 };
 
 struct DeviceInfo {
@@ -235,6 +243,7 @@ public:
     [[nodiscard]] std::uint64_t allocatedBytes() const;
 
 private:
+    friend class Presenter;
     explicit Device(std::shared_ptr<detail::DeviceState> state);
     std::shared_ptr<detail::DeviceState> state_;
 };

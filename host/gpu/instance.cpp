@@ -38,12 +38,14 @@ bool hasValidationLayer(const vk::raii::Context& context) {
 
 constexpr vk::ApplicationInfo kApplication{.pApplicationName = "tegument", .pEngineName = "tegument", .apiVersion = VK_API_VERSION_1_3};
 
-vk::raii::Instance makePlainInstance(const vk::raii::Context& context) {
-    return vk::raii::Instance(context, vk::InstanceCreateInfo{.pApplicationInfo = &kApplication});
+vk::raii::Instance makePlainInstance(const vk::raii::Context& context, const std::vector<const char*>& extensions) {
+    return vk::raii::Instance(context, vk::InstanceCreateInfo{.pApplicationInfo = &kApplication,
+                                                              .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                                              .ppEnabledExtensionNames = extensions.data()});
 }
 
-vk::raii::Instance makeValidatedInstance(const vk::raii::Context& context, MessageLog& log) {
-    constexpr std::array kExtensions = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+vk::raii::Instance makeValidatedInstance(const vk::raii::Context& context, std::vector<const char*> extensions, MessageLog& log) {
+    extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
     constexpr vk::ValidationFeatureEnableEXT kSynchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
     const vk::DebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(log); // hears of the instance's own creation and destruction
     const vk::ValidationFeaturesEXT features{
@@ -53,8 +55,8 @@ vk::raii::Instance makeValidatedInstance(const vk::raii::Context& context, Messa
                                            .pApplicationInfo = &kApplication,
                                            .enabledLayerCount = 1,
                                            .ppEnabledLayerNames = &kValidationLayer,
-                                           .enabledExtensionCount = static_cast<std::uint32_t>(kExtensions.size()),
-                                           .ppEnabledExtensionNames = kExtensions.data(),
+                                           .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                           .ppEnabledExtensionNames = extensions.data(),
                                        });
 }
 
@@ -67,22 +69,44 @@ Result<std::shared_ptr<DeviceState>> openLoader() {
     }
 }
 
+std::vector<const char*> windowExtensions(const DeviceOptions& options) {
+    std::vector<const char*> names;
+    if (options.window)
+        for (const std::string& name : options.window->instanceExtensions)
+            names.push_back(name.c_str());
+    return names;
+}
+
+Result<void> createInstance(DeviceState& state, const DeviceOptions& options) {
+    if (!options.validation) {
+        state.instance = makePlainInstance(state.context, windowExtensions(options));
+        return {};
+    }
+    if (!hasValidationLayer(state.context))
+        return machineError(6003, std::string("the Vulkan validation layer ") + kValidationLayer + " is not installed",
+                            "install the Debian package vulkan-validationlayers, or run without validation");
+    state.instance = makeValidatedInstance(state.context, windowExtensions(options), *state.log);
+    state.messenger = state.instance.createDebugUtilsMessengerEXT(messengerInfo(*state.log));
+    return {};
+}
+
+Result<void> createSurface(DeviceState& state, const WindowSurface& window) {
+    const auto surface = window.create(static_cast<VkInstance>(*state.instance));
+    if (!surface) return surface.error();
+    // A pointer or a 64-bit number, as the platform has it; a C cast serves both.
+    state.surface = vk::raii::SurfaceKHR(state.instance, (VkSurfaceKHR)*surface);
+    return {};
+}
+
 } // namespace
 
 Result<std::shared_ptr<DeviceState>> makeInstance(const DeviceOptions& options) {
     Result<std::shared_ptr<DeviceState>> opened = openLoader();
     if (!opened) return opened;
-    DeviceState& state = **opened;
     try {
-        if (!options.validation) {
-            state.instance = makePlainInstance(state.context);
-            return opened;
-        }
-        if (!hasValidationLayer(state.context))
-            return machineError(6003, std::string("the Vulkan validation layer ") + kValidationLayer + " is not installed",
-                                "install the Debian package vulkan-validationlayers, or run without validation");
-        state.instance = makeValidatedInstance(state.context, *state.log);
-        state.messenger = state.instance.createDebugUtilsMessengerEXT(messengerInfo(*state.log));
+        if (const auto created = createInstance(**opened, options); !created) return created.error();
+        if (options.window)
+            if (const auto created = createSurface(**opened, *options.window); !created) return created.error();
         return opened;
     } catch (const vk::IncompatibleDriverError&) {
         return machineError(6002, "no Vulkan device: no driver was found", kNoDeviceHint);

@@ -11,12 +11,6 @@ namespace {
 using FeatureChain = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features, vk::PhysicalDeviceVulkan12Features,
                                         vk::PhysicalDeviceVulkan13Features, vk::PhysicalDeviceCustomBorderColorFeaturesEXT>;
 
-bool hasExtension(const vk::raii::PhysicalDevice& device, std::string_view name) {
-    return std::ranges::any_of(device.enumerateDeviceExtensionProperties(), [name](const vk::ExtensionProperties& extension) {
-        return std::string_view(extension.extensionName) == name;
-    });
-}
-
 FeatureChain presentFeatures(const vk::raii::PhysicalDevice& device) {
     return device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features, vk::PhysicalDeviceVulkan12Features,
                                vk::PhysicalDeviceVulkan13Features, vk::PhysicalDeviceCustomBorderColorFeaturesEXT>();
@@ -76,10 +70,17 @@ Format packedDepthStencil(const vk::raii::PhysicalDevice& device) {
 
 } // namespace
 
+bool hasExtension(const vk::raii::PhysicalDevice& device, std::string_view name) {
+    return std::ranges::any_of(device.enumerateDeviceExtensionProperties(), [name](const vk::ExtensionProperties& extension) {
+        return std::string_view(extension.extensionName) == name;
+    });
+}
+
 Result<void> makeLogicalDevice(DeviceState& state) {
     const bool borderExtension = hasExtension(state.physical, VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME);
     FeatureChain features = wantedFeatures(presentFeatures(state.physical));
     std::vector<const char*> extensions;
+    if (*state.surface) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     if (borderExtension)
         extensions.push_back(VK_EXT_CUSTOM_BORDER_COLOR_EXTENSION_NAME);
     else

@@ -30,22 +30,26 @@ int rank(vk::PhysicalDeviceType type) {
     }
 }
 
-/// Draws, dispatches and copies all go to one queue; Vulkan guarantees such a family wherever there is graphics.
-std::optional<std::uint32_t> drawingFamily(const vk::raii::PhysicalDevice& device) {
+/// Draws, dispatches and copies all go to one queue; Vulkan guarantees such a family wherever there is graphics. `surface`: to which the
+/// family must be able to present, or null.
+std::optional<std::uint32_t> drawingFamily(const vk::raii::PhysicalDevice& device, vk::SurfaceKHR surface) {
     constexpr vk::QueueFlags kNeeded = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
     const auto families = device.getQueueFamilyProperties();
     for (std::uint32_t i = 0; i < families.size(); ++i)
-        if ((families[i].queueFlags & kNeeded) == kNeeded) return i;
+        if ((families[i].queueFlags & kNeeded) == kNeeded && (!surface || device.getSurfaceSupportKHR(i, surface) == VK_TRUE)) return i;
     return std::nullopt;
 }
 
-Candidate examine(vk::raii::PhysicalDevice device) {
+Candidate examine(vk::raii::PhysicalDevice device, vk::SurfaceKHR surface) {
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     Candidate candidate{.name = properties.deviceName.data(), .rank = rank(properties.deviceType)};
-    const auto family = drawingFamily(device);
+    const bool canPresent = !surface || hasExtension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    const auto family = drawingFamily(device, canPresent ? surface : vk::SurfaceKHR{});
     if (properties.apiVersion < VK_API_VERSION_1_3)
         candidate.unfit = fmt::format("it offers Vulkan {}.{}, and 1.3 is needed", VK_API_VERSION_MAJOR(properties.apiVersion),
                                       VK_API_VERSION_MINOR(properties.apiVersion));
+    else if (!canPresent || (surface && !family))
+        candidate.unfit = "it cannot draw to this window";
     else if (!family)
         candidate.unfit = "it has no graphics queue";
     candidate.queueFamily = family.value_or(0);
@@ -53,10 +57,10 @@ Candidate examine(vk::raii::PhysicalDevice device) {
     return candidate;
 }
 
-std::vector<Candidate> candidates(const vk::raii::Instance& instance) {
+std::vector<Candidate> candidates(const DeviceState& state) {
     std::vector<Candidate> list;
-    for (vk::raii::PhysicalDevice& device : instance.enumeratePhysicalDevices())
-        list.push_back(examine(std::move(device)));
+    for (vk::raii::PhysicalDevice& device : state.instance.enumeratePhysicalDevices())
+        list.push_back(examine(std::move(device), *state.surface));
     std::ranges::stable_sort(list, {}, &Candidate::rank);
     return list;
 }
@@ -100,7 +104,7 @@ void adopt(DeviceState& state, Candidate chosen) {
 } // namespace
 
 Result<void> choosePhysicalDevice(DeviceState& state, const DeviceOptions& options) {
-    std::vector<Candidate> all = candidates(state.instance);
+    std::vector<Candidate> all = candidates(state);
     if (all.empty())
         return machineError(6002, "no Vulkan device: the installed drivers found none",
                             "the Debian package mesa-vulkan-drivers has a driver that runs on the CPU");

@@ -104,36 +104,6 @@ std::string ofMeshes(std::span<const ObjectRun> objects, const Value& value) {
     return fmt::format("{}", fmt::join(all, "; "));
 }
 
-/// What a picture must say about its making (docs/running.md, "Metadata").
-std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects) {
-    const RunInput& input = objects.front().input;
-    const Prepared& prepared = objects.front().prepared;
-    std::map<std::string, std::string> entries{{"effect", input.effect.file.filename().string()},
-                                               {"technique", prepared.plan.technique->name},
-                                               {"setting", settingName(defined(input.effect, "TEGUMENT_SETTING", "2"))},
-                                               {"map_size", defined(input.effect, "TEGUMENT_MAP_SIZE", "1024")},
-                                               {"compiler", compilerName(input.options.compiler)},
-                                               {"device", input.device.info().name},
-                                               {"driver", input.device.info().driver}};
-    if (const Numbers* seed = prepared.values.find("gSeed"); seed && !seed->empty()) entries["seed"] = fmt::format("{}", seed->front());
-    if (!input.mesh || !prepared.drawsMesh) return entries;
-    entries["mesh"] = ofMeshes(objects, [](const Mesh& mesh) { return mesh.name; });
-    entries["unit_mm"] = ofMeshes(objects, [](const Mesh& mesh) { return fmt::format("{}", mesh.unitMm); });
-    const std::string attribution = ofMeshes(objects, [](const Mesh& mesh) { return mesh.attribution; });
-    if (!attribution.empty()) entries["attribution"] = attribution;
-    return entries;
-}
-
-/// Objects of one effect have most of their warnings in common.
-std::vector<Diagnostic> warningsOf(std::span<const ObjectRun> objects) {
-    std::vector<Diagnostic> all;
-    std::set<std::string> known;
-    for (const ObjectRun& object : objects)
-        for (const Diagnostic& warning : object.prepared.warnings)
-            if (known.insert(format(warning)).second) all.push_back(warning);
-    return all;
-}
-
 void reportTargets(const Resources& resources, RunResult& result) {
     for (const auto& [name, texture] : resources.targets) {
         const gpu::TextureDesc& desc = texture.desc();
@@ -159,6 +129,34 @@ Result<void> readTargets(const RunInput& input, const std::vector<std::string>& 
 }
 
 } // namespace
+
+std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects) {
+    const RunInput& input = objects.front().input;
+    const Prepared& prepared = objects.front().prepared;
+    std::map<std::string, std::string> entries{{"effect", input.effect.file.filename().string()},
+                                               {"technique", prepared.plan.technique->name},
+                                               {"setting", settingName(defined(input.effect, "TEGUMENT_SETTING", "2"))},
+                                               {"map_size", defined(input.effect, "TEGUMENT_MAP_SIZE", "1024")},
+                                               {"compiler", compilerName(input.options.compiler)},
+                                               {"device", input.device.info().name},
+                                               {"driver", input.device.info().driver}};
+    if (const Numbers* seed = prepared.values.find("gSeed"); seed && !seed->empty()) entries["seed"] = fmt::format("{}", seed->front());
+    if (!input.mesh || !prepared.drawsMesh) return entries;
+    entries["mesh"] = ofMeshes(objects, [](const Mesh& mesh) { return mesh.name; });
+    entries["unit_mm"] = ofMeshes(objects, [](const Mesh& mesh) { return fmt::format("{}", mesh.unitMm); });
+    const std::string attribution = ofMeshes(objects, [](const Mesh& mesh) { return mesh.attribution; });
+    if (!attribution.empty()) entries["attribution"] = attribution;
+    return entries;
+}
+
+std::vector<Diagnostic> warningsOf(std::span<const ObjectRun> objects) {
+    std::vector<Diagnostic> all;
+    std::set<std::string> known;
+    for (const ObjectRun& object : objects)
+        for (const Diagnostic& warning : object.prepared.warnings)
+            if (known.insert(format(warning)).second) all.push_back(warning);
+    return all;
+}
 
 Result<RunResult> execute(std::span<const ObjectRun> objects, Resources& resources) {
     const RunInput& input = objects.front().input;

@@ -12,4 +12,9 @@ namespace tegument::run {
 /// Several, whose resources are allocated.
 [[nodiscard]] Result<RunResult> execute(std::span<const ObjectRun> objects, Resources& resources);
 
+/// What a picture must say about its making (docs/running.md, "Metadata").
+[[nodiscard]] std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects);
+/// Each once: objects of one effect have most of their warnings in common.
+[[nodiscard]] std::vector<Diagnostic> warningsOf(std::span<const ObjectRun> objects);
+
 } // namespace tegument::run

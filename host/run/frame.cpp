@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 
@@ -39,7 +40,7 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
         formats.push_back(color->desc().format);
     const std::optional<gpu::Format> depth = targets.depth ? std::optional(targets.depth->desc().format) : std::nullopt;
     const PipelineKey key{step.pass, formats, depth};
-    if (const auto found = builder.frame.pipelines.find(key); found != builder.frame.pipelines.end())
+    if (const auto found = builder.resources.pipelines.find(key); found != builder.resources.pipelines.end())
         return static_cast<const gpu::Pipeline*>(&found->second);
     const PassProgram& program = builder.prepared.programs.at(step.pass);
     auto pipeline = builder.input.device.createPipeline({.name = step.pass->name,
@@ -53,7 +54,7 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
                                                          .depthFormat = depth,
                                                          .state = maskUnwritten(*step.pass, program)});
     if (!pipeline) return pipeline.error();
-    return static_cast<const gpu::Pipeline*>(&builder.frame.pipelines.emplace(key, std::move(*pipeline)).first->second);
+    return static_cast<const gpu::Pipeline*>(&builder.resources.pipelines.emplace(key, std::move(*pipeline)).first->second);
 }
 
 gpu::Targets targetsOf(Builder& builder, const DrawStep& step) {
@@ -207,8 +208,8 @@ Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resource
     return frame;
 }
 
-Result<void> record(const Frame& frame, gpu::Recorder& recorder) {
-    for (const auto& item : frame.items) {
+Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items) {
+    for (const auto& item : std::span(frame.items).first(std::min(items, frame.items.size()))) {
         Result<void> done;
         if (const auto* draw = std::get_if<FrameDraw>(&item)) done = recordDraw(*draw, recorder);
         if (const auto* clear = std::get_if<FrameClear>(&item)) done = recordClear(*clear, recorder);

@@ -4,6 +4,7 @@
 #include "host/run/resources.h"
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -37,11 +38,7 @@ struct FrameMips {
     gpu::Texture* target = nullptr;
 };
 
-/// Pipelines depend on the pass and on the formats that it draws into.
-using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>>;
-
 struct Frame {
-    std::map<PipelineKey, gpu::Pipeline> pipelines; // nodes stay where they are: draws point at them
     std::vector<std::variant<FrameDraw, FrameClear, FrameMips>> items;
 };
 
@@ -49,7 +46,7 @@ struct Frame {
 /// its script once and draws all meshes where it draws geometry. TG4006 the annotation Instances asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
-/// Records the frame; each draw is a timed section with its pass's name.
-[[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder);
+/// Records the frame, or its first `items`; each draw is a timed section with its pass's name.
+[[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 
 } // namespace tegument::run

@@ -125,6 +125,13 @@ std::array<float, 4> background(const Workspace& workspace) {
     return {workspace.background.x, workspace.background.y, workspace.background.z, 0};
 }
 
+PlacedScene placeObjects(const Workspace& workspace, std::span<const RunObject> objects) {
+    std::vector<PlacedMesh> meshes;
+    for (const RunObject& object : objects)
+        meshes.push_back({.mesh = object.mesh, .placement = object.placement});
+    return placeScene(workspace, boundsOfAll(meshes));
+}
+
 Result<Prepared> prepare(const RunInput& input) {
     if (const auto checked = checkSize(input); !checked) return checked.error();
     if (const auto checked = checkTextureNames(input); !checked) return checked.error();

@@ -14,6 +14,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,9 +58,14 @@ struct Prepared {
 /// The caller's targets are cleared to this: the workspace's background, alpha 0.
 [[nodiscard]] std::array<float, 4> background(const Workspace& workspace);
 
+/// Camera and light of a scene of several objects.
+[[nodiscard]] PlacedScene placeObjects(const Workspace& workspace, std::span<const RunObject> objects);
+
 /// Plan, programs and targets; no textures yet.
 [[nodiscard]] Result<Prepared> prepare(const RunInput& input);
 /// Finds and loads the textures that the plan samples, running producing effects where needed. TG4035 circular producers.
 [[nodiscard]] Result<void> prepareTextures(const RunInput& input, Prepared& prepared);
+/// The device holds the textures now: notes their keys, and what they took in memory is free for the next object's.
+void forgetTexels(Prepared& prepared, std::set<std::string>& uploaded);
 
 } // namespace tegument::run

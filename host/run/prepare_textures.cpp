@@ -136,4 +136,12 @@ Result<void> prepareTextures(const RunInput& input, Prepared& prepared) {
     return {};
 }
 
+void forgetTexels(Prepared& prepared, std::set<std::string>& uploaded) {
+    for (auto& [name, texture] : prepared.textures) {
+        uploaded.insert(texture.key);
+        texture.image = {};
+        texture.file = {};
+    }
+}
+
 } // namespace tegument::run

@@ -13,10 +13,14 @@
 
 namespace tegument::run {
 
+/// Pipelines depend on the pass and on the formats that it draws into.
+using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>>;
+
 struct Resources {
     std::map<std::string, gpu::Texture> targets;
     std::map<std::string, gpu::Texture> textures; // by TextureData::key
     std::map<std::string, gpu::Sampler> samplers;
+    std::map<PipelineKey, gpu::Pipeline> pipelines; // nodes stay where they are: draws point at them; made by buildFrame
     std::map<const Mesh*, Geometry> meshes;
     std::optional<Geometry> quad;
 

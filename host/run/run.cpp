@@ -7,26 +7,6 @@
 
 namespace tegument {
 
-namespace {
-
-PlacedScene placeScene(const Workspace& workspace, std::span<const RunObject> objects) {
-    std::vector<PlacedMesh> meshes;
-    for (const RunObject& object : objects)
-        meshes.push_back({.mesh = object.mesh, .placement = object.placement});
-    return placeScene(workspace, boundsOfAll(meshes));
-}
-
-/// The device holds its textures now: what they took in memory is free for the next object's.
-void forgetTexels(run::Prepared& prepared, std::set<std::string>& uploaded) {
-    for (auto& [name, texture] : prepared.textures) {
-        uploaded.insert(texture.key);
-        texture.image = {};
-        texture.file = {};
-    }
-}
-
-} // namespace
-
 Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
                             const RunOptions& options) {
     const run::RunInput input{
@@ -40,7 +20,7 @@ Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mes
 Result<RunResult> runScene(gpu::Device& device, const Effect& effect, std::span<const RunObject> objects, const Workspace& workspace,
                            const RunOptions& options) {
     assert(!objects.empty());
-    const PlacedScene scene = placeScene(workspace, objects);
+    const PlacedScene scene = run::placeObjects(workspace, objects);
     std::vector<run::PlacedObject> placed;
     for (const RunObject& object : objects)
         placed.push_back({.placement = object.placement, .scene = scene});
@@ -63,7 +43,7 @@ Result<RunResult> runScene(gpu::Device& device, const Effect& effect, std::span<
         if (!ready) return ready.error();
         if (const auto textures = run::prepareTextures(inputs.back(), *ready); !textures) return textures.error();
         if (const auto allocated = run::allocate(inputs.back(), *ready, resources); !allocated) return allocated.error();
-        forgetTexels(*ready, uploaded);
+        run::forgetTexels(*ready, uploaded);
         prepared.push_back(std::move(*ready));
         runs.push_back({inputs.back(), prepared.back()});
     }

@@ -66,10 +66,11 @@ std::array<double, 3> whiteSum(double gain) {
     return sum;
 }
 
-Picture white(const std::string& setting, int bits) {
-    return render(fmt::format("white-{}-{}", setting, bits),
-                  {"effects/Convolution.fx", "-w", ballWorkspace(), "--technique", "White", "--setting", setting, "--size", "256x256",
-                   "--map-size", "256", "-D", fmt::format("TEGUMENT_MAP_BITS={}", bits)});
+Picture white(const std::string& setting, int bits, const std::string& technique = "White", int repair = 1) {
+    return render(fmt::format("{}-{}-{}-{}", technique, setting, bits, repair),
+                  {"effects/Convolution.fx", "-w", ballWorkspace(), "--technique", technique, "--setting", setting, "--size", "256x256",
+                   "--map-size", "256", "-D", fmt::format("TEGUMENT_MAP_BITS={}", bits), "-D",
+                   fmt::format("TEGUMENT_SEAM_REPAIR={}", repair)});
 }
 
 } // namespace
@@ -135,4 +136,18 @@ TEST(WhiteIrradiance, grows_by_the_printed_kernels_sum_in_the_printed_settings) 
         EXPECT_LT(largestError(white(setting, 32).image, whiteSum(1.001)), 1e-5) << setting;
         EXPECT_GT(largestError(white(setting, 32).image, whiteSum(1.0)), 1e-4) << setting << ": the printed gain is gone";
     }
+}
+
+TEST(WhiteIrradiance, stays_white_under_poisson_blurs_in_every_setting) {
+    for (const char* setting : {"seed", "deon2007", "corrected"}) {
+        // Three means of 13; half targets round each to 2^-11.
+        EXPECT_LT(largestError(white(setting, 32, "WhitePoisson").image, {1, 1, 1}), 1e-6) << setting;
+        EXPECT_LT(largestError(white(setting, 16, "WhitePoisson").image, {1, 1, 1}), 2e-3) << setting;
+    }
+}
+
+TEST(WhiteIrradiance, darkens_along_the_charts_where_the_seams_are_not_repaired) {
+    for (const char* technique : {"White", "WhitePoisson"})
+        for (const char* setting : {"seed", "corrected"})
+            EXPECT_GT(largestError(white(setting, 32, technique, 0).image, {1, 1, 1}), 0.1) << technique << ", " << setting;
 }

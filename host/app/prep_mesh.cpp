@@ -2,14 +2,11 @@
 
 #include "host/app/prep_mesh.h"
 
-#include "host/app/output.h"
+#include "host/app/prep_report.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
-#include "meshprep/prepare/prepare.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <map>
 #include <memory>
 
@@ -29,71 +26,8 @@ struct Arguments {
     prep::PrepOptions options;
 };
 
-Json countJson(const prep::Count& count) {
-    return {{"vertices", count.vertices}, {"faces", count.faces}};
-}
-
-Json beforeAfter(double before, double after) {
-    return {{"before", before}, {"after", after}};
-}
-
-Json sizeJson(const prep::SizeFigures& size) {
-    return {{"before", size.before},
-            {"after", size.after},
-            {"vertex_bytes", size.vertexBytes},
-            {"index_bytes", size.indexBytes},
-            {"reduction", size.reduction()}};
-}
-
-Json topologyJson(const prep::Topology& t) {
-    return {{"components", t.components},
-            {"boundary_edges", t.boundaryEdges},
-            {"crowded_edges", t.crowdedEdges},
-            {"opposed_edges", t.opposedEdges},
-            {"bow_ties", t.bowTies},
-            {"back_to_back_pairs", t.backToBackPairs},
-            {"flat_triangles", t.flatTriangles}};
-}
-
-Json reportJson(const Arguments& arguments, const prep::PrepReport& report) {
-    Json json{{"input", countJson(report.input)}, {"steps", Json::array()}, {"output", countJson(report.output)}};
-    json["input"]["file"] = arguments.input;
-    json["output"]["file"] = arguments.dryRun ? Json(nullptr) : Json(arguments.output);
-    for (const prep::PrepStep& step : report.steps)
-        json["steps"].push_back({{"name", step.name}, {"changed", step.changed}, {"text", step.text}, {"seconds", step.seconds}});
-    for (const prep::CacheComparison& c : report.cache) {
-        json["acmr"][std::string(c.model.name)] = beforeAfter(c.before.acmr(), c.after.acmr());
-        json["atvr"][std::string(c.model.name)] = beforeAfter(c.before.atvr(), c.after.atvr());
-    }
-    json["bytes"] = sizeJson(report.bytes);
-    json["bytes_seed"] = sizeJson(report.seedBytes);
-    const glm::vec3& moved = report.centring.moved;
-    json["centre"] = {
-        {"moved", {moved.x, moved.y, moved.z}}, {"radius", report.centring.radius}, {"minimal_radius", report.centring.minimalRadius}};
-    json["topology"] = topologyJson(report.topology);
-    json["levels"] = Json::array();
-    for (const prep::LevelFigures& level : report.levels)
-        json["levels"].push_back({{"faces", level.triangles}, {"error_mm", level.error.greatest}, {"rms_mm", level.error.rms}});
-    if (report.overdraw) json["overdraw"] = beforeAfter(report.overdraw->before, report.overdraw->after);
-    json["precision"] = {
-        {"position_mm", report.precision.positionMm}, {"normal_degrees", report.precision.normalDegrees}, {"uv", report.precision.uv}};
-    json["chunks"] = {{"count", report.chunks.count}, {"duplicates", report.chunks.duplicates}};
-    json["warnings"] = toJson(report.warnings);
-    return json;
-}
-
-void printReport(const prep::PrepReport& report) {
-    std::vector<std::vector<std::string>> rows;
-    for (const prep::PrepStep& step : report.steps)
-        fmt::print("{:<14}{}\n", step.name, step.text);
-    for (const prep::CacheComparison& c : report.cache)
-        rows.push_back({std::string(c.model.name), fmt::format("{:.3f}", c.before.acmr()), fmt::format("{:.3f}", c.after.acmr()),
-                        fmt::format("{:.3f}", c.before.atvr()), fmt::format("{:.3f}", c.after.atvr())});
-    if (report.output.faces > 0) fmt::print("\n{}\n", table({"cache", "ACMR before", "after", "ATVR before", "after"}, rows));
-    fmt::print(
-        "{} vertices, {} triangles; {} bytes with {}-byte vertices and {}-byte indices, {:.2f} % less than {} triangles on their own\n",
-        report.output.vertices, report.output.faces, report.bytes.after, report.bytes.vertexBytes, report.bytes.indexBytes,
-        100 * report.bytes.reduction(), report.output.faces);
+Json reportOf(const Arguments& arguments, const prep::PrepReport& report) {
+    return reportJson(report, arguments.input, arguments.dryRun ? "" : arguments.output);
 }
 
 Result<void> write(const Arguments& arguments, const prep::Prepared& prepared) {
@@ -104,7 +38,7 @@ Result<void> write(const Arguments& arguments, const prep::Prepared& prepared) {
         if (!written) return written;
     }
     if (arguments.report.empty()) return {};
-    return writeFile(arguments.report, reportJson(arguments, prepared.report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return writeFile(arguments.report, reportOf(arguments, prepared.report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Result<void> setOrder(Arguments& arguments) {
@@ -134,7 +68,7 @@ int run(Arguments& arguments) {
     warn(prepared->report.warnings);
     if (const auto written = write(arguments, *prepared); !written) return fail(written.error(), arguments.json);
     if (arguments.json)
-        print(reportJson(arguments, prepared->report));
+        print(reportOf(arguments, prepared->report));
     else
         printReport(prepared->report);
     return 0;
@@ -210,6 +144,7 @@ void addPrepMesh(CLI::App& command, Action& action) {
     command.add_option("input", arguments->input, "Mesh to prepare: PLY, OBJ, STL, OFF, glb or glTF");
     command.add_option("-o,--output", arguments->output, "Where it goes: .glb or .ply");
     command.add_option("--report", arguments->report, "Write what each step changed, and the figures before and after, as JSON");
+    command.add_flag("--mapping-report", arguments->options.mappingReport, "How evenly textures would lie on it (docs/meshprep.md)");
     command.add_flag("--dry-run", arguments->dryRun, "Do everything but write the mesh");
     command.add_flag("--json", arguments->json, "Print the report as JSON");
     addReading(command, *arguments);

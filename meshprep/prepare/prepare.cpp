@@ -110,6 +110,11 @@ private:
         const NormalChanges changes = makeNormals(surface_, options_.normals);
         end("normals", changes.normals, fmt::format("{} normals made, {} vertices split for them", changes.normals, changes.split));
         count("weld", "vertices equal to an earlier one in all that is kept", [&] { return weldVertices(surface_); });
+        if (options_.mappingReport) {
+            begin("mapping");
+            report_.mapping = examineMapping(surface_);
+            end("mapping", 0, fmt::format("{} ways examined", report_.mapping.size()));
+        }
         if (!surface_.mesh.uvs.empty()) makeTangents();
     }
 

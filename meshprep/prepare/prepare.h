@@ -8,6 +8,7 @@
 #include "meshprep/prepare/chunks.h"
 #include "meshprep/prepare/figures.h"
 #include "meshprep/prepare/levels.h"
+#include "meshprep/prepare/mapping.h"
 #include "meshprep/prepare/overdraw.h"
 #include "meshprep/prepare/points.h"
 #include "meshprep/prepare/topology.h"
@@ -31,6 +32,7 @@ struct PrepOptions {
     int levels = 4; // the full mesh counts as one
     VertexPrecision precision = VertexPrecision::Float;
     bool chunk16 = false;
+    bool mappingReport = false;
     std::function<void(const std::string&)> progress; // told before each step
 };
 
@@ -68,6 +70,7 @@ struct PrepReport {
     std::vector<CacheComparison> cache;
     std::vector<LevelFigures> levels; // from the second on
     std::optional<Overdraw> overdraw;
+    std::vector<MappingFigures> mapping; // if asked for
     VertexError precision;
     Chunks chunks;
     SizeFigures bytes;     // with all that is written of the full mesh

@@ -1,0 +1,34 @@
+#pragma once
+// How evenly textures lie on a mesh: by its own texture coordinates, and by the vectors with which the source document looks fur up.
+
+#include "meshprep/prepare/surface.h"
+
+#include <string>
+
+namespace tegument::prep {
+
+/// Shares are of the mesh's area. Density is texels per area; CV is its standard deviation over its mean, weighted by area.
+struct MappingFigures {
+    std::string name;
+    double cvFace = 0;
+    double cvPatch = 0;  // over kPatches patches of about equal size
+    double density1 = 0; // percentiles of density / mean
+    double density50 = 0;
+    double density99 = 0;
+    double anisotropy50 = 0; // greater over lesser stretch of a triangle; percentiles
+    double anisotropy95 = 0;
+    double starved = 0;                   // below 5 % of the mean density
+    double mirrored = 0;                  // seen from the other side than most
+    double oneTexel = 0;                  // triangles with all corners in one texel
+    double seamLength = 0;                // over the square root of the area
+    std::optional<double> seamJumpTexels; // mean distance of the two sides of a seam; of texture coordinates only
+};
+
+inline constexpr int kPatches = 300;
+inline constexpr int kMappingTexels = 1024; // side of the texture, or of each of its charts
+
+/// One entry per way: the mesh's own coordinates if it has some, then {position, normal, sum of both} x {sphere map, cube map, two
+/// equal-area discs}. The mesh must be centred and have normals.
+[[nodiscard]] std::vector<MappingFigures> examineMapping(const Surface& surface);
+
+} // namespace tegument::prep

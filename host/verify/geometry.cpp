@@ -209,7 +209,8 @@ Result<ModuleReport> verifyShadowMap(const Context& context) {
         if (counts[i] != 0 && truth.skin.nearShadowEdge(*seen.pixels[i], kShadowEdge)) counts[i] = 0;
     const Image exact =
         paint(seen, 1, [&](const reference::SurfacePoint& point, std::size_t) { return glm::dvec4(truth.skin.lit(point) ? 1 : 0); });
-    const auto compared = compare(report, context, {"shadow on the mesh", channel(shaded->image, 0), exact, counts}, shadowLimits(context));
+    const auto compared =
+        compare(report, context, {"shadow on the mesh", channel(shaded->image, 0), exact, counts, interior(seen)}, shadowLimits(context));
     if (!compared) return compared.error();
     noteApart(report, "shadow on the mesh", counts, covered(seen), kShadowApart);
     return report;

@@ -72,6 +72,26 @@ std::vector<std::uint8_t> interior(const Seen& seen) {
     return mask;
 }
 
+/// Points turned away from the light whose way through the body the map can tell: its neighbours three texels away are crossed by nearly
+/// the same length.
+bool thicknessIsKnown(const Truth& truth, const reference::SurfacePoint& point) {
+    constexpr double kJump = 3; // mm
+    const auto here = truth.skin.entry(point);
+    const glm::dvec3 l = truth.skin.toLight(point);
+    const glm::dvec3 normal = glm::normalize(point.normal);
+    if (!here || glm::dot(normal, l) > -0.15) return false;
+    const double step = kShadowEdge * truth.light.footprint(glm::length(point.position - truth.light.eye));
+    for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+            reference::SurfacePoint there = point;
+            const glm::dvec3 sideways = step * (static_cast<double>(i) * truth.light.right + static_cast<double>(j) * truth.light.up);
+            there.position += sideways - l * (glm::dot(normal, sideways) / glm::dot(normal, l));
+            const auto entry = truth.skin.entry(there);
+            if (!entry || std::abs(entry->path - here->path) > kJump) return false;
+        }
+    return true;
+}
+
 Image rgb(const Image& image) {
     Image three = blank(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)

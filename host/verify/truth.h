@@ -55,6 +55,10 @@ Image paint(const Seen& seen, int channels, Value value) {
     return image;
 }
 
+/// Points turned away from the light whose way through the body the map can tell: three texels of it away the way is nearly the same
+/// length.
+[[nodiscard]] bool thicknessIsKnown(const Truth& truth, const reference::SurfacePoint& point);
+
 /// Red, green and blue of a picture with more.
 [[nodiscard]] Image rgb(const Image& image);
 /// One channel alone.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace tegument::verify {
 
@@ -37,6 +38,16 @@ Image maskedDifference(const Comparison& comparison) {
     for (std::size_t pixel = 0; pixel < pixelCount(difference); ++pixel)
         if (!counted(comparison.counts, pixel)) std::fill_n(difference.pixels.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, 0.0F);
     return difference;
+}
+
+/// None where nothing is apart, or the reference is black there.
+std::optional<double> relativeApart(const Comparison& comparison) {
+    std::vector<std::uint8_t> apart = comparison.within;
+    for (std::size_t i = 0; i < apart.size(); ++i)
+        apart[i] = apart[i] != 0 && !counted(comparison.counts, i) ? 1 : 0;
+    if (std::ranges::count(apart, 1) == 0) return std::nullopt;
+    const auto difference = compareImages(packed(comparison.rendered, apart), packed(comparison.reference, apart));
+    return difference ? std::optional(difference->relativeL2) : std::nullopt;
 }
 
 } // namespace
@@ -80,6 +91,8 @@ Result<void> compare(ModuleReport& report, const Context& context, const Compari
     add("p999", difference->p999, limits.p999);
     add("max_interior", difference->largest, limits.largest);
     add("bias", difference->bias, limits.bias);
+    if (limits.apart >= 0 && !comparison.within.empty())
+        if (const auto apart = relativeApart(comparison)) add("apart: rel_l2", *apart, limits.apart);
     report.pictures.push_back({comparison.subject, PictureRole::Rendered, comparison.rendered});
     report.pictures.push_back({comparison.subject, PictureRole::Reference, comparison.reference});
     report.pictures.push_back({comparison.subject, PictureRole::Difference, maskedDifference(comparison)});

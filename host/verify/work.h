@@ -40,6 +40,7 @@ struct Limits {
     double p999 = -1;
     double largest = -1;
     double bias = -1;
+    double apart = -1; // relative L2 of the pixels that are treated apart
     std::string why;
 };
 
@@ -48,6 +49,7 @@ struct Comparison {
     Image rendered;
     Image reference;
     std::vector<std::uint8_t> counts; // per pixel; empty: all
+    std::vector<std::uint8_t> within; // of these, those that do not count are treated apart and measured by themselves; empty: none
 };
 
 /// Metrics of the pixels that count, and three pictures.

@@ -121,6 +121,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> scatterCases();
 [[nodiscard]] std::vector<FunctionCase> cullCases();
 [[nodiscard]] std::vector<FunctionCase> furCases();
+[[nodiscard]] std::vector<FunctionCase> furCases();
 
 /// Texels along the maps that functions are tested with: TEGUMENT_MAP_SIZE.
 inline constexpr int kTestMapSize = 256;

@@ -1,13 +1,18 @@
-// tegument sheet: pictures side by side in one.
+// tegument sheet: pictures side by side in one, with labels of columns and rows.
 
 #include "host/app/commands.h"
+#include "host/app/letters.h"
 #include "host/app/output.h"
 #include "host/image/image.h"
+#include "host/support/text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 namespace tegument::app {
@@ -19,9 +24,12 @@ struct SheetArguments {
     std::string output = "out/sheet.png";
     int columns = 3;
     int gap = 8;
+    std::vector<std::string> columnLabels;
+    std::vector<std::string> rowLabels;
 };
 
 constexpr float kPaper = 1.0F; // white, as the page that shows the sheet
+constexpr int kDot = 2;        // pixels of a letter's dot
 
 Result<std::vector<Image>> loadAll(const std::vector<std::string>& paths) {
     std::vector<Image> images;
@@ -43,32 +51,109 @@ float sample(const Image& image, int x, int y, int channel) {
     return image.at(x, y, image.channels < 3 ? 0 : channel);
 }
 
-Image arrange(const std::vector<Image>& images, int columns, int gap) {
+/// Where things lie, in pixels.
+struct Grid {
+    int columns = 0;
+    int rows = 0;
+    int width = 0;
+    int height = 0;
+    int gap = 0;
+    int left = 0; // of the first picture: row labels stand before it
+    int top = 0;  // column labels above it
+
+    [[nodiscard]] int x(int column) const { return left + column * (width + gap); }
+    [[nodiscard]] int y(int row) const { return top + row * (height + gap); }
+};
+
+Grid layOut(const SheetArguments& arguments, const std::vector<Image>& images) {
     const int count = static_cast<int>(images.size());
-    const int rows = (count + columns - 1) / columns;
-    const int width = images.front().width;
-    const int height = images.front().height;
-    Image sheet{.width = columns * (width + gap) - gap,
-                .height = rows * (height + gap) - gap,
+    Grid grid{.columns = std::min(arguments.columns, count),
+              .width = images.front().width,
+              .height = images.front().height,
+              .gap = arguments.gap};
+    grid.rows = (count + grid.columns - 1) / grid.columns;
+    if (!arguments.columnLabels.empty()) grid.top = (kLetterHeight + 2) * kDot;
+    for (const std::string& label : arguments.rowLabels)
+        grid.left = std::max(grid.left, textWidth(label, kDot) + 4 * kDot);
+    return grid;
+}
+
+/// Every column and row has its label, and it fits.
+Result<void> checkLabels(const SheetArguments& arguments, const Grid& grid) {
+    const auto check = [](const std::vector<std::string>& labels, int count, const char* what) -> Result<void> {
+        if (labels.empty() || static_cast<int>(labels.size()) == count) return {};
+        return usageError(8031, fmt::format("{} labels for {} {}", labels.size(), count, what), "give one for each, separated by commas");
+    };
+    if (const auto columns = check(arguments.columnLabels, grid.columns, "columns"); !columns) return columns;
+    if (const auto rows = check(arguments.rowLabels, grid.rows, "rows"); !rows) return rows;
+    for (const std::string& label : arguments.columnLabels)
+        if (textWidth(label, kDot) > grid.width)
+            return usageError(8031, fmt::format("'{}' is wider than a picture of {} pixels", label, grid.width),
+                              fmt::format("at most {} characters", (grid.width / kDot + 1) / kLetterWidth));
+    return {};
+}
+
+/// Everything that any of them says about its making: of each key the different values.
+std::map<std::string, std::string> metadataOf(const std::vector<Image>& images) {
+    std::map<std::string, std::vector<std::string>> values;
+    for (const Image& image : images)
+        for (const auto& [key, value] : image.metadata)
+            if (std::ranges::find(values[key], value) == values[key].end()) values[key].push_back(value);
+    std::map<std::string, std::string> metadata;
+    for (const auto& [key, all] : values)
+        metadata[key] = fmt::format("{}", fmt::join(all, "; "));
+    return metadata;
+}
+
+Image arrange(const std::vector<Image>& images, const Grid& grid) {
+    Image sheet{.width = grid.x(grid.columns) - grid.gap,
+                .height = grid.y(grid.rows) - grid.gap,
                 .channels = 3,
                 .pixels = {},
-                .metadata = images.front().metadata};
+                .metadata = metadataOf(images)};
     sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, kPaper);
-    for (int i = 0; i < count; ++i)
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
+    for (int i = 0; i < static_cast<int>(images.size()); ++i)
+        for (int y = 0; y < grid.height; ++y)
+            for (int x = 0; x < grid.width; ++x)
                 for (int c = 0; c < 3; ++c)
-                    sheet.at(i % columns * (width + gap) + x, i / columns * (height + gap) + y, c) =
+                    sheet.at(grid.x(i % grid.columns) + x, grid.y(i / grid.columns) + y, c) =
                         sample(images[static_cast<std::size_t>(i)], x, y, c);
     return sheet;
 }
 
-int sheet(const SheetArguments& arguments) {
+/// Centred over their columns, right-aligned before their rows.
+void drawLabels(const SheetArguments& arguments, const Grid& grid, Image& sheet) {
+    for (int column = 0; column < static_cast<int>(arguments.columnLabels.size()); ++column) {
+        const std::string& label = arguments.columnLabels[static_cast<std::size_t>(column)];
+        drawText(sheet, grid.x(column) + (grid.width - textWidth(label, kDot)) / 2, kDot, label, kDot);
+    }
+    for (int row = 0; row < static_cast<int>(arguments.rowLabels.size()); ++row) {
+        const std::string& label = arguments.rowLabels[static_cast<std::size_t>(row)];
+        const int y = grid.y(row) + (grid.height - kLetterHeight * kDot) / 2;
+        drawText(sheet, grid.left - 3 * kDot - textWidth(label, kDot), y, label, kDot);
+    }
+}
+
+Result<void> write(const std::filesystem::path& path, const Image& sheet) {
+    const std::string extension = toLower(path.extension().string());
+    if (extension == ".jpg" || extension == ".jpeg") return writeJpeg(path, sheet);
+    if (extension == ".png") return writePng(path, sheet, PngEncoding::Raw);
+    return usageError(8032, fmt::format("{} is neither a .png nor a .jpg", path.string()), "PNG is exact, JPEG is smaller");
+}
+
+Result<void> makeSheet(const SheetArguments& arguments) {
     const auto images = loadAll(arguments.pictures);
-    if (!images) return fail(images.error(), false);
-    const int columns = std::min(arguments.columns, static_cast<int>(images->size()));
-    const auto written = writePng(arguments.output, arrange(*images, columns, arguments.gap), PngEncoding::Raw);
-    if (!written) return fail(written.error(), false);
+    if (!images) return images.error();
+    const Grid grid = layOut(arguments, *images);
+    if (const auto checked = checkLabels(arguments, grid); !checked) return checked;
+    Image sheet = arrange(*images, grid);
+    drawLabels(arguments, grid, sheet);
+    return write(arguments.output, sheet);
+}
+
+int sheet(const SheetArguments& arguments) {
+    const auto made = makeSheet(arguments);
+    if (!made) return fail(made.error(), false);
     fmt::print("wrote {}\n", arguments.output);
     return 0;
 }
@@ -79,9 +164,11 @@ void addSheet(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<SheetArguments>();
     CLI::App* command = program.add_subcommand("sheet", "Put pictures of one size side by side");
     command->add_option("pictures", arguments->pictures, "PNG or JPEG files, row by row")->required();
-    command->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
+    command->add_option("-o,--output", arguments->output, "Picture to write (.png or .jpg)")->capture_default_str();
     command->add_option("--columns", arguments->columns, "Pictures in a row")->check(CLI::Range(1, 64))->capture_default_str();
     command->add_option("--gap", arguments->gap, "White pixels between pictures")->check(CLI::Range(0, 1024))->capture_default_str();
+    command->add_option("--column-labels", arguments->columnLabels, "Text above each column, separated by commas")->delimiter(',');
+    command->add_option("--row-labels", arguments->rowLabels, "Text before each row, separated by commas")->delimiter(',');
     command->callback([arguments, &action] { action = [arguments] { return sheet(*arguments); }; });
 }
 

@@ -30,6 +30,8 @@ struct Samples8 {
     std::vector<unsigned char> bytes;
 };
 [[nodiscard]] Result<std::string> encodePng(const Samples8& samples, const std::map<std::string, std::string>& metadata);
+/// 1 or 3 channels; metadata as a comment of lines "key: value".
+[[nodiscard]] Result<std::string> encodeJpeg(const Samples8& samples, const std::map<std::string, std::string>& metadata);
 [[nodiscard]] Result<std::string> encodeExr(const Image& image, ExrDepth depth);
 
 /// TG5201: the file ends at `byte`, before its own description is fulfilled.

@@ -134,6 +134,21 @@ Result<void> writePng(const std::filesystem::path& path, const Image& image, Png
     return writeFile(path, *bytes);
 }
 
+Result<void> writeJpeg(const std::filesystem::path& path, const Image& image) {
+    assert(consistent(image));
+    codec::Samples8 samples{.width = static_cast<std::uint32_t>(image.width),
+                            .height = static_cast<std::uint32_t>(image.height),
+                            .channels = image.channels < 3 ? 1 : 3,
+                            .srgb = false,
+                            .bytes = {}};
+    for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += static_cast<std::size_t>(image.channels))
+        for (std::size_t c = 0; c < static_cast<std::size_t>(samples.channels); ++c)
+            samples.bytes.push_back(toByte(image.pixels[pixel + c]));
+    const Result<std::string> bytes = codec::encodeJpeg(samples, image.metadata);
+    if (!bytes) return bytes.error();
+    return writeFile(path, *bytes);
+}
+
 Result<std::string> encodePng(const Image& image, PngEncoding encoding) {
     assert(consistent(image));
     try {

@@ -54,6 +54,8 @@ enum class PngEncoding {
 };
 /// 8-bit PNG with metadata as tEXt chunks; alpha is written only for 2 and 4 channel images with Raw or Srgb.
 [[nodiscard]] Result<void> writePng(const std::filesystem::path& path, const Image& image, PngEncoding encoding);
+/// Values of 0..1 as they are, without alpha; for pages that show many pictures. Metadata as a comment.
+[[nodiscard]] Result<void> writeJpeg(const std::filesystem::path& path, const Image& image);
 /// The bytes that writePng writes.
 [[nodiscard]] Result<std::string> encodePng(const Image& image, PngEncoding encoding);
 

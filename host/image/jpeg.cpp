@@ -11,7 +11,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
 
 namespace tegument::codec {
 
@@ -137,6 +139,47 @@ Result<Image> readPixels(const Encoded& in, Reader& reader) {
     return image;
 }
 
+constexpr int kQuality = 92; // colour at full resolution: no visible blocks in skin
+
+struct Writer {
+    jpeg_compress_struct jpeg{};
+    Errors errors;
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() {
+        jpeg_destroy_compress(&jpeg);
+        std::free(bytes); // NOLINT(cppcoreguidelines-no-malloc): libjpeg has allocated it
+    }
+};
+
+bool writeAll(Writer& writer, const Samples8& samples, const std::string& comment) {
+    if (setjmp(writer.errors.jump)) return false;
+    jpeg_create_compress(&writer.jpeg);
+    jpeg_mem_dest(&writer.jpeg, &writer.bytes, &writer.size);
+    writer.jpeg.image_width = samples.width;
+    writer.jpeg.image_height = samples.height;
+    writer.jpeg.input_components = samples.channels;
+    writer.jpeg.in_color_space = samples.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_set_defaults(&writer.jpeg);
+    jpeg_set_quality(&writer.jpeg, kQuality, TRUE);
+    writer.jpeg.comp_info[0].h_samp_factor = writer.jpeg.comp_info[0].v_samp_factor = 1;
+    writer.jpeg.optimize_coding = TRUE;
+    jpeg_start_compress(&writer.jpeg, TRUE);
+    if (!comment.empty())
+        jpeg_write_marker(&writer.jpeg, JPEG_COM, reinterpret_cast<const JOCTET*>(comment.data()), static_cast<unsigned>(comment.size()));
+    const std::size_t rowBytes = samples.width * static_cast<std::size_t>(samples.channels);
+    for (std::size_t y = 0; y < samples.height; ++y) {
+        auto* row = const_cast<JSAMPROW>(samples.bytes.data() + y * rowBytes); // libjpeg's row is not const, but it only reads
+        jpeg_write_scanlines(&writer.jpeg, &row, 1);
+    }
+    jpeg_finish_compress(&writer.jpeg);
+    return true;
+}
+
 } // namespace
 
 Result<Image> decodeJpeg(const Encoded& in) {
@@ -148,6 +191,20 @@ Result<Image> decodeJpeg(const Encoded& in) {
     if (const auto wrong = refuse(in, reader.jpeg)) return *wrong;
     if (!start(reader)) return readError(in, reader);
     return readPixels(in, reader);
+}
+
+Result<std::string> encodeJpeg(const Samples8& samples, const std::map<std::string, std::string>& metadata) {
+    assert(samples.channels == 1 || samples.channels == 3);
+    std::string comment;
+    for (const auto& [key, value] : metadata)
+        comment += key + ": " + value + "\n";
+    comment.resize(std::min<std::size_t>(comment.size(), 65533)); // what a marker holds
+    Writer writer;
+    writer.jpeg.err = jpeg_std_error(&writer.errors.errors);
+    writer.errors.errors.error_exit = leave;
+    writer.errors.errors.emit_message = onMessage;
+    if (!writeAll(writer, samples, comment)) return machineError(5205, fmt::format("JPEG cannot be encoded: {}", writer.errors.message));
+    return std::string(reinterpret_cast<const char*>(writer.bytes), writer.size);
 }
 
 } // namespace tegument::codec

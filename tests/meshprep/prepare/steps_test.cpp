@@ -1,0 +1,154 @@
+// Each step by itself, on meshes whose answer is known.
+#include "meshprep/prepare/clean.h"
+#include "meshprep/prepare/vertices.h"
+#include "tests/meshprep/prepare/meshes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
+using namespace tegument;
+using namespace tegument::prep;
+using namespace tegument::testing_prep;
+
+namespace {
+
+std::size_t distinct(const Surface& surface) {
+    return std::set(surface.point.begin(), surface.point.end()).size();
+}
+
+std::size_t placesOf(std::vector<glm::vec3> positions, const SamePlace& same) {
+    Surface surface{.mesh = meshOf(std::move(positions), {}), .point = {}};
+    findPlaces(surface, same);
+    EXPECT_EQ(distinct(surface), surface.pointCount);
+    return surface.pointCount;
+}
+
+/// A square of two triangles whose diagonal is a seam of texture coordinates.
+Mesh seamedSquare() {
+    Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 3, 4, 5});
+    mesh.uvs = {{0, 0}, {0.4f, 0}, {0.4f, 0.4f}, {0.5f, 0.5f}, {1, 1}, {0.5f, 1}};
+    return mesh;
+}
+
+} // namespace
+
+TEST(Places, with_decimals_are_those_that_print_alike) {
+    std::mt19937 random(7);
+    std::vector<glm::vec3> positions;
+    std::set<std::string> printed;
+    for (int i = 0; i < 20000; ++i) {
+        const float x = static_cast<float>(static_cast<int>(random() % 4001) - 2000) * 2.5e-7f; // many lie half way between two decimals
+        positions.emplace_back(x, 0, 0);
+        const std::string text = fmt::format("{:.6f}", x);
+        printed.insert(text == "-0.000000" ? "0.000000" : text);
+    }
+    EXPECT_EQ(placesOf(positions, {.decimals = 6}), printed.size());
+}
+
+TEST(Places, within_epsilon_do_not_creep_along_a_row_of_near_points) {
+    std::vector<glm::vec3> row;
+    for (int i = 0; i < 100; ++i)
+        row.emplace_back(0.6f * static_cast<float>(i), 0, 0);
+    // each is within 1 of its neighbours only: every second one starts a place
+    EXPECT_EQ(placesOf(row, {.epsilon = 1, .decimals = {}}), 50u);
+}
+
+TEST(Places, within_epsilon_are_found_across_the_cells_of_the_grid) {
+    for (const float at : {-3.0f, -1e-6f, 0.0f, 7.0f})
+        EXPECT_EQ(placesOf({{at - 0.4f, 0, at}, {at + 0.4f, 0, at}}, {.epsilon = 1, .decimals = {}}), 1u) << at;
+}
+
+TEST(Places, of_huge_coordinates_are_exact) {
+    EXPECT_EQ(placesOf({{1e38f, 0, 0}, {1e38f, 0, 0}, {std::nextafter(1e38f, 0.0f), 0, 0}}, {}), 2u);
+}
+
+TEST(Weld, keeps_seams_of_texture_coordinates) {
+    Surface surface = surfaceOf(seamedSquare());
+    makeNormals(surface, {});
+    EXPECT_EQ(surface.pointCount, 4u);
+    EXPECT_EQ(weldVertices(surface), 0u);
+    EXPECT_EQ(surface.mesh.positions.size(), 6u);
+}
+
+TEST(Weld, joins_what_is_equal_in_all_that_is_kept) {
+    Mesh mesh = seamedSquare();
+    mesh.uvs[3] = mesh.uvs[0];
+    mesh.uvs[4] = mesh.uvs[2];
+    Surface surface = surfaceOf(std::move(mesh));
+    makeNormals(surface, {});
+    EXPECT_EQ(weldVertices(surface), 2u);
+    EXPECT_EQ(surface.mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+}
+
+TEST(Duplicates, with_other_texture_coordinates_are_none) {
+    Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 5, 3, 4});
+    Surface plain = surfaceOf(mesh);
+    EXPECT_EQ(dropDuplicates(plain), 1u) << "the same corners, begun at another one";
+    mesh.uvs = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0.5f, 0}, {0, 0.5f}};
+    Surface layered = surfaceOf(std::move(mesh));
+    EXPECT_EQ(dropDuplicates(layered), 0u);
+}
+
+TEST(VertexOrder, is_that_of_first_use) {
+    Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {3, 1, 0, 0, 1, 2});
+    EXPECT_EQ(orderVertices(mesh), 3u) << "vertex 1 is second in both";
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
+    EXPECT_EQ(mesh.positions[0].x, 3);
+    EXPECT_EQ(mesh.positions[3].x, 2);
+}
+
+TEST(TopologyOf, a_torus_has_no_boundary_and_one_component) {
+    const Topology t = examine(surfaceOf(makeShape(Shape::Torus)));
+    EXPECT_EQ(t.boundaryEdges + t.crowdedEdges + t.opposedEdges + t.bowTies + t.backToBackPairs + t.flatTriangles, 0u);
+    EXPECT_EQ(t.components, 1u);
+}
+
+TEST(TopologyOf, a_terrain_is_bounded_by_its_four_sides) {
+    EXPECT_EQ(examine(surfaceOf(makeShape(Shape::Terrain, 10))).boundaryEdges, 40u);
+}
+
+TEST(CentreOf, the_box_is_the_source_document_s_and_the_ball_is_smaller) {
+    const Mesh mesh = meshOf({{10, 0, 0}, {12, 0, 0}, {11, 1, 0}}, {0, 1, 2});
+    Surface box = surfaceOf(mesh);
+    const Centring byBox = centre(box, CentreMode::Box);
+    EXPECT_NEAR(byBox.radius, std::sqrt(1.25), 1e-6) << "half the diagonal of 2 x 1";
+    EXPECT_EQ(byBox.moved, glm::vec3(-11, -0.5f, 0));
+    Surface ball = surfaceOf(mesh);
+    const Centring byBall = centre(ball, CentreMode::Ball);
+    EXPECT_NEAR(byBall.radius, 1, 1e-6) << "the circle around a right angle";
+    EXPECT_EQ(byBall.moved, glm::vec3(-11, 0, 0));
+    EXPECT_EQ(ball.mesh.bounds.centre, glm::vec3(0));
+}
+
+TEST(CentreOf, a_moved_mesh_keeps_as_many_places_as_it_had) {
+    // near the origin floats are finer than at the mesh's middle: moving rounds these two onto each other
+    Surface surface = surfaceOf(meshOf({{1e-6f, 0, 0}, {1.01e-6f, 0, 0}, {2000, 0, 0}, {0, 1000, 0}}, {0, 2, 3, 1, 2, 3}));
+    centre(surface, CentreMode::Ball);
+    makeNormals(surface, {});
+    EXPECT_EQ(surface.pointCount, 4u);
+    EXPECT_EQ(surface.mesh.positions[0], surface.mesh.positions[1]) << "otherwise this mesh tests nothing";
+}
+
+TEST(Sizes, follow_the_source_document_s_formula) {
+    // 1 - V / (3 F) - I / S with S = 24 and I = 2: the Bunny's 74.95 %
+    EXPECT_NEAR(sizes(34834, 69451, 24, true).reduction(), 1 - 34834.0 / (3 * 69451.0) - 2.0 / 24, 1e-12);
+    EXPECT_NEAR(100 * sizes(34834, 69451, 24, true).reduction(), 74.95, 0.005);
+    EXPECT_NEAR(100 * sizes(8, 12, 24, true).reduction(), 69.44, 0.005) << "the cube, below the document's printed minimum of 74.9";
+}
+
+TEST(Distance, of_a_plane_above_a_plane_is_its_height) {
+    const std::vector<glm::vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0.5f}, {2, 1, 0.5f}, {1, 2, 0.5f}};
+    const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, std::vector<std::uint32_t>{0, 1, 2});
+    EXPECT_NEAR(d.greatest, 0.5, 1e-6);
+    EXPECT_NEAR(d.rms, 0.5, 1e-6);
+}
+
+TEST(Distance, reaches_edges_and_corners) {
+    const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-3, -4, 0}, {-3, -4, 1e-3f}, {-3, -4.001f, 0}};
+    const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, std::vector<std::uint32_t>{0, 1, 2});
+    EXPECT_NEAR(d.greatest, std::hypot(3, 4.001), 1e-4);
+}

@@ -1,11 +1,13 @@
 # Warnings, sanitizers, and the two functions that every folder uses.
 
 add_library(tegument_options INTERFACE)
-target_include_directories(tegument_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(tegument_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/tegument>)
+target_compile_features(tegument_options INTERFACE cxx_std_20)
 # Designated initialisers leave fields at their defaults on purpose. GCC 12 reports false positives of the other two in libstdc++'s
 # strings and variants (GCC bugs 105562 and 105651); clang-tidy looks for the real ones.
-target_compile_options(tegument_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wno-missing-field-initializers
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict>)
+target_compile_options(tegument_options INTERFACE
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-Werror;-Wno-missing-field-initializers>"
+  "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>>")
 if(TEGUMENT_SANITIZE)
   target_compile_options(tegument_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(tegument_options INTERFACE -fsanitize=address,undefined)

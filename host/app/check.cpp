@@ -4,6 +4,7 @@
 #include "host/app/commands.h"
 #include "host/app/effect_options.h"
 #include "host/app/output.h"
+#include "host/check/resources.h"
 #include "host/emit/emit.h"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,7 @@ struct CheckArguments {
     bool allSettings = false;
     std::string emitFolder;
     std::vector<std::string> emitKinds = {"all"};
+    bool resources = false;
     bool json = false;
 };
 
@@ -115,6 +117,27 @@ Json fileJson(const FileReport& file) {
     return json;
 }
 
+Json resourcesJson(const ResourceTable& table) {
+    Json json{{"variants", table.variants}, {"limits", Json::object()}, {"passes", Json::array()}};
+    for (const Sm3Limit& limit : kSm3Limits)
+        json["limits"][std::string(limit.what)] = {{"vs_3_0", limit.vertex}, {"ps_3_0", limit.pixel}};
+    for (const ResourceRow& row : table.rows) {
+        Json usage = Json::array();
+        for (const Sm3Usage& one : row.usage) {
+            usage.push_back(Json::object());
+            for (const Sm3Limit& limit : kSm3Limits)
+                usage.back()[std::string(limit.what)] = one.*limit.used;
+        }
+        json["passes"].push_back({{"effect", row.effect},
+                                  {"technique", row.technique},
+                                  {"pass", row.pass},
+                                  {"entry", row.entry},
+                                  {"profile", row.profile},
+                                  {"usage", std::move(usage)}});
+    }
+    return json;
+}
+
 std::string title(const FileReport& file) {
     return file.variant.empty() ? file.file.string() : fmt::format("{} [{}]", file.file.string(), file.variant);
 }
@@ -182,7 +205,8 @@ Result<void> argumentsFit(const CheckArguments& arguments, const std::vector<std
 int check(const CheckArguments& arguments) {
     const auto targets = chosenTargets(arguments.targets);
     if (!targets) return fail(targets.error(), arguments.json);
-    const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
+    std::vector<std::filesystem::path> files;
+    std::ranges::transform(arguments.files, std::back_inserter(files), effectPath);
     if (const auto fit = argumentsFit(arguments, files); !fit) return fail(fit.error(), arguments.json);
     Progress progress;
     progress.say(fmt::format("checking {} files", files.size()));
@@ -197,10 +221,14 @@ int check(const CheckArguments& arguments) {
         for (const FileReport& file : report.files)
             json["files"].push_back(fileJson(file));
         if (emitted && !emitted->empty()) json["emitted"] = *emitted;
+        if (arguments.resources) json["resources"] = resourcesJson(resourceTable(report));
         if (emitted) print(json);
     } else {
         printProblems(report);
-        printTable(report);
+        if (arguments.resources)
+            fmt::print("{}", toMarkdown(resourceTable(report)));
+        else
+            printTable(report);
     }
     if (!emitted) return fail(emitted.error(), arguments.json);
     return report.failed() ? static_cast<int>(Blame::Input) : 0;
@@ -222,6 +250,8 @@ void addCheck(CLI::App& program, Action& action) {
                      "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated")
         ->capture_default_str()
         ->needs(emit);
+    command->add_flag("--resources", arguments->resources,
+                      "Print what each pass takes of shader model 3 instead (docs/resources.md); needs target fx_2_0");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer("A target whose tool is absent is reported as not checked, never as passed. Exit code 1 when any target failed.");
     command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });

@@ -20,6 +20,17 @@ void addEffectOptions(CLI::App& command, EffectOptions& options) {
     command.add_option("--map-size", options.mapSize, "Texels along each side of the texture-space maps")->check(CLI::Range(1, 16384));
 }
 
+std::filesystem::path effectPath(const std::filesystem::path& named) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    if (named.is_absolute() || fs::exists(named, code)) return named;
+    const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
+    for (const fs::path& root : {program / "../share/tegument", fs::path(TEGUMENT_TREE)})
+        for (const fs::path& candidate : {root / named, root / "effects" / named})
+            if (fs::is_regular_file(candidate, code)) return candidate.lexically_normal();
+    return named;
+}
+
 LoadOptions loadOptions(const EffectOptions& options) {
     LoadOptions load;
     for (const std::string& define : options.defines) {

@@ -1,6 +1,6 @@
 // tegument flatten: an effect and its includes as one file.
 
-#include "host/effect/flatten.h"
+#include "host/emit/flatten.h"
 #include "host/app/commands.h"
 #include "host/app/effect_options.h"
 #include "host/app/output.h"
@@ -26,7 +26,7 @@ int flatten(const FlattenArguments& arguments) {
         .defines = {}, .includeFolders = {}, .read = [](const std::filesystem::path& path) { return readFile(path); }};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
-    const auto text = flattenEffect(arguments.file, options);
+    const auto text = flattenEffect(effectPath(arguments.file), options);
     if (!text) return fail(text.error(), false);
     if (arguments.output.empty()) {
         fmt::print("{}", *text);

@@ -94,7 +94,7 @@ struct InfoOptions {
 };
 
 int info(const InfoOptions& options) {
-    const Result<Effect> effect = loadEffect(options.file, loadOptions(options.effect));
+    const Result<Effect> effect = loadEffect(effectPath(options.file), loadOptions(options.effect));
     if (!effect) return fail(effect.error(), options.json);
     warn(effect->warnings);
     if (options.json) {

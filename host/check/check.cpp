@@ -68,6 +68,8 @@ CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const 
     });
     check::checkMicrosoft(works);
     spirv.get();
+    for (check::Work& work : works)
+        check::compareTargets(work);
     CheckReport report;
     for (check::Work& work : works)
         report.files.push_back(std::move(work.report));
@@ -158,6 +160,11 @@ void addError(TargetCheck& report, int code, SourcePosition at, std::string text
                                   .text = std::move(text),
                                   .hint = std::move(hint),
                                   .sourceLine = {}});
+}
+
+void addMissingPosition(const EntryPoint& vertex, TargetCheck& report) {
+    addError(report, 3206, vertex.at, fmt::format("{} writes no SV_Position: nothing will be drawn", vertex.name),
+             "write SV_Position in place of POSITION; Direct3D 9 takes it too");
 }
 
 void conclude(TargetCheck& report) {

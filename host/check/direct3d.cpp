@@ -1,7 +1,5 @@
 #include "host/check/work.h"
 
-#include "host/compile/effect_binary.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,12 +89,37 @@ void addEntries(Work& work, Batch& batch) {
         addJob(work, *report, &entry, sm5Profile(entry.kind), batch);
 }
 
+/// "... in Technique T, Pass P.": the linkage errors of fx_4_0 and fx_5_0 name the pass and no line.
+const Pass* namedPass(const Effect& effect, std::string_view text) {
+    for (const Technique& technique : effect.techniques)
+        for (const Pass& pass : technique.passes)
+            if (text.find(fmt::format("in Technique {}, Pass {}.", technique.name, pass.name)) != std::string_view::npos) return &pass;
+    return nullptr;
+}
+
+void locate(const Work& work, std::vector<Diagnostic>& diagnostics) {
+    const Pass* pass = nullptr;
+    for (const Diagnostic& diagnostic : diagnostics)
+        if (pass == nullptr) pass = namedPass(work.effect(), diagnostic.text);
+    for (Diagnostic& diagnostic : diagnostics)
+        if (pass != nullptr && diagnostic.at.line == 0) diagnostic.at = pass->pixelShader ? pass->pixelShader->at : pass->at;
+}
+
+/// Strings lie in the binary as they are, with a zero byte behind, and a zero byte (of a length, or of another string) before.
+SourcePosition firstMissing(const Work& work, std::string_view binary, Target target) {
+    for (const Technique* technique : techniquesIn(work, target)) {
+        const std::string name = '\0' + technique->name + '\0';
+        if (binary.find(name) == std::string_view::npos) return technique->at;
+    }
+    return {.file = work.file.string(), .byte = {}};
+}
+
 /// Microsoft's compiler drops blocks that it does not know without a word.
 void compareCounts(const Work& work, const MicrosoftResult& result, TargetCheck& report) {
     const Expected expected = expectedIn(work, report.target);
     const auto compare = [&](std::string_view what, int inBinary, int inFile) {
         if (inBinary == inFile) return;
-        addError(report, 3202, {.file = work.file.string(), .byte = {}},
+        addError(report, 3202, firstMissing(work, result.binary, report.target),
                  fmt::format("{} holds {} {}, the file has {}", targetName(report.target), inBinary, what, inFile),
                  "write techniques inside #ifdef FX_TECHNIQUES with the word `technique`");
     };
@@ -123,6 +146,7 @@ void takeEntry(EntryPoint& entry, MicrosoftResult& result, TargetCheck& report) 
 
 void take(const Ticket& ticket, MicrosoftResult& result) {
     TargetCheck& report = *ticket.report;
+    locate(*ticket.work, result.diagnostics);
     report.diagnostics.insert(report.diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
     report.milliseconds += result.milliseconds;
     if (ticket.entry == nullptr)
@@ -142,16 +166,25 @@ void linkSm5(const Work& work, const StagePair& pair, TargetCheck& report) {
     const EntryPoint& pixel = work.report.entries[pair.pixel];
     if (!vertex.sm5Reflection || !pixel.sm5Reflection) return;
     const auto& outputs = vertex.sm5Reflection->reflection.outputs;
+    const auto& unwritten = vertex.sm5Reflection->unwritten;
     for (const StageVariable& input : pixel.sm5Reflection->reflection.inputs) {
         const auto output = std::ranges::find(outputs, input.semantic, &StageVariable::semantic);
-        if (output == outputs.end())
+        if (output == outputs.end() || std::ranges::find(unwritten, input.semantic) != unwritten.end())
             addError(report, 3004, pixel.at, fmt::format("{} reads {}, which {} does not write", pixel.name, input.semantic, vertex.name),
-                     "give both the same struct");
+                     "give both the same struct, and every member a value");
         else if (output->location != input.location)
             addError(report, 3205, pixel.at,
                      fmt::format("{} reads {} from register {}, {} writes it to register {}", pixel.name, input.semantic, input.location,
                                  vertex.name, output->location),
                      "give both the same struct");
+    }
+}
+
+/// Of vertex shaders before a rasteriser.
+void checkPositions(const Work& work, TargetCheck& report) {
+    for (const StagePair& pair : work.pairs) {
+        const EntryPoint& vertex = work.report.entries[pair.vertex];
+        if (vertex.sm5Reflection && !vertex.sm5Reflection->writesPosition) addMissingPosition(vertex, report);
     }
 }
 
@@ -185,8 +218,10 @@ void checkMicrosoft(std::vector<Work>& works) {
     measureShaderModel3(works);
     for (Work& work : works) {
         TargetCheck* sm5 = work.find(Target::Sm5);
+        if (sm5 == nullptr) continue;
         for (const StagePair& pair : work.pairs)
-            if (sm5 != nullptr) linkSm5(work, pair, *sm5);
+            linkSm5(work, pair, *sm5);
+        checkPositions(work, *sm5);
     }
     for (const Ticket& ticket : batch.tickets)
         if (ticket.report->verdict == Verdict::NotChecked) conclude(*ticket.report);

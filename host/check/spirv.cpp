@@ -1,5 +1,6 @@
 #include "host/check/work.h"
 #include "host/compile/compile.h"
+#include "host/compile/module.h"
 
 #include <fmt/format.h>
 
@@ -60,12 +61,21 @@ std::string obstacle(const Work& work, Compiler compiler) {
     return spellingObstacle(work);
 }
 
+/// `: POSITION` compiles to an ordinary varying without a word.
+void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
+    for (const StagePair& pair : work.pairs) {
+        const EntryPoint& vertex = work.report.entries[pair.vertex];
+        if (const auto& shader = vertex.*slot; shader && !spirv::writesPosition(shader->spirv)) addMissingPosition(vertex, report);
+    }
+}
+
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
     report.reason = obstacle(work, compiler);
     if (!report.reason.empty()) return;
     const auto start = std::chrono::steady_clock::now();
     compileAll(work, compiler, slot, report);
     linkAll(work, slot, report);
+    checkPositions(work, slot, report);
     report.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 

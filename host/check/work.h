@@ -33,6 +33,13 @@ struct Work {
 
 void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint);
 
+/// TG3206.
+void addMissingPosition(const EntryPoint& vertex, TargetCheck& report);
+
+/// TG3204: the same parameters everywhere. What sm5 and SPIR-V see in the same entry point: types, offsets, sizes; and the defaults that
+/// sm5 and fx_2_0 hold against those that the file gives.
+void compareTargets(Work& work);
+
 void checkSpirv(Work& work);
 void checkMicrosoft(std::vector<Work>& works);
 /// Of the fx_2_0 binaries that checkMicrosoft has put into the reports.

@@ -1,6 +1,7 @@
 #include "host/compile/effect_binary.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <tuple>
@@ -10,6 +11,7 @@ namespace tegument {
 namespace {
 
 constexpr std::uint32_t kFx2 = 0xfeff0901;
+constexpr std::size_t kFx2Base = 8; // of an fx_2_0 effect: offsets count from here
 constexpr std::uint32_t kFx4 = 0xfeff1001;
 constexpr std::uint32_t kFx5 = 0xfeff2001;
 
@@ -80,7 +82,7 @@ Fx2Counts walkFx2(WordReader& reader) {
 }
 
 WordReader fx2Tables(std::string_view bytes) {
-    return {bytes, 8 + std::size_t{wordAt(bytes, 4)}};
+    return {bytes, kFx2Base + std::size_t{wordAt(bytes, 4)}};
 }
 
 std::optional<EffectContent> readFx2(std::string_view bytes) {
@@ -94,6 +96,43 @@ std::optional<EffectContent> readFx2(std::string_view bytes) {
 bool isShader(std::string_view object) {
     const std::uint32_t tag = wordAt(object, 0) >> 16U;
     return object.size() >= 8 && (tag == 0xfffeU || tag == 0xffffU);
+}
+
+/// A length with the zero byte, then the text.
+std::string fx2String(std::string_view bytes, std::uint32_t offset) {
+    if (offset == 0) return {};
+    WordReader reader(bytes, kFx2Base + offset);
+    const std::string_view text = reader.block();
+    return std::string(text.substr(0, text.find('\0')));
+}
+
+// Values of d3dx9shader.h.
+constexpr std::uint32_t kTypeBool = 1;
+constexpr std::uint32_t kTypeInt = 2;
+constexpr std::uint32_t kTypeFloat = 3;
+constexpr std::uint32_t kClassLast = 3; // matrices; objects and structs follow
+
+double fx2Number(std::uint32_t word, std::uint32_t type) {
+    if (type == kTypeFloat) return std::bit_cast<float>(word);
+    return type == kTypeBool ? static_cast<double>(word != 0) : static_cast<double>(std::bit_cast<std::int32_t>(word));
+}
+
+/// A type: base, class, name, semantic, elements, then rows and columns (of a vector the other way round).
+std::optional<EffectParameter> readFx2Parameter(std::string_view bytes, std::uint32_t type, std::uint32_t value) {
+    WordReader reader(bytes, kFx2Base + type);
+    const std::uint32_t base = reader.next();
+    const std::uint32_t kind = reader.next();
+    if (base < kTypeBool || base > kTypeFloat || kind > kClassLast) return {};
+    EffectParameter parameter{.name = fx2String(bytes, reader.next()), .semantic = fx2String(bytes, reader.next()), .numbers = {}};
+    const std::uint64_t elements = std::max(reader.next(), 1U);
+    const std::uint64_t first = reader.next();
+    const std::uint64_t second = reader.next();
+    const std::uint64_t count = elements * first * second;
+    if (!reader.good() || count > bytes.size() / 4) return {};
+    WordReader numbers(bytes, kFx2Base + value);
+    for (std::uint64_t i = 0; i < count; ++i)
+        parameter.numbers.push_back(fx2Number(numbers.next(), base));
+    return parameter;
 }
 
 /// fx_4_0 and fx_5_0: word 7 counts the techniques, word 17 the shaders.
@@ -119,6 +158,22 @@ std::string_view fxChunk(std::string_view bytes) {
 
 bool isPixelShader(const EffectShader& shader) {
     return wordAt(shader.bytes, 0) >> 16U == 0xffffU;
+}
+
+std::vector<EffectParameter> fx2Parameters(std::string_view bytes) {
+    std::vector<EffectParameter> parameters;
+    if (wordAt(bytes, 0) != kFx2) return parameters;
+    WordReader reader = fx2Tables(bytes);
+    const std::uint32_t count = reader.next();
+    reader.skip(3); // techniques, unknown, objects
+    for (std::uint32_t i = 0; i < count && reader.good(); ++i) {
+        const std::uint32_t type = reader.next();
+        const std::uint32_t value = reader.next();
+        reader.skip(1);
+        reader.skip(2 * std::size_t{reader.next()});
+        if (auto parameter = readFx2Parameter(bytes, type, value)) parameters.push_back(std::move(*parameter));
+    }
+    return parameters;
 }
 
 /// Behind the techniques: number of values and of resources; values (object, block); resources (technique, pass, element, state, kind,

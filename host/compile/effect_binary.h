@@ -2,6 +2,7 @@
 // What Microsoft's compiler put into an effect: it drops techniques of another Direct3D version without a word, so they are counted.
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,16 @@ struct EffectShader {
     int pass = 0;
     std::string_view bytes;
 };
+
+/// A number, vector or matrix among the parameters of an fx_2_0 effect.
+struct EffectParameter {
+    std::string name;
+    std::string semantic;
+    std::vector<double> numbers; // its default, in row order; zeros where the file gives none
+};
+
+/// The numeric ones, in their order.
+[[nodiscard]] std::vector<EffectParameter> fx2Parameters(std::string_view bytes);
 
 struct EffectContent {
     int techniques = 0;

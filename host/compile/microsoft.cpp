@@ -26,7 +26,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kStartSeconds = 60;
-constexpr double kJobSeconds = 20; // the longest seen is 1.4 s
 constexpr std::size_t kMostProcesses = 8;
 
 /// Beside the program, where it was installed, where it was built.
@@ -96,7 +95,7 @@ Diagnostic withoutMessage(const MicrosoftJob& job, std::uint32_t code) {
 /// The jobs of one call and the folder in which they exchange files with the processes that do them.
 class Jobs {
 public:
-    explicit Jobs(std::span<const MicrosoftJob> jobs) : jobs_(jobs), results_(jobs.size()) {}
+    Jobs(std::span<const MicrosoftJob> jobs, double jobSeconds) : jobs_(jobs), jobSeconds_(jobSeconds), results_(jobs.size()) {}
 
     /// Brings compiler and driver into one folder (Wine looks for a "native" library beside the program) and writes the list.
     Result<ProcessCommand> prepare() {
@@ -174,7 +173,7 @@ private:
     Ended follow(BackgroundProcess& process) {
         Ended ended;
         for (;;) {
-            const auto said = process.readLine(ended.at ? kJobSeconds : kStartSeconds);
+            const auto said = process.readLine(ended.at ? jobSeconds_ : kStartSeconds);
             if (!said) {
                 ended.timedOut = process.running();
                 return ended;
@@ -231,12 +230,13 @@ private:
 
     Folder folder_;
     std::span<const MicrosoftJob> jobs_;
+    double jobSeconds_;
     std::vector<std::optional<MicrosoftResult>> results_; // each written by the one process that claimed the job
 };
 
 /// The processes' threads live as long as their processes, which would otherwise end with them.
-Result<std::vector<MicrosoftResult>> runAll(const std::vector<MicrosoftJob>& listed) {
-    Jobs jobs(listed);
+Result<std::vector<MicrosoftResult>> runAll(const std::vector<MicrosoftJob>& listed, double jobSeconds) {
+    Jobs jobs(listed, jobSeconds);
     const auto command = jobs.prepare();
     if (!command) return command.error();
     const std::size_t count = std::min<std::size_t>({listed.size(), std::max(1U, std::thread::hardware_concurrency()), kMostProcesses});
@@ -267,11 +267,11 @@ std::string microsoftCompilerMissing() {
     return {};
 }
 
-Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs) {
+Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs, double jobSeconds) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) return notRunnable(missing);
     std::vector<MicrosoftJob> listed;
     std::ranges::copy_if(jobs, std::back_inserter(listed), canBeListed);
-    auto done = runAll(listed);
+    auto done = runAll(listed, jobSeconds);
     if (!done) return done.error();
     std::vector<MicrosoftResult> results;
     results.reserve(jobs.size());

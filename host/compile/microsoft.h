@@ -14,6 +14,9 @@
 
 namespace tegument {
 
+/// The longest job seen takes 3 s; on a machine with much else to do many times that.
+inline constexpr double kMicrosoftJobSeconds = 180;
+
 struct MicrosoftJob {
     std::string profile; // fx_2_0, fx_4_0, fx_5_0, vs_3_0, ps_3_0, vs_5_0, ps_5_0 ...; "listing" for a compiled shader of model 3
     std::string entry;   // empty for fx_* and listing
@@ -37,6 +40,8 @@ struct Sm3Usage {
 struct Sm5Reflection {
     Reflection reflection;
     std::map<std::string, std::vector<double>> defaults; // of constants that have one, in row order
+    std::vector<std::string> unwritten;                  // outputs of which no component is ever set
+    bool writesPosition = false;                         // SV_Position
 };
 
 struct MicrosoftResult {
@@ -60,6 +65,7 @@ struct MicrosoftResult {
 /// Runs all jobs in one Wine process, in order; a job that brings the process down fails (TG3103) and the rest goes on in a new one.
 /// Messages are TG3101 (errors, with Microsoft's X number in the text) and TG3102 (warnings). A path that cannot be
 /// handed over fails its job (TG3105). An Error means that nothing could be run: TG3104, Wine or its display.
-[[nodiscard]] Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs);
+[[nodiscard]] Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs,
+                                                                        double jobSeconds = kMicrosoftJobSeconds);
 
 } // namespace tegument

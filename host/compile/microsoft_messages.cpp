@@ -99,10 +99,20 @@ void readLine(std::string_view line, const fs::path& source, Messages& into) {
         if (separator == std::string_view::npos) continue;
         return add(into, kind.error, readPlace(line.substr(0, separator), source), line.substr(separator + marker.size()));
     }
+    static constexpr Kind kLinkage[] = {{"Stage linkage error: ", true}, {"Stage linkage warning: ", false}};
+    for (const Kind& kind : kLinkage)
+        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = source.string(), .byte = {}}, line);
+    constexpr std::string_view kEffect = "D3DEffectCompiler: ERROR: ";
+    if (line.starts_with(kEffect)) return add(into, true, {.file = source.string(), .byte = {}}, line.substr(kEffect.size()));
     if (line.find("error") == std::string_view::npos) return;
     const std::size_t end = line.find("): "); // "file(3,42-67): There was an error compiling expression"
     if (end == std::string_view::npos) return add(into, true, {.file = source.string(), .byte = {}}, line);
-    add(into, true, readPlace(line.substr(0, end + 1), source), line.substr(end + 3));
+    const SourcePosition at = readPlace(line.substr(0, end + 1), source);
+    if (line.find("There was an error compiling expression") == std::string_view::npos || into.errors.empty())
+        return add(into, true, at, line.substr(end + 3));
+    // It only says which `compile` the errors before it came from: the place of those that have none.
+    for (Diagnostic& error : into.errors)
+        if (error.at.line == 0) error.at = at, error.sourceLine = sourceLineAt(at);
 }
 
 } // namespace

@@ -23,6 +23,7 @@ constexpr int kInputTexture = 2;
 constexpr int kInputSampler = 3;
 constexpr int kInputImage = 4;
 constexpr int kFlagComparison = 2;
+constexpr int kNamePosition = 1;
 constexpr int kNameTarget = 64;
 constexpr int kComponentUint = 1;
 constexpr int kComponentInt = 2;
@@ -114,20 +115,33 @@ void readResource(const json& bound, Reflection& into) {
     into.resources.push_back({.name = name, .kind = kind, .binding = slot});
 }
 
+std::string semanticOf(const json& element) {
+    std::string name = spirv::canonicalSemantic(element.at("semantic").get<std::string>());
+    name.pop_back(); // the 0 that it put behind the name: Direct3D keeps name and index apart
+    return name + std::to_string(element.at("index").get<int>());
+}
+
 std::vector<StageVariable> readSignature(const json& list, bool input) {
     std::vector<StageVariable> variables;
     for (const json& element : list) {
         const int system = element.at("system").get<int>();
         if ((system != 0 && system != kNameTarget) || (input && element.at("read").get<int>() == 0)) continue;
-        variables.push_back({.semantic = spirv::canonicalSemantic(element.at("semantic").get<std::string>(), 0),
+        variables.push_back({.semantic = semanticOf(element),
                              .location = element.at("register").get<std::uint32_t>(),
                              .components = static_cast<std::uint32_t>(std::popcount(element.at("mask").get<std::uint32_t>())),
                              .base = componentBase(element.at("type").get<int>())});
-        std::string& name = variables.back().semantic; // "TEXCOORD0", with the index that Direct3D keeps apart
-        name.pop_back();
-        name += std::to_string(element.at("index").get<int>());
     }
     return variables;
+}
+
+void readOutputs(const json& list, Sm5Reflection& into) {
+    into.reflection.outputs = readSignature(list, false);
+    for (const json& element : list) {
+        if (element.at("system").get<int>() == kNamePosition) into.writesPosition = true;
+        const int mask = element.at("mask").get<int>();
+        // Of an output this is the mask of what is never written.
+        if ((element.at("read").get<int>() & mask) == mask) into.unwritten.push_back(semanticOf(element));
+    }
 }
 
 Sm5Reflection read(const json& from) {
@@ -142,7 +156,7 @@ Sm5Reflection read(const json& from) {
     for (const auto& bound : from.at("resources"))
         readResource(bound, result.reflection);
     result.reflection.inputs = readSignature(from.at("inputs"), true);
-    result.reflection.outputs = readSignature(from.at("outputs"), false);
+    readOutputs(from.at("outputs"), result);
     const auto& threads = from.at("threads");
     for (std::size_t i = 0; i < 3 && threads.at(0).get<std::uint32_t>() != 0; ++i)
         result.reflection.localSize[i] = threads.at(i).get<std::uint32_t>();

@@ -98,4 +98,17 @@ std::string Module::text(Id id, spv::Decoration decoration) const {
     return found == decorations_.end() ? std::string() : literalString(found->second);
 }
 
+bool writesPosition(Words module) {
+    bool found = false;
+    constexpr auto kBuiltIn = static_cast<std::uint32_t>(spv::Decoration::BuiltIn);
+    constexpr auto kPosition = static_cast<std::uint32_t>(spv::BuiltIn::Position);
+    forEachInstruction(module, [&](const Instruction& instruction, std::size_t) {
+        const Words& w = instruction.words;
+        const bool object = instruction.op == spv::Op::OpDecorate && w.size() > 3 && w[2] == kBuiltIn && w[3] == kPosition;
+        const bool member = instruction.op == spv::Op::OpMemberDecorate && w.size() > 4 && w[3] == kBuiltIn && w[4] == kPosition;
+        found = found || object || member;
+    });
+    return found;
+}
+
 } // namespace tegument::spirv

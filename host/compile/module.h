@@ -82,4 +82,7 @@ private:
     std::map<DecorationKey, Words> decorations_;
 };
 
+/// Whether an output is decorated as the position.
+[[nodiscard]] bool writesPosition(Words module);
+
 } // namespace tegument::spirv

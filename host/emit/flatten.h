@@ -10,7 +10,7 @@ namespace tegument {
 /// The text of `file` with every include in its place: comments, macros and conditionals stay as they were written, so defines select the
 /// same as before. A file with an include guard is merged where it is first read for certain, others wherever they are included. `#pragma
 /// once` becomes a guard. Without #line: comments say where each file begins and ends. The result is preprocessed and compared with the
-/// original, token by token, for every target; TG1013 when it differs or when an include is named by a macro; TG1001 and the other codes of
+/// original, token by token, for every target; TG3305 when it differs or when an include is named by a macro; TG1001 and the other codes of
 /// preprocess() when the original is at fault.
 [[nodiscard]] Result<std::string> flattenEffect(const std::filesystem::path& file, const PreprocessOptions& options);
 

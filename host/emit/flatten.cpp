@@ -1,4 +1,4 @@
-#include "host/effect/flatten.h"
+#include "host/emit/flatten.h"
 
 #include <algorithm>
 #include <optional>
@@ -136,8 +136,8 @@ private:
     Result<void> include(const fs::path& from, const Directive& directive, int depth, bool conditional) {
         const Token& at = directive.tokens.size() > 2 ? directive.tokens[2] : directive.tokens[1];
         const std::optional<std::string> name = nameOf(directive);
-        if (!name) return fail(1013, at, "the name of this include comes from a macro", "write the name");
-        if (result_.size() > kMostBytes) return fail(1013, at, "one file would be too long", "does a file include itself again and again?");
+        if (!name) return fail(3305, at, "the name of this include comes from a macro", "write the name");
+        if (result_.size() > kMostBytes) return fail(3305, at, "one file would be too long", "does a file include itself again and again?");
         if (depth + 1 > kDeepest)
             return fail(1002, at, fmt::format("includes are nested deeper than {}", kDeepest),
                         "does a file include itself without a guard?");
@@ -236,7 +236,7 @@ Result<std::string> flattenEffect(const fs::path& file, const PreprocessOptions&
         if (!faithful) return faithful.error();
         if (*faithful) return text;
     }
-    return inputError(1013, {.file = file.string(), .byte = {}}, "the includes cannot be merged without changing what compilers read",
+    return inputError(3305, {.file = file.string(), .byte = {}}, "the includes cannot be merged without changing what compilers read",
                       "does a file depend on its own name, or on __FILE__ or __LINE__?");
 }
 

@@ -1,0 +1,45 @@
+# cmake --install and cpack (.deb, .tar.gz): the program, effects, hlsl, workspaces, compiled effects, libraries, headers, package config.
+
+if(NOT TARGET tegument)
+  return()
+endif()
+
+option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
+
+set(libraries tegument_options tegument_support tegument_effect tegument_compile tegument_check tegument_emit tegument_gpu tegument_image
+    tegument_scene tegument_run)
+install(TARGETS tegument RUNTIME DESTINATION bin)
+install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
+install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
+install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN reference EXCLUDE
+        PATTERN verify EXCLUDE PATTERN view EXCLUDE)
+install(DIRECTORY effects hlsl DESTINATION share/tegument)
+install(FILES LICENSE README.md DESTINATION share/doc/tegument)
+
+include(CMakePackageConfigHelpers)
+configure_file(cmake/TegumentConfig.cmake.in ${PROJECT_BINARY_DIR}/TegumentConfig.cmake @ONLY)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/TegumentConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/TegumentConfig.cmake ${PROJECT_BINARY_DIR}/TegumentConfigVersion.cmake DESTINATION lib/cmake/Tegument)
+
+# What the machine's compilers make of the effects; a compiler that is missing leaves its files out, and the manifests say so.
+if(TEGUMENT_PRECOMPILE)
+  file(GLOB effects CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/effects/*.fx)
+  list(JOIN effects " " effects)
+  install(CODE "if(NOT DEFINED ENV{TEGUMENT_NO_PRECOMPILE})
+  execute_process(COMMAND $<TARGET_FILE:tegument> check ${effects} --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
+                  OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endif()")
+endif()
+
+set(CPACK_GENERATOR "DEB;TGZ")
+set(CPACK_PACKAGE_NAME tegument)
+set(CPACK_PACKAGE_CONTACT "Tegument contributors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "wine, wine64, xvfb, mesa-vulkan-drivers")
+include(CPack)

@@ -1,0 +1,17 @@
+// Bits of integers: shader model 3 has none.
+#include "../../../hlsl/platform.fxh"
+int4 gBits;
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+float4 PS(V v) : SV_Target0 { return (gBits & 3) * v.uv.xyxy; } //~ fx_2_0 TG3101
+#ifdef FX_TECHNIQUES
+technique T
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS();
+        PixelShader = compile PS_MODEL PS();
+        STATE_BUFFER;
+    }
+}
+#endif

@@ -1,0 +1,16 @@
+// The pixel shader writes COLOR0 instead of SV_Target0.
+#include "../../../hlsl/platform.fxh"
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+float4 PS(V v) : COLOR0 { return v.uv.xyxy; } //~ fx_4_0 fx_5_0 sm5 TG3101, spirv-dxc TG3001
+#ifdef FX_TECHNIQUES
+technique T
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS();
+        PixelShader = compile PS_MODEL PS();
+        STATE_BUFFER;
+    }
+}
+#endif

@@ -1,0 +1,27 @@
+// A technique for Direct3D 11 only: the other effect compilers drop it without a word.
+#include "../../../hlsl/platform.fxh"
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }
+#ifdef FX_TECHNIQUES
+technique T
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS();
+        PixelShader = compile PS_MODEL PS();
+        STATE_BUFFER;
+    }
+}
+#endif
+#ifdef FX_D3D11
+technique Only11 //~ fx_2_0 fx_4_0 TG3202
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS();
+        PixelShader = compile PS_MODEL PS();
+        STATE_BUFFER;
+    }
+}
+#endif

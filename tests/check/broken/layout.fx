@@ -1,0 +1,18 @@
+// Parameters that the compilers place at different offsets.
+#include "../../../hlsl/platform.fxh"
+float gA;
+float3 gB;
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+float4 PS(V v) : SV_Target0 { return gA + gB.xyzz + v.uv.xyxy; }
+#ifdef FX_TECHNIQUES
+technique T
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS();
+        PixelShader = compile PS_MODEL PS(); //~ spirv-glslang TG3201
+        STATE_BUFFER;
+    }
+}
+#endif

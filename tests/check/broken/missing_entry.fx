@@ -1,0 +1,16 @@
+// The pass names a function that does not exist.
+#include "../../../hlsl/platform.fxh"
+struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }
+#ifdef FX_TECHNIQUES
+technique T
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS();
+        PixelShader = compile PS_MODEL PixelPS(); //~ TG2022
+        STATE_BUFFER;
+    }
+}
+#endif

@@ -1,0 +1,16 @@
+// The vertex shader writes POSITION instead of SV_Position: an ordinary varying everywhere but in Direct3D 9.
+#include "../../../hlsl/platform.fxh"
+struct V { float4 position : POSITION; float2 uv : TEXCOORD0; };
+V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
+float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return uv.xyxy; }
+#ifdef FX_TECHNIQUES
+technique T
+{
+    pass P
+    {
+        VertexShader = compile VS_MODEL VS(); //~ sm5 spirv-dxc spirv-glslang TG3206
+        PixelShader = compile PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101
+        STATE_BUFFER;
+    }
+}
+#endif

@@ -1,0 +1,213 @@
+#include "host/emit/emit.h"
+
+#include "host/compile/glsl.h"
+#include "host/compile/module.h"
+#include "host/compile/validate.h"
+#include "host/emit/cross.h"
+#include "host/emit/widen.h"
+#include "host/support/file.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <unistd.h>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<Target> spirvTargets() {
+    if (compilerAvailable(Compiler::Dxc)) return {Target::SpirvDxc, Target::SpirvGlslang};
+    return {Target::SpirvGlslang};
+}
+
+std::vector<fs::path> allEffects() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator("effects"))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+/// Name, relative to the folder, and bytes of every file.
+std::map<std::string, std::string> filesIn(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).string()] = *readFile(entry.path());
+    return files;
+}
+
+class Emit : public testing::Test {
+protected:
+    Emit() : folder_(fs::temp_directory_path() / ("tegument-emit-" + std::to_string(::getpid()))) {}
+    ~Emit() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] const fs::path& folder() const { return folder_; }
+    [[nodiscard]] fs::path emit(const CheckReport& report, const EmitOptions& more = {}) const {
+        EmitOptions options = more;
+        options.folder = folder_;
+        const auto written = emitEffect(report.files.at(0), options);
+        EXPECT_TRUE(written) << (written ? "" : format(written.error()));
+        return written ? *written : fs::path();
+    }
+    [[nodiscard]] json manifestOf(const fs::path& written) const {
+        const auto text = readFile(written / "manifest.json");
+        return json::parse(text ? *text : "", nullptr, false);
+    }
+
+private:
+    fs::path folder_;
+};
+
+TEST(EmitKinds, have_the_names_of_the_command_line) {
+    EXPECT_EQ(emitKindsByName("all").size(), kAllEmitKinds.size());
+    for (const EmitKind kind : kAllEmitKinds)
+        EXPECT_EQ(emitKindsByName(emitKindName(kind)), std::vector{kind});
+    EXPECT_TRUE(emitKindsByName("hlsl").empty());
+}
+
+TEST(Translation, of_every_shader_of_both_compilers_in_every_setting_is_glsl_and_msl) {
+    const CheckReport report = checkEffects(allEffects(), spirvTargets(), {.variants = settingVariants(), .includeFolders = {}});
+    int shaders = 0;
+    for (const FileReport& file : report.files)
+        for (const EntryPoint& entry : file.entries)
+            for (const auto* shader : {&entry.dxc, &entry.glslang}) {
+                if (!*shader) continue;
+                ++shaders;
+                for (const CrossLanguage language : {CrossLanguage::Glsl, CrossLanguage::GlslEs, CrossLanguage::Msl}) {
+                    const auto text = crossCompile(**shader, language, {});
+                    ASSERT_TRUE(text) << format(text.error());
+                    if (language == CrossLanguage::Msl) continue;
+                    EXPECT_EQ(checkGlsl((*shader)->stage, text->text), "") << file.file << " " << entry.name;
+                }
+            }
+    EXPECT_GT(shaders, 100);
+}
+
+TEST_F(Emit, writes_what_the_manifest_lists_and_nothing_else) {
+    const fs::path written = emit(checkEffects({"effects/Stretch.fx"}, spirvTargets()));
+    const json manifest = manifestOf(written);
+    auto files = filesIn(written);
+    ASSERT_EQ(files.erase("manifest.json"), 1U);
+    EXPECT_EQ(files.size(), manifest["files"].size());
+    for (const json& file : manifest["files"]) {
+        const std::string name = file["name"].get<std::string>();
+        ASSERT_TRUE(files.contains(name)) << name;
+        EXPECT_EQ(file["hash"].get<std::string>(), contentHash(files[name]));
+        EXPECT_EQ(file["bytes"].get<std::size_t>(), files[name].size());
+    }
+    EXPECT_TRUE(files.contains("glsl/StretchPS.frag"));
+    EXPECT_TRUE(files.contains("msl/StretchVS.vs.metal"));
+}
+
+TEST_F(Emit, a_second_run_gives_the_same_bytes) {
+    const CheckReport report = checkEffects({"effects/Stretch.fx"}, spirvTargets());
+    const auto first = filesIn(emit(report));
+    EXPECT_EQ(filesIn(emit(checkEffects({"effects/Stretch.fx"}, spirvTargets()))), first);
+}
+
+TEST_F(Emit, the_manifest_holds_parameters_with_semantics_defaults_and_annotations) {
+    const json manifest = manifestOf(emit(checkEffects({"effects/TSM.fx"}, spirvTargets())));
+    const auto named = [&](const std::string& name) {
+        for (const json& parameter : manifest["parameters"])
+            if (parameter["name"] == name) return parameter;
+        return json();
+    };
+    EXPECT_EQ(named("gWorld")["semantic"], "WORLD");
+    EXPECT_EQ(named("gWorld")["type"], "float4x4");
+    EXPECT_TRUE(named("gWorld")["default"].is_null());
+    EXPECT_EQ(named("gClearFar")["default"], 1.0);
+    EXPECT_EQ(named("gLightPosition")["annotations"]["Object"], "PointLight0");
+}
+
+TEST_F(Emit, the_manifest_joins_passes_with_states_shaders_and_files) {
+    const fs::path written = emit(checkEffects({"effects/TSM.fx"}, spirvTargets()));
+    const json manifest = manifestOf(written);
+    const json& pass = manifest["techniques"][0]["passes"][0];
+    EXPECT_EQ(pass["states"]["depth_compare"], "LESS_EQUAL");
+    EXPECT_EQ(pass["states"]["cull"], "NONE");
+    const auto shader = std::ranges::find_if(manifest["shaders"], [&](const json& s) { return s["name"] == pass["vertex_shader"]; });
+    ASSERT_NE(shader, manifest["shaders"].end());
+    EXPECT_EQ((*shader)["stage"], "vertex");
+    EXPECT_TRUE(fs::exists(written / (*shader)["glsl"]["file"].get<std::string>()));
+    EXPECT_EQ((*shader)["spirv-glslang"]["constants"][0]["members"][0]["offset"], 0);
+}
+
+TEST_F(Emit, what_could_not_be_checked_is_missing_with_its_reason) {
+    const json manifest = manifestOf(emit(checkEffects({"effects/TSM.fx"}, {Target::SpirvGlslang})));
+    const auto sm5 = std::ranges::find_if(manifest["missing"], [](const json& one) { return one["kind"] == "sm5"; });
+    ASSERT_NE(sm5, manifest["missing"].end());
+    EXPECT_EQ((*sm5)["reason"], "sm5 was not asked for");
+}
+
+TEST_F(Emit, only_the_chosen_kinds_are_written) {
+    const CheckReport report = checkEffects({"effects/TSM.fx"}, spirvTargets());
+    for (const auto& [name, bytes] : filesIn(emit(report, {.folder = {}, .kinds = {EmitKind::SpirvGlslang}, .defines = {}})))
+        EXPECT_TRUE(name == "manifest.json" || name.starts_with("spirv-glslang/")) << name;
+}
+
+TEST_F(Emit, an_effect_that_fails_is_not_written) {
+    const CheckReport report = checkEffects({"tests/check/broken/undeclared.fx"}, {Target::SpirvGlslang});
+    const auto written = emitEffect(report.files.at(0), {.folder = folder(), .defines = {}});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().diagnostics[0].code, 3301);
+    EXPECT_FALSE(fs::exists(folder()));
+}
+
+TEST_F(Emit, a_folder_that_holds_something_else_is_left_alone) {
+    ASSERT_TRUE(writeFile(folder() / "TSM/notes.txt", "mine"));
+    const auto written =
+        emitEffect(checkEffects({"effects/TSM.fx"}, {Target::SpirvGlslang}).files.at(0), {.folder = folder(), .defines = {}});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().diagnostics[0].code, 3304);
+    EXPECT_EQ(filesIn(folder()), (std::map<std::string, std::string>{{"TSM/notes.txt", "mine"}}));
+}
+
+TEST_F(Emit, what_was_written_before_is_replaced_whole) {
+    const CheckReport report = checkEffects({"effects/TSM.fx"}, spirvTargets());
+    const fs::path written = emit(report);
+    ASSERT_TRUE(writeFile(written / "glsl/Old.frag", "of a run before"));
+    EXPECT_EQ(emit(report), written);
+    EXPECT_FALSE(fs::exists(written / "glsl/Old.frag"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder()), fs::directory_iterator()), 1) << "nothing temporary is left";
+}
+
+/// A pixel shader that reads two of four components.
+Shader narrowPixel() {
+    constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return uv.xyxy; }\n";
+    auto shader = compileShader(
+        {.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {}}, Compiler::Glslang);
+    EXPECT_TRUE(shader);
+    return shader ? *shader : Shader{};
+}
+
+TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
+    const Shader pixel = narrowPixel();
+    const Varyings written{{0, {.semantic = "TEXCOORD0", .location = 0, .components = 4}}};
+    const auto words = withWholeInputs(pixel.spirv, written);
+    EXPECT_EQ(spirv::validate(words), "");
+    const auto text = crossCompile(pixel, CrossLanguage::Glsl, written);
+    ASSERT_TRUE(text) << format(text.error());
+    EXPECT_NE(text->text.find("in vec4 varying_TEXCOORD0;"), std::string::npos) << text->text;
+}
+
+TEST(WholeInputs, leave_a_shader_alone_that_reads_everything) {
+    const Shader pixel = narrowPixel();
+    EXPECT_EQ(withWholeInputs(pixel.spirv, {{0, {.semantic = "TEXCOORD0", .location = 0, .components = 2}}}), pixel.spirv);
+}
+
+TEST(Glsl, two_stages_that_do_not_meet_make_no_program) {
+    const std::string vertex = "#version 330\nout vec2 uv;\nvoid main() { uv = vec2(0.0); gl_Position = vec4(0.0); }\n";
+    const std::string pixel = "#version 330\nin vec3 uv;\nlayout(location = 0) out vec4 color;\nvoid main() { color = uv.xyzz; }\n";
+    EXPECT_EQ(checkGlsl(Stage::Vertex, vertex), "");
+    EXPECT_EQ(checkGlsl(Stage::Pixel, pixel), "");
+    EXPECT_NE(checkGlslProgram(vertex, pixel), "");
+}
+
+} // namespace
+} // namespace tegument::test

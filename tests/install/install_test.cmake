@@ -1,0 +1,30 @@
+# Installs into a folder of its own, builds `consumer` against it, runs it and the installed program from elsewhere.
+set(work ${BUILD}/install_test)
+file(REMOVE_RECURSE ${work})
+file(MAKE_DIRECTORY ${work}/elsewhere)
+
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${work}/elsewhere RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${status}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(ENV{TEGUMENT_NO_PRECOMPILE} 1) # compiling the effects has tests of its own
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/package --strip)
+
+run(${CMAKE_COMMAND} -S ${SOURCE}/consumer -B ${work}/consumer -G Ninja -DCMAKE_PREFIX_PATH=${work}/package -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+run(${CMAKE_COMMAND} --build ${work}/consumer)
+run(${work}/consumer/consumer ${work}/package/share/tegument/effects/OriginalTexture.fx)
+if(NOT output MATCHES "OriginalTexture: 1 pass, 2 shaders, GLSL of 2")
+  message(FATAL_ERROR "the consumer said:\n${output}")
+endif()
+
+run(${work}/package/bin/tegument info OriginalTexture.fx)
+if(NOT output MATCHES "technique OriginalTexture: 1 passes")
+  message(FATAL_ERROR "the installed program does not find its effects:\n${output}")
+endif()
+file(REMOVE_RECURSE ${work})

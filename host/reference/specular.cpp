@@ -11,11 +11,12 @@ namespace tegument::reference {
 double beckmannPH(double cosine, double m) {
     if (cosine <= 0) return 0;
     const double tangent2 = (1 - cosine) * (1 + cosine) / (cosine * cosine);
-    return std::exp(-tangent2 / (m * m)) / (m * m * std::pow(cosine, 4));
+    return std::exp(-tangent2 / (m * m)) / (m * m * cosine * cosine * cosine * cosine);
 }
 
 double fresnelSchlick(double cosine, double f0) {
-    return f0 + (1 - f0) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5);
+    const double c = 1 - std::clamp(cosine, 0.0, 1.0);
+    return f0 + (1 - f0) * c * c * c * c * c;
 }
 
 double kelemenBrdf(const glm::dvec3& normal, const glm::dvec3& toLight, const glm::dvec3& toEye, double m, double rhoS) {
@@ -54,7 +55,7 @@ struct SlopeIntegral {
 
 double directionalAlbedo(double cosine, double m) {
     constexpr double kReach = 6.5; // exp(-42)
-    static const std::vector<Node> kRadial = gaussLegendre(48, 0, 1);
+    static const std::vector<Node> kRadial = gaussLegendre(32, 0, 1);
     static const std::vector<Node> kPanel = gaussLegendre(12, 0, 1);
     // The last slope turns quickly around phi = pi / 2 when the eye is low: narrower panels there.
     static const std::vector<double> kEnds = {0, 0.35, 0.45, 0.49, 0.5, 0.51, 0.55, 0.65, 1};

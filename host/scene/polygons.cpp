@@ -47,12 +47,13 @@ std::vector<glm::dvec2> flattened(const std::vector<glm::dvec3>& points) {
     return flat;
 }
 
-bool isConvex(const std::vector<glm::dvec2>& p) {
-    for (std::size_t i = 0; i < p.size(); ++i)
-        if (cross(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]) < 0) return false;
-    // all corners turn left: a star that runs round twice is told by the fan's triangles
+/// Corners are rounded to floats, so that a triangle of unit size may be this much smaller than it was meant to be.
+constexpr double kRounding = 2.5e-7;
+
+/// All of the outline is seen from the first corner, as in every convex polygon: the fan fills it.
+bool fanFits(const std::vector<glm::dvec2>& p) {
     for (std::size_t i = 2; i < p.size(); ++i)
-        if (cross(p[0], p[i - 1], p[i]) < 0) return false;
+        if (cross(p[0], p[i - 1], p[i]) < -kRounding) return false;
     return true;
 }
 
@@ -128,9 +129,10 @@ std::optional<Error> Polygons::cut(const Source& source, const std::vector<glm::
         for (const std::uint32_t corner : corners)
             points.emplace_back(positions[corner]);
         const std::vector<glm::dvec2> flat = flattened(points);
-        if (flat.empty() || isConvex(flat)) continue; // the fan is right, or nothing is
+        if (flat.empty() || fanFits(flat)) continue; // without area nothing fits better
         if (fan.corners > kMostCorners)
-            return unsupported(source.whole(), fmt::format("a polygon of {} corners that is not convex", fan.corners), "export triangles");
+            return unsupported(source.whole(), fmt::format("a polygon of {} corners that are not all seen from the first", fan.corners),
+                               "export triangles");
         std::ranges::transform(Ring(flat).cut(), first, [&](std::size_t corner) { return corners[corner]; });
     }
     return std::nullopt;

@@ -5,7 +5,7 @@
 
 namespace tegument::meshfile {
 
-/// Puts faces down as fans while a file is read, because their vertices may follow; `cut` then cuts the polygons that are not convex by
+/// Puts faces down as fans while a file is read, because their vertices may follow; `cut` then cuts those that a fan does not fill by
 /// ears, into as many triangles, in the same place.
 class Polygons {
 public:

@@ -3,6 +3,8 @@
 #include "host/scene/normals.h"
 #include "meshprep/prepare/clean.h"
 
+#include <numeric>
+
 namespace tegument::prep {
 
 namespace {
@@ -103,7 +105,9 @@ Topology examine(const Surface& surface) {
     const std::vector<std::uint32_t> back = backToBack(surface);
     for (std::uint32_t i = 0; i < back.size(); ++i)
         topology.backToBackPairs += back[i] > i;
-    DisjointSets fans = cornerFans(surface, edges, back);
+    std::vector<std::uint32_t> none(back.size()); // triangles back to back share their edges: they are one fan here
+    std::iota(none.begin(), none.end(), 0u);
+    DisjointSets fans = cornerFans(surface, edges, none);
     topology.bowTies = countBowTies(surface, fans);
     topology.flatTriangles = countFlat(surface);
     topology.components = countComponents(surface);

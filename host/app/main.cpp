@@ -20,6 +20,8 @@ Start here:
   tegument prep human                         make the default head, once
   tegument render effects/Main.fx -o head.png
   tegument render effects/Main.fx --dump all  the same, with every intermediate target as EXR
+  tegument view effects/Main.fx               the same in a window; edits of the source show at once
+  tegument verify                             every module against its reference in double precision
 
 Exit codes: 0 success, 1 the input is at fault, 2 the command line is, 3 the machine is.)";
 
@@ -38,6 +40,8 @@ int run(int argc, char** argv) {
     tegument::app::addFur(program, action);
     tegument::app::addSheet(program, action);
     tegument::app::addCompare(program, action);
+    tegument::app::addView(program, action);
+    tegument::app::addVerify(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

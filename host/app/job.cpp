@@ -1,0 +1,126 @@
+#include "host/app/job.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace tegument::app {
+
+namespace {
+
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+    std::pair<int, int> size{0, 0};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.first);
+    const bool separator = width.ec == std::errc() && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X');
+    const auto height = separator ? std::from_chars(width.ptr + 1, end, size.second) : width;
+    if (!separator || height.ec != std::errc() || height.ptr != end || size.first < 1 || size.second < 1)
+        return usageError(8010, fmt::format("--size {} is not a picture size", text),
+                          "write WIDTHxHEIGHT in pixels, for example 1024x1024");
+    return size;
+}
+
+std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        const std::string_view item = trim(text.substr(0, comma));
+        double number = 0;
+        const auto parsed = std::from_chars(item.data(), item.data() + item.size(), number);
+        if (parsed.ec != std::errc() || parsed.ptr != item.data() + item.size()) return std::nullopt;
+        numbers.push_back(number);
+        if (comma == std::string_view::npos) return numbers;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<std::string> parameterNames(const Effect& effect) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : effect.parameters)
+        names.push_back(parameter.name);
+    return names;
+}
+
+/// NAME=VALUE: numbers for a numeric parameter, a file for a texture.
+Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run) {
+    const std::size_t equals = set.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return usageError(8011, fmt::format("--set {} has no '='", set), "write --set NAME=VALUE, for example --set gMix=0.5");
+    const std::string name = set.substr(0, equals);
+    const std::string value = set.substr(equals + 1);
+    const Parameter* parameter = effect.findParameter(name);
+    if (!parameter)
+        return inputError(8012, {.file = effect.file.string(), .byte = {}}, fmt::format("no parameter '{}' to set", name),
+                          didYouMean(name, parameterNames(effect)));
+    if (parameter->type.isTexture()) {
+        run.textures[name] = value;
+        return {};
+    }
+    auto numbers = parseNumbers(value);
+    if (!numbers)
+        return usageError(8013, fmt::format("--set {}: '{}' is not a number or a list of numbers", name, value),
+                          "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    run.parameters[name] = std::move(*numbers);
+    return {};
+}
+
+bool drawsGeometry(const Pass& pass) {
+    if (!pass.script.given) return true;
+    for (const Command& command : pass.script.commands)
+        if (command.kind == CommandKind::Draw && command.options.front() != "Buffer") return true;
+    return false;
+}
+
+bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshFor) {
+    const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, drawsGeometry); };
+    if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
+    const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
+    return chosen && draws(*chosen);
+}
+
+} // namespace
+
+void addJobOptions(CLI::App& command, JobOptions& options) {
+    command.add_option("effect", options.file, "Effect file (.fx)")->required();
+    command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
+    command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .ply, .obj); default: the workspace's");
+    command.add_option("-w,--workspace", options.scene.workspace,
+                       "Workspace file (docs/workspace.md); default: workspaces/human.json beside the effect");
+    command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
+    command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated");
+    command.add_option("--size", options.size, "Picture size in pixels")->capture_default_str();
+    command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
+        ->check(CLI::IsMember({"dxc", "glslang"}));
+    command.add_option("--device", options.device, "Part of the Vulkan device's name");
+    command.add_flag("--validate", options.validate, "Run under the Vulkan validation layers; any message is a failure");
+    addEffectOptions(command, options.effect);
+}
+
+Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
+    const auto size = parseSize(options.size);
+    if (!size) return size.error();
+    auto effect = loadEffect(options.file, loadOptions(options.effect));
+    if (!effect) return effect.error();
+    Job job{.effect = std::move(*effect), .scene = {}, .run = {}};
+    job.run.technique = options.technique;
+    job.run.width = size->first;
+    job.run.height = size->second;
+    job.run.compiler = options.compiler.empty() ? defaultCompiler() : options.compiler == "dxc" ? Compiler::Dxc : Compiler::Glslang;
+    if (!compilerAvailable(job.run.compiler))
+        return machineError(8015, fmt::format("the compiler {} is not available", options.compiler),
+                            "run ./bootstrap build, or use --compiler glslang");
+    for (const std::string& set : options.sets)
+        if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
+
+    SceneOptions sceneOptions = options.scene;
+    sceneOptions.effect = options.file;
+    auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
+    if (!scene) return scene.error();
+    job.scene = std::move(*scene);
+    return job;
+}
+
+} // namespace tegument::app

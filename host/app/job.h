@@ -1,0 +1,34 @@
+#pragma once
+// An effect, a scene and values: what the subcommands that draw read from disk before the device is touched.
+
+#include "host/app/effect_options.h"
+#include "host/app/scene.h"
+
+namespace tegument::app {
+
+struct JobOptions {
+    std::string file;
+    EffectOptions effect;
+    std::string technique;
+    SceneOptions scene;
+    std::vector<std::string> sets;
+    std::string size = "1024x1024";
+    std::string compiler;
+    std::string device;
+    bool validate = false;
+};
+
+struct Job {
+    Effect effect;
+    Scene scene;
+    RunOptions run;
+};
+
+/// Which technique decides whether a mesh must be there.
+enum class MeshFor { Technique, AnyTechnique };
+
+void addJobOptions(CLI::App& command, JobOptions& options);
+/// TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler is not there; and whatever loading says.
+[[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor);
+
+} // namespace tegument::app

@@ -1,0 +1,257 @@
+#include "host/view/canvas.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <deque>
+#include <string_view>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr std::string_view kCode = R"(
+float4 gScale;
+float4 gOffset;
+float4 gMode; // x: channel, y: tone map, z: sRGB
+float4 gClip;
+SamplerState gImage;
+Texture2D gImageMap;
+
+struct Varyings {
+    float4 position : SV_Position;
+    float2 uv : TEXCOORD0;
+    float4 color : TEXCOORD1;
+};
+
+Varyings StreamVS(float2 position : POSITION0, float2 uv : TEXCOORD0, float4 color : COLOR0) {
+    Varyings result;
+    result.position = float4(position, 0, 1);
+    result.uv = uv;
+    result.color = color;
+    return result;
+}
+
+// docs/conventions.md, "Colour": the knee at 0.8
+float toneMapped(float radiance) {
+    float t = max(0.0, radiance - 0.8) / 0.2;
+    return radiance <= 0.8 ? max(0.0, radiance) : 0.8 + 0.2 * (1 - 1 / (1 + t));
+}
+
+// IEC 61966-2-1
+float encoded(float x) {
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
+}
+
+float4 ShowPS(Varyings input) : SV_Target {
+    float4 texel = gImageMap.SampleLevel(gImage, input.uv, 0);
+    if (any(isnan(texel)) || any(isinf(texel))) return float4(1, 0, 1, 1);
+    float4 level = texel * gScale + gOffset;
+    float3 color = level.rgb;
+    if (gMode.x > 0.5) color = gMode.x < 1.5 ? level.rrr : gMode.x < 2.5 ? level.ggg : gMode.x < 3.5 ? level.bbb : level.aaa;
+    if (gMode.y > 0.5) color = float3(toneMapped(color.r), toneMapped(color.g), toneMapped(color.b));
+    color = saturate(color);
+    if (gMode.z > 0.5) color = float3(encoded(color.r), encoded(color.g), encoded(color.b));
+    return float4(color, 1);
+}
+
+float4 BlendPS(Varyings input) : SV_Target {
+    if (any(input.position.xy < gClip.xy) || any(input.position.xy >= gClip.zw)) discard;
+    return input.color * gImageMap.SampleLevel(gImage, input.uv, 0);
+}
+)";
+
+constexpr std::array<std::uint32_t, 6> kQuad = {0, 1, 2, 0, 2, 3};
+
+/// The parameters of the code above, by their names there.
+struct Constants {
+    std::array<float, 4> scale{};
+    std::array<float, 4> offset{};
+    std::array<float, 4> mode{};
+    std::array<float, 4> clip{};
+
+    [[nodiscard]] const std::array<float, 4>* find(std::string_view name) const {
+        if (name == "gScale") return &scale;
+        if (name == "gOffset") return &offset;
+        if (name == "gMode") return &mode;
+        return name == "gClip" ? &clip : nullptr;
+    }
+};
+
+struct Program {
+    Shader pixel;
+    gpu::Pipeline pipeline;
+};
+
+Result<Shader> compile(std::string_view entry, Stage stage, Compiler compiler) {
+    return compileShader(
+        {.code = kCode, .file = "the viewer's canvas", .entry = std::string(entry), .stage = stage, .defines = {}, .includeFolders = {}},
+        compiler);
+}
+
+std::vector<gpu::VertexAttribute> attributesOf(const Shader& vertex) {
+    std::vector<gpu::VertexAttribute> attributes;
+    for (const StageVariable& input : vertex.reflection.inputs) {
+        const std::size_t offset = input.semantic == "POSITION0"   ? offsetof(CanvasVertex, x)
+                                   : input.semantic == "TEXCOORD0" ? offsetof(CanvasVertex, u)
+                                                                   : offsetof(CanvasVertex, color);
+        attributes.push_back({.location = input.location, .components = input.components, .offset = static_cast<std::uint32_t>(offset)});
+    }
+    return attributes;
+}
+
+std::vector<gpu::Binding> bindingsOf(const Reflection& reflection) {
+    std::vector<gpu::Binding> bindings;
+    if (reflection.globals) bindings.push_back({reflection.globals->set, reflection.globals->binding, gpu::BindingKind::UniformBuffer});
+    for (const Resource& resource : reflection.resources)
+        bindings.push_back({resource.set, resource.binding,
+                            resource.kind == ResourceKind::Sampler ? gpu::BindingKind::Sampler : gpu::BindingKind::Texture});
+    return bindings;
+}
+
+PipelineState stateOf(bool blend) {
+    PipelineState state;
+    state.depthTest = false;
+    state.depthWrite = false;
+    state.cull = CullMode::None;
+    if (blend) state.targets[0] = {.enable = true, .src = BlendFactor::SrcAlpha, .dst = BlendFactor::InvSrcAlpha};
+    return state;
+}
+
+Result<Program> makeProgram(gpu::Device& device, const Shader& vertex, std::string_view entry, bool blend, Compiler compiler) {
+    auto pixel = compile(entry, Stage::Pixel, compiler);
+    if (!pixel) return pixel.error();
+    if (const auto linked = linkStages(vertex, *pixel); !linked) return linked.error();
+    auto pipeline = device.createPipeline(gpu::PipelineDesc{.name = std::string(entry),
+                                                            .vertex = {.spirv = vertex.spirv, .entry = vertex.entry},
+                                                            .pixel = {.spirv = pixel->spirv, .entry = pixel->entry},
+                                                            .bindings = bindingsOf(pixel->reflection),
+                                                            .attributes = attributesOf(vertex),
+                                                            .vertexStride = sizeof(CanvasVertex),
+                                                            .colorFormats = {gpu::Format::RGBA8},
+                                                            .depthFormat = {},
+                                                            .state = stateOf(blend)});
+    if (!pipeline) return pipeline.error();
+    return Program{std::move(*pixel), std::move(*pipeline)};
+}
+
+std::vector<std::byte> layOut(const UniformBlock& block, const Constants& constants) {
+    std::vector<std::byte> bytes(block.size);
+    for (const BlockMember& member : block.members)
+        if (const auto* value = constants.find(member.name)) std::memcpy(bytes.data() + member.offset, value->data(), sizeof(*value));
+    return bytes;
+}
+
+/// The whole texture in the middle of the target.
+std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture) {
+    const double across = static_cast<double>(target.width) / texture.width;
+    const double down = static_cast<double>(target.height) / texture.height;
+    const double scale = std::min(across, down);
+    const auto x = static_cast<float>(scale / across);
+    const auto y = static_cast<float>(scale / down);
+    return {CanvasVertex{.x = -x, .y = y, .u = 0, .v = 0}, CanvasVertex{.x = x, .y = y, .u = 1, .v = 0},
+            CanvasVertex{.x = x, .y = -y, .u = 1, .v = 1}, CanvasVertex{.x = -x, .y = -y, .u = 0, .v = 1}};
+}
+
+} // namespace
+
+struct Canvas::State {
+    gpu::Device& device;
+    gpu::Sampler sampler;
+    Program show;
+    Program blend;
+};
+
+namespace {
+
+/// One draw with everything that must live until it has run.
+struct Prepared {
+    gpu::Buffer vertices;
+    gpu::Buffer indices;
+    std::vector<std::byte> block;
+    gpu::Draw draw;
+};
+
+Result<void> prepare(gpu::Device& device, const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh,
+                     const Constants& constants, Prepared& prepared) {
+    auto vertices = device.createBuffer(gpu::BufferUsage::Vertex, std::as_bytes(mesh.vertices));
+    if (!vertices) return vertices.error();
+    auto indices = device.createBuffer(gpu::BufferUsage::Index, std::as_bytes(mesh.indices));
+    if (!indices) return indices.error();
+    prepared.vertices = std::move(*vertices);
+    prepared.indices = std::move(*indices);
+    const Reflection& reflection = program.pixel.reflection;
+    assert(reflection.globals);
+    prepared.block = layOut(*reflection.globals, constants);
+    prepared.draw = {.pipeline = &program.pipeline,
+                     .resources = {{reflection.globals->set, reflection.globals->binding, std::span<const std::byte>(prepared.block)}},
+                     .vertices = &prepared.vertices,
+                     .indices = &prepared.indices,
+                     .count = static_cast<std::uint32_t>(mesh.indices.size())};
+    for (const Resource& resource : reflection.resources) {
+        gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = mesh.texture};
+        if (resource.kind == ResourceKind::Sampler) bound.resource = &sampler;
+        prepared.draw.resources.push_back(bound);
+    }
+    return {};
+}
+
+Result<void> asVoid(const Result<std::vector<gpu::TimedSection>>& run) {
+    return run ? Result<void>() : Result<void>(run.error());
+}
+
+} // namespace
+
+Canvas::Canvas(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+Canvas::~Canvas() = default;
+
+Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
+    const auto vertex = compile("StreamVS", Stage::Vertex, compiler);
+    if (!vertex) return vertex.error();
+    auto show = makeProgram(device, *vertex, "ShowPS", false, compiler);
+    if (!show) return show.error();
+    auto blend = makeProgram(device, *vertex, "BlendPS", true, compiler);
+    if (!blend) return blend.error();
+    auto sampler = device.createSampler({.minFilter = Filter::Linear,
+                                         .magFilter = Filter::Point, // texels are seen as they are
+                                         .mipFilter = Filter::Point,
+                                         .addressU = Address::Clamp,
+                                         .addressV = Address::Clamp,
+                                         .addressW = Address::Clamp,
+                                         .compare = {}});
+    if (!sampler) return sampler.error();
+    return Canvas(std::unique_ptr<State>(
+        new State{.device = device, .sampler = std::move(*sampler), .show = std::move(*show), .blend = std::move(*blend)}));
+}
+
+Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
+    const auto quad = fittedQuad(target.desc(), texture.desc());
+    const Constants constants{.scale = levels.scale,
+                              .offset = levels.offset,
+                              .mode = {static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F, 0}};
+    Prepared prepared;
+    const auto ready = prepare(state_->device, state_->show, state_->sampler, {.vertices = quad, .indices = kQuad, .texture = &texture},
+                               constants, prepared);
+    if (!ready) return ready;
+    return asVoid(state_->device.run([&](gpu::Recorder& recorder) {
+        if (auto cleared = recorder.clearColor(target, {0, 0, 0, 1}); !cleared) return cleared;
+        return recorder.draw({.colors = {&target}}, prepared.draw);
+    }));
+}
+
+Result<void> Canvas::blend(gpu::Texture& target, std::span<const Mesh> meshes) {
+    std::deque<Prepared> draws;
+    for (const Mesh& mesh : meshes) {
+        const auto ready = prepare(state_->device, state_->blend, state_->sampler, mesh, {.clip = mesh.clip}, draws.emplace_back());
+        if (!ready) return ready;
+    }
+    return asVoid(state_->device.run([&](gpu::Recorder& recorder) -> Result<void> {
+        for (const Prepared& prepared : draws)
+            if (const auto drawn = recorder.draw({.colors = {&target}}, prepared.draw); !drawn) return drawn;
+        return {};
+    }));
+}
+
+} // namespace tegument::view

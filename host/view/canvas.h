@@ -1,0 +1,61 @@
+#pragma once
+// Textured triangles on an 8-bit target: the picture as the window shows it, and the text on top.
+
+#include "host/compile/compile.h"
+#include "host/gpu/gpu.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace tegument::view {
+
+/// Position in clip space, colour with straight alpha.
+struct CanvasVertex {
+    float x = 0;
+    float y = 0;
+    float u = 0;
+    float v = 0;
+    std::array<float, 4> color{1, 1, 1, 1};
+};
+
+/// How texels become bytes: channel c is texel * scale[c] + offset[c], then what the flags say.
+struct Levels {
+    std::array<float, 4> scale{1, 1, 1, 1};
+    std::array<float, 4> offset{0, 0, 0, 0};
+    int channel = 0; // 0 colour, 1 to 4 one channel as grey
+    bool toneMap = false;
+    bool encode = false; // as sRGB
+    bool operator==(const Levels&) const = default;
+};
+
+/// Pixels: left, top, right, bottom.
+using ClipRectangle = std::array<float, 4>;
+
+class Canvas {
+public:
+    static Result<Canvas> create(gpu::Device& device, Compiler compiler);
+    Canvas(Canvas&&) noexcept;
+    Canvas& operator=(Canvas&&) noexcept;
+    ~Canvas();
+
+    /// Black, then the texture in the middle, as large as its shape allows. NaN and infinity are shown in magenta.
+    [[nodiscard]] Result<void> show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels);
+
+    struct Mesh {
+        std::span<const CanvasVertex> vertices;
+        std::span<const std::uint32_t> indices;
+        gpu::Texture* texture = nullptr;
+        ClipRectangle clip{};
+    };
+    /// Blended over what is there.
+    [[nodiscard]] Result<void> blend(gpu::Texture& target, std::span<const Mesh> meshes);
+
+private:
+    struct State;
+    explicit Canvas(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace tegument::view

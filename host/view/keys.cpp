@@ -1,0 +1,66 @@
+#include "host/view/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr std::array kKeys = {
+    KeyBinding{U'h', Command::Help, "h", "this help"},
+    KeyBinding{U't', Command::NextTechnique, "t", "next technique"},
+    KeyBinding{U'T', Command::PreviousTechnique, "T", "previous technique"},
+    KeyBinding{kKeyRight, Command::NextPass, "right", "stop after the next pass and show what it drew into"},
+    KeyBinding{kKeyLeft, Command::PreviousPass, "left", "stop after the previous pass"},
+    KeyBinding{kKeyDown, Command::NextTarget, "down", "next intermediate target of the whole frame"},
+    KeyBinding{kKeyUp, Command::PreviousTarget, "up", "previous intermediate target"},
+    KeyBinding{kKeyEscape, Command::Picture, "Esc", "back to the picture"},
+    KeyBinding{U'm', Command::NextSetting, "m", "next setting: seed, deon2007, corrected"},
+    KeyBinding{U'a', Command::NextChannel, "a", "colour, red, green, blue, alpha"},
+    KeyBinding{U'+', Command::Brighter, "+", "half a stop brighter"},
+    KeyBinding{U'-', Command::Darker, "-", "half a stop darker"},
+    KeyBinding{U'0', Command::Automatic, "0", "exposure as it was found"},
+    KeyBinding{U'p', Command::Parameters, "p", "the effect's parameters as sliders"},
+    KeyBinding{U'i', Command::Information, "i", "text on the picture on and off"},
+    KeyBinding{U'r', Command::Reset, "r", "camera, light and parameters as at the start"},
+    KeyBinding{U's', Command::Save, "s", "write what is shown as PNG"},
+    KeyBinding{kKeyF5, Command::Reload, "F5", "read the effect again"},
+    KeyBinding{U'q', Command::Quit, "q", "quit"},
+};
+
+constexpr std::array kMouse = {
+    MouseBinding{"drag", "turn the camera"},
+    MouseBinding{"wheel", "nearer, farther"},
+    MouseBinding{"middle or Shift drag", "move the camera"},
+    MouseBinding{"right or Ctrl drag", "turn the light"},
+    MouseBinding{"Ctrl wheel", "light nearer, farther"},
+};
+
+} // namespace
+
+std::span<const KeyBinding> keyBindings() {
+    return kKeys;
+}
+
+std::span<const MouseBinding> mouseBindings() {
+    return kMouse;
+}
+
+std::optional<Command> commandOf(char32_t key) {
+    const auto found = std::ranges::find(kKeys, key, &KeyBinding::key);
+    return found == kKeys.end() ? std::nullopt : std::optional(found->command);
+}
+
+std::string bindingsHelp() {
+    std::string text;
+    for (const KeyBinding& key : kKeys)
+        text += fmt::format("  {:<22}{}\n", key.label, key.text);
+    for (const MouseBinding& mouse : kMouse)
+        text += fmt::format("  {:<22}{}\n", mouse.label, mouse.text);
+    return text;
+}
+
+} // namespace tegument::view

@@ -1,0 +1,185 @@
+#include "host/view/state.h"
+
+#include "host/run/prepare.h"
+#include "host/support/text.h"
+#include "host/view/orbit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr double kTurn = 3.14159265358979323846; // radians for a drag over the window's height
+constexpr double kNotch = 1.1;                   // of the distance for a notch of the wheel
+constexpr double kStops = 0.5;
+constexpr int kChannels = 5;
+constexpr std::array kSettings = {"seed", "deon2007", "corrected"};
+
+/// The element `step` places on, round the end; the first when `current` is not among them.
+std::size_t stepped(std::size_t count, std::optional<std::size_t> current, int step) {
+    if (!current) return step > 0 ? 0 : count - 1;
+    return (*current + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count;
+}
+
+std::optional<std::size_t> indexOf(const std::vector<std::string>& list, const std::string& name) {
+    const auto found = std::ranges::find(list, name);
+    return found == list.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - list.begin()));
+}
+
+void showAnew(ViewState& state) {
+    state.stops = 0;
+    state.channel = 0;
+}
+
+Request stepTechnique(ViewState& state, int step) {
+    if (state.techniques.empty()) return Request::None;
+    state.technique = state.techniques[stepped(state.techniques.size(), indexOf(state.techniques, state.technique), step)];
+    state.show = Show::Picture;
+    showAnew(state);
+    return Request::Draw;
+}
+
+Request stepPass(ViewState& state, int step) {
+    if (state.passes.empty()) return Request::None;
+    const std::optional<std::size_t> current = state.show == Show::Pass ? std::optional(state.pass) : std::nullopt;
+    state.pass = stepped(state.passes.size(), current, step);
+    state.show = Show::Pass;
+    showAnew(state);
+    return Request::Draw;
+}
+
+Request stepTarget(ViewState& state, int step) {
+    if (state.targets.empty()) return Request::None;
+    const std::optional<std::size_t> current = state.show == Show::Target ? indexOf(state.targets, state.target) : std::nullopt;
+    state.target = state.targets[stepped(state.targets.size(), current, step)];
+    state.show = Show::Target;
+    showAnew(state);
+    return Request::Draw;
+}
+
+Request showPicture(ViewState& state) {
+    state.show = Show::Picture;
+    showAnew(state);
+    return Request::Draw;
+}
+
+Request stepSetting(ViewState& state) {
+    const auto current = std::ranges::find(kSettings, state.setting) - kSettings.begin();
+    state.setting = kSettings[static_cast<std::size_t>(current + 1) % kSettings.size()];
+    return Request::Load;
+}
+
+Request reset(ViewState& state, const ViewState& start) {
+    state.workspace = start.workspace;
+    state.parameters = start.parameters;
+    return Request::Draw;
+}
+
+Request toggle(bool& flag) {
+    flag = !flag;
+    return Request::None;
+}
+
+Request brighten(ViewState& state, double stops) {
+    state.stops = stops == 0 ? 0 : state.stops + stops;
+    return Request::Levels;
+}
+
+} // namespace
+
+Workspace inWorld(const Workspace& workspace, const SessionScene& scene) {
+    PlacedScene placed;
+    if (!scene.objects.empty())
+        placed = run::placeObjects(workspace, scene.objects);
+    else
+        placed = run::viewScene(workspace, scene.mesh, {}).placed;
+    Workspace world = workspace;
+    world.cameraRelative = false;
+    world.lightRelative = false;
+    const auto [nearPlane, farPlane] = std::pair(workspace.camera.nearPlane, workspace.camera.farPlane);
+    world.camera = placed.camera;
+    world.camera.nearPlane = nearPlane; // fitted anew wherever the camera goes, unless given
+    world.camera.farPlane = farPlane;
+    world.light = placed.light;
+    return world;
+}
+
+Request apply(ViewState& state, Command command, const ViewState& start) {
+    switch (command) {
+    case Command::Help: return toggle(state.help);
+    case Command::Parameters: return toggle(state.sliders);
+    case Command::Information: return toggle(state.information);
+    case Command::NextTechnique: return stepTechnique(state, 1);
+    case Command::PreviousTechnique: return stepTechnique(state, -1);
+    case Command::NextPass: return stepPass(state, 1);
+    case Command::PreviousPass: return stepPass(state, -1);
+    case Command::NextTarget: return stepTarget(state, 1);
+    case Command::PreviousTarget: return stepTarget(state, -1);
+    case Command::Picture: return showPicture(state);
+    case Command::NextSetting: return stepSetting(state);
+    case Command::NextChannel: state.channel = (state.channel + 1) % kChannels; return Request::Levels;
+    case Command::Brighter: return brighten(state, kStops);
+    case Command::Darker: return brighten(state, -kStops);
+    case Command::Automatic: return brighten(state, 0);
+    case Command::Reset: return reset(state, start);
+    case Command::Reload: return Request::Load;
+    case Command::Save: return Request::Save;
+    case Command::Quit: return Request::Quit;
+    }
+    return Request::None;
+}
+
+bool apply(ViewState& state, const Input& input) {
+    const glm::dvec2 none(0);
+    Camera& camera = state.workspace.camera;
+    if (input.camera != none) orbit(camera, -kTurn * input.camera.x, -kTurn * input.camera.y);
+    if (input.pan != none) pan(camera, -input.pan.x, -input.pan.y);
+    if (input.wheel != 0) dolly(camera, std::pow(kNotch, -input.wheel));
+    if (input.light != none) orbitLight(state.workspace.light, camera, kTurn * input.light.x, kTurn * input.light.y);
+    if (input.lightWheel != 0) dollyLight(state.workspace.light, camera, std::pow(kNotch, -input.lightWheel));
+    return input.camera != none || input.pan != none || input.light != none || input.wheel != 0 || input.lightWheel != 0;
+}
+
+void adopt(ViewState& state, const SessionFrame& frame) {
+    state.technique = frame.technique;
+    state.targets = frame.targets;
+    state.passes.clear();
+    for (const SessionPass& pass : frame.passes)
+        state.passes.push_back(pass.name);
+    if (state.show == Show::Pass && state.pass >= state.passes.size()) state.show = Show::Picture;
+    if (state.show == Show::Target && !indexOf(state.targets, state.target)) state.show = Show::Picture;
+}
+
+void adopt(ViewState& state, const Effect& effect) {
+    state.techniques.clear();
+    for (const Technique& technique : effect.techniques)
+        state.techniques.push_back(technique.name);
+    const Technique* chosen = state.technique.empty() ? nullptr : effect.findTechnique(state.technique);
+    if (!chosen) chosen = effect.defaultTechnique();
+    state.technique = chosen ? chosen->name : std::string();
+}
+
+std::size_t passCount(const ViewState& state) {
+    return state.show == Show::Pass ? state.pass + 1 : EffectSession::kAllPasses;
+}
+
+std::string shownTarget(const ViewState& state, const SessionFrame& frame) {
+    if (state.show == Show::Target) return state.target;
+    if (state.show == Show::Picture || state.pass >= frame.passes.size()) return {};
+    return frame.passes[state.pass].targets.front();
+}
+
+std::string shownText(const ViewState& state, const SessionFrame& frame) {
+    if (state.show == Show::Target) return fmt::format("target {}", state.target);
+    if (state.show == Show::Picture) return "picture";
+    const std::string target = shownTarget(state, frame);
+    return fmt::format("pass {} of {}, {} into {}", state.pass + 1, state.passes.size(), state.passes[state.pass],
+                       target.empty() ? "the picture" : target);
+}
+
+} // namespace tegument::view

@@ -1,0 +1,54 @@
+#pragma once
+// What the viewer shows, as keys and mouse change it. Knows no window and no GPU.
+
+#include "host/run/session.h"
+#include "host/view/keys.h"
+#include "host/view/window.h"
+
+#include <string>
+#include <vector>
+
+namespace tegument::view {
+
+enum class Show { Picture, Pass, Target };
+
+/// What a command asks of the viewer besides the changed state.
+enum class Request { None, Draw, Levels, Load, Save, Quit };
+
+struct ViewState {
+    Workspace workspace; // in world millimetres
+    std::map<std::string, std::vector<double>> parameters;
+    std::vector<std::string> techniques;
+    std::string technique;
+    std::string setting = "corrected";
+    Show show = Show::Picture;
+    std::size_t pass = 0;
+    std::string target;
+    std::vector<std::string> passes; // of the last frame
+    std::vector<std::string> targets;
+    double stops = 0;
+    int channel = 0; // 0: as the target has them
+    bool help = false;
+    bool sliders = false;
+    bool information = true;
+};
+
+/// Camera and light in world millimetres, whatever the workspace's frame was.
+[[nodiscard]] Workspace inWorld(const Workspace& workspace, const SessionScene& scene);
+
+/// `start`: what Command::Reset goes back to.
+[[nodiscard]] Request apply(ViewState& state, Command command, const ViewState& start);
+/// Whether camera or light moved.
+[[nodiscard]] bool apply(ViewState& state, const Input& input);
+/// Passes, targets and techniques of what was drawn or loaded; what is shown stays where it can.
+void adopt(ViewState& state, const SessionFrame& frame);
+void adopt(ViewState& state, const Effect& effect);
+
+/// How many passes are to be drawn.
+[[nodiscard]] std::size_t passCount(const ViewState& state);
+/// The target to be shown of a frame; empty: the picture.
+[[nodiscard]] std::string shownTarget(const ViewState& state, const SessionFrame& frame);
+/// "pass 4 of 13, Irradiance -> gIrradianceMap"
+[[nodiscard]] std::string shownText(const ViewState& state, const SessionFrame& frame);
+
+} // namespace tegument::view

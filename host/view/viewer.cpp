@@ -1,0 +1,326 @@
+#include "host/view/viewer.h"
+
+#include "host/run/pixels.h"
+#include "host/view/levels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace tegument::view {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kPatience = 0.2; // seconds between two looks at the files
+constexpr double kShort = 0.005;  // while the text settles, or the window changes
+constexpr int kSettlingFrames = 3;
+constexpr int kDeviceLost = 6007;
+constexpr int kMostPictures = 9999;
+
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+Result<Effect> readEffect(const ViewRequest& request, const std::string& setting) {
+    constexpr std::array kSettings = {"seed", "deon2007", "corrected"}; // in the order of TEGUMENT_SETTING's values
+    LoadOptions load = request.load;
+    load.defines.emplace_back("TEGUMENT_SETTING", std::to_string(std::ranges::find(kSettings, setting) - kSettings.begin()));
+    return loadEffect(request.effect, load);
+}
+
+Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
+    return device.createTexture(
+        {.name = name, .format = gpu::Format::RGBA8, .width = size.width, .height = size.height, .renderTarget = true});
+}
+
+Result<Image> readImage(gpu::Device& device, gpu::Texture& texture) {
+    const auto bytes = device.readback(texture);
+    if (!bytes) return bytes.error();
+    const gpu::TextureDesc& desc = texture.desc();
+    return run::imageFrom(*bytes, static_cast<int>(desc.width), static_cast<int>(desc.height), desc.format);
+}
+
+fs::path freePath(const fs::path& folder, const fs::path& effect) {
+    fs::path path;
+    std::error_code failed;
+    for (int number = 1; number <= kMostPictures; ++number) {
+        path = folder / fmt::format("{}-{:03}.png", effect.stem().string(), number);
+        if (!fs::exists(path, failed)) break;
+    }
+    return path;
+}
+
+double totalMilliseconds(const SessionFrame& frame) {
+    return std::accumulate(frame.passes.begin(), frame.passes.end(), 0.0,
+                           [](double sum, const SessionPass& pass) { return sum + pass.milliseconds; });
+}
+
+} // namespace
+
+Viewer::Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, Window window, gpu::Device device)
+    : request_(request), say_(say), window_(std::move(window)), device_(std::move(device)) {}
+
+Result<std::unique_ptr<Viewer>> Viewer::start(const ViewRequest& request, const std::function<void(const std::string&)>& say) {
+    const PixelSize size{static_cast<std::uint32_t>(request.run.width), static_cast<std::uint32_t>(request.run.height)};
+    auto window = Window::open("tegument", size);
+    if (!window) return window.error();
+    const gpu::WindowSurface surface = window->surface();
+    auto device = gpu::Device::create({.validation = request.validate, .prefer = request.device, .window = &surface});
+    if (!device) return device.error();
+    std::unique_ptr<Viewer> viewer(new Viewer(request, say, std::move(*window), std::move(*device)));
+    if (const auto prepared = viewer->prepare(); !prepared) return prepared.error();
+    return viewer;
+}
+
+Result<void> Viewer::prepare() {
+    auto presenter = gpu::Presenter::create(device_);
+    if (!presenter) return presenter.error();
+    presenter_ = std::move(*presenter);
+    auto canvas = Canvas::create(device_, request_.run.compiler);
+    if (!canvas) return canvas.error();
+    canvas_ = std::move(*canvas);
+    auto overlay = Overlay::create(device_, window_);
+    if (!overlay) return overlay.error();
+    overlay_ = std::move(*overlay);
+    state_.workspace = inWorld(request_.workspace, request_.scene);
+    state_.parameters = request_.run.parameters;
+    state_.technique = request_.run.technique;
+    state_.setting = request_.setting;
+    size_ = {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
+    auto effect = readEffect(request_, state_.setting);
+    if (!effect) return effect.error();
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.scene);
+    auto frame = drawWith(*loaded);
+    if (!frame) return frame.error();
+    loaded_ = std::move(loaded);
+    adopt(state_, loaded_->effect);
+    start_ = state_;
+    watchFiles(&loaded_->effect, nullptr);
+    return develop(std::move(*frame));
+}
+
+Result<void> Viewer::run() {
+    while (running_)
+        if (const auto stepped = step(); !stepped) return stepped;
+    return {};
+}
+
+Result<void> Viewer::step() {
+    const PixelSize pixels = window_.pixels();
+    const bool seen = pixels.width > 0 && pixels.height > 0;
+    const Input input = window_.wait(seen && settling_ > 0 ? kShort : kPatience, overlay_->wantsMouse());
+    if (input.any) settling_ = kSettlingFrames;
+    if (input.closed) running_ = false;
+    if (const auto obeyed = obey(input); !obeyed) return obeyed;
+    if (watch_.changed())
+        if (const auto loaded = load(); !loaded) return loaded;
+    if (const auto resized = resize(); !resized) return resized;
+    return seen && settling_ > 0 ? show() : Result<void>();
+}
+
+Result<void> Viewer::obey(const Input& input) {
+    if (apply(state_, input))
+        if (const auto drawn = draw(); !drawn) return drawn;
+    for (const char32_t key : input.keys)
+        if (const auto command = commandOf(key))
+            if (const auto done = fulfil(apply(state_, *command, start_)); !done) return done;
+    return {};
+}
+
+Result<void> Viewer::fulfil(Request request) {
+    notice_.clear();
+    switch (request) {
+    case Request::None: return {};
+    case Request::Draw: return draw();
+    case Request::Levels: return paint();
+    case Request::Load: return load();
+    case Request::Save: save(); return {};
+    case Request::Quit: running_ = false; return {};
+    }
+    return {};
+}
+
+Result<void> Viewer::resize() {
+    const PixelSize pixels = window_.pixels();
+    if (pixels.width == 0 || pixels.height == 0 || pixels == size_) return {};
+    size_ = pixels;
+    return draw();
+}
+
+Result<void> Viewer::load() {
+    auto effect = readEffect(request_, state_.setting);
+    if (!effect) return report(nullptr, effect.error());
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.scene);
+    const ViewState before = state_;
+    adopt(state_, loaded->effect);
+    auto frame = drawWith(*loaded);
+    if (!frame) {
+        state_.techniques = before.techniques;
+        state_.technique = before.technique;
+        return report(&loaded->effect, frame.error());
+    }
+    loaded_ = std::move(loaded);
+    levelled_.clear();
+    watchFiles(&loaded_->effect, nullptr);
+    return develop(std::move(*frame));
+}
+
+Result<void> Viewer::draw() {
+    auto frame = drawWith(*loaded_);
+    if (!frame) return report(&loaded_->effect, frame.error());
+    return develop(std::move(*frame));
+}
+
+Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
+    const auto begin = std::chrono::steady_clock::now();
+    auto frame = loaded.session.draw(state_.workspace, runOptions(), passCount(state_));
+    milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    settling_ = kSettlingFrames;
+    return frame;
+}
+
+Result<void> Viewer::develop(SessionFrame frame) {
+    if (!problem_.empty()) say_("the picture is up to date again");
+    problem_.clear();
+    frame_ = std::move(frame);
+    adopt(state_, frame_);
+    for (const Diagnostic& warning : frame_.warnings)
+        if (std::string text = format(warning); warned_.insert(text).second) say_(text);
+    const std::string name = shownTarget(state_, frame_);
+    gpu::Texture* texture = loaded_->session.target(name);
+    assert(texture); // the frame has drawn into it
+    if (const auto found = findLevels(*texture, name); !found) return found;
+    return paint();
+}
+
+Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) {
+    const std::string what =
+        fmt::format("{} {} {} {} {}", static_cast<int>(state_.show), state_.pass, name, state_.technique, state_.setting);
+    if (what == levelled_) return {};
+    levelled_ = what;
+    levels_ = {.toneMap = true, .encode = true};
+    if (name.empty() && !gpu::isDepth(texture.desc().format)) return {};
+    const auto image = readImage(device_, texture);
+    if (!image) return image.error();
+    levels_ = levelsOf(*image);
+    return {};
+}
+
+Result<void> Viewer::paint() {
+    if (!picture_.state || PixelSize{picture_.desc().width, picture_.desc().height} != size_) {
+        auto picture = makeTarget(device_, "picture in the window", size_);
+        if (!picture) return picture.error();
+        picture_ = std::move(*picture);
+    }
+    Levels levels = brightened(levels_, state_.stops);
+    if (state_.channel != 0) levels.channel = state_.channel;
+    settling_ = kSettlingFrames;
+    return canvas_->show(picture_, *loaded_->session.target(shownTarget(state_, frame_)), levels);
+}
+
+Result<void> Viewer::show() {
+    --settling_;
+    const PixelSize pixels = window_.pixels();
+    if (!composed_.state || PixelSize{composed_.desc().width, composed_.desc().height} != pixels) {
+        auto composed = makeTarget(device_, "window", pixels);
+        if (!composed) return composed.error();
+        composed_ = std::move(*composed);
+    }
+    if (const auto shown = canvas_->show(composed_, picture_, {}); !shown) return shown;
+    bool moved = false;
+    const auto text = [&] { moved = drawPanel(state_, loaded_->effect, panelText()); };
+    if (const auto drawn = overlay_->draw(*canvas_, composed_, text); !drawn) return drawn;
+    if (std::string title = titleText(); title != title_) window_.setTitle(title_ = std::move(title));
+    const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
+    if (!shown) return shown.error();
+    if (!*shown) settling_ = kSettlingFrames;
+    return moved ? draw() : Result<void>();
+}
+
+void Viewer::save() {
+    auto image = readImage(device_, picture_);
+    const fs::path path = freePath(request_.pictures, request_.effect);
+    Result<void> written;
+    if (image) {
+        image->metadata = frame_.metadata;
+        image->metadata["shown"] = shownText(state_, frame_);
+        for (std::size_t alpha = 3; alpha < image->pixels.size(); alpha += 4)
+            image->pixels[alpha] = 1;
+        written = writePng(path, *image, PngEncoding::Raw);
+    }
+    const bool done = image && written;
+    notice_ = done ? "wrote " + path.string() : format(image ? written.error() : image.error());
+    settling_ = kSettlingFrames;
+    say_(notice_);
+}
+
+RunOptions Viewer::runOptions() const {
+    RunOptions options = request_.run;
+    options.technique = state_.technique;
+    options.parameters = state_.parameters;
+    options.width = static_cast<int>(size_.width);
+    options.height = static_cast<int>(size_.height);
+    return options;
+}
+
+PanelText Viewer::panelText() const {
+    PanelText text{.lines = {}, .problem = problem_, .notice = notice_};
+    text.lines.push_back(
+        fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
+    text.lines.push_back(shownText(state_, frame_));
+    text.lines.push_back(
+        fmt::format("{} passes {:.2f} ms, frame {:.1f} ms", frame_.passes.size(), totalMilliseconds(frame_), milliseconds_));
+    text.lines.push_back(device_.info().name);
+    if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
+    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
+    if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
+    if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
+    if (!state_.help) text.lines.emplace_back("h: help");
+    return text;
+}
+
+std::string Viewer::titleText() const {
+    if (!problem_.empty()) return firstLine(problem_);
+    return fmt::format("{} {} [{}] {}, {:.1f} ms - tegument", request_.effect.filename().string(), state_.technique, state_.setting,
+                       shownText(state_, frame_), milliseconds_);
+}
+
+void Viewer::watchFiles(const Effect* effect, const Error* error) {
+    std::vector<fs::path> files = {request_.effect};
+    if (loaded_) files.insert(files.end(), loaded_->effect.includes.begin(), loaded_->effect.includes.end());
+    if (effect) files.insert(files.end(), effect->includes.begin(), effect->includes.end());
+    if (error) {
+        for (const Diagnostic& diagnostic : error->diagnostics)
+            if (!diagnostic.at.file.empty()) files.emplace_back(diagnostic.at.file);
+        const std::size_t count = files.size();
+        for (std::size_t i = 0; i < count; ++i)
+            files.push_back(files[i].has_parent_path() ? files[i].parent_path() : fs::path("."));
+    }
+    watch_.watch(files);
+}
+
+Result<void> Viewer::report(const Effect* effect, const Error& error) {
+    if (error.diagnostics.front().code == kDeviceLost) return error;
+    problem_ = format(error);
+    say_(problem_);
+    watchFiles(effect, &error);
+    settling_ = kSettlingFrames;
+    return {};
+}
+
+} // namespace tegument::view
+
+namespace tegument {
+
+Result<std::vector<std::string>> viewEffect(const ViewRequest& request, const std::function<void(const std::string&)>& say) {
+    const auto viewer = view::Viewer::start(request, say);
+    if (!viewer) return viewer.error();
+    if (const auto ran = (*viewer)->run(); !ran) return ran.error();
+    return (*viewer)->validationMessages();
+}
+
+} // namespace tegument

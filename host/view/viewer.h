@@ -1,0 +1,89 @@
+#pragma once
+// The loop behind viewEffect(): what is loaded, what is drawn, what the window shows.
+
+#include "host/gpu/present.h"
+#include "host/view/canvas.h"
+#include "host/view/overlay.h"
+#include "host/view/panel.h"
+#include "host/view/state.h"
+#include "host/view/view.h"
+#include "host/view/watch.h"
+
+#include <set>
+
+namespace tegument::view {
+
+/// An effect that has been drawn at least once.
+struct Loaded {
+    Loaded(gpu::Device& device, Effect source, const SessionScene& scene) : effect(std::move(source)), session(device, effect, scene) {}
+    Loaded(const Loaded&) = delete; // the session points at the effect
+    Loaded& operator=(const Loaded&) = delete;
+
+    Effect effect;
+    EffectSession session;
+};
+
+class Viewer {
+public:
+    static Result<std::unique_ptr<Viewer>> start(const ViewRequest& request, const std::function<void(const std::string&)>& say);
+    /// Returns when the window is closed.
+    [[nodiscard]] Result<void> run();
+    [[nodiscard]] std::vector<std::string> validationMessages() const { return device_.validationMessages(); }
+
+private:
+    Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, Window window, gpu::Device device);
+    [[nodiscard]] Result<void> prepare();
+
+    [[nodiscard]] Result<void> step();
+    [[nodiscard]] Result<void> obey(const Input& input);
+    [[nodiscard]] Result<void> fulfil(Request request);
+    [[nodiscard]] Result<void> resize();
+
+    /// Reads the effect and draws it; what was there before stays if either fails.
+    [[nodiscard]] Result<void> load();
+    [[nodiscard]] Result<void> draw();
+    [[nodiscard]] Result<SessionFrame> drawWith(Loaded& loaded);
+    /// The frame's shown target becomes the picture.
+    [[nodiscard]] Result<void> develop(SessionFrame frame);
+    [[nodiscard]] Result<void> findLevels(gpu::Texture& texture, const std::string& name);
+    [[nodiscard]] Result<void> paint();
+    /// Picture and text on the window.
+    [[nodiscard]] Result<void> show();
+    void save();
+
+    [[nodiscard]] RunOptions runOptions() const;
+    [[nodiscard]] PanelText panelText() const;
+    [[nodiscard]] std::string titleText() const;
+    /// The sources of the picture; with an error also what it points at, and their folders, where a missing file may appear.
+    void watchFiles(const Effect* effect, const Error* error);
+    /// Shows and says why there is no new picture. Hands the error on when the device is lost.
+    [[nodiscard]] Result<void> report(const Effect* effect, const Error& error);
+
+    const ViewRequest& request_;
+    const std::function<void(const std::string&)>& say_;
+    Window window_;
+    gpu::Device device_;
+    std::optional<gpu::Presenter> presenter_;
+    std::optional<Canvas> canvas_;
+    std::optional<Overlay> overlay_;
+    std::unique_ptr<Loaded> loaded_;
+    FileWatch watch_;
+    ViewState state_;
+    ViewState start_;
+
+    SessionFrame frame_;      // the last good one
+    gpu::Texture picture_;    // as it is shown, without text
+    gpu::Texture composed_;   // with text, of the window's size
+    Levels levels_;           // of what is shown
+    std::string levelled_;    // what they were found for
+    PixelSize size_;          // of what is drawn
+    double milliseconds_ = 0; // from asking for the frame to having it
+    std::string problem_;
+    std::string notice_;
+    std::string title_;
+    int settling_ = 0; // Dear ImGui's layout follows its input by a frame or two
+    std::set<std::string> warned_;
+    bool running_ = true;
+};
+
+} // namespace tegument::view

@@ -1,0 +1,163 @@
+#include "host/view/window.h"
+
+#include "host/view/keys.h"
+
+#include <fmt/format.h>
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace tegument::view {
+
+struct WindowState {
+    GLFWwindow* window = nullptr;
+    Input input;
+    glm::dvec2 mouse{0};
+    bool overlay = false;
+
+    ~WindowState() {
+        if (window) glfwDestroyWindow(window);
+        glfwTerminate();
+    }
+};
+
+namespace {
+
+constexpr std::array kSpecial = {std::pair{GLFW_KEY_LEFT, kKeyLeft}, std::pair{GLFW_KEY_RIGHT, kKeyRight},
+                                 std::pair{GLFW_KEY_UP, kKeyUp},     std::pair{GLFW_KEY_DOWN, kKeyDown},
+                                 std::pair{GLFW_KEY_F5, kKeyF5},     std::pair{GLFW_KEY_ESCAPE, kKeyEscape}};
+
+std::string lastError() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+bool held(GLFWwindow* window, int left, int right) {
+    return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+}
+
+bool pressed(GLFWwindow* window, int button) {
+    return glfwGetMouseButton(window, button) == GLFW_PRESS;
+}
+
+glm::dvec2* dragged(GLFWwindow* window, Input& input) {
+    const bool left = pressed(window, GLFW_MOUSE_BUTTON_LEFT);
+    const bool control = held(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    const bool shift = held(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    if (pressed(window, GLFW_MOUSE_BUTTON_RIGHT) || (left && control)) return &input.light;
+    if (pressed(window, GLFW_MOUSE_BUTTON_MIDDLE) || (left && shift)) return &input.pan;
+    return left ? &input.camera : nullptr;
+}
+
+WindowState& stateOf(GLFWwindow* window) {
+    return *static_cast<WindowState*>(glfwGetWindowUserPointer(window));
+}
+
+void listenToMouse(GLFWwindow* window) {
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        WindowState& state = stateOf(w);
+        int width = 0;
+        int height = 0;
+        glfwGetWindowSize(w, &width, &height);
+        const glm::dvec2 moved = (glm::dvec2(x, y) - state.mouse) / static_cast<double>(std::max(1, height));
+        state.mouse = {x, y};
+        state.input.any = true;
+        glm::dvec2* drag = state.overlay ? nullptr : dragged(w, state.input);
+        if (drag) *drag += glm::dvec2(moved.x, -moved.y);
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stateOf(w).input.any = true; });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
+        WindowState& state = stateOf(w);
+        state.input.any = true;
+        if (state.overlay) return;
+        const bool light = held(w, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        (light ? state.input.lightWheel : state.input.wheel) += notches;
+    });
+}
+
+void listen(GLFWwindow* window) {
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+        WindowState& state = stateOf(w);
+        state.input.any = true;
+        state.input.keys.push_back(character);
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+        WindowState& state = stateOf(w);
+        state.input.any = true;
+        const auto special = std::ranges::find(kSpecial, key, [](const auto& pair) { return pair.first; });
+        if (action != GLFW_RELEASE && special != kSpecial.end()) state.input.keys.push_back(special->second);
+    });
+    listenToMouse(window);
+    const auto redraw = [](GLFWwindow* w) { stateOf(w).input.any = true; };
+    glfwSetWindowRefreshCallback(window, redraw);
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { stateOf(w).input.any = true; });
+}
+
+} // namespace
+
+Window::Window(std::unique_ptr<WindowState> state) : state_(std::move(state)) {}
+Window::Window(Window&&) noexcept = default;
+Window& Window::operator=(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Result<Window> Window::open(const std::string& title, PixelSize size) {
+    if (glfwInit() == GLFW_FALSE)
+        return machineError(6060, "there is no window system to open a window on: " + lastError(),
+                            "start it on a desktop, or use tegument render");
+    auto state = std::make_unique<WindowState>();
+    if (glfwVulkanSupported() == GLFW_FALSE)
+        return machineError(6061, "no window can be opened for Vulkan: " + lastError(), "install a Vulkan driver that draws to windows");
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    state->window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), title.c_str(), nullptr, nullptr);
+    if (!state->window) return machineError(6061, "no window can be opened: " + lastError());
+    glfwSetWindowUserPointer(state->window, state.get());
+    glfwGetCursorPos(state->window, &state->mouse.x, &state->mouse.y);
+    listen(state->window);
+    return Window(std::move(state));
+}
+
+gpu::WindowSurface Window::surface() const {
+    std::uint32_t count = 0;
+    const char** names = glfwGetRequiredInstanceExtensions(&count);
+    gpu::WindowSurface surface;
+    surface.instanceExtensions.assign(names, names + (names ? count : 0));
+    surface.create = [window = state_->window](void* instance) -> Result<std::uint64_t> {
+        VkSurfaceKHR handle = VK_NULL_HANDLE;
+        if (glfwCreateWindowSurface(static_cast<VkInstance>(instance), window, nullptr, &handle) != VK_SUCCESS)
+            return machineError(6061, "Vulkan cannot draw to this window: " + lastError());
+        return (std::uint64_t)handle; // a pointer or a 64-bit number, as the platform has it
+    };
+    return surface;
+}
+
+Input Window::wait(double seconds, bool overlay) {
+    state_->overlay = overlay;
+    if (seconds > 0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+    state_->input.closed = glfwWindowShouldClose(state_->window) == GLFW_TRUE;
+    return std::exchange(state_->input, Input{});
+}
+
+PixelSize Window::pixels() const {
+    if (glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE) return {};
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(state_->window, &width, &height);
+    return {static_cast<std::uint32_t>(std::max(0, width)), static_cast<std::uint32_t>(std::max(0, height))};
+}
+
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+GLFWwindow* Window::handle() const {
+    return state_->window;
+}
+
+} // namespace tegument::view

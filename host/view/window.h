@@ -1,0 +1,59 @@
+#pragma once
+// A window of the desktop with its keys and mouse.
+
+#include "host/gpu/gpu.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace tegument::view {
+
+struct WindowState;
+
+struct PixelSize {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    bool operator==(const PixelSize&) const = default;
+};
+
+/// What happened since it was last asked. Drags in shares of the window's height, right and up.
+struct Input {
+    std::vector<char32_t> keys; // characters, and the keys of keys.h
+    glm::dvec2 camera{0};
+    glm::dvec2 pan{0};
+    glm::dvec2 light{0};
+    double wheel = 0; // notches; up is positive
+    double lightWheel = 0;
+    bool any = false; // something that the overlay may want to know
+    bool closed = false;
+};
+
+/// One at a time.
+class Window {
+public:
+    /// TG6060 there is no window system, TG6061 the window cannot be made.
+    static Result<Window> open(const std::string& title, PixelSize size);
+    Window(Window&&) noexcept;
+    Window& operator=(Window&&) noexcept;
+    ~Window();
+
+    /// For gpu::Device; used while it is made only.
+    [[nodiscard]] gpu::WindowSurface surface() const;
+    /// Waits for input at most so long. `overlay`: the mouse belongs to it, not to camera and light.
+    [[nodiscard]] Input wait(double seconds, bool overlay);
+    /// In pixels; 0 x 0 while it is minimised.
+    [[nodiscard]] PixelSize pixels() const;
+    void setTitle(const std::string& title);
+    [[nodiscard]] GLFWwindow* handle() const;
+
+private:
+    explicit Window(std::unique_ptr<WindowState> state);
+    std::unique_ptr<WindowState> state_;
+};
+
+} // namespace tegument::view

@@ -57,6 +57,7 @@ Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& 
     Effect effect = std::move(parsed.effect);
     effect.file = file;
     effect.defines = options.defines;
+    effect.includeFolders = options.includeFolders;
     effect.includes = metadata->includes;
     effect.warnings.insert(effect.warnings.begin(), metadata->warnings.begin(), metadata->warnings.end());
     effect.warnings.resize(std::min(effect.warnings.size(), kMostWarnings));

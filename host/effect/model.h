@@ -129,6 +129,7 @@ struct Effect {
     std::string code;
     std::vector<std::filesystem::path> includes;              // every file read besides `file`
     std::vector<std::pair<std::string, std::string>> defines; // as given at load
+    std::vector<std::filesystem::path> includeFolders;        // likewise
     std::vector<Diagnostic> warnings;
 
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const; // exact

@@ -157,7 +157,7 @@ Result<TextureData> produce(const RunInput& input, const ProducerSource& source,
         return inputError(4035, {.file = self, .byte = {}}, "this effect would have to draw a texture that it needs itself",
                           "producers must not form a circle");
     chain.push_back(self);
-    const auto effect = loadEffect(source.effect, {.defines = input.effect.defines, .includeFolders = {}});
+    const auto effect = loadEffect(source.effect, {.defines = input.effect.defines, .includeFolders = input.effect.includeFolders});
     if (!effect) return effect.error();
     const RunOptions options = producerOptions(input.options, *effect, source.target);
     RunInput own{.device = input.device,

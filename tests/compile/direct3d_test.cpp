@@ -45,6 +45,47 @@ TEST(EffectBinary, counts_beyond_the_file_are_no_effect) {
     EXPECT_FALSE(readEffectBinary(bytesOf({0xfeff0901, 0, 0xffffffff, 0xffffffff, 0, 0})));
 }
 
+/// One float2 parameter "gA" of semantic "S" with default 0.5, 2; one technique of one pass, whose only resource is `object`.
+std::string fx2With(std::uint32_t tag) {
+    return bytesOf({0xfeff0901, 60, // tag, tables at byte 68
+                    0,          3,          1,          32,         40, 0,
+                    2,          1, // byte 8: nothing at offset 0; offset 4: float, vector, name, semantic, elements, columns, rows
+                    3,          0x00004167, 2,          0x00000053,        // offset 32: "gA", offset 40: "S"
+                    0,          0x3f000000, 0x40000000,                    // offset 52: the value
+                    1,          1,          0,          3,                 // parameters, techniques, unknown, objects
+                    4,          52,         0,          0,                 // type, value, flags, annotations
+                    0,          0,          1,          0,          0,  0, // technique and pass without a name
+                    1,          1,                                         // values, resources
+                    1,          3,          0x00636261,                    // a value of three bytes
+                    0,          0,          0xffffffff, 0,          0,  8,
+                    tag,        0x0000ffff});
+}
+
+TEST(EffectBinary, fx_2_0_holds_the_shaders_of_its_passes) {
+    const std::string pixel = fx2With(0xffff0300);
+    const auto shaders = fx2Shaders(pixel);
+    ASSERT_EQ(shaders.size(), 1U);
+    EXPECT_EQ(shaders[0].bytes.size(), 8U);
+    EXPECT_TRUE(isPixelShader(shaders[0]));
+    const std::string vertex = fx2With(0xfffe0300);
+    ASSERT_EQ(fx2Shaders(vertex).size(), 1U);
+    EXPECT_FALSE(isPixelShader(fx2Shaders(vertex)[0]));
+}
+
+TEST(EffectBinary, fx_2_0_holds_parameters_with_semantic_and_default) {
+    const auto parameters = fx2Parameters(fx2With(0xffff0300));
+    ASSERT_EQ(parameters.size(), 1U);
+    EXPECT_EQ(parameters[0].name, "gA");
+    EXPECT_EQ(parameters[0].semantic, "S");
+    EXPECT_EQ(parameters[0].numbers, (std::vector<double>{0.5, 2}));
+}
+
+TEST(EffectBinary, an_effect_cut_short_holds_no_shader_that_reaches_beyond_it) {
+    const std::string whole = fx2With(0xffff0300);
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        EXPECT_TRUE(fx2Shaders(std::string_view(whole).substr(0, length)).empty()) << length;
+}
+
 TEST(EffectBinary, fx_5_0_counts_techniques_and_shaders_in_its_header) {
     std::vector<std::uint32_t> words(24, 0);
     words[0] = 0xfeff2001;

@@ -88,6 +88,13 @@ TEST(BackgroundProcess, its_lines_can_be_read_while_it_runs) {
     EXPECT_TRUE(process->running());
 }
 
+TEST(BackgroundProcess, lines_that_come_together_are_read_one_by_one) {
+    auto process = BackgroundProcess::start({.arguments = {"sh", "-c", "printf 'first\\nsecond\\n'; sleep 60"}, .environment = {}});
+    ASSERT_TRUE(process) << format(process.error());
+    EXPECT_EQ(process->readLine(20), "first");
+    EXPECT_EQ(process->readLine(20), "second");
+}
+
 TEST(BackgroundProcess, a_silent_one_gives_no_line) {
     auto process = BackgroundProcess::start({.arguments = {"sleep", "60"}, .environment = {}});
     ASSERT_TRUE(process) << format(process.error());

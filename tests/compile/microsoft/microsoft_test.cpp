@@ -139,6 +139,75 @@ TEST_F(Microsoft, the_binary_is_kept_where_it_is_wanted) {
     EXPECT_EQ(fs::file_size(output), results[0].binary.size());
 }
 
+TEST_F(Microsoft, include_folders_are_searched_and_errors_name_the_file_that_was_found) {
+    const fs::path good = file("shared/good.fxh", "float4 good() { return 1; }\n");
+    const fs::path bad = file("shared/bad.fxh", "float4 bad() { return undeclared; }\n");
+    const auto job = [&](const std::string& name) {
+        return MicrosoftJob{.profile = "ps_5_0",
+                            .entry = "PS",
+                            .source =
+                                file(name + ".fx", "#include \"" + name + ".fxh\"\nfloat4 PS() : SV_Target0 { return " + name + "(); }\n"),
+                            .defines = {},
+                            .output = {},
+                            .includeFolders = {good.parent_path()},
+                            .shader = {}};
+    };
+    const auto results = run({job("good"), job("bad")});
+    EXPECT_TRUE(results[0].ok);
+    ASSERT_FALSE(results[1].diagnostics.empty());
+    EXPECT_EQ(results[1].diagnostics[0].at.file, bad.string());
+    EXPECT_EQ(results[1].diagnostics[0].at.line, 1);
+}
+
+TEST_F(Microsoft, a_job_that_takes_too_long_fails_alone) {
+    const std::string loops = "float4 gX;\nfloat4 PS(float4 c : TEXCOORD0) : SV_Target0 {\n"
+                              "[unroll] for (int i = 0; i < 1000; i++) [unroll] for (int j = 0; j < 1000; j++) c = sin(c * gX + i * j);\n"
+                              "return c; }\n";
+    const std::vector<MicrosoftJob> jobs{{.profile = "ps_5_0",
+                                          .entry = "PS",
+                                          .source = file("long.fx", loops),
+                                          .defines = {},
+                                          .output = {},
+                                          .includeFolders = {},
+                                          .shader = {}},
+                                         {.profile = "fx_2_0",
+                                          .entry = {},
+                                          .source = file("short.fx", kEffect),
+                                          .defines = {},
+                                          .output = {},
+                                          .includeFolders = {},
+                                          .shader = {}}};
+    constexpr double kSeconds = 5; // the short one takes 0.1 s, the long one minutes
+    const auto results = compileWithMicrosoft(jobs, kSeconds);
+    ASSERT_TRUE(results) << format(results.error());
+    ASSERT_EQ(results->size(), 2U);
+    EXPECT_FALSE((*results)[0].ok);
+    EXPECT_EQ((*results)[0].diagnostics.at(0).code, 3103);
+    EXPECT_TRUE((*results)[1].ok);
+}
+
+TEST_F(Microsoft, a_shader_of_model_5_is_reflected_with_registers_offsets_and_defaults) {
+    const fs::path source = file("reflected.fx", "float4 gTint = {1, 2, 3, 4};\nfloat gScale = 0.5;\nint3 gCount = {7, 8, 9};\n"
+                                                 "Texture2D gSkinMap; SamplerState gSkin;\n"
+                                                 "float4 PS(float4 p : SV_Position, float2 uv : TEXCOORD3) : SV_Target0\n"
+                                                 "{ return gSkinMap.Sample(gSkin, uv) * gTint * gScale + gCount.z; }\n");
+    const auto results =
+        run({{.profile = "ps_5_0", .entry = "PS", .source = source, .defines = {}, .output = {}, .includeFolders = {}, .shader = {}}});
+    ASSERT_TRUE(results[0].sm5);
+    const Sm5Reflection& sm5 = *results[0].sm5;
+    ASSERT_TRUE(sm5.reflection.globals);
+    ASSERT_EQ(sm5.reflection.globals->members.size(), 3U);
+    EXPECT_EQ(sm5.reflection.globals->members[1].offset, 16U);
+    EXPECT_EQ(sm5.reflection.globals->members[2].offset, 20U);
+    EXPECT_EQ(sm5.defaults.at("gTint"), (std::vector<double>{1, 2, 3, 4}));
+    EXPECT_EQ(sm5.defaults.at("gScale"), (std::vector<double>{0.5}));
+    EXPECT_EQ(sm5.defaults.at("gCount"), (std::vector<double>{7, 8, 9}));
+    ASSERT_EQ(sm5.reflection.inputs.size(), 1U);
+    EXPECT_EQ(sm5.reflection.inputs[0].semantic, "TEXCOORD3");
+    EXPECT_EQ(sm5.reflection.inputs[0].location, 1U) << "behind the position";
+    EXPECT_EQ(sm5.reflection.resources.size(), 2U);
+}
+
 TEST_F(Microsoft, names_outside_ascii_are_handed_over) {
     const auto results = run({{.profile = "fx_2_0", .entry = {}, .source = file("häut 皮.fx", kEffect), .defines = {}, .output = {}}});
     EXPECT_TRUE(results[0].ok);

@@ -7,6 +7,7 @@
 #include "host/support/text.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <map>
 #include <memory>
 
@@ -25,6 +26,10 @@ struct Arguments {
     std::string cache = "warp";
     prep::PrepOptions options;
 };
+
+std::string endingOf(const std::string& path) {
+    return toLower(std::filesystem::path(path).extension().string());
+}
 
 Json reportOf(const Arguments& arguments, const prep::PrepReport& report) {
     return reportJson(report, arguments.input, arguments.dryRun ? "" : arguments.output);
@@ -58,6 +63,9 @@ int run(Arguments& arguments) {
         return fail(usageError(8041, "which mesh?", "tegument prep IN -o OUT.glb, or tegument prep human"), arguments.json);
     if (!arguments.dryRun && arguments.output.empty())
         return fail(usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run"), arguments.json);
+    if (const std::string ending = endingOf(arguments.output); !arguments.dryRun && ending != ".glb" && ending != ".ply")
+        return fail(usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply"),
+                    arguments.json);
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     Progress progress;
@@ -116,8 +124,10 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
                                        {"keep", NormalMode::Keep}}));
     command
         .add_option("--normals-per", options.normals.sharing,
-                    "place: everything at one place shares a normal (default); fan: only triangles that are joined by edges")
-        ->transform(names<NormalSharing>({{"place", NormalSharing::Place}, {"fan", NormalSharing::Fan}}));
+                    "What shares a normal. place: everything at one place; sheet: not the two sides of triangles back to back (default); "
+                    "fan: only triangles "
+                    "that are joined by edges")
+        ->transform(names<NormalSharing>({{"place", NormalSharing::Place}, {"sheet", NormalSharing::Sheet}, {"fan", NormalSharing::Fan}}));
 }
 
 void addOrdering(CLI::App& command, Arguments& arguments) {

@@ -15,15 +15,23 @@ namespace {
 /// Cosine of 0.26 degrees: float normals of one flat face differ by less, faces of a smooth scan by more.
 constexpr double kSameNormal = 0.99999;
 
-/// Group of each corner: its place, or its fan where places are to be divided.
-std::vector<std::uint32_t> cornerGroups(const Surface& surface, NormalSharing sharing) {
-    const std::vector<std::uint32_t> back = backToBack(surface);
+/// Places whose corners do not all share one normal.
+std::vector<bool> dividedPlaces(const Surface& surface, NormalSharing sharing, const std::vector<std::uint32_t>& back) {
     std::vector<bool> divided(surface.pointCount, sharing == NormalSharing::Fan);
+    if (sharing != NormalSharing::Sheet) return divided;
     for (std::size_t corner = 0; corner < surface.mesh.indices.size(); ++corner)
         if (back[corner / 3] != corner / 3) divided[surface.pointAt(corner)] = true;
+    return divided;
+}
+
+/// Group of each corner: its place, or its fan where the place is divided.
+std::vector<std::uint32_t> cornerGroups(const Surface& surface, NormalSharing sharing) {
     std::vector<std::uint32_t> groups(surface.mesh.indices.size());
     for (std::size_t corner = 0; corner < groups.size(); ++corner)
         groups[corner] = surface.pointAt(corner);
+    if (sharing == NormalSharing::Place) return groups;
+    const std::vector<std::uint32_t> back = backToBack(surface);
+    const std::vector<bool> divided = dividedPlaces(surface, sharing, back);
     if (std::ranges::find(divided, true) == divided.end()) return groups;
     DisjointSets fans = cornerFans(surface, EdgeTable(surface), back);
     for (std::uint32_t corner = 0; corner < groups.size(); ++corner)

@@ -13,21 +13,25 @@ enum class NormalMode {
     Keep             // the file's own
 };
 
-/// Corners are grouped by place; or, finer, by fan: triangles that are joined by edges.
-enum class NormalSharing { Place, Fan };
+/// Which corners share a normal.
+enum class NormalSharing {
+    Place, // all at one place
+    Sheet, // so, but the two sides of triangles back to back do not: the sum of their normals would be 0
+    Fan    // triangles round a place that are joined by edges
+};
 
 struct NormalOptions {
     NormalMode mode = NormalMode::Angle;
-    NormalSharing sharing = NormalSharing::Place;
+    NormalSharing sharing = NormalSharing::Sheet;
 };
 
 struct NormalChanges {
     std::size_t normals = 0; // vertices whose normal is new
-    std::size_t split = 0;   // vertices added, where triangles back to back (or fans) need two normals at one place
+    std::size_t split = 0;   // vertices added, where one place needs several normals
 };
 
 /// Sum, Seed and UniqueTolerance take a corner's normal from the file where it has usable ones, otherwise from the corner's triangle.
-/// Triangles back to back never share a normal: it would be 0. All normals are unit, whatever the mesh's size.
+/// All normals are unit, whatever the mesh's size; where a sum is 0, one of the normals that went into it is taken.
 NormalChanges makeNormals(Surface& surface, const NormalOptions& options);
 
 } // namespace tegument::prep

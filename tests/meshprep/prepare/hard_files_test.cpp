@@ -162,6 +162,15 @@ TEST_F(HardFiles, sheets_back_to_back_have_opposite_normals) {
     }
 }
 
+TEST_F(HardFiles, sheets_back_to_back_share_vertices_by_option) {
+    prep::PrepOptions options = lenient();
+    options.normals.sharing = prep::NormalSharing::Place;
+    const auto result = prepare(21, options);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->mesh.positions.size(), 4u);
+    expectSound(result->mesh);
+}
+
 TEST_F(HardFiles, edges_of_three_triangles_and_bow_ties_are_counted) {
     const auto edge = prepare(22);
     const auto tie = prepare(23);

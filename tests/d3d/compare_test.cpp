@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <ostream>
+
 namespace tegument::test {
 namespace {
 
@@ -15,17 +17,17 @@ struct Comparison {
     Engine engine = Engine::Direct3D9;
 };
 
+/// Instead of the bytes.
+void PrintTo(const Comparison& comparison, std::ostream* out) {
+    *out << allCases().at(comparison.drawn).name() << " on " << engineName(comparison.engine);
+}
+
 std::vector<Comparison> comparisons() {
     std::vector<Comparison> all;
     for (std::size_t i = 0; i < allCases().size(); ++i)
         for (const Engine engine : kDirect3D)
             all.push_back({i, engine});
     return all;
-}
-
-/// Direct3D 9 hands out no depth.
-bool readable(Engine engine, const DrawnTarget& target) {
-    return engine != Engine::Direct3D9 || target.kind != Kind::Depth;
 }
 
 class Drawn : public testing::TestWithParam<Comparison> {};

@@ -105,6 +105,10 @@ const Exception* exceptionFor(const Case& drawn, Engine engine, const DrawnTarge
     return nullptr;
 }
 
+bool readable(Engine engine, const DrawnTarget& target) {
+    return engine != Engine::Direct3D9 || target.kind != Kind::Depth;
+}
+
 Result<Distance> distance(const Case& drawn, Engine engine, const DrawnTarget& target) {
     const auto reference = readFloats(drawing(drawn, Engine::Vulkan, target.name));
     if (!reference) return reference.error();

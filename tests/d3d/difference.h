@@ -21,6 +21,9 @@ struct DrawnTarget {
 };
 [[nodiscard]] std::vector<DrawnTarget> targetsOf(const Case& drawn);
 
+/// Direct3D 9 hands out no depth.
+[[nodiscard]] bool readable(Engine engine, const DrawnTarget& target);
+
 /// Over every channel of every pixel; a value that is not a number counts as infinitely far.
 struct Distance {
     double scale = 1;   // what differences are measured in

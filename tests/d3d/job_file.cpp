@@ -74,10 +74,30 @@ Result<std::uint32_t> texelFormat(const std::string& name, gpu::Format format) {
     return static_cast<std::uint32_t>(found - kFormats.begin());
 }
 
+std::string header(std::uint32_t format, std::uint32_t width, std::uint32_t height, std::uint32_t levels, std::uint32_t faces) {
+    const std::array numbers = {format, width, height, levels, faces};
+    std::string bytes;
+    append(bytes, numbers.data(), numbers.size());
+    return bytes;
+}
+
+/// A file that brings its mip levels, or a cube map.
+std::string levelsOfFile(std::uint32_t format, const run::TextureData& data) {
+    const auto number = [](int n) { return static_cast<std::uint32_t>(n); };
+    const DdsTexture& file = data.file;
+    std::string bytes = header(format, number(file.at(0, 0).width), number(file.at(0, 0).height), number(file.mips), number(file.faces));
+    for (const Image& image : file.images) {
+        const auto texels = run::texels(image, data.format, data.decode);
+        append(bytes, texels.data(), texels.size());
+    }
+    return bytes;
+}
+
 /// All levels as the device makes them: mip chains made by each engine in its own way would differ in rounding.
 Result<std::string> textureBytes(gpu::Device& device, const std::string& name, const run::TextureData& data) {
     const auto format = texelFormat(name, data.format);
     if (!format) return format.error();
+    if (!data.file.images.empty()) return levelsOfFile(*format, data);
     auto texture = device.createTexture({.name = name,
                                          .format = data.format,
                                          .width = static_cast<std::uint32_t>(data.image.width),
@@ -89,10 +109,9 @@ Result<std::string> textureBytes(gpu::Device& device, const std::string& name, c
         const auto made = device.run([&](gpu::Recorder& recorder) { return recorder.generateMips(*texture); });
         if (!made) return made.error();
     }
-    const std::array head = {*format, texture->desc().width, texture->desc().height, texture->desc().mips};
-    std::string bytes;
-    append(bytes, head.data(), head.size());
-    for (std::uint32_t level = 0; level < texture->desc().mips; ++level) {
+    const gpu::TextureDesc& desc = texture->desc();
+    std::string bytes = header(*format, desc.width, desc.height, desc.mips, 1);
+    for (std::uint32_t level = 0; level < desc.mips; ++level) {
         const auto texels = device.readback(*texture, level);
         if (!texels) return texels.error();
         append(bytes, texels->data(), texels->size());
@@ -136,9 +155,11 @@ std::string scriptOf(const Annotations& annotations) {
 
 std::string passLines(const Case& drawn, const Technique& technique) {
     std::string lines = fmt::format("script {}\n", scriptOf(technique.annotations));
-    for (const Pass& pass : technique.passes)
+    for (const Pass& pass : technique.passes) {
         lines += fmt::format("pass {} {} {}\npassscript {}\n{}", pass.name, entryFile(drawn, *pass.vertexShader),
                              entryFile(drawn, *pass.pixelShader), scriptOf(pass.annotations), stateLines(pass.state));
+        if (const auto instances = pass.annotations.string("Instances")) lines += fmt::format("instances {}\n", *instances);
+    }
     return lines;
 }
 

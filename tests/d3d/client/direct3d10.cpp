@@ -64,11 +64,12 @@ Target makeTarget(const TargetShape& shape) {
 }
 
 Com<ID3D10ShaderResourceView> upload(const TextureFile& file) {
-    const auto levels = static_cast<unsigned>(file.levels.size());
-    const D3D10_TEXTURE2D_DESC desc = describe(file.width, file.height, levels, textureFormat(file.format), D3D10_BIND_SHADER_RESOURCE);
+    D3D10_TEXTURE2D_DESC desc = describe(file.width, file.height, file.levels, textureFormat(file.format), D3D10_BIND_SHADER_RESOURCE);
+    desc.ArraySize = file.faces;
+    if (file.faces == 6) desc.MiscFlags = D3D10_RESOURCE_MISC_TEXTURECUBE;
     std::vector<D3D10_SUBRESOURCE_DATA> data;
-    for (unsigned level = 0; level < levels; ++level)
-        data.push_back({file.levels[level].data(), std::max(file.width >> level, 1U) * bytesPerTexel(file.format), 0});
+    for (unsigned i = 0; i < file.faces * file.levels; ++i)
+        data.push_back({file.images[i].data(), file.pitchOf(i % file.levels), 0});
     Com<ID3D10Texture2D> texture;
     Com<ID3D10ShaderResourceView> view;
     must(device()->CreateTexture2D(&desc, data.data(), texture.put()), "CreateTexture2D");
@@ -273,7 +274,9 @@ void Direct3D10::draw(const std::string& name, Drawing drawing) {
     device()->IASetIndexBuffer(mesh.indices.get(), DXGI_FORMAT_R32_UINT, 0);
     device()->IASetPrimitiveTopology(D3D10_PRIMITIVE_TOPOLOGY_TRIANGLELIST);
     must(pass->Apply(0), "Apply " + name);
-    device()->DrawIndexed(mesh.indexCount, 0, 0);
+    const std::string instances = text(pass, "Instances");
+    const auto count = instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0));
+    device()->DrawIndexedInstanced(mesh.indexCount, count, 0, 0, 0);
     for (const Target* target : boundColors_)
         if (target->shape.levels != 1) device()->GenerateMips(target->resource.get());
 }

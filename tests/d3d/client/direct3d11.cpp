@@ -100,11 +100,12 @@ Target makeTarget(const TargetShape& shape) {
 }
 
 Com<ID3D11ShaderResourceView> upload(const TextureFile& file) {
-    const auto levels = static_cast<unsigned>(file.levels.size());
-    const D3D11_TEXTURE2D_DESC desc = describe(file.width, file.height, levels, textureFormat(file.format), D3D11_BIND_SHADER_RESOURCE);
+    D3D11_TEXTURE2D_DESC desc = describe(file.width, file.height, file.levels, textureFormat(file.format), D3D11_BIND_SHADER_RESOURCE);
+    desc.ArraySize = file.faces;
+    if (file.faces == 6) desc.MiscFlags = D3D11_RESOURCE_MISC_TEXTURECUBE;
     std::vector<D3D11_SUBRESOURCE_DATA> data;
-    for (unsigned level = 0; level < levels; ++level)
-        data.push_back({file.levels[level].data(), std::max(file.width >> level, 1U) * bytesPerTexel(file.format), 0});
+    for (unsigned i = 0; i < file.faces * file.levels; ++i)
+        data.push_back({file.images[i].data(), file.pitchOf(i % file.levels), 0});
     Com<ID3D11Texture2D> texture;
     Com<ID3D11ShaderResourceView> view;
     must(device()->CreateTexture2D(&desc, data.data(), texture.put()), "CreateTexture2D");
@@ -425,7 +426,9 @@ void Direct3D11::draw(const std::string& name, Drawing drawing) {
     context()->RSSetState(program.raster.get());
     bindStage(program.vertexCode, false);
     bindStage(program.pixelCode, true);
-    context()->DrawIndexed(mesh.indexCount, 0, 0);
+    const std::string& instances = find(name).instances;
+    const auto count = instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0));
+    context()->DrawIndexedInstanced(mesh.indexCount, count, 0, 0, 0);
     for (const Target* target : boundColors_)
         if (target->shape.levels != 1) context()->GenerateMips(target->resource.get());
 }

@@ -89,27 +89,39 @@ void copyRow(const std::uint8_t* from, std::uint8_t* to, std::size_t bytes, bool
         std::swap(to[i], to[i + 2]);
 }
 
-void fillLevel(IDirect3DTexture9* texture, unsigned level, const TextureFile& file) {
-    const unsigned width = std::max(file.width >> level, 1U);
-    const unsigned height = std::max(file.height >> level, 1U);
-    const std::size_t bytes = std::size_t{width} * bytesPerTexel(file.format);
-    const bool swap = formatOf(file.format) == D3DFMT_A8R8G8B8;
-    D3DLOCKED_RECT locked{};
-    must(texture->LockRect(level, &locked, nullptr, 0), "LockRect");
-    for (unsigned y = 0; y < height; ++y)
-        copyRow(file.levels[level].data() + y * bytes,
-                static_cast<std::uint8_t*>(locked.pBits) + y * static_cast<std::size_t>(locked.Pitch), bytes, swap);
-    must(texture->UnlockRect(level), "UnlockRect");
+void copyLevel(const TextureFile& file, unsigned face, unsigned level, const D3DLOCKED_RECT& to) {
+    const std::size_t bytes = file.pitchOf(level);
+    for (unsigned y = 0; y < file.heightOf(level); ++y)
+        copyRow(file.image(face, level) + y * bytes, static_cast<std::uint8_t*>(to.pBits) + y * static_cast<std::size_t>(to.Pitch), bytes,
+                formatOf(file.format) == D3DFMT_A8R8G8B8);
 }
 
-Com<IDirect3DTexture9> upload(const TextureFile& file) {
-    Com<IDirect3DTexture9> texture;
-    must(device()->CreateTexture(file.width, file.height, static_cast<UINT>(file.levels.size()), 0, formatOf(file.format), D3DPOOL_MANAGED,
-                                 texture.put(), nullptr),
+Com<IDirect3DBaseTexture9> uploadCube(const TextureFile& file) {
+    IDirect3DCubeTexture9* texture = nullptr;
+    must(device()->CreateCubeTexture(file.width, file.levels, 0, formatOf(file.format), D3DPOOL_MANAGED, &texture, nullptr),
+         "CreateCubeTexture");
+    for (unsigned i = 0; i < 6 * file.levels; ++i) {
+        const auto face = static_cast<D3DCUBEMAP_FACES>(i / file.levels);
+        D3DLOCKED_RECT locked{};
+        must(texture->LockRect(face, i % file.levels, &locked, nullptr, 0), "LockRect");
+        copyLevel(file, i / file.levels, i % file.levels, locked);
+        must(texture->UnlockRect(face, i % file.levels), "UnlockRect");
+    }
+    return Com<IDirect3DBaseTexture9>(texture);
+}
+
+Com<IDirect3DBaseTexture9> upload(const TextureFile& file) {
+    if (file.faces == 6) return uploadCube(file);
+    IDirect3DTexture9* texture = nullptr;
+    must(device()->CreateTexture(file.width, file.height, file.levels, 0, formatOf(file.format), D3DPOOL_MANAGED, &texture, nullptr),
          "CreateTexture");
-    for (unsigned level = 0; level < file.levels.size(); ++level)
-        fillLevel(texture.get(), level, file);
-    return texture;
+    for (unsigned level = 0; level < file.levels; ++level) {
+        D3DLOCKED_RECT locked{};
+        must(texture->LockRect(level, &locked, nullptr, 0), "LockRect");
+        copyLevel(file, 0, level, locked);
+        must(texture->UnlockRect(level), "UnlockRect");
+    }
+    return Com<IDirect3DBaseTexture9>(texture);
 }
 
 template <class T>
@@ -215,7 +227,7 @@ private:
         const D3DXHANDLE handle = effect_->GetAnnotationByName(owner, annotation);
         return handle && SUCCEEDED(effect_->GetInt(handle, &value)) ? static_cast<unsigned>(value) : otherwise;
     }
-    void setTexture(const std::string& name, IDirect3DTexture9* texture) {
+    void setTexture(const std::string& name, IDirect3DBaseTexture9* texture) {
         must(effect_->SetTexture(name.c_str(), texture), "SetTexture " + name);
     }
     template <class Visit>
@@ -235,7 +247,7 @@ private:
     D3DXHANDLE technique_ = nullptr;
     std::map<std::string, Target> colors_;
     std::map<std::string, Target> depths_;
-    std::vector<Com<IDirect3DTexture9>> textures_;
+    std::vector<Com<IDirect3DBaseTexture9>> textures_;
     Com<IDirect3DVertexDeclaration9> declaration_;
     Mesh mesh_;
     Mesh quad_;

@@ -98,6 +98,10 @@ bool readPass(const std::string& key, std::istream& line, Job& job) {
         pass.script = restAsText(line);
         return true;
     }
+    if (key == "instances") {
+        line >> pass.instances;
+        return true;
+    }
     if (key != "state") return false;
     std::string name;
     line >> name;

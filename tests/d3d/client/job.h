@@ -14,6 +14,7 @@
 //   script TEXT
 //   pass NAME VERTEX-FILE PIXEL-FILE
 //   passscript TEXT                        of the pass before it
+//   instances NAME                         likewise: the number that says how often it draws the mesh
 //   state KEY NUMBER...                    of the pass before it
 //   sampler NAME FILTER ADDRESS
 
@@ -50,6 +51,7 @@ struct PassInfo {
     std::string vertexFile;
     std::string pixelFile;
     std::string script;
+    std::string instances; // empty: once
     std::map<std::string, Numbers> state;
 };
 

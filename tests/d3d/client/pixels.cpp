@@ -2,7 +2,6 @@
 
 #include "com.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -44,16 +43,12 @@ unsigned bytesPerTexel(TexelFormat format) {
 TextureFile readTexture(const std::string& path) {
     std::ifstream in = open(path);
     std::vector<std::uint32_t> head;
-    readInto(in, head, 4);
+    readInto(in, head, 5);
     check(in, path);
-    TextureFile texture;
-    texture.format = static_cast<TexelFormat>(head[0]);
-    texture.width = head[1];
-    texture.height = head[2];
-    for (unsigned level = 0; level < head[3]; ++level) {
-        const std::size_t width = std::max(texture.width >> level, 1U);
-        const std::size_t height = std::max(texture.height >> level, 1U);
-        readInto(in, texture.levels.emplace_back(), width * height * bytesPerTexel(texture.format));
+    TextureFile texture{static_cast<TexelFormat>(head[0]), head[1], head[2], head[3], head[4], {}};
+    for (unsigned i = 0; i < texture.faces * texture.levels; ++i) {
+        const unsigned level = i % texture.levels;
+        readInto(in, texture.images.emplace_back(), std::size_t{texture.pitchOf(level)} * texture.heightOf(level));
     }
     check(in, path);
     return texture;

@@ -13,12 +13,20 @@ enum class TexelFormat : std::uint32_t { Rgba8, Rgba8Srgb, Rgba16, R16Float, Rg1
 
 unsigned bytesPerTexel(TexelFormat format);
 
-/// File: format, width, height, number of levels; then the levels, largest first, tightly packed rows.
+/// File: format, width, height, number of levels, number of faces (1, or 6 in Direct3D's order); then each face's levels, largest first,
+/// tightly packed rows.
 struct TextureFile {
     TexelFormat format = TexelFormat::Rgba8;
     unsigned width = 0;
     unsigned height = 0;
-    std::vector<std::vector<std::uint8_t>> levels;
+    unsigned levels = 1;
+    unsigned faces = 1;
+    std::vector<std::vector<std::uint8_t>> images; // face * levels + level
+
+    [[nodiscard]] unsigned widthOf(unsigned level) const { return width >> level > 1 ? width >> level : 1; }
+    [[nodiscard]] unsigned heightOf(unsigned level) const { return height >> level > 1 ? height >> level : 1; }
+    [[nodiscard]] unsigned pitchOf(unsigned level) const { return widthOf(level) * bytesPerTexel(format); }
+    [[nodiscard]] const std::uint8_t* image(unsigned face, unsigned level) const { return images[face * levels + level].data(); }
 };
 TextureFile readTexture(const std::string& path);
 

@@ -142,6 +142,16 @@ std::vector<std::byte> layOut(const UniformBlock& block, const Constants& consta
     return bytes;
 }
 
+Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter) {
+    return device.createSampler({.minFilter = minFilter,
+                                 .magFilter = Filter::Point, // texels are seen as they are
+                                 .mipFilter = Filter::Point,
+                                 .addressU = Address::Clamp,
+                                 .addressV = Address::Clamp,
+                                 .addressW = Address::Clamp,
+                                 .compare = {}});
+}
+
 /// The whole texture in the middle of the target.
 std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture) {
     const double across = static_cast<double>(target.width) / texture.width;
@@ -157,7 +167,8 @@ std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu
 
 struct Canvas::State {
     gpu::Device& device;
-    gpu::Sampler sampler;
+    gpu::Sampler smooth;
+    gpu::Sampler exact; // depths cannot be filtered everywhere
     Program show;
     Program blend;
 };
@@ -214,16 +225,12 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
     if (!show) return show.error();
     auto blend = makeProgram(device, *vertex, "BlendPS", true, compiler);
     if (!blend) return blend.error();
-    auto sampler = device.createSampler({.minFilter = Filter::Linear,
-                                         .magFilter = Filter::Point, // texels are seen as they are
-                                         .mipFilter = Filter::Point,
-                                         .addressU = Address::Clamp,
-                                         .addressV = Address::Clamp,
-                                         .addressW = Address::Clamp,
-                                         .compare = {}});
-    if (!sampler) return sampler.error();
-    return Canvas(std::unique_ptr<State>(
-        new State{.device = device, .sampler = std::move(*sampler), .show = std::move(*show), .blend = std::move(*blend)}));
+    auto smooth = makeSampler(device, Filter::Linear);
+    if (!smooth) return smooth.error();
+    auto exact = makeSampler(device, Filter::Point);
+    if (!exact) return exact.error();
+    return Canvas(std::unique_ptr<State>(new State{
+        .device = device, .smooth = std::move(*smooth), .exact = std::move(*exact), .show = std::move(*show), .blend = std::move(*blend)}));
 }
 
 Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
@@ -231,9 +238,10 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
     const Constants constants{.scale = levels.scale,
                               .offset = levels.offset,
                               .mode = {static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F, 0}};
+    const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : state_->smooth;
     Prepared prepared;
-    const auto ready = prepare(state_->device, state_->show, state_->sampler, {.vertices = quad, .indices = kQuad, .texture = &texture},
-                               constants, prepared);
+    const auto ready =
+        prepare(state_->device, state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, prepared);
     if (!ready) return ready;
     return asVoid(state_->device.run([&](gpu::Recorder& recorder) {
         if (auto cleared = recorder.clearColor(target, {0, 0, 0, 1}); !cleared) return cleared;
@@ -244,7 +252,7 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
 Result<void> Canvas::blend(gpu::Texture& target, std::span<const Mesh> meshes) {
     std::deque<Prepared> draws;
     for (const Mesh& mesh : meshes) {
-        const auto ready = prepare(state_->device, state_->blend, state_->sampler, mesh, {.clip = mesh.clip}, draws.emplace_back());
+        const auto ready = prepare(state_->device, state_->blend, state_->smooth, mesh, {.clip = mesh.clip}, draws.emplace_back());
         if (!ready) return ready;
     }
     return asVoid(state_->device.run([&](gpu::Recorder& recorder) -> Result<void> {

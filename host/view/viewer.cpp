@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <thread>
 
 namespace tegument::view {
 
@@ -15,8 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPatience = 0.2; // seconds between two looks at the files
-constexpr double kShort = 0.005;  // while the text settles, or the window changes
+constexpr double kPatience = 0.2;                       // seconds between two looks at the files
+constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in the middle of a file
+constexpr int kMostWaits = 25;
+constexpr double kShort = 0.005; // while the text settles, or the window changes
 constexpr int kSettlingFrames = 3;
 constexpr int kDeviceLost = 6007;
 constexpr int kMostPictures = 9999;
@@ -116,10 +119,19 @@ Result<void> Viewer::step() {
     if (input.any) settling_ = kSettlingFrames;
     if (input.closed) running_ = false;
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
-    if (watch_.changed())
+    if (watch_.changed()) {
+        waitForEditor();
         if (const auto loaded = load(); !loaded) return loaded;
+    }
     if (const auto resized = resize(); !resized) return resized;
     return seen && settling_ > 0 ? show() : Result<void>();
+}
+
+void Viewer::waitForEditor() {
+    for (int waited = 0; waited < kMostWaits; ++waited) {
+        std::this_thread::sleep_for(kSaving);
+        if (!watch_.changed()) return;
+    }
 }
 
 Result<void> Viewer::obey(const Input& input) {

@@ -39,6 +39,8 @@ private:
     [[nodiscard]] Result<void> fulfil(Request request);
     [[nodiscard]] Result<void> resize();
 
+    /// Until the files have been still for a moment.
+    void waitForEditor();
     /// Reads the effect and draws it; what was there before stays if either fails.
     [[nodiscard]] Result<void> load();
     [[nodiscard]] Result<void> draw();

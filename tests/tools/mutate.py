@@ -1,0 +1,316 @@
+#!/usr/bin/env python3
+"""Changes one constant or operator of the shaders at a time and asks whether a test turns red.
+
+usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--only TEXT] [--results FILE] [--list] [--report]
+
+A mutant is a copy of hlsl/ and effects/ with one change. The test programs of DIR read the shaders from the folder that they run in, so nothing is
+compiled in C++. Tests run from the most likely to fail to the least: the functions in the changed line's function, all functions, every module against
+its reference, whole pictures; the first red one kills the mutant. Without --all an even sample of N mutants is taken, the same ones every time.
+Results are appended to FILE (build/mutation.jsonl) as they come: a run that was interrupted goes on where it stopped, and a mutant of a file that has
+changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that equivalent.txt explains do not count.
+"""
+
+import argparse
+import concurrent.futures
+import fnmatch
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EQUIVALENT = pathlib.Path(__file__).with_name("mutants_without_effect.txt")
+PASSING = 0.90
+
+# Programs, and the tests in them that read the shaders. Seconds: a mutant that loops forever counts as killed.
+FUNCTIONS = ("tests/hlsl/hlsl_tests", "Hlsl/*")
+STAGES = [
+    ("functions", *FUNCTIONS),
+    ("modules", "tests/verify/verify_tests", "All/Modules.*"),
+    ("runs", "tests/run/run_tests", "MainEffect.*:*Inputs.*"),
+    ("pictures", "tests/app/app_tests", "Pictures.*:EnergyAttenuation.*:Beckmann.*:Modules.*:WhiteIrradiance.*:LightUnits.*"),
+]
+LIMIT = 600
+
+SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
+         "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
+CALLS = {"min": "max", "max": "min", "saturate": "", "abs": "", "ddx": "ddy", "ddy": "ddx", "sin": "cos", "cos": "sin", "normalize": "",
+         "sqrt": "", "exp": "exp2"}
+TOKEN = re.compile(r"(?P<number>(?<![\w.])\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<op>&&|\|\||[-+*/<>=!]=|\+\+|--|[-+*/<>])|(?P<rest>\S)")
+DEFINITION = re.compile(r"^(?:static |inline )?(?:void|bool|int|uint|half|float|\w+Varying|\w+Point)(?:[1-4](?:x[1-4])?)? (\w+)\(", re.M)
+
+
+def blanked(text):
+    """The text with everything that is no code replaced by spaces: comments, strings, annotations, preprocessor lines but plain numbers."""
+    def blank(match):
+        return re.sub(r"[^\n]", " ", match.group())
+    text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
+    text = re.sub(r'"[^"\n]*"', blank, text)
+    text = re.sub(r"<\s*(?:string|float|int|bool)\b[^<>]*>", blank, text)
+    text = re.sub(r"#ifdef FX_TECHNIQUES.*?#endif", blank, text, flags=re.S)
+    lines = []
+    for line in text.split("\n"):
+        plain = re.match(r"#define\s+\w+\s+(?=[\d.]+\s*$)", line)
+        lines.append(" " * plain.end() + line[plain.end():] if plain else " " * len(line) if line.startswith("#") else line)
+    return "\n".join(lines)
+
+
+def other_number(number, before):
+    value = float(number)
+    if before in "[":  # an index must stay one
+        return "1" if value == 0 else str(int(value) - 1)
+    if value == 0:
+        return "1.0" if "." in number else "1"
+    if "." not in number and "e" not in number.lower():
+        return str(int(value) + 1)
+    return repr(value * 1.1)
+
+
+def is_binary(before):
+    """Whether a + or - behind this token has a left operand."""
+    return bool(before) and (re.fullmatch(r"[\w.]+", before) is not None or before in ")]") and before not in ("return", "else")
+
+
+class Mutant:
+    def __init__(self, path, start, end, text, replacement):
+        self.path, self.start, self.end, self.replacement = path, start, end, replacement
+        self.original = text[start:end]
+        self.line = text.count("\n", 0, start) + 1
+        self.column = start - (text.rfind("\n", 0, start) + 1) + 1
+        self.source = text.split("\n")[self.line - 1].strip()
+        functions = [m for m in DEFINITION.finditer(text) if m.start() <= start]
+        self.function = functions[-1].group(1) if functions and "\n}" not in text[functions[-1].start():start] else ""
+        self.id = hashlib.sha256(f"{path} {hashlib.sha256(text.encode()).hexdigest()} {start} {replacement}".encode()).hexdigest()[:16]
+
+    def describe(self):
+        return f"{self.path}:{self.line}:{self.column}: {self.original} -> {self.replacement or '(nothing)'}"
+
+    def key(self):
+        """What mutants_without_effect.txt names: survives edits elsewhere in the file."""
+        return f"{self.path} | {self.source} | {self.column - self.indent()} | {self.original} -> {self.replacement or '(nothing)'}"
+
+    def indent(self):
+        line = (ROOT / self.path).read_text().split("\n")[self.line - 1]
+        return len(line) - len(line.lstrip())
+
+
+def mutants_of(path):
+    text = (ROOT / path).read_text()
+    found, before = [], ""
+    for token in TOKEN.finditer(blanked(text)):
+        kind, word = token.lastgroup, token.group()
+        replacement = None
+        if kind == "number":
+            replacement = other_number(word, before)
+        elif kind == "name" and text[token.end():token.end() + 1] == "(":
+            replacement = CALLS.get(word)
+        elif kind == "op" and word in SWAPS and (word not in "+-" or is_binary(before)):
+            replacement = SWAPS[word]
+        if replacement is not None:
+            found.append(Mutant(path, token.start(), token.end(), text, replacement))
+        before = word
+    return found
+
+
+def all_mutants():
+    paths = sorted(str(p.relative_to(ROOT)) for folder in ("hlsl", "effects/passes") for p in (ROOT / folder).rglob("*.fxh"))
+    return [m for path in paths if path != "hlsl/platform.fxh" for m in mutants_of(path)]
+
+
+def sampled(mutants, count):
+    """As many, spread evenly over files and lines by their ids, which do not depend on what else there is."""
+    return sorted(sorted(mutants, key=lambda m: m.id)[:count], key=lambda m: (m.path, m.start))
+
+
+class Trial:
+    """One worker's copy of the tree."""
+
+    def __init__(self, build, number, stages):
+        self.build, self.known_stages = build, stages
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"tegument-mutants-{number}-"))
+        for entry in ROOT.iterdir():
+            if entry.name in ("hlsl", "effects"):
+                shutil.copytree(entry, self.folder / entry.name)
+            elif entry.name not in ("build", ".git"):
+                (self.folder / entry.name).symlink_to(entry)
+        cache = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache")) + "/tegument")
+        own = self.folder / "cache"
+        own.mkdir()
+        for name in ("tools", "data", "human"):
+            if (cache / name).exists():
+                (own / name).symlink_to(cache / name)
+        self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1"}
+
+    def close(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def red(self, program, tests):
+        """Name of the first failed test; empty: green. `tests`: a filter of GoogleTest."""
+        command = [str(self.build / program), f"--gtest_filter={tests}", "--gtest_brief=1"]
+        process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   errors="replace", start_new_session=True)
+        try:
+            output, _ = process.communicate(timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+            return "time ran out"
+        failed = re.search(r"\[  FAILED  \] ([^\s,(]+)", output)
+        if failed:
+            return failed.group(1)
+        return "" if process.returncode == 0 else f"{pathlib.Path(program).name} ended with {process.returncode}"
+
+    def stages(self, mutant):
+        passes = mutant.path.startswith("effects/")  # which hlsl_tests does not read
+        if mutant.function and not passes:
+            yield "function", FUNCTIONS[0], f"Hlsl/Functions.*/{mutant.function}_*"
+        yield from (stage for stage in self.known_stages if not (passes and stage[0] == "functions"))
+
+    def kill(self, mutant):
+        """Stage and test that turned red, or two empty texts."""
+        path = self.folder / mutant.path
+        text = path.read_text()
+        path.write_text(text[:mutant.start] + mutant.replacement + text[mutant.end:])
+        try:
+            for stage, program, tests in self.stages(mutant):
+                failed = self.red(program, tests)
+                if failed:
+                    return stage, failed
+            return "", ""
+        finally:
+            path.write_text(text)
+
+
+def read_results(path):
+    results = {}
+    if path.exists():
+        for line in path.read_text().splitlines():
+            entry = json.loads(line)
+            results[entry["id"]] = entry
+    return results
+
+
+def explained():
+    """Patterns of mutants that change nothing that can be seen, each with its reason."""
+    rules = []
+    if EQUIVALENT.exists():
+        for line in EQUIVALENT.read_text().splitlines():
+            if line.strip() and not line.startswith("#"):
+                pattern, reason = line.split(" :: ", 1)
+                rules.append((pattern.strip(), reason.strip()))
+    return rules
+
+
+def reason_for(mutant, rules):
+    return next((reason for pattern, reason in rules if fnmatch.fnmatchcase(mutant.key(), pattern)), None)
+
+
+def report(mutants, results):
+    """Prints the table; returns the share of mutants with an effect that were killed."""
+    rules, rows, survivors = explained(), {}, []
+    for mutant in mutants:
+        entry = results.get(mutant.id)
+        if not entry:
+            continue
+        row = rows.setdefault(mutant.path, [0, 0, 0])
+        row[0] += 1
+        if entry["stage"]:
+            row[1] += 1
+        elif reason_for(mutant, rules):
+            row[2] += 1
+        else:
+            survivors.append(mutant)
+    total = [sum(row[i] for row in rows.values()) for i in range(3)]
+    print("| file | mutants | killed | without effect | survived | kill rate |\n|---|---|---|---|---|---|")
+    for name, (count, killed, same) in [*sorted(rows.items()), ("**all**", total)]:
+        rate = f"{100 * killed / (count - same):.1f} %" if count > same else "-"
+        print(f"| {name} | {count} | {killed} | {same} | {count - killed - same} | {rate} |")
+    stages = {}
+    for mutant in mutants:
+        if mutant.id in results and results[mutant.id]["stage"]:
+            stages[results[mutant.id]["stage"]] = stages.get(results[mutant.id]["stage"], 0) + 1
+    print("\nkilled by: " + ", ".join(f"{stage} {count}" for stage, count in sorted(stages.items(), key=lambda s: -s[1])))
+    for mutant in survivors:
+        print(f"survived: {mutant.key()}")
+    return total[1] / max(1, total[0] - total[2])
+
+
+def check_green(trial):
+    """The tests must be green without a change, or every mutant would seem to die."""
+    for stage, program, tests in trial.known_stages:
+        if not (trial.build / program).exists():
+            sys.exit(f"{trial.build / program} is not there: build it first")
+        begin = time.monotonic()
+        failed = trial.red(program, tests)
+        if failed:
+            sys.exit(f"{program} is red without any mutant: {failed}")
+        print(f"{stage}: green in {time.monotonic() - begin:.0f} s", flush=True)
+
+
+def run(mutants, arguments, results):
+    stages = [stage for stage in STAGES if stage[0] in arguments.stages]
+    todo = [m for m in mutants if m.id not in results or (arguments.retry and not results[m.id]["stage"])]
+    if not todo:
+        return
+    print(f"{len(mutants)} mutants, {len(todo)} to try", flush=True)
+    trials = [Trial(arguments.build, number, stages) for number in range(arguments.jobs)]
+    free, lock = list(trials), threading.Lock()
+    try:
+        check_green(trials[0])
+
+        def attempt(mutant):
+            with lock:
+                trial = free.pop()
+            stage, test = trial.kill(mutant)
+            with lock:
+                free.append(trial)
+                results[mutant.id] = {"id": mutant.id, "mutant": mutant.describe(), "stage": stage, "test": test}
+                with arguments.results.open("a") as file:
+                    file.write(json.dumps(results[mutant.id]) + "\n")
+                print(f"{len(results)}: {mutant.describe()}: {f'killed by {stage} {test}' if stage else 'SURVIVED'}", flush=True)
+
+        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+            list(pool.map(attempt, todo))
+    finally:
+        for trial in trials:
+            trial.close()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="folder with the test programs")
+    parser.add_argument("--sample", type=int, default=150, help="how many mutants")
+    parser.add_argument("--all", action="store_true", help="all of them: hours")
+    parser.add_argument("--only", default="", help="mutants whose description holds this")
+    parser.add_argument("--stages", nargs="+", default=[stage[0] for stage in STAGES], help="of the tests: " + " ".join(s[0] for s in STAGES))
+    parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--results", type=pathlib.Path)
+    parser.add_argument("--list", action="store_true", help="print the mutants and stop")
+    parser.add_argument("--report", action="store_true", help="print the table of what is known and stop")
+    arguments = parser.parse_args()
+    arguments.build = arguments.build.resolve()
+    arguments.results = arguments.results or arguments.build / "mutation.jsonl"
+
+    mutants = [m for m in all_mutants() if arguments.only in m.describe()]
+    if not arguments.all:
+        mutants = sampled(mutants, arguments.sample)
+    if arguments.list:
+        print("\n".join(m.key() for m in mutants))
+        return 0
+    results = read_results(arguments.results)
+    if not arguments.report:
+        run(mutants, arguments, results)
+    return 0 if report(mutants, results) >= PASSING else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

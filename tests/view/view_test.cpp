@@ -1,0 +1,235 @@
+// What the viewer does without a window: camera and light, watched files, steps through passes and targets, how targets are shown.
+
+#include "host/view/keys.h"
+#include "host/view/levels.h"
+#include "host/view/orbit.h"
+#include "host/view/state.h"
+#include "host/view/watch.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <set>
+
+using namespace tegument;
+using namespace tegument::view;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFloat = 1e-3; // mm; positions of 500 mm are floats of 3e-5 mm, turned a few times
+
+Camera frontCamera() {
+    return {.position = {0, 0, 500}, .target = {0, 0, 0}, .up = {0, 1, 0}};
+}
+
+double distanceOf(const Camera& camera) {
+    return glm::length(glm::dvec3(camera.position) - glm::dvec3(camera.target));
+}
+
+struct Folder {
+    Folder() : path(fs::temp_directory_path() / ("tegument-watch-" + std::to_string(std::random_device{}()))) {
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    fs::path path;
+
+    fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path / name, std::ios::binary) << text;
+        return path / name;
+    }
+};
+
+SessionFrame frameOf(std::vector<std::string> passes) {
+    SessionFrame frame{.technique = "A", .passes = {}, .targets = {"gFirstMap", "gSecondMap"}, .metadata = {}, .warnings = {}};
+    for (std::string& name : passes)
+        frame.passes.push_back({.name = std::move(name), .targets = {"gFirstMap"}});
+    return frame;
+}
+
+ViewState stateOf(const SessionFrame& frame) {
+    ViewState state;
+    state.techniques = {"A", "B"};
+    adopt(state, frame);
+    return state;
+}
+
+Image imageOf(int channels, std::vector<float> pixels) {
+    const int width = static_cast<int>(pixels.size()) / channels;
+    return {.width = width, .height = 1, .channels = channels, .pixels = std::move(pixels)};
+}
+
+} // namespace
+
+TEST(Orbit, keeps_the_distance_and_a_quarter_turn_ends_at_the_side) {
+    Camera camera = frontCamera();
+    orbit(camera, 1.57079632679, 0);
+    EXPECT_NEAR(camera.position.x, 500, kFloat);
+    EXPECT_NEAR(camera.position.z, 0, kFloat);
+    orbit(camera, -0.7, 0.3);
+    EXPECT_NEAR(distanceOf(camera), 500, kFloat);
+}
+
+TEST(Orbit, rises_by_the_angle_asked_for_and_stops_short_of_the_pole) {
+    Camera camera = frontCamera();
+    orbit(camera, 0, 0.5);
+    EXPECT_NEAR(camera.position.y, 500 * std::sin(0.5), kFloat);
+    orbit(camera, 0, 10);
+    EXPECT_LT(camera.position.y, 500.0F);
+    EXPECT_GT(camera.position.y, 499.0F);
+    EXPECT_TRUE(std::isfinite(axesOf(camera).right.x));
+}
+
+TEST(Orbit, light_in_front_follows_the_mouse) {
+    Light light{.position = {0, 0, 400}};
+    orbitLight(light, frontCamera(), 0.2, 0.1);
+    EXPECT_GT(light.position.x, 0.0F);
+    EXPECT_GT(light.position.y, 0.0F);
+    EXPECT_NEAR(glm::length(glm::dvec3(light.position)), 400, kFloat);
+}
+
+TEST(Orbit, pan_by_the_pictures_width_moves_the_edge_to_the_middle) {
+    Camera camera = frontCamera();
+    camera.horizontalFov = 40;
+    pan(camera, 0.5, 0);
+    EXPECT_NEAR(camera.target.x, 500 * std::tan(0.5 * 40 * 3.14159265358979 / 180), kFloat);
+    EXPECT_NEAR(camera.position.x, camera.target.x, kFloat);
+}
+
+TEST(Orbit, dolly_neither_passes_the_target_nor_loses_it) {
+    Camera camera = frontCamera();
+    for (int i = 0; i < 1000; ++i)
+        dolly(camera, 0.5);
+    EXPECT_GT(distanceOf(camera), 0);
+    EXPECT_TRUE(std::isfinite(distanceOf(camera)));
+    for (int i = 0; i < 1000; ++i)
+        dolly(camera, 2);
+    EXPECT_TRUE(std::isfinite(distanceOf(camera)));
+}
+
+TEST(FileWatch, sees_writing_renaming_over_removing_and_coming_back_once_each) {
+    const Folder folder;
+    const fs::path file = folder.write("a.fxh", "one");
+    FileWatch watch;
+    watch.watch({file});
+    EXPECT_FALSE(watch.changed());
+    folder.write("a.fxh", "longer");
+    EXPECT_TRUE(watch.changed());
+    EXPECT_FALSE(watch.changed());
+    fs::rename(folder.write("new", "third version"), file);
+    EXPECT_TRUE(watch.changed());
+    fs::remove(file);
+    EXPECT_TRUE(watch.changed());
+    folder.write("a.fxh", "back");
+    EXPECT_TRUE(watch.changed());
+    EXPECT_FALSE(watch.changed());
+}
+
+TEST(FileWatch, a_change_while_the_list_is_renewed_is_not_lost) {
+    const Folder folder;
+    const fs::path file = folder.write("a.fxh", "one");
+    FileWatch watch;
+    watch.watch({file});
+    folder.write("a.fxh", "changed while it was being compiled");
+    watch.watch({file, folder.write("b.fxh", "two")});
+    EXPECT_TRUE(watch.changed());
+}
+
+TEST(Steps, passes_go_round_and_come_back) {
+    const SessionFrame frame = frameOf({"P1", "P2", "P3"});
+    ViewState state = stateOf(frame);
+    EXPECT_EQ(passCount(state), EffectSession::kAllPasses);
+    const ViewState start = state;
+    for (const std::size_t expected : {1U, 2U, 3U, 1U}) {
+        EXPECT_EQ(apply(state, Command::NextPass, start), Request::Draw);
+        EXPECT_EQ(passCount(state), expected);
+    }
+    EXPECT_EQ(apply(state, Command::PreviousPass, start), Request::Draw);
+    EXPECT_EQ(passCount(state), 3U);
+    EXPECT_EQ(shownTarget(state, frame), "gFirstMap");
+    EXPECT_EQ(shownText(state, frame), "pass 3 of 3, P3 into gFirstMap");
+    EXPECT_EQ(apply(state, Command::Picture, start), Request::Draw);
+    EXPECT_EQ(shownTarget(state, frame), "");
+}
+
+TEST(Steps, what_the_new_frame_does_not_have_is_not_shown) {
+    ViewState state = stateOf(frameOf({"P1", "P2", "P3"}));
+    const ViewState start = state;
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(apply(state, Command::NextPass, start), Request::Draw);
+    const SessionFrame shorter = frameOf({"P1"});
+    adopt(state, shorter);
+    EXPECT_EQ(state.show, Show::Picture);
+    EXPECT_EQ(shownTarget(state, shorter), "");
+}
+
+TEST(Steps, techniques_and_settings_go_round) {
+    ViewState state = stateOf(frameOf({"P1"}));
+    const ViewState start = state;
+    EXPECT_EQ(apply(state, Command::PreviousTechnique, start), Request::Draw);
+    EXPECT_EQ(state.technique, "B");
+    EXPECT_EQ(apply(state, Command::NextTechnique, start), Request::Draw);
+    EXPECT_EQ(state.technique, "A");
+    for (const char* expected : {"seed", "deon2007", "corrected"}) {
+        EXPECT_EQ(apply(state, Command::NextSetting, start), Request::Load);
+        EXPECT_EQ(state.setting, expected);
+    }
+}
+
+TEST(Steps, an_effect_without_passes_or_targets_is_stepped_through_without_harm) {
+    ViewState state;
+    const ViewState start = state;
+    for (const Command command : {Command::NextTechnique, Command::NextPass, Command::PreviousPass, Command::NextTarget})
+        EXPECT_EQ(apply(state, command, start), Request::None);
+}
+
+TEST(Keys, each_is_bound_once_and_the_help_names_every_one) {
+    std::set<char32_t> keys;
+    const std::string help = bindingsHelp();
+    for (const KeyBinding& binding : keyBindings()) {
+        EXPECT_TRUE(keys.insert(binding.key).second) << binding.label;
+        EXPECT_EQ(commandOf(binding.key), binding.command);
+        EXPECT_NE(help.find(binding.text), std::string::npos) << binding.text;
+    }
+    EXPECT_EQ(commandOf(U'~'), std::nullopt);
+}
+
+TEST(LevelsOfATarget, light_is_shown_as_the_picture_is) {
+    const Levels levels = levelsOf(imageOf(4, {0.1F, 0.2F, 0.3F, 1, 0.9F, 0.5F, 0.4F, 1}));
+    EXPECT_TRUE(levels.toneMap);
+    EXPECT_EQ(levels.scale[0], 1.0F);
+}
+
+TEST(LevelsOfATarget, depth_and_texture_coordinates_are_each_spread_on_their_own) {
+    std::vector<float> pixels(4, 0.0F); // nothing was drawn there
+    for (int i = 0; i <= 100; ++i) {
+        const float share = static_cast<float>(i) / 100.0F;
+        pixels.insert(pixels.end(), {600 + 100 * share, share, 1 - share, 1});
+    }
+    const Levels levels = levelsOf(imageOf(4, pixels));
+    EXPECT_FALSE(levels.toneMap);
+    // 1 % at each end may clip
+    EXPECT_NEAR(601 * levels.scale[0] + levels.offset[0], 0, 1e-3);
+    EXPECT_NEAR(699 * levels.scale[0] + levels.offset[0], 1, 1e-3);
+    EXPECT_NEAR(0.99F * levels.scale[1] + levels.offset[1], 1, 1e-3);
+}
+
+TEST(LevelsOfATarget, nan_infinity_and_an_empty_target_leave_finite_levels) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    for (const Image& image :
+         {imageOf(1, {nan, inf, 5, 7}), imageOf(1, {nan}), imageOf(4, std::vector<float>(16, 0.0F)), imageOf(1, {3, 3})})
+        for (const float value : levelsOf(image).scale)
+            EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST(LevelsOfATarget, one_stop_is_twice_the_light) {
+    const Levels levels = brightened(Levels{.scale = {1, 2, 3, 1}, .offset = {0, -1, 0, 0}}, 1);
+    EXPECT_EQ(levels.scale, (std::array<float, 4>{2, 4, 6, 1}));
+    EXPECT_EQ(levels.offset, (std::array<float, 4>{0, -2, 0, 0}));
+}

@@ -1,0 +1,281 @@
+#!/usr/bin/env python3
+"""tegument view under Xvfb, driven by real input events: what a person at the screen would see.
+
+usage: window_test.py PROGRAM REPOSITORY [PICTURES]      with PICTURES the screen of every step is kept there
+Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draws to windows.
+"""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import screen as screens
+
+PROGRAM, REPOSITORY = sys.argv[1], pathlib.Path(sys.argv[2])
+PICTURES = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
+SIZE = 320
+PATIENCE = 60  # seconds: lavapipe beside other tests
+SKIPPED = 77
+
+
+def ball(rings=24, radius=80.0):
+    """A closed bumpy ball in two charts, in mm."""
+    lines, faces, index = [], [], 1
+    for chart in range(2):
+        for i in range(rings + 1):
+            for j in range(rings + 1):
+                u, v = j / rings, i / rings
+                theta, phi = math.pi * v, math.pi * (u + chart)
+                r = radius * (1 + 0.05 * math.sin(3 * theta) * math.cos(2 * phi + 0.5))
+                lines.append(f"v {-r * math.cos(phi) * math.sin(theta):.6f} {r * math.cos(theta):.6f} {r * math.sin(phi) * math.sin(theta):.6f}")
+                lines.append(f"vt {0.02 + 0.5 * chart + 0.46 * u:.6f} {1 - (0.02 + 0.96 * v):.6f}")
+                down = index + rings + 1
+                if i < rings and j < rings:
+                    if i > 0:
+                        faces.append(f"f {index}/{index} {down}/{down} {index + 1}/{index + 1}")
+                    if i + 1 < rings:
+                        faces.append(f"f {index + 1}/{index + 1} {down}/{down} {down + 1}/{down + 1}")
+                index += 1
+    return "\n".join(lines + faces) + "\n"
+
+
+class View:
+    """The program with a copy of the effects of its own, so that they can be broken."""
+
+    def __init__(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="tegument-view-"))
+        for name in ("effects", "hlsl"):
+            shutil.copytree(REPOSITORY / name, self.folder / name)
+        (self.folder / "ball.obj").write_text(ball())
+        scene = {"mesh": "ball.obj", "unit_mm": 1, "head": False, "camera": {"position": [1, 0.5, 5]}, "light": {"position": [-1, 2, 5]}}
+        (self.folder / "ball.json").write_text(json.dumps(scene))
+        self.screen = screens.Screen(SIZE + 80, SIZE)
+        self.errors = open(self.folder / "stderr.txt", "w+")
+        command = [PROGRAM, "view", "effects/Main.fx", "-w", "ball.json", "--size", f"{SIZE}x{SIZE}", "--map-size", "64", "--validate"]
+        environment = {**os.environ, "DISPLAY": self.screen.name}
+        environment.pop("WAYLAND_DISPLAY", None)
+        self.process = subprocess.Popen(command, cwd=self.folder, env=environment, stderr=self.errors)
+
+    def said(self):
+        return (self.folder / "stderr.txt").read_text()
+
+    def wait(self, what, condition):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                raise AssertionError(f"the program ended with {self.process.returncode}: {self.said()}")
+            value = condition()
+            if value:
+                return value
+            time.sleep(0.05)
+        raise AssertionError(f"{what}: not within {PATIENCE} s; title '{self.screen.title()}', said '{self.said()}'")
+
+    def title(self, part):
+        return self.wait(f"'{part}' in the title", lambda: part in self.screen.title() and self.screen.title())
+
+    def worked(self):
+        """Ticks (10 ms) of processor time that the program has used."""
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return int(fields[11]) + int(fields[12])
+
+    def still(self, unlike=None):
+        """The screen once it stays the same while the program rests, and is not `unlike`."""
+        last = [self.screen.grab(), self.worked()]
+
+        def settled():
+            time.sleep(0.4)
+            now, worked = self.screen.grab(), self.worked()
+            rests = now == last[0] and worked - last[1] <= 2  # it looks at its files now and then
+            last[:] = now, worked
+            return now if rests and (unlike is None or now != unlike) else None
+
+        return self.wait("a picture that stays", settled)
+
+    def start_again(self):
+        for key in ("Escape", "r"):
+            self.screen.press(key)
+        self.title("picture,")
+        return self.still()
+
+    def end(self):
+        if self.process.poll() is None:
+            self.screen.press("q")
+            try:
+                self.process.wait(PATIENCE)
+            except subprocess.TimeoutExpired:
+                self.process.send_signal(signal.SIGKILL)
+                self.process.wait()
+        self.screen.close()
+
+
+class Window(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.view = View()
+        cls.view.title("Main.fx DEonLuebke [corrected] picture")
+        cls.view.screen.press("i")  # the text holds times, which differ from frame to frame
+        cls.first = cls.view.still()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.view.end()
+        shutil.rmtree(cls.view.folder)
+
+    def setUp(self):
+        self.start = self.view.start_again()
+
+    def keep(self, picture, name=None):
+        if PICTURES:
+            PICTURES.mkdir(parents=True, exist_ok=True)
+            picture.save(PICTURES / f"{name or self.id().split('.')[-1]}.png")
+        return picture
+
+    def test_the_ball_is_lit(self):
+        self.keep(self.start)
+        self.assertGreater(self.start.mean(), 8)
+
+    def test_a_drag_turns_the_camera_and_r_turns_it_back(self):
+        self.view.screen.drag((160, 160), (240, 130))
+        turned = self.keep(self.view.still(unlike=self.start))
+        self.assertGreater(turned.share_apart(self.start), 0.02)
+        self.assertEqual(self.view.start_again(), self.start)
+
+    def test_a_drag_with_the_right_button_moves_the_light_alone(self):
+        self.view.screen.drag((160, 160), (60, 160), button=3)
+        lit = self.keep(self.view.still(unlike=self.start))
+        self.assertGreater(lit.share_apart(self.start), 0.02)
+        left = [sum(p.pixels[(160 * p.width + x) * 3] for x in range(60, 140)) for p in (self.start, lit)]
+        right = [sum(p.pixels[(160 * p.width + x) * 3] for x in range(180, 260)) for p in (self.start, lit)]
+        self.assertGreater(left[1] / max(1, right[1]), left[0] / max(1, right[0]))  # the light went where the mouse did
+
+    def test_the_wheel_brings_the_camera_nearer(self):
+        for _ in range(4):
+            self.view.screen.wheel(up=True)
+        near = self.keep(self.view.still(unlike=self.start))
+        lit = lambda picture: sum(value > 24 for value in picture.pixels)
+        self.assertGreater(lit(near), 1.2 * lit(self.start))
+
+    def test_t_shows_the_next_technique(self):
+        def step():
+            name = self.view.screen.title().split(" [")[0]
+            self.view.screen.press("t")
+            self.view.wait("the next technique", lambda: f"{name} [" not in self.view.screen.title())
+
+        while "Lambert [" not in self.view.screen.title():
+            step()
+        self.keep(self.view.still(unlike=self.start))
+        while "DEonLuebke [" not in self.view.screen.title():
+            step()
+        self.assertEqual(self.view.start_again(), self.start)
+
+    def test_right_stops_after_one_pass_more(self):
+        self.view.screen.press("Right")
+        self.view.title("pass 1 of 13, TSM into gTsmMap")
+        first = self.keep(self.view.still(unlike=self.start), "pass_1")
+        self.view.screen.press("Right")
+        self.view.title("pass 2 of 13")
+        self.keep(self.view.still(unlike=first), "pass_2")
+
+    def test_down_shows_every_target(self):
+        seen = []
+        self.view.screen.press("Down")
+        while True:
+            title = self.view.title("target g")
+            name = title.split("target ")[1].split(",")[0]
+            if name in seen:
+                break
+            seen.append(name)
+            picture = self.keep(self.view.still(), f"target_{name}")
+            if name != "gUnwrapDepthMap":  # which is cleared to 0 and drawn to by the culling passes alone
+                self.assertGreater(picture.mean(), 1, name)
+            self.view.screen.press("Down")
+            self.view.wait("the next target", lambda: f"target {name}," not in self.view.screen.title())
+        self.assertIn("gTsmMap", seen)
+        self.assertIn("gIrradianceMap", seen)
+
+    def test_m_draws_with_the_next_setting(self):
+        self.view.screen.press("m")
+        self.view.title("[seed] picture")
+        self.keep(self.view.still(unlike=self.start))
+        for setting in ("deon2007", "corrected"):
+            self.view.screen.press("m")
+            self.view.title(f"[{setting}] picture")
+        self.assertEqual(self.view.still(), self.start)
+
+    def test_a_broken_edit_keeps_the_picture_and_its_mending_is_seen(self):
+        include = self.view.folder / "effects" / "passes" / "final.fxh"
+        text = include.read_text()
+        include.write_text(text.replace("FinalPS", "FinalPS(broken", 1))
+        title = self.view.title("error TG")
+        self.assertIn(include.name, title)
+        broken = self.keep(self.view.still(unlike=self.start))
+        self.assertLess(broken.share_apart(self.start), 0.4)  # the message covers the lower part
+        self.assertIn("error TG", self.view.said())
+        replacement = include.with_suffix(".new")
+        replacement.write_text(text)
+        replacement.rename(include)  # as editors save
+        self.view.title("Main.fx DEonLuebke [corrected] picture")
+        self.assertEqual(self.keep(self.view.still(unlike=broken), "mended"), self.start)
+
+    def test_an_edit_that_changes_the_picture_is_seen(self):
+        include = self.view.folder / "effects" / "passes" / "final.fxh"
+        text = include.read_text()
+        include.write_text(text.replace("float4(lerp(", "float4(0.25 * lerp("))
+        edited = self.keep(self.view.still(unlike=self.start))
+        self.assertLess(edited.mean(), 0.7 * self.start.mean())
+        include.write_text(text)
+        self.assertEqual(self.view.still(unlike=edited), self.start)
+
+    def test_h_and_p_lay_help_and_sliders_over_the_picture(self):
+        for key in ("h", "p"):
+            self.view.screen.press(key)
+            over = self.keep(self.view.still(unlike=self.start), f"key_{key}")
+            self.assertGreater(over.share_apart(self.start), 0.02)
+            self.view.screen.press(key)
+            self.assertEqual(self.view.still(unlike=over), self.start)
+
+    def test_s_writes_a_png_of_the_windows_size(self):
+        self.view.screen.press("s")
+        path = self.view.folder / "out" / "Main-001.png"
+        self.view.wait("the picture", path.exists)
+        self.view.wait("its end", lambda: path.read_bytes().endswith(b"IEND\xaeB`\x82"))
+        header = path.read_bytes()[16:24]
+        self.assertEqual((int.from_bytes(header[:4], "big"), int.from_bytes(header[4:], "big")), (SIZE, SIZE))
+
+    def test_a_resized_window_is_drawn_anew(self):
+        self.view.screen.resize(SIZE // 2, SIZE - 40)
+        small = self.keep(self.view.still(unlike=self.start))
+        self.assertGreater(small.mean(), 2)
+        self.view.screen.resize(SIZE, SIZE)
+        self.assertEqual(self.view.still(unlike=small), self.start)
+
+    def test_zz_the_program_ends_in_peace_and_validation_said_nothing(self):
+        self.view.screen.press("q")
+        self.assertEqual(self.view.process.wait(PATIENCE), 0, self.view.said())
+        self.assertNotIn("validation:", self.view.said())
+
+
+class NoWindowSystem(unittest.TestCase):
+    def test_without_a_display_one_line_says_so_and_the_exit_code_is_3(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "ball.obj").write_text(ball(4))
+            environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+            ran = subprocess.run([PROGRAM, "view", REPOSITORY / "effects" / "Main.fx", "-m", f"{folder}/ball.obj", "--unit-mm", "2"],
+                                 env=environment, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(ran.returncode, 3, ran.stderr)
+        self.assertEqual(len([line for line in ran.stderr.splitlines() if "error TG6060" in line]), 1, ran.stderr)
+
+
+if __name__ == "__main__":
+    if screens.missing():
+        print("skipped: " + screens.missing())
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -7,12 +7,15 @@ namespace tegument::order {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// For a FIFO cache of `entries` vertices.
-[[nodiscard]] Corners linYu(const Piece& piece, unsigned entries);
+/// For a FIFO cache of `entries` vertices. `first`: the vertex to begin with.
+[[nodiscard]] Corners linYu(const Piece& piece, unsigned entries, std::uint32_t first = 0);
 
 /// For a FIFO cache of `entries` vertices; a strip is broken off when more than `limit` vertices would have come since the start of the
 /// next. `links`: of `linkFaces`.
 [[nodiscard]] Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit);
+
+/// For batches of at most so many vertices and triangles that share nothing.
+[[nodiscard]] Corners batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles);
 
 /// For a FIFO cache of `entries` vertices.
 [[nodiscard]] Corners tipsify(const Piece& piece, unsigned entries);

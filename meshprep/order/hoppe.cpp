@@ -2,66 +2,11 @@
 // one before; instead of the paper's lookahead, a strip is broken off when going on would push its beginning out of the cache.
 
 #include "meshprep/order/algorithms.h"
-#include "meshprep/order/links.h"
-
-#include <array>
+#include "meshprep/order/open_faces.h"
 
 namespace tegument::order {
 
 namespace {
-
-/// Faces not drawn, in lists by their number of neighbours not drawn: linked both ways, so that a face changes lists in constant time.
-class OpenFaces {
-public:
-    OpenFaces(std::span<const std::uint32_t> links) : nodes_(links.size() / 3) {
-        heads_.fill(kNoLink);
-        for (std::size_t f = nodes_.size(); f-- > 0;) {
-            for (std::size_t side = 0; side < 3; ++side)
-                nodes_[f].neighbours += links[3 * f + side] != kNoLink;
-            insert(static_cast<std::uint32_t>(f));
-        }
-    }
-
-    [[nodiscard]] bool open(std::uint32_t f) const { return nodes_[f].open; }
-    [[nodiscard]] std::uint32_t fewestNeighbours() const {
-        for (const std::uint32_t head : heads_)
-            if (head != kNoLink) return head;
-        return kNoLink;
-    }
-    void close(std::uint32_t f) {
-        remove(f);
-        nodes_[f].open = false;
-    }
-    void loseNeighbour(std::uint32_t f) {
-        remove(f);
-        --nodes_[f].neighbours;
-        insert(f);
-    }
-
-private:
-    struct Node {
-        std::uint32_t before = kNoLink;
-        std::uint32_t after = kNoLink;
-        std::uint8_t neighbours = 0;
-        bool open = true;
-    };
-
-    void insert(std::uint32_t f) {
-        std::uint32_t& head = heads_[nodes_[f].neighbours];
-        nodes_[f].before = kNoLink;
-        nodes_[f].after = head;
-        if (head != kNoLink) nodes_[head].before = f;
-        head = f;
-    }
-    void remove(std::uint32_t f) {
-        const Node& node = nodes_[f];
-        (node.before != kNoLink ? nodes_[node.before].after : heads_[node.neighbours]) = node.after;
-        if (node.after != kNoLink) nodes_[node.after].before = node.before;
-    }
-
-    std::vector<Node> nodes_;
-    std::array<std::uint32_t, 4> heads_{};
-};
 
 class Hoppe {
 public:
@@ -129,9 +74,7 @@ private:
 
     void draw(std::uint32_t corner) {
         const std::uint32_t f = corner / 3;
-        open_.close(f);
-        for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side)
-            if (links_[side] != kNoLink && open_.open(links_[side] / 3)) open_.loseNeighbour(links_[side] / 3);
+        open_.closeWithNeighbours(f, links_);
         for (const std::uint32_t vertex : piece_.face(f)) {
             out_.push_back(vertex);
             if (now_ - stamps_[vertex] < entries_) continue;

@@ -4,7 +4,9 @@
 
 #include "meshprep/order/algorithms.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 namespace tegument::order {
@@ -20,6 +22,9 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Faces of one vertex that are looked at: more than that do not fit round one vertex of any cache that is common.
 constexpr std::uint32_t kMostLookedAt = 64;
 
+/// The vertices longest in the cache are tried as focus, for C3 favours them: all of them give orders 0.1 % better in a quarter more time.
+constexpr unsigned kMostCandidates = 12;
+
 struct Vertex {
     std::uint32_t stamp = 0;  // the time of its last push
     std::uint32_t first = 0;  // into the list of faces
@@ -27,9 +32,11 @@ struct Vertex {
     std::uint32_t live = 0;   // faces not drawn
 };
 
-struct Face {
-    std::array<std::uint32_t, 3> corners{};
-    bool drawn = false;
+/// A face as one of its vertices sees it: the corners that follow that vertex.
+struct Wedge {
+    std::uint32_t next = 0;
+    std::uint32_t last = 0;
+    std::uint32_t face = 0;
 };
 
 /// Vertices outside the cache by their number of faces not drawn. That number cannot change outside, so an entry is either true or, when
@@ -55,22 +62,31 @@ private:
     std::array<std::vector<std::uint32_t>, kBuckets> buckets_;
 };
 
+struct Pushed {
+    std::uint32_t vertex = 0;
+    std::uint32_t stamp = 0; // before
+};
+
 class LinYu {
 public:
-    LinYu(const Piece& piece, unsigned entries) : entries_(entries), now_(entries), list_(piece.around.faces), ring_(entries, kNone) {
-        faces_.resize(piece.faceCount());
-        for (std::uint32_t f = 0; f < piece.faceCount(); ++f)
-            faces_[f].corners = {piece.face(f)[0], piece.face(f)[1], piece.face(f)[2]};
-        vertices_.resize(piece.vertexCount);
-        for (std::uint32_t v = piece.vertexCount; v-- > 0;) {
+    LinYu(const Piece& piece, unsigned entries)
+        : entries_(entries), mask_(std::bit_ceil(entries) - 1), now_(entries), perAge_(kPerPlace / static_cast<float>(entries)),
+          vertices_(piece.vertexCount), drawn_(piece.faceCount(), 0), ring_(std::bit_ceil(entries), kNone) {
+        pushed_.reserve(entries + 3);
+        wedges_.reserve(piece.around.faces.size());
+        for (std::uint32_t v = 0; v < piece.vertexCount; ++v) {
             vertices_[v] = {.first = piece.around.first[v], .listed = piece.around.count(v), .live = piece.around.count(v)};
-            waiting_.add(v, piece.around.count(v));
+            for (const std::uint32_t f : piece.around.of(v))
+                wedges_.push_back(wedge(piece.face(f), f, v));
         }
+        for (std::uint32_t v = piece.vertexCount; v-- > 0;)
+            waiting_.add(v, vertices_[v].live);
         out_.reserve(piece.corners.size());
     }
 
-    Corners run() {
-        while (out_.size() < 3 * faces_.size()) {
+    Corners run(std::uint32_t first) {
+        push(first);
+        while (out_.size() < 3 * drawn_.size()) {
             std::uint32_t focus = cheapest();
             if (focus == kNone) {
                 focus = restart();
@@ -83,7 +99,16 @@ public:
 
 private:
     [[nodiscard]] bool cached(std::uint32_t v) const { return now_ - vertices_[v].stamp < entries_; }
-    [[nodiscard]] bool complete(const Face& f) const { return cached(f.corners[0]) && cached(f.corners[1]) && cached(f.corners[2]); }
+    [[nodiscard]] bool complete(const Wedge& w) const { return cached(w.next) && cached(w.last); }
+    [[nodiscard]] std::span<Wedge> listed(const Vertex& v) { return {wedges_.data() + v.first, v.listed}; }
+    [[nodiscard]] std::span<const Wedge> lookedAt(const Vertex& v) const {
+        return {wedges_.data() + v.first, std::min(v.listed, kMostLookedAt)};
+    }
+
+    static Wedge wedge(std::span<const std::uint32_t, 3> face, std::uint32_t f, std::uint32_t v) {
+        const std::size_t c = face[0] == v ? 0 : face[1] == v ? 1 : 2;
+        return {.next = face[(c + 1) % 3], .last = face[(c + 2) % 3], .face = f};
+    }
 
     std::uint32_t restart() {
         return waiting_.take([&](std::uint32_t v, std::size_t bucket) {
@@ -94,119 +119,144 @@ private:
     std::uint32_t cheapest() {
         float least = std::numeric_limits<float>::max();
         std::uint32_t best = kNone;
-        for (std::uint32_t age = entries_; age-- > 0;) {
-            const std::uint32_t v = ring_[(now_ - age) % entries_];
+        std::uint32_t crowded = kNone;
+        unsigned candidates = 0;
+        for (std::uint32_t time = now_ - entries_ + 1; time != now_ + 1 && candidates < kMostCandidates; ++time) {
+            const std::uint32_t v = ring_[time & mask_];
             if (v == kNone || vertices_[v].live == 0) continue;
+            if (vertices_[v].live > std::max(kMostLookedAt, entries_)) { // would fill the cache and leave it: any other is better
+                crowded = v;
+                continue;
+            }
+            ++candidates;
             const float cost = simulate(v);
             if (cost < least) {
                 least = cost;
                 best = v;
             }
         }
-        return best;
+        return best != kNone ? best : crowded;
     }
 
     float simulate(std::uint32_t focus) {
         const std::uint32_t then = now_;
         pushed_.clear();
-        int drawn = 0;
+        drawnInSimulation_ = 0;
+        dropDrawn(focus);
         const Vertex& v = vertices_[focus];
-        for (std::uint32_t i = 0; i < v.listed; ++i) {
-            const Face& f = faces_[list_[v.first + i]];
-            if (f.drawn) continue;
-            for (int g = 0; g < 6; ++g) {
-                const std::uint32_t x = f.corners[static_cast<std::size_t>(g % 3)];
-                if (!cached(x)) drawn += simulatePush(x);
-            }
+        for (const Wedge& w : lookedAt(v)) {
+            if (!drawn_[w.face]) simulateWedge(focus, w);
             if (pushed_.size() >= entries_) break;
         }
         const float c1 = static_cast<float>(pushed_.size());
         const std::uint32_t age = now_ - v.stamp;
-        const float c3 = age < entries_ ? static_cast<float>(entries_ - age) / static_cast<float>(entries_) : 0;
+        const float c3 = age < entries_ ? static_cast<float>(entries_ - age) * perAge_ : 0;
         for (std::size_t i = pushed_.size(); i-- > 0;)
-            vertices_[pushed_[i].first].stamp = pushed_[i].second;
+            vertices_[pushed_[i].vertex].stamp = pushed_[i].stamp;
         now_ = then;
-        return c1 - kPerFace * static_cast<float>(drawn) + kPerPlace * c3;
+        return c1 - kPerFace * static_cast<float>(drawnInSimulation_) + c3;
     }
 
-    int simulatePush(std::uint32_t x) {
+    void simulateWedge(std::uint32_t focus, const Wedge& w) {
+        if (!cached(focus)) simulatePush(focus);
+        if (!cached(w.next)) simulatePush(w.next);
+        if (!cached(w.last)) simulatePush(w.last);
+    }
+
+    void simulatePush(std::uint32_t x) {
         Vertex& v = vertices_[x];
-        pushed_.emplace_back(x, v.stamp);
+        pushed_.push_back({.vertex = x, .stamp = v.stamp});
         v.stamp = ++now_;
-        int drawn = 0;
-        const std::uint32_t most = std::min(v.listed, kMostLookedAt);
-        for (std::uint32_t i = 0; i < most; ++i) {
-            const Face& f = faces_[list_[v.first + i]];
-            drawn += !f.drawn && complete(f);
-        }
-        return drawn;
+        for (const Wedge& w : lookedAt(v))
+            drawnInSimulation_ += complete(w) && !drawn_[w.face];
     }
 
     void push(std::uint32_t x) {
-        std::uint32_t& slot = ring_[(now_ + 1) % entries_];
-        if (slot != kNone && vertices_[slot].live > 0) waiting_.add(slot, vertices_[slot].live);
-        slot = x;
+        evict(ring_[(now_ + 1 - entries_) & mask_]);
         vertices_[x].stamp = ++now_;
-        if (vertices_[x].live > kMostLookedAt) {
+        ring_[now_ & mask_] = x;
+        if (vertices_[x].listed > kMostLookedAt) {
             for (const std::uint32_t y : ring_)
-                if (y != kNone && vertices_[y].live <= kMostLookedAt) drawComplete(y);
+                if (y != kNone && cached(y) && vertices_[y].listed <= kMostLookedAt) drawComplete(y);
         } else {
             drawComplete(x);
         }
     }
 
-    void drawComplete(std::uint32_t x) {
+    void evict(std::uint32_t x) {
+        if (x == kNone || vertices_[x].live == 0) return;
+        dropDrawn(x);
+        waiting_.add(x, vertices_[x].live);
+    }
+
+    /// Takes drawn faces out of the list. A long list is only shortened at its front, until half of it is drawn: linear time in all.
+    void dropDrawn(std::uint32_t x) {
         Vertex& v = vertices_[x];
-        std::uint32_t kept = 0;
-        for (std::uint32_t i = 0; i < v.listed; ++i) {
-            const std::uint32_t f = list_[v.first + i];
-            if (faces_[f].drawn) continue;
-            if (complete(faces_[f]))
-                draw(faces_[f]);
-            else
-                list_[v.first + kept++] = f;
-        }
-        v.listed = kept;
+        if (v.listed == v.live) return;
+        for (; v.listed > kMostLookedAt && drawn_[wedges_[v.first].face]; --v.listed)
+            ++v.first;
+        if (v.listed > kMostLookedAt && v.listed < 2 * v.live) return;
+        std::size_t kept = 0;
+        const std::span<Wedge> all = listed(v);
+        for (const Wedge& w : all)
+            if (!drawn_[w.face]) all[kept++] = w;
+        v.listed = v.live;
     }
 
-    void draw(Face& f) {
-        f.drawn = true;
-        out_.insert(out_.end(), f.corners.begin(), f.corners.end());
-        const auto [a, b, c] = f.corners;
-        --vertices_[a].live;
-        if (b != a) --vertices_[b].live;
-        if (c != a && c != b) --vertices_[c].live;
+    void drawComplete(std::uint32_t x) {
+        dropDrawn(x);
+        for (const Wedge& w : listed(vertices_[x]))
+            if (complete(w)) draw(x, w);
+        dropDrawn(x);
     }
 
+    void draw(std::uint32_t x, const Wedge& w) {
+        drawn_[w.face] = 1;
+        out_.insert(out_.end(), {w.next, w.last, x});
+        --vertices_[x].live;
+        if (w.next != x) --vertices_[w.next].live;
+        if (w.last != x && w.last != w.next) --vertices_[w.last].live;
+    }
+
+    /// All faces of the focus; of a focus with very many only as many as fill the cache, for then its neighbours may be the better focus.
     void drawAround(std::uint32_t focus) {
-        Vertex& v = vertices_[focus];
+        const Vertex& v = vertices_[focus];
         const std::uint32_t start = now_;
-        while (v.live > 0) {
-            Face* next = nullptr;
-            for (std::uint32_t i = 0; i < v.listed && !next; ++i)
-                if (!faces_[list_[v.first + i]].drawn) next = &faces_[list_[v.first + i]];
-            for (std::size_t g = 0; g < 9 && !next->drawn; ++g)
-                if (!cached(next->corners[g % 3])) push(next->corners[g % 3]);
-            if (!next->drawn) draw(*next);
+        dropDrawn(focus);
+        for (std::uint32_t i = 0; v.live > 0; ++i) {
+            if (i >= v.listed) i = 0; // the list became shorter
+            const Wedge w = wedges_[v.first + i];
+            if (drawn_[w.face]) continue;
+            bring(focus, w);
             if (now_ - start >= entries_ && v.live > kMostLookedAt) return;
         }
     }
 
+    void bring(std::uint32_t focus, const Wedge& w) {
+        for (int round = 0; round < 3 && !drawn_[w.face]; ++round) // a corner that comes may push another out
+            for (const std::uint32_t x : {focus, w.next, w.last})
+                if (!cached(x)) push(x);
+        if (!drawn_[w.face]) draw(focus, w);
+    }
+
     std::uint32_t entries_;
+    std::uint32_t mask_; // of the ring
     std::uint32_t now_;
-    std::vector<Face> faces_;
+    float perAge_;
     std::vector<Vertex> vertices_;
-    std::vector<std::uint32_t> list_; // of faces, by vertex
-    std::vector<std::uint32_t> ring_; // the vertex pushed at time t is at t % entries
+    std::vector<Wedge> wedges_; // by vertex
+    std::vector<std::uint8_t> drawn_;
+    std::vector<std::uint32_t> ring_; // the vertex pushed at time t is at t & mask_
     Waiting waiting_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pushed_; // in a simulation: vertex, its stamp before
+    std::vector<Pushed> pushed_; // in a simulation
+    int drawnInSimulation_ = 0;
     Corners out_;
 };
 
 } // namespace
 
-Corners linYu(const Piece& piece, unsigned entries) {
-    return LinYu(piece, entries).run();
+Corners linYu(const Piece& piece, unsigned entries, std::uint32_t first) {
+    return LinYu(piece, entries).run(first);
 }
 
 } // namespace tegument::order

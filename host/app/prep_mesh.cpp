@@ -66,6 +66,7 @@ int run(Arguments& arguments) {
     if (const std::string ending = endingOf(arguments.output); !arguments.dryRun && ending != ".glb" && ending != ".ply")
         return fail(usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply"),
                     arguments.json);
+    if (endingOf(arguments.output) == ".ply") arguments.options.levels = 1; // it holds the full mesh only
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     Progress progress;
@@ -138,7 +139,7 @@ void addOrdering(CLI::App& command, Arguments& arguments) {
 
 void addStoring(CLI::App& command, prep::PrepOptions& options) {
     using prep::VertexPrecision;
-    command.add_option("--levels", options.levels, "Levels of detail, the full mesh counted; each has a quarter of the triangles")
+    command.add_option("--levels", options.levels, "Levels of detail in a glb, the full mesh counted; each has a quarter of the triangles")
         ->check(CLI::Range(1, 16))
         ->capture_default_str();
     command.add_option("--vertex", options.precision, "Numbers of a vertex: float (default), half, unorm16; the report states the error")

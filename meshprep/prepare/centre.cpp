@@ -22,7 +22,7 @@ Centring centre(Surface& surface, CentreMode mode) {
     computeBounds(mesh);
     Centring result{.minimalRadius = mesh.bounds.radius};
     if (mode == CentreMode::Box) boundByBox(mesh.bounds);
-    result.radius = mesh.bounds.radius;
+    result.radius = mesh.bounds.radius; // of the ball as asked for
     if (mode == CentreMode::None || mesh.bounds.centre == glm::vec3(0)) return result;
     const glm::dvec3 from(mesh.bounds.centre);
     result.moved = -mesh.bounds.centre;
@@ -30,6 +30,9 @@ Centring centre(Surface& surface, CentreMode mode) {
         const glm::vec3 moved(glm::dvec3(position) - from);
         result.vertices += moved != position;
         position = moved;
+        // moving rounds, so that a vertex on the ball may now be just outside
+        mesh.bounds.radius = std::max(
+            mesh.bounds.radius, std::nextafter(static_cast<float>(glm::length(glm::dvec3(moved))), std::numeric_limits<float>::max()));
     }
     mesh.bounds.minimum = glm::vec3(glm::dvec3(mesh.bounds.minimum) - from);
     mesh.bounds.maximum = glm::vec3(glm::dvec3(mesh.bounds.maximum) - from);

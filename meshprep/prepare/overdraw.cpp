@@ -1,8 +1,11 @@
 #include "meshprep/prepare/overdraw.h"
 
+#include "meshprep/prepare/local_vertices.h"
 #include "meshprep/prepare/unit_size.h"
 
 #include <meshoptimizer.h>
+
+#include <algorithm>
 
 namespace tegument::prep {
 
@@ -15,12 +18,16 @@ Overdraw orderForOverdraw(Mesh& mesh) {
         return static_cast<double>(statistics.overdraw);
     };
     Overdraw result{.before = measured(), .after = 0};
+    LocalVertices local(positions.size());
+    std::vector<std::uint32_t> ordered;
     for (const MeshPart& part : mesh.parts) {
-        std::vector<std::uint32_t> ordered(part.indexCount);
-        std::uint32_t* own = &mesh.indices[part.firstIndex];
-        meshopt_optimizeOverdraw(ordered.data(), own, part.indexCount, &positions[0].x, positions.size(), sizeof(glm::vec3),
+        const auto own = std::span(mesh.indices).subspan(part.firstIndex, part.indexCount);
+        const auto& indices = local.enter(own);
+        const std::vector<glm::vec3> places = local.gathered(positions);
+        ordered.resize(indices.size());
+        meshopt_optimizeOverdraw(ordered.data(), indices.data(), indices.size(), &places[0].x, places.size(), sizeof(glm::vec3),
                                  kOverdrawThreshold);
-        std::copy(ordered.begin(), ordered.end(), own);
+        std::ranges::transform(ordered, own.begin(), [&](std::uint32_t corner) { return local.global()[corner]; });
     }
     result.after = measured();
     return result;

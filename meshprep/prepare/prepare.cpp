@@ -1,6 +1,7 @@
 #include "meshprep/prepare/prepare.h"
 
 #include "meshprep/prepare/clean.h"
+#include "meshprep/prepare/local_vertices.h"
 #include "meshprep/prepare/vertices.h"
 
 #include <fmt/format.h>
@@ -151,12 +152,14 @@ private:
 
     /// Parts are drawn one by one, so each is ordered by itself.
     std::optional<Error> reorderParts(std::vector<std::uint32_t>& indices, const std::vector<MeshPart>& parts) const {
+        LocalVertices local(surface_.mesh.positions.size());
         for (const MeshPart& part : parts) {
             const auto own = std::span(indices).subspan(part.firstIndex, part.indexCount);
-            const auto ordered = order::reorder(own, surface_.mesh.positions.size(), *options_.order, options_.cache);
+            const auto& triangles = local.enter(own);
+            const auto ordered = order::reorder(triangles, local.global().size(), *options_.order, options_.cache);
             if (!ordered) return ordered.error();
-            assert(order::samePermutation(own, *ordered));
-            std::ranges::copy(*ordered, own.begin());
+            assert(order::samePermutation(triangles, *ordered));
+            std::ranges::transform(*ordered, own.begin(), [&](std::uint32_t corner) { return local.global()[corner]; });
         }
         return std::nullopt;
     }

@@ -270,6 +270,32 @@ TEST(Png, interlaced_images_are_read) {
     EXPECT_FLOAT_EQ(read->at(8, 7, 0) * 255, 71);
 }
 
+TEST_F(Images, a_half_exr_returns_halves_bit_for_bit_and_is_smaller) {
+    Image image = ramp(64, 64, 4);
+    for (float& value : image.pixels)
+        value = half(value);
+    ASSERT_TRUE(writeExr(folder_ / "half.exr", image, ExrDepth::Half));
+    ASSERT_TRUE(writeExr(folder_ / "float.exr", image));
+    const auto read = loadImage(folder_ / "half.exr");
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(read->pixels, image.pixels);
+    EXPECT_LT(fs::file_size(folder_ / "half.exr"), fs::file_size(folder_ / "float.exr"));
+}
+
+TEST_F(Images, a_jpeg_keeps_smooth_values_within_three_steps) {
+    Image image{.width = 32, .height = 32, .channels = 3, .pixels = {}};
+    for (int i = 0; i < 32 * 32; ++i)
+        image.pixels.insert(image.pixels.end(), {static_cast<float>(i % 32) / 31, static_cast<float>(i / 32) / 31, 128.0f / 255});
+    image.metadata["attribution"] = "Somebody, CC BY 3.0";
+    ASSERT_TRUE(writeJpeg(folder_ / "smooth.jpg", image));
+    const auto read = loadImage(folder_ / "smooth.jpg");
+    ASSERT_TRUE(read) << format(read.error());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        ASSERT_NEAR(read->pixels[i], image.pixels[i], 3.5f / 255)
+            << "quality 92 quantises the first coefficients in steps of 2 to 3, three channels are rounded twice";
+    EXPECT_NE(bytesOf(folder_ / "smooth.jpg").find("attribution: Somebody, CC BY 3.0"), std::string::npos);
+}
+
 TEST(Jpeg, grey_and_color_baseline_and_progressive_are_read) {
     for (const bool progressive : {false, true}) {
         for (const int channels : {1, 3}) {

@@ -168,3 +168,50 @@ TEST_F(Workspaces, mesh_options_follow_the_workspace) {
     EXPECT_TRUE(options.flipV);
     EXPECT_FALSE(options.expectHead);
 }
+
+TEST_F(Workspaces, objects_arrive_with_their_places) {
+    write("head.glb", "x");
+    write("skin.png", "x");
+    const auto w = parse(R"({
+      "objects": [
+        { "mesh": "head.glb", "unit_mm": 49, "flip_v": true, "head": false, "attribution": "Someone", "position": [1, 2, 3], "rotation": [10, 20, 30], "scale": 1.5,
+          "textures": { "DIFFUSE": "skin.png" }, "parameters": { "gMix": 0.25 } },
+        { "mesh": "head.glb" }
+      ],
+      "parameters": { "gMix": 0.5, "gRoughness": 0.3 }
+    })");
+    ASSERT_TRUE(w) << format(w.error());
+    ASSERT_EQ(w->objects.size(), 2u);
+    const SceneObject& first = w->objects.front();
+    EXPECT_EQ(first.placement, (Placement{.position = {1, 2, 3}, .rotation = {10, 20, 30}, .scale = 1.5f}));
+    EXPECT_EQ(w->objects[1].placement, Placement{});
+    const Workspace own = workspaceOf(*w, first);
+    EXPECT_EQ(own.meshPath, "head.glb");
+    EXPECT_EQ(own.unitMm, 49);
+    EXPECT_TRUE(own.flipV && !own.head);
+    EXPECT_EQ(own.attribution, "Someone");
+    EXPECT_EQ(own.textures.at("DIFFUSE"), "skin.png");
+    EXPECT_EQ(own.parameters.at("gMix"), std::vector<double>{0.25}) << "the object's wins";
+    EXPECT_EQ(own.parameters.at("gRoughness"), std::vector<double>{0.3}) << "the workspace's is shared";
+    EXPECT_TRUE(own.objects.empty());
+}
+
+TEST_F(Workspaces, faults_of_objects_are_found_where_they_stand) {
+    write("head.glb", "x");
+    EXPECT_EQ(faultOf(R"({"objects": []})"), "5403(1,2)");
+    EXPECT_EQ(faultOf(R"({"objects": {}})"), "5402(1,2)");
+    EXPECT_EQ(faultOf(R"({"objects": [{"position": [0, 0, 0]}]})"), "5407(1,14)");
+    EXPECT_EQ(faultOf(R"({"objects": [{"mesh": "head.glb", "scale": 0}]})"), "5403(1,35)");
+    EXPECT_EQ(faultOf(R"({"objects": [{"mesh": "head.glb", "rotate": [0, 0, 0]}]})"), "5401(1,35)");
+    EXPECT_EQ(faultOf(R"({"objects": [{"mesh": "absent.glb"}]})"), "5405(1,15)");
+    EXPECT_EQ(faultOf(R"({"objects": [{"mesh": "head.glb"}], "unit_mm": 1})"), "5407(1,37)");
+    EXPECT_NE(messageOf(R"({"objects": [{"mesh": "head.glb", "rotate": 1}]})").find("did you mean 'rotation'"), std::string::npos);
+}
+
+TEST_F(Workspaces, too_many_objects_are_refused) {
+    write("head.glb", "x");
+    std::string list;
+    for (int i = 0; i < 257; ++i)
+        list += std::string(i ? ", " : "") + R"({"mesh": "head.glb"})";
+    EXPECT_EQ(faultOf("{\"objects\": [" + list + "]}"), "5403(1,2)");
+}

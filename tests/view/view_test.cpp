@@ -15,8 +15,7 @@
 #include <random>
 #include <set>
 
-using namespace tegument;
-using namespace tegument::view;
+namespace tegument::view {
 
 namespace {
 
@@ -233,3 +232,5 @@ TEST(LevelsOfATarget, one_stop_is_twice_the_light) {
     EXPECT_EQ(levels.scale, (std::array<float, 4>{2, 4, 6, 1}));
     EXPECT_EQ(levels.offset, (std::array<float, 4>{0, -2, 0, 0}));
 }
+
+} // namespace tegument::view

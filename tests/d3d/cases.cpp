@@ -128,6 +128,10 @@ fs::path statusFile(const Case& drawn, Engine engine) {
     return drawings() / (drawn.name() + "." + engineName(engine) + ".status");
 }
 
+fs::path missingFile() {
+    return drawings() / "missing";
+}
+
 Result<Image> readFloats(const fs::path& path) {
     const auto bytes = readFile(path);
     if (!bytes) return bytes.error();

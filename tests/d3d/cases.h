@@ -51,6 +51,9 @@ std::string engineName(Engine engine); // "d3d9"
 /// "ok", or why there is no drawing.
 [[nodiscard]] std::filesystem::path statusFile(const Case& drawn, Engine engine);
 
+/// Why nothing was drawn; there is no such file otherwise.
+[[nodiscard]] std::filesystem::path missingFile();
+
 /// Raw floats: width, height, channels, values.
 [[nodiscard]] Result<Image> readFloats(const std::filesystem::path& path);
 [[nodiscard]] Result<void> writeFloats(const std::filesystem::path& path, const Image& image);

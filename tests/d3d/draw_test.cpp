@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 
 namespace tegument::test {
 namespace {
@@ -45,12 +46,23 @@ std::string statusOf(const Case& drawn, Engine engine) {
     return status ? *status : "not drawn";
 }
 
+/// What this machine lacks, and a device where it lacks nothing.
+std::string missing(std::optional<gpu::Device>& device) {
+    if (std::string reason = clientsMissing(); !reason.empty()) return reason;
+    if (!compilerAvailable(Compiler::Dxc)) return "DXC is not installed";
+    auto created = gpu::Device::create({});
+    if (!created) return format(created.error());
+    device = std::move(*created);
+    return "";
+}
+
 TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
     fs::remove_all(drawings());
-    if (const std::string missing = clientsMissing(); !missing.empty()) GTEST_SKIP() << missing;
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not installed";
-    auto device = gpu::Device::create({});
-    if (!device) GTEST_SKIP() << format(device.error());
+    std::optional<gpu::Device> device;
+    if (const std::string reason = missing(device); !reason.empty()) {
+        ASSERT_TRUE(writeFile(missingFile(), reason));
+        GTEST_SKIP() << reason;
+    }
     const auto mesh = testMesh();
     ASSERT_TRUE(mesh) << format(mesh.error());
     const auto meshWritten = writeMeshFile(drawings() / kMeshFile, *mesh);

@@ -48,7 +48,6 @@ void addShadow(Errata& errata) {
     const std::string finding = "Shadow tolerance 0.005 of z/w (seed)";
     errata.list.push_back({finding, "mm at 600 mm, planes 400 and 800", toleranceAt(600, 400, 800), 0.3, 0});
     errata.list.push_back({finding, "mm at 600 mm, planes 100 and 1000", toleranceAt(600, 100, 1000), 0.3, 0});
-    errata.list.push_back({"exp(-20 t) is 1 at the terminator, which marks a hole", "thickness read there, mm", 0, -5 * std::log(0.99), 0});
 }
 
 void addDisc(Errata& errata) {

@@ -59,7 +59,7 @@ void addDepth(ModuleReport& report, const Context& context, const Truth& truth, 
         largestInside(map, 0, seen, counts, [&](const reference::SurfacePoint& p) { return stored(truth, context.options.setting, p); });
     // A texel is 0.7 mm on the built-in body and slopes reach 4: 1/512 of a texel moves the depth by 0.005 mm.
     addMetric(report, context, ratio ? "depth: largest interior error, z/w" : "depth: largest interior error, mm", largest,
-              ratio ? 1e-4 : 0.01, "vertices are snapped to 1/256 texel, where the surface is seen edge-on a texel is many mm deep");
+              ratio ? 3e-4 : 0.02, "vertices are snapped to 1/256 texel, where the surface is seen edge-on a texel is many mm deep");
 }
 
 } // namespace
@@ -116,13 +116,14 @@ Result<ModuleReport> verifyStretch(const Context& context) {
         return j ? glm::dvec4(kScale / glm::length(j->alongU), kScale / glm::length(j->alongV), 0, 0) : glm::dvec4(0);
     });
     const Image& map = run->dumped.at("gStretchMap");
-    const auto compared = compare(report, context, {"gStretchMap", rgb(map), exact, counts},
-                                  {.relativeL2 = kHalfStep,
-                                   .p99 = 3e-3,
-                                   .p999 = 3e-3,
-                                   .largest = 0.01,
-                                   .bias = kHalfStep,
-                                   .why = "a half truncated to 10 bits; the third channel is 0 and the mean counts it"});
+    const auto compared = compare(
+        report, context, {"gStretchMap", rgb(map), exact, counts},
+        {.relativeL2 = 3e-3,
+         .p99 = 0.01,
+         .p999 = 0.012,
+         .largest = 0.03,
+         .bias = kHalfStep,
+         .why = "a half truncated to 10 bits; graphics hardware snaps vertices to 1/256 texel, and triangles are a texel or two wide"});
     if (!compared) return compared.error();
     addCoverage(report, context, run->dumped.at("gStretchChartsMap"), 0, seen);
     glm::dvec2 sum(0);
@@ -159,7 +160,7 @@ Result<ModuleReport> verifyTsm(const Context& context) {
     addDepth(report, context, truth, map, seen, counts);
     for (int axis = 0; axis < 2; ++axis) {
         const double largest = largestInside(map, 1 + axis, seen, counts, [&](const reference::SurfacePoint& p) { return p.uv[axis]; });
-        addMetric(report, context, fmt::format("{}: largest interior error, texels", axis == 0 ? "u" : "v"), largest * size, 0.02,
+        addMetric(report, context, fmt::format("{}: largest interior error, texels", axis == 0 ? "u" : "v"), largest * size, 0.03,
                   "1/256 texel of the light's map, many texels of the charts where the light grazes");
     }
     addCoverage(report, context, map, 3, seen);

@@ -69,7 +69,7 @@ double DrawnEdge::variance(std::size_t map) const {
         square += w * x * x;
     }
     mean /= whole;
-    return (square / whole - mean * mean) * texel * texel;
+    return (square / whole - mean * mean + 1.0 / 12) * texel * texel;
 }
 
 Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {

@@ -15,7 +15,8 @@ struct DrawnEdge {
 
     /// Weighted by the profile and read back linearly between texels.
     [[nodiscard]] reference::EdgeResponse response() const;
-    /// Variance of one map's edge, mm^2: that of everything that has blurred it, its texels included.
+    /// Variance of what has blurred one map, mm^2, its texels' own square included. For phase 1/2, where the edge lies between two texels
+    /// and the unblurred map does not show that square.
     [[nodiscard]] double variance(std::size_t map) const;
 };
 

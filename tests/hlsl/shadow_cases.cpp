@@ -102,12 +102,13 @@ std::vector<FunctionCase> arithmetic() {
          .domain = [](const Inputs& x) { return x.scalar(0, 3) > 1e-3; }});
     cases.push_back({.function = "shadowFootprint",
                      .body = "return float4(shadowFootprint(a0, a1), 0, 0, 0);",
-                     .arguments = {logarithmic(1, 1e4), linear(0.01, 2.8)},
+                     .arguments = {logarithmic(1, 1e4), linear(0.01, 2.8, 1, 5e-7)},
                      .expected = [](const Inputs& x) { return values(2 * x.scalar(0) * std::tan(x.scalar(1) / 2) * kTexel); },
                      .tolerance = {.forward = 32,
                                    .backward = 4,
                                    .absolute = 0,
-                                   .why = "tan is sin / cos, each to 2^-11 of its range in Vulkan; measured far better"}});
+                                   .why = "tan is sin / cos, whose error is absolute: 2^-11 allowed in Vulkan, 1e-7 measured on an NVIDIA "
+                                          "H200, hence the slack of the angle"}});
     cases.push_back({.function = "shadowSlope",
                      .body = "return float4(shadowSlope(a0, a1, a2, a3, a4), 0, 0);",
                      .arguments = {unit(), unit(), unit(), unit(), linear(0.01, 10)},

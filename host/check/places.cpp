@@ -3,6 +3,7 @@
 #include "host/check/work.h"
 
 #include "host/compile/effect_binary.h"
+#include "host/support/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +18,7 @@ namespace {
 struct Comparison {
     const EntryPoint& entry;
     TargetCheck& report;
+    const std::string& standardsGlobal; // its name; empty: the effect has none
 
     void differ(const std::string& what) const {
         addError(report, 3204, entry.at, fmt::format("{}: {}", entry.name, what),
@@ -30,12 +32,20 @@ bool sameBase(MemberBase a, MemberBase b) {
     return plain(a) == plain(b);
 }
 
-void compareMember(const Comparison& comparison, const BlockMember& direct3D, const BlockMember& spirv) {
+constexpr std::uint32_t kRegister = 16;
+
+/// Where the STANDARDSGLOBAL parameter lies: compilers to SPIR-V never see it, so what follows moves up by the register that it takes.
+std::uint32_t scriptOffset(const Comparison& comparison, const UniformBlock& direct3D) {
+    const auto found = std::ranges::find(direct3D.members, comparison.standardsGlobal, &BlockMember::name);
+    return found == direct3D.members.end() ? ~0U : found->offset;
+}
+
+void compareMember(const Comparison& comparison, const BlockMember& direct3D, const BlockMember& spirv, std::uint32_t script) {
     if (!direct3D.used || !spirv.used) return;
     if (!sameBase(direct3D.base, spirv.base) || direct3D.rows != spirv.rows || direct3D.columns != spirv.columns ||
         direct3D.elements != spirv.elements)
         comparison.differ(fmt::format("{} has another type in Direct3D 11 than in SPIR-V", direct3D.name));
-    else if (direct3D.offset != spirv.offset || direct3D.size != spirv.size)
+    else if (direct3D.offset != spirv.offset + (direct3D.offset > script ? kRegister : 0) || direct3D.size != spirv.size)
         comparison.differ(fmt::format("{} has {} bytes from byte {} in Direct3D 11, {} from byte {} in SPIR-V", direct3D.name,
                                       direct3D.size, direct3D.offset, spirv.size, spirv.offset));
 }
@@ -43,7 +53,7 @@ void compareMember(const Comparison& comparison, const BlockMember& direct3D, co
 void compareBlocks(const Comparison& comparison, const UniformBlock& direct3D, const UniformBlock& spirv) {
     for (const BlockMember& member : direct3D.members) {
         const auto found = std::ranges::find(spirv.members, member.name, &BlockMember::name);
-        if (found != spirv.members.end()) compareMember(comparison, member, *found);
+        if (found != spirv.members.end()) compareMember(comparison, member, *found, scriptOffset(comparison, direct3D));
     }
 }
 
@@ -99,9 +109,13 @@ void compareEffect9(const Work& work, TargetCheck& report) {
 }
 
 void compareEntries(const Work& work, TargetCheck& sm5) {
+    const auto& parameters = work.effect().parameters;
+    const auto global =
+        std::ranges::find_if(parameters, [](const Parameter& p) { return equalsIgnoreCase(p.semantic, "STANDARDSGLOBAL"); });
+    const std::string script = global == parameters.end() ? "" : global->name;
     for (const EntryPoint& entry : work.report.entries) {
         if (!entry.sm5Reflection) continue;
-        const Comparison comparison{entry, sm5};
+        const Comparison comparison{entry, sm5, script};
         const auto& shader = entry.dxc ? entry.dxc : entry.glslang;
         if (shader) compareLayouts(comparison, entry.sm5Reflection->reflection, shader->reflection);
         compareDefaults(comparison, work.effect(), *entry.sm5Reflection);

@@ -199,7 +199,7 @@ private:
             return;
         MicrosoftResult result{
             .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};
-        Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source);
+        Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source, job.includeFolders);
         if (!result.ok && messages.errors.empty()) messages.errors.push_back(withoutMessage(job, json["result"].get<std::uint32_t>()));
         result.diagnostics = shortened(std::move(messages.errors));
         for (Diagnostic& warning : shortened(std::move(messages.warnings)))

@@ -22,19 +22,31 @@ fs::path unixPath(std::string_view written) {
     return fs::path(drive ? path.substr(2) : path).lexically_normal();
 }
 
-/// The file as the user would name it: like `source`, or beside it.
-std::string namedLike(const fs::path& source, std::string_view written) {
+/// Where the messages come from.
+struct Job {
+    const fs::path& source;
+    const std::vector<fs::path>& folders;
+};
+
+/// The file as the user would name it: like `source`, beside it, or in the first folder that has it.
+std::string namedLike(const Job& job, std::string_view written) {
+    const fs::path& source = job.source;
     const fs::path path = unixPath(written);
     std::error_code code;
     const fs::path absolute = fs::absolute(source, code).lexically_normal();
     if (path == absolute) return source.string();
-    if (path.is_relative()) return (source.parent_path() / path).lexically_normal().string();
+    if (path.is_relative()) {
+        const fs::path beside = (source.parent_path() / path).lexically_normal();
+        for (const fs::path& folder : job.folders)
+            if (!fs::exists(beside, code) && fs::exists(folder / path, code)) return (folder / path).lexically_normal().string();
+        return beside.string();
+    }
     if (source.is_absolute()) return path.string();
     return (source.parent_path() / path.lexically_relative(absolute.parent_path())).lexically_normal().string();
 }
 
-SourcePosition readPlace(std::string_view place, const fs::path& source) {
-    SourcePosition at{.file = source.string(), .byte = {}};
+SourcePosition readPlace(std::string_view place, const Job& job) {
+    SourcePosition at{.file = job.source.string(), .byte = {}};
     const std::size_t open = place.rfind('(');
     if (open == std::string_view::npos || !place.ends_with(')')) return at;
     const std::string_view inside = place.substr(open + 1, place.size() - open - 2);
@@ -44,7 +56,7 @@ SourcePosition readPlace(std::string_view place, const fs::path& source) {
         const std::string_view columns = inside.substr(comma + 1);
         at.column = wholeNumber(columns.substr(0, columns.find('-'))).value_or(0);
     }
-    at.file = namedLike(source, place.substr(0, open));
+    at.file = namedLike(job, place.substr(0, open));
     return at;
 }
 
@@ -89,25 +101,25 @@ struct Kind {
     bool error;
 };
 
-void readLine(std::string_view line, const fs::path& source, Messages& into) {
+void readLine(std::string_view line, const Job& job, Messages& into) {
     static constexpr Kind kKinds[] = {{"error ", true}, {"warning ", false}};
     for (const Kind& kind : kKinds) {
         const std::string marker = ": " + std::string(kind.marker);
         const std::size_t separator = line.find(marker);
         if (line.starts_with(kind.marker))
-            return add(into, kind.error, {.file = source.string(), .byte = {}}, line.substr(kind.marker.size()));
+            return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line.substr(kind.marker.size()));
         if (separator == std::string_view::npos) continue;
-        return add(into, kind.error, readPlace(line.substr(0, separator), source), line.substr(separator + marker.size()));
+        return add(into, kind.error, readPlace(line.substr(0, separator), job), line.substr(separator + marker.size()));
     }
     static constexpr Kind kLinkage[] = {{"Stage linkage error: ", true}, {"Stage linkage warning: ", false}};
     for (const Kind& kind : kLinkage)
-        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = source.string(), .byte = {}}, line);
+        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line);
     constexpr std::string_view kEffect = "D3DEffectCompiler: ERROR: ";
-    if (line.starts_with(kEffect)) return add(into, true, {.file = source.string(), .byte = {}}, line.substr(kEffect.size()));
+    if (line.starts_with(kEffect)) return add(into, true, {.file = job.source.string(), .byte = {}}, line.substr(kEffect.size()));
     if (line.find("error") == std::string_view::npos) return;
     const std::size_t end = line.find("): "); // "file(3,42-67): There was an error compiling expression"
-    if (end == std::string_view::npos) return add(into, true, {.file = source.string(), .byte = {}}, line);
-    const SourcePosition at = readPlace(line.substr(0, end + 1), source);
+    if (end == std::string_view::npos) return add(into, true, {.file = job.source.string(), .byte = {}}, line);
+    const SourcePosition at = readPlace(line.substr(0, end + 1), job);
     if (line.find("There was an error compiling expression") == std::string_view::npos || into.errors.empty())
         return add(into, true, at, line.substr(end + 3));
     // It only says which `compile` the errors before it came from: the place of those that have none.
@@ -123,10 +135,10 @@ std::string windowsPath(const fs::path& absolute) {
     return path;
 }
 
-Messages readMicrosoftMessages(std::string_view log, const fs::path& source) {
+Messages readMicrosoftMessages(std::string_view log, const fs::path& source, const std::vector<fs::path>& folders) {
     Messages messages;
     forEachLine(log, [&](std::string_view line) {
-        if (line.find("X4717") == std::string_view::npos) readLine(line, source, messages);
+        if (line.find("X4717") == std::string_view::npos) readLine(line, Job{source, folders}, messages);
     });
     return messages;
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::string shape(const std::string& name) {
     const std::string path = (scratch() / (name + ".ply")).string();
-    EXPECT_EQ(tegument({"prep", "shape", name, "-o", path, "--detail", "20"}).code, 0);
+    EXPECT_EQ(tegument::test::tegument({"prep", "shape", name, "-o", path, "--detail", "20"}).code, 0);
     return path;
 }
 
@@ -26,18 +26,19 @@ nlohmann::json jsonIn(const fs::path& path) {
 
 } // namespace
 
-TEST(PrepMesh, writes_a_mesh_that_the_program_renders_from) {
+TEST(PrepMesh, takes_what_it_wrote_as_input_again) {
     const std::string out = (scratch() / "torus.glb").string();
-    const Ran ran = tegument({"prep", shape("torus"), "-o", out});
+    const Ran ran = tegument::test::tegument({"prep", shape("torus"), "-o", out});
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_NE(ran.out.find("192 vertices, 384 triangles"), std::string::npos) << ran.out;
     EXPECT_TRUE(fs::exists(out));
-    EXPECT_EQ(tegument({"prep", out, "--dry-run"}).code, 0) << "its own output is input again";
+    EXPECT_EQ(tegument::test::tegument({"prep", out, "--dry-run"}).code, 0);
 }
 
 TEST(PrepMesh, reports_what_every_step_changed_and_the_figures_before_and_after) {
     const fs::path report = scratch() / "sphere.json";
-    const Ran ran = tegument({"prep", shape("sphere"), "-o", (scratch() / "sphere.glb").string(), "--report", report.string()});
+    const Ran ran =
+        tegument::test::tegument({"prep", shape("sphere"), "-o", (scratch() / "sphere.glb").string(), "--report", report.string()});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const auto json = jsonIn(report);
     EXPECT_EQ(json["output"]["vertices"], 4002);
@@ -56,21 +57,21 @@ TEST(PrepMesh, reports_what_every_step_changed_and_the_figures_before_and_after)
 }
 
 TEST(PrepMesh, prints_the_report_as_json_on_request) {
-    const auto json = tegument({"prep", shape("cube"), "--dry-run", "--json"}).json();
+    const auto json = tegument::test::tegument({"prep", shape("cube"), "--dry-run", "--json"}).json();
     EXPECT_EQ(json["output"]["vertices"], 8);
     EXPECT_TRUE(json["output"]["file"].is_null());
 }
 
 TEST(PrepMesh, writes_nothing_in_a_dry_run) {
     const fs::path out = scratch() / "dry.glb";
-    EXPECT_EQ(tegument({"prep", shape("cube"), "-o", out.string(), "--dry-run"}).code, 0);
+    EXPECT_EQ(tegument::test::tegument({"prep", shape("cube"), "-o", out.string(), "--dry-run"}).code, 0);
     EXPECT_FALSE(fs::exists(out));
 }
 
 TEST(PrepMesh, leaves_nothing_behind_when_the_input_is_at_fault) {
     const fs::path folder = scratch() / "nothing";
     fs::create_directories(folder);
-    const Ran ran = tegument(
+    const Ran ran = tegument::test::tegument(
         {"prep", write("bad.obj", "v 0 0 0\nf 1 2 3\n"), "-o", (folder / "out.glb").string(), "--report", (folder / "out.json").string()});
     EXPECT_EQ(ran.code, 1);
     EXPECT_NE(ran.err.find("bad.obj(2,1): error TG5304"), std::string::npos) << ran.err;
@@ -88,14 +89,14 @@ TEST(PrepMesh, says_what_is_missing_on_the_command_line) {
                  {{"prep", "x.ply", "--dry-run", "--weld-decimals", "6", "--weld-epsilon", "1"}, "TG7024"},
                  {{"prep", "x.ply", "-o", "x.obj"}, "TG8042"}};
     for (const auto& test : cases) {
-        const Ran ran = tegument(test.arguments);
+        const Ran ran = tegument::test::tegument(test.arguments);
         EXPECT_EQ(ran.code, 2) << ran.err;
         EXPECT_NE(ran.err.find(test.code), std::string::npos) << ran.err;
     }
 }
 
 TEST(PrepMesh, names_the_step_that_left_nothing) {
-    const Ran ran = tegument({"prep", write("flat.obj", "v 0 0 0\nv 0 0 0\nv 1 0 0\nf 1 2 3\n"), "--dry-run"});
+    const Ran ran = tegument::test::tegument({"prep", write("flat.obj", "v 0 0 0\nv 0 0 0\nv 1 0 0\nf 1 2 3\n"), "--dry-run"});
     EXPECT_EQ(ran.code, 1);
     EXPECT_NE(ran.err.find("TG7020"), std::string::npos) << ran.err;
 }
@@ -108,7 +109,7 @@ TEST(PrepMesh, takes_every_format_that_it_says_it_takes) {
         write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
                        "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")};
     for (const std::string& file : files) {
-        const auto json = tegument({"prep", file, "--dry-run", "--json"}).json();
+        const auto json = tegument::test::tegument({"prep", file, "--dry-run", "--json"}).json();
         EXPECT_EQ(json["output"]["faces"], 1) << file;
     }
 }

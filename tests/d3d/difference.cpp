@@ -26,7 +26,8 @@ double pixelDistance(const Image& a, const Image& b, std::size_t pixel) {
     for (std::size_t channel = 0; channel < static_cast<std::size_t>(a.channels); ++channel) {
         const std::size_t i = pixel * static_cast<std::size_t>(a.channels) + channel;
         const double difference = std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
-        largest = std::max(largest, std::isfinite(difference) ? difference : std::numeric_limits<double>::infinity());
+        if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, difference);
     }
     return largest;
 }

@@ -113,6 +113,7 @@ Result<std::vector<std::string>> compileAll(const std::vector<Case>& cases) {
     for (const Case& drawn : cases)
         addJobs(drawn, byFile);
     std::vector<MicrosoftJob> jobs;
+    jobs.reserve(byFile.size());
     for (auto& [file, job] : byFile)
         jobs.push_back(std::move(job));
     const auto results = compileWithMicrosoft(jobs);
@@ -131,7 +132,7 @@ Result<void> drawAll(Engine engine, const std::vector<Case>& cases, const std::v
         const auto lines = drawBatch(engine, *client, std::span(cases).subspan(done), std::span(jobFiles).subspan(done));
         if (!lines) return lines.error();
         for (const std::string& line : *lines)
-            if (const auto written = writeFile(statusFile(cases[done++], engine), line); !written) return written;
+            if (auto written = writeFile(statusFile(cases[done++], engine), line); !written) return written;
     }
     return {};
 }

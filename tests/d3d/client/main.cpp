@@ -6,6 +6,7 @@
 #include "backends.h"
 #include "com.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -16,7 +17,10 @@ namespace {
 
 FILE* results = nullptr;
 
-void report(const std::string& line) {
+/// One line, whatever it says.
+void report(std::string line) {
+    std::replace_if(
+        line.begin(), line.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
     std::fprintf(results, "%s\n", line.c_str());
     std::fflush(results);
 }

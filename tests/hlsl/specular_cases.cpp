@@ -48,9 +48,7 @@ double nodeSampled(double cosine, double m, double i, double j) {
 
 const Argument kRoughness = linear(0.01, 1);
 
-} // namespace
-
-std::vector<FunctionCase> specularCases() {
+std::vector<FunctionCase> lobes() {
     std::vector<FunctionCase> cases;
     cases.push_back(
         {.function = "beckmannPH",
@@ -86,6 +84,11 @@ std::vector<FunctionCase> specularCases() {
          .expected = [](const Inputs& x) { return values(specular(x.vec3(0), x.vec3(1), x.vec3(2), x.scalar(3), x.scalar(4))); },
          .tolerance = {
              .forward = kExpUlp, .backward = 4, .absolute = 1e-7, .why = "one exponential, and unit vectors whose sums round at 1e-7"}});
+    return cases;
+}
+
+std::vector<FunctionCase> energies() {
+    std::vector<FunctionCase> cases;
     cases.push_back({.function = "energyDiffuseShare",
                      .body = "return float4(energyDiffuseShare(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 2), linear(0, 1)},
@@ -129,6 +132,15 @@ std::vector<FunctionCase> specularCases() {
                        .why = "1024 terms; where m is 0.1 N.H rounds at 1e-7 and PH changes by 200 times that"},
          .settings = {0},
          .samples = 512});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> specularCases() {
+    std::vector<FunctionCase> cases = lobes();
+    for (FunctionCase& one : energies())
+        cases.push_back(std::move(one));
     return cases;
 }
 

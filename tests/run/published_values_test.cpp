@@ -1,0 +1,64 @@
+// Default values of the effects against the sources that print them.
+
+#include "host/effect/model.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace tegument;
+
+namespace {
+
+std::vector<double> defaultOf(const char* name, const char* setting) {
+    const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});
+    if (!effect) {
+        ADD_FAILURE() << format(effect.error());
+        return {};
+    }
+    const Parameter* parameter = effect->findParameter(name);
+    const auto* numbers = parameter && parameter->defaultValue ? std::get_if<std::vector<double>>(&*parameter->defaultValue) : nullptr;
+    EXPECT_TRUE(numbers) << name;
+    return numbers ? *numbers : std::vector<double>();
+}
+
+/// d'Eon, Luebke, Enderton 2007, and GPU Gems 3, chapter 14, figure 14-13: weights of red, green and blue, variance in mm^2.
+constexpr std::array<std::array<double, 4>, 6> kPrintedProfile = {{{.233, .455, .649, .0064},
+                                                                   {.100, .336, .344, .0484},
+                                                                   {.118, .198, 0, .187},
+                                                                   {.113, .007, .007, .567},
+                                                                   {.358, .004, 0, 1.99},
+                                                                   {.078, 0, 0, 7.41}}};
+
+} // namespace
+
+TEST(PublishedValues, the_profile_is_the_printed_table_of_six_gaussians) {
+    const std::vector<double> profile = defaultOf("gGaussianWeight", "2");
+    ASSERT_EQ(profile.size(), 24U);
+    for (std::size_t gaussian = 0; gaussian < 6; ++gaussian)
+        for (std::size_t column = 0; column < 4; ++column)
+            EXPECT_DOUBLE_EQ(profile[4 * gaussian + column], kPrintedProfile[gaussian][column]) << gaussian << ", " << column;
+}
+
+TEST(PublishedValues, the_widths_are_the_square_roots_of_the_variances) {
+    const std::vector<double> widths = defaultOf("gGaussianSigma", "2");
+    ASSERT_GE(widths.size(), 6U);
+    for (std::size_t gaussian = 0; gaussian < 6; ++gaussian) // three decimals are written
+        EXPECT_NEAR(widths[gaussian], std::sqrt(kPrintedProfile[gaussian][3]), 5.1e-4) << gaussian;
+}
+
+TEST(PublishedValues, each_setting_has_the_numbers_of_its_source) {
+    // Settings 0 seed, 1 deon2007, 2 corrected; docs/settings.md names the places.
+    const std::map<std::string, std::array<double, 3>> printed = {
+        {"gMix", {0.4, 0.5, 0.5}}, {"gRoughness", {0.3, 0.3, 0.3}}, {"gShadowTolerance", {0.005, 2.0, 0.3}}, {"gTransmission", {1, 1, 1}}};
+    for (const auto& [name, values] : printed)
+        for (std::size_t setting = 0; setting < 3; ++setting) {
+            const std::vector<double> value = defaultOf(name.c_str(), std::to_string(setting).c_str());
+            ASSERT_EQ(value.size(), 1U) << name;
+            EXPECT_DOUBLE_EQ(value.front(), values[setting]) << name << " in setting " << setting;
+        }
+}

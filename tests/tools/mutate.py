@@ -310,7 +310,7 @@ def run(mutants, arguments, results):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="folder with the test programs")
-    parser.add_argument("--sample", type=int, default=150, help="how many mutants")
+    parser.add_argument("--sample", type=int, default=200, help="how many mutants")
     parser.add_argument("--all", action="store_true", help="all of them: hours")
     parser.add_argument("--only", default="", help="mutants whose description holds this")
     parser.add_argument("--stages", nargs="+", default=[stage[0] for stage in STAGES], help="of the tests: " + " ".join(s[0] for s in STAGES))

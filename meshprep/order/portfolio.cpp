@@ -84,7 +84,7 @@ Corners best(const Piece& piece, const CacheModel& cache) {
     else
         addLinYu(choice, entries);
     addHoppe(choice, entries);
-    if (cache.replacement == Replacement::Lru) choice.add(meshopt(piece, entries));
+    if (cache.batched() || cache.replacement == Replacement::Lru) choice.add(meshopt(piece, entries));
     return choice.take();
 }
 

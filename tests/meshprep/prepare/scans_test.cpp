@@ -1,10 +1,7 @@
 // Real scans: the Stanford Bunny, as scanned and as glmark2 closed it, and the Dragon. Skipped visibly where they are absent
 // (docs/meshprep.md says where they come from).
-#include "host/support/file.h"
-#include "host/support/process.h"
 #include "tests/meshprep/prepare/meshes.h"
-
-#include <cstdlib>
+#include "tests/meshprep/scan_files.h"
 
 using namespace tegument;
 using namespace tegument::prep;
@@ -16,22 +13,7 @@ namespace {
 class Scans : public PrepFolder {
 protected:
     /// The file with this name, unpacked if need be; empty where there is none.
-    [[nodiscard]] fs::path find(const std::string& name) const {
-        const char* shared = std::getenv("TEGUMENT_SHARED_DATA");
-        for (const fs::path& folder :
-             {fs::path(shared && *shared ? shared : "../shared/data") / "stanford", cacheFolder() / "data" / "dragon"})
-            for (const auto& [ending, program] : {std::pair(".xz", "xz"), std::pair(".gz", "gzip")})
-                if (fs::exists(folder / (name + ending))) return unpacked(folder / (name + ending), name, program);
-        return {};
-    }
-
-    [[nodiscard]] fs::path unpacked(const fs::path& packed, const std::string& name, const std::string& program) const {
-        const fs::path copy = folder_ / packed.filename();
-        fs::copy_file(packed, copy, fs::copy_options::overwrite_existing);
-        fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
-        const auto done = runProcess({.arguments = {program, "-d", "-f", copy.string()}, .environment = {}}, 60);
-        return done && done->exitCode == 0 ? folder_ / name : fs::path();
-    }
+    [[nodiscard]] fs::path find(const std::string& name) const { return findScan(name, folder_); }
 
     static PrepOptions quick() { return {.order = std::nullopt, .levels = 1}; }
 

@@ -33,10 +33,14 @@ Image packed(const Image& image, const std::vector<std::uint8_t>& counts) {
     return row;
 }
 
-Image maskedDifference(const Comparison& comparison) {
+/// `largest`: of the pixels that count, relative to their mean; differenceImage relates to the mean of all pixels.
+Image maskedDifference(const Comparison& comparison, double largest) {
     Image difference = differenceImage(comparison.rendered, comparison.reference);
     for (std::size_t pixel = 0; pixel < pixelCount(difference); ++pixel)
         if (!counted(comparison.counts, pixel)) std::fill_n(difference.pixels.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, 0.0F);
+    const float found = std::ranges::max(difference.pixels);
+    for (float& value : difference.pixels)
+        value = found > 0 ? value * static_cast<float>(largest) / found : value;
     return difference;
 }
 
@@ -95,7 +99,7 @@ Result<void> compare(ModuleReport& report, const Context& context, const Compari
         if (const auto apart = relativeApart(comparison)) add("apart: rel_l2", *apart, limits.apart);
     report.pictures.push_back({comparison.subject, PictureRole::Rendered, comparison.rendered});
     report.pictures.push_back({comparison.subject, PictureRole::Reference, comparison.reference});
-    report.pictures.push_back({comparison.subject, PictureRole::Difference, maskedDifference(comparison)});
+    report.pictures.push_back({comparison.subject, PictureRole::Difference, maskedDifference(comparison, difference->largest)});
     return {};
 }
 

@@ -1,0 +1,150 @@
+#include "host/check/check.h"
+#include "host/check/resources.h"
+#include "host/emit/flatten.h"
+#include "host/support/file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <sstream>
+#include <unistd.h>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Matrix : public testing::Test {
+protected:
+    void SetUp() override {
+        if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
+    }
+};
+
+std::string describe(const FileReport& file) {
+    std::string text = file.file.string() + " " + file.variant + "\n";
+    for (const TargetCheck& target : file.targets) {
+        text += std::string(targetName(target.target)) + " " + target.reason + "\n";
+        for (const Diagnostic& diagnostic : target.diagnostics)
+            text += format(diagnostic) + "\n";
+    }
+    return text;
+}
+
+std::vector<fs::path> effectFiles() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator("effects"))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+/// Every effect in every setting, compiled once for all tests.
+const CheckReport& allEffects() {
+    static const CheckReport kReport =
+        checkEffects(effectFiles(), {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvGlslang},
+                     {.variants = settingVariants(), .includeFolders = {}});
+    return kReport;
+}
+
+TEST_F(Matrix, every_effect_passes_as_direct3d_9_10_and_11_in_every_setting) {
+    ASSERT_FALSE(allEffects().files.empty());
+    for (const FileReport& file : allEffects().files) {
+        EXPECT_FALSE(file.sm3.empty()) << describe(file);
+        for (const TargetCheck& target : file.targets)
+            EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
+    }
+}
+
+TEST_F(Matrix, every_pass_of_every_effect_is_measured_against_shader_model_3) {
+    for (const FileReport& file : allEffects().files) {
+        std::size_t stages = 0;
+        for (const Technique& technique : file.effect.techniques)
+            stages += 2 * technique.passes.size();
+        EXPECT_EQ(file.sm3.size(), stages) << file.file << " " << file.variant;
+        for (const PassUsage& pass : file.sm3)
+            for (const Sm3Limit& limit : kSm3Limits)
+                EXPECT_LE(pass.usage.*limit.used, pass.profile == "vs_3_0" ? limit.vertex : limit.pixel) << pass.entry << " " << limit.what;
+    }
+}
+
+/// The lines of docs/resources.md by the effect whose heading they stand under.
+std::map<std::string, std::vector<std::string>> documentedRows() {
+    std::map<std::string, std::vector<std::string>> rows;
+    const auto text = readFile("docs/resources.md");
+    std::istringstream lines(text ? *text : "");
+    std::string effect;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("### ")) effect = line.substr(4);
+        if (line.starts_with("| ") && !effect.empty()) rows[effect].push_back(line);
+    }
+    return rows;
+}
+
+/// All numbers behind the first three cells.
+std::vector<int> numbersOf(const std::string& line) {
+    std::size_t at = 0;
+    for (int cell = 0; cell < 4; ++cell)
+        at = line.find('|', at + (cell == 0 ? 0 : 1));
+    std::vector<int> numbers;
+    std::string digits;
+    for (const char c : line.substr(at)) {
+        if (std::isdigit(static_cast<unsigned char>(c)) != 0) digits += c;
+        if (std::isdigit(static_cast<unsigned char>(c)) == 0 && !digits.empty()) numbers.push_back(std::stoi(std::exchange(digits, {})));
+    }
+    return numbers;
+}
+
+TEST_F(Matrix, the_page_of_resources_tells_what_the_passes_take) {
+    const auto documented = documentedRows();
+    for (const ResourceRow& row : resourceTable(allEffects()).rows) {
+        const std::string start = "| " + row.technique + " | " + row.pass + " | " + row.profile.substr(0, 2) + " " + row.entry + " |";
+        ASSERT_TRUE(documented.contains(row.effect)) << row.effect;
+        const auto& lines = documented.at(row.effect);
+        const auto line = std::ranges::find_if(lines, [&](const std::string& l) { return l.starts_with(start); });
+        ASSERT_NE(line, lines.end()) << row.effect << ": no row " << start
+                                     << "\ntegument check effects/*.fx --all-settings --target fx_2_0 --resources prints the page's tables";
+        const std::vector<int> numbers = numbersOf(*line);
+        ASSERT_FALSE(numbers.empty()) << *line;
+        int most = 0;
+        for (const Sm3Usage& usage : row.usage)
+            most = std::max(most, usage.instructionSlots);
+        // Another version of the compiler schedules a few instructions otherwise; a page that is off by more misleads.
+        constexpr double kShare = 0.05;
+        const int largest =
+            *std::max_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(numbers.size(), row.usage.size())));
+        EXPECT_NEAR(largest, most, 2 + kShare * most) << *line;
+    }
+}
+
+/// The effects without includes, in a folder of their own, compiled likewise.
+CheckReport flattenedEffects() {
+    const fs::path folder = fs::temp_directory_path() / ("tegument-flatten-" + std::to_string(::getpid()));
+    std::vector<fs::path> files;
+    for (const fs::path& original : effectFiles()) {
+        const auto text =
+            flattenEffect(original, {.defines = {}, .includeFolders = {}, .read = [](const fs::path& path) { return readFile(path); }});
+        EXPECT_TRUE(text) << (text ? "" : format(text.error()));
+        files.push_back(folder / original.filename());
+        EXPECT_TRUE(writeFile(files.back(), text ? *text : ""));
+    }
+    CheckReport report =
+        checkEffects(files, {Target::Fx2, Target::Fx4, Target::Fx5}, {.variants = settingVariants(), .includeFolders = {}});
+    fs::remove_all(folder);
+    return report;
+}
+
+TEST_F(Matrix, flattened_effects_compile_to_the_same_bytes_in_every_setting) {
+    const CheckReport flattened = flattenedEffects();
+    ASSERT_EQ(flattened.files.size(), allEffects().files.size());
+    for (std::size_t i = 0; i < flattened.files.size(); ++i) {
+        const FileReport& original = allEffects().files[i];
+        EXPECT_EQ(original.binaries.size(), 3U) << original.file;
+        EXPECT_EQ(original.binaries, flattened.files[i].binaries) << original.file << " " << original.variant;
+    }
+}
+
+} // namespace
+} // namespace tegument::test

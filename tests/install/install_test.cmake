@@ -24,7 +24,7 @@ if(NOT output MATCHES "OriginalTexture: 1 pass, 2 shaders, GLSL of 2")
 endif()
 
 run(${work}/package/bin/tegument info OriginalTexture.fx)
-if(NOT output MATCHES "technique OriginalTexture: 1 passes")
+if(NOT output MATCHES "package/share/tegument/effects/OriginalTexture.fx.*technique OriginalTexture: 1 passes")
   message(FATAL_ERROR "the installed program does not find its effects:\n${output}")
 endif()
 file(REMOVE_RECURSE ${work})

@@ -107,8 +107,7 @@ std::string fx2String(std::string_view bytes, std::uint32_t offset) {
 }
 
 // Values of d3dx9shader.h.
-constexpr std::uint32_t kTypeBool = 1;
-constexpr std::uint32_t kTypeInt = 2;
+constexpr std::uint32_t kTypeBool = 1; // 2 is int
 constexpr std::uint32_t kTypeFloat = 3;
 constexpr std::uint32_t kClassLast = 3; // matrices; objects and structs follow
 

@@ -76,6 +76,9 @@ void readGlslangLine(std::string_view line, bool error, std::string_view code, c
     const std::string_view raw = trim(line.substr(separator + 2));
     const std::size_t quote = raw.starts_with('\'') ? raw.find('\'', 1) : std::string_view::npos;
     const std::string_view token = quote == std::string_view::npos ? std::string_view() : raw.substr(1, quote - 1);
+    // What glslang says next of a line that it has refused already follows from that.
+    const auto sameLine = [&](const Diagnostic& other) { return other.at.line == *lineNumber && other.at.file == place; };
+    if (error && std::ranges::any_of(into.errors, sameLine)) return;
     std::string source = sourceLine(code, place, *lineNumber);
     const int column = columnOf(source, token);
     add(into, error, {.file = std::string(place), .line = *lineNumber, .column = column, .byte = {}}, glslangText(raw, token),

@@ -3,7 +3,8 @@
 //     draw_time [--frames N] [--warm-up N] [--instances N] [--picture FILE.png] MESH...
 //
 // MESH: sphere, terrain, sphere:N, terrain:N, or a mesh file. The device is the first discrete one, or what $TEGUMENT_DEVICE names part of.
-// --instances draws the mesh so many times in one call, as shells of fur are. Prints a table; ends with 1 when the orders' pictures differ.
+// --instances draws the mesh so many times in one call, as shells of fur are. Prints a table; ends with 1 when the orders' pictures differ,
+// with 3 where there is no device.
 
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
@@ -243,7 +244,7 @@ Options parse(const std::vector<std::string>& arguments) {
 
 int fail(const Error& error) {
     fmt::print(stderr, "{}\n", format(error));
-    return 1;
+    return static_cast<int>(error.blame);
 }
 
 int run(const Options& options) {

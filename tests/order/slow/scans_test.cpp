@@ -17,7 +17,7 @@ using testing_order::Triangles;
 
 constexpr std::array<unsigned, 3> kEntries = {16, 24, 32};
 
-struct Published {
+struct Target {
     const char* name;
     const char* what;
     std::array<double, 3> best;  // ACMR by FIFO 16, 24, 32: of the best of meshoptimizer, DirectXMesh, Tootle, and Lin & Yu
@@ -26,7 +26,7 @@ struct Published {
     double warp;                 // ATVR, likewise of the best; Dragon_res2: the Dragon's; sphere: 0.5 % above the best, 1.643
 };
 
-constexpr Published kPublished[] = {
+constexpr Target kTargets[] = {
     {"bunny", "bun_zipper.ply", {.598, .570, .560}, {.598, .570, .560}, {.607, .583, .572}, 1.657},
     {"dragon", "dragon_vrip.ply", {.619, .589, .575}, {.619, .589, .575}, {.672, .646, .633}, 1.603},
     {"dragon_res2", "dragon_vrip_res2.ply", {.611, .582, .567}, {.611, .582, .567}, {.693, .661, .642}, 1.603},
@@ -35,11 +35,11 @@ constexpr Published kPublished[] = {
 };
 
 /// How a failure names its mesh.
-void PrintTo(const Published& published, std::ostream* out) {
-    *out << published.name;
+void PrintTo(const Target& target, std::ostream* out) {
+    *out << target.name;
 }
 
-class PublishedFigures : public testing::TestWithParam<Published> {
+class OrderTargets : public testing::TestWithParam<Target> {
 protected:
     void SetUp() override {
         auto loaded = loadTriangles(GetParam().what);
@@ -47,14 +47,14 @@ protected:
         mesh_ = *std::move(loaded);
     }
 
-    void expectAtMost(Method method, const std::array<double, 3>& published, double margin) const {
+    void expectAtMost(Method method, const std::array<double, 3>& targets, double margin) const {
         for (const std::uint32_t seed : {0u, 1u, 2u}) {
             const Triangles input = shuffled(mesh_, seed);
             for (std::size_t i = 0; i < kEntries.size(); ++i) {
                 const CacheModel model = fifo(kEntries[i]);
                 const auto out = reorder(input.indices, input.positions.size(), method, model);
                 ASSERT_TRUE(out);
-                EXPECT_LE(measure(model, *out, input.positions.size()).acmr(), published[i] * (1 + margin))
+                EXPECT_LE(measure(model, *out, input.positions.size()).acmr(), targets[i] * (1 + margin))
                     << order::name(method) << ", entries " << kEntries[i] << ", seed " << seed;
                 EXPECT_TRUE(samePermutation(input.indices, *out));
             }
@@ -64,21 +64,21 @@ protected:
     Triangles mesh_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Meshes, PublishedFigures, testing::ValuesIn(kPublished), [](const auto& p) { return std::string(p.param.name); });
+INSTANTIATE_TEST_SUITE_P(Meshes, OrderTargets, testing::ValuesIn(kTargets), [](const auto& p) { return std::string(p.param.name); });
 
-TEST_P(PublishedFigures, are_reached_by_the_best_order_within_half_a_percent) {
+TEST_P(OrderTargets, are_reached_by_the_best_order_within_half_a_percent) {
     expectAtMost(Method::Best, GetParam().best, 0.005);
 }
 
-TEST_P(PublishedFigures, of_lin_and_yu_are_reached_within_one_percent) {
+TEST_P(OrderTargets, of_lin_and_yu_are_reached_within_one_percent) {
     expectAtMost(Method::LinYu, GetParam().linYu, 0.01);
 }
 
-TEST_P(PublishedFigures, of_hoppe_are_reached_within_one_percent) {
+TEST_P(OrderTargets, of_hoppe_are_reached_within_one_percent) {
     expectAtMost(Method::Hoppe, GetParam().hoppe, 0.01);
 }
 
-TEST_P(PublishedFigures, for_warps_are_reached_by_the_best_order) {
+TEST_P(OrderTargets, for_warps_are_reached_by_the_best_order) {
     for (const std::uint32_t seed : {0u, 1u, 2u}) {
         const Triangles input = shuffled(mesh_, seed);
         const auto out = reorder(input.indices, input.positions.size(), Method::Best, kWarp);

@@ -2,6 +2,7 @@
 
 #include "host/compile/compile.h"
 #include "host/support/file.h"
+#include "tests/compile/missing.h"
 
 #include <gtest/gtest.h>
 
@@ -108,7 +109,7 @@ TEST_F(Check, a_pixel_shader_that_reads_what_nobody_writes_fails) {
 }
 
 TEST_F(Check, parameters_on_which_the_compilers_differ_fail) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "two compilers are compared, and DXC is not there";
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     const FileReport report = checkOne(
         effect("layout.fx", "float gA; float3 gB;" + kPass + "float4 PS(V v) : SV_Target0 { return gA + gB.xyzz; }"), spirvTargets());
     EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);

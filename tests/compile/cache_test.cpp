@@ -2,6 +2,7 @@
 
 #include "host/compile/cache.h"
 #include "host/support/file.h"
+#include "tests/compile/missing.h"
 
 namespace tegument::test {
 namespace {
@@ -110,7 +111,7 @@ TEST_F(Cache, errors_are_not_cached) {
 }
 
 TEST_F(Cache, both_compilers_have_entries_of_their_own) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not there";
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     (void)compile();
     ASSERT_TRUE(
         compileShader({.code = kCode, .file = "test.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {folder()}},

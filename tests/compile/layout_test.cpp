@@ -1,3 +1,4 @@
+#include "tests/compile/missing.h"
 #include "tests/compile/support.h"
 
 namespace tegument::test {
@@ -6,7 +7,7 @@ namespace {
 class Layout : public CompileTest {
 protected:
     void SetUp() override {
-        if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "two compilers are compared, and DXC is not there";
+        if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     }
 
     [[nodiscard]] static Shader compile(std::string_view code, Stage stage, Compiler compiler) {

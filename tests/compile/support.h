@@ -2,6 +2,7 @@
 // What the tests of the compilers share.
 
 #include "host/compile/compile.h"
+#include "tests/compile/missing.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ private:
 class EachCompiler : public CompileTest, public testing::WithParamInterface<Compiler> {
 protected:
     void SetUp() override {
-        if (!compilerAvailable(GetParam())) GTEST_SKIP() << "DXC is not there";
+        if (const std::string missing = test::compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
     }
 
     [[nodiscard]] Result<Shader> tryCompile(std::string_view code, std::string entry, Stage stage) const {

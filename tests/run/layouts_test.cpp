@@ -2,6 +2,7 @@
 
 #include "host/compile/compile.h"
 #include "host/effect/model.h"
+#include "tests/compile/missing.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +54,7 @@ TEST(EffectFiles, there_are_effects_to_look_at) {
 class EffectLayouts : public testing::TestWithParam<std::string> {};
 
 TEST_P(EffectLayouts, are_the_same_from_both_compilers_in_every_setting) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not installed";
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     for (const char* setting : {"0", "1", "2"}) {
         SCOPED_TRACE(setting);
         const auto effect = loadEffect(GetParam(), {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});

@@ -1,5 +1,6 @@
 // effects/Main.fx as a whole, on a small sphere: the whole way from the file to the picture.
 
+#include "tests/compile/missing.h"
 #include "tests/run/fixture.h"
 
 #include <algorithm>
@@ -113,7 +114,7 @@ double differingShare(const Image& a, const Image& b) {
 }
 
 TEST_F(MainEffect, both_compilers_draw_the_same_picture_in_every_setting) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not installed";
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     for (const char* technique : {"DEonLuebke", "Gosselin"})
         for (const char* setting : {"0", "1", "2"}) {
             const auto dxc = render(Compiler::Dxc, setting, technique);

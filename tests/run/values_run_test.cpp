@@ -3,6 +3,7 @@
 #include "tests/run/fixture.h"
 
 #include "host/scene/view.h"
+#include "tests/compile/missing.h"
 
 namespace tegument::test {
 namespace {
@@ -13,7 +14,8 @@ class Values : public Run, public testing::WithParamInterface<Compiler> {
 protected:
     void SetUp() override {
         Run::SetUp();
-        if (!IsSkipped() && !compilerAvailable(GetParam())) GTEST_SKIP() << "this compiler is not installed";
+        if (IsSkipped()) return;
+        if (const std::string missing = test::compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
     }
 
     void expectValue(int index, std::array<float, 4> expected) {

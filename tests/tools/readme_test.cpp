@@ -3,6 +3,7 @@
 #include "host/compile/compile.h"
 #include "host/effect/model.h"
 #include "host/support/file.h"
+#include "tests/compile/missing.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ std::vector<std::string> snippets(const std::string& language) {
 class Consumer : public testing::TestWithParam<Compiler> {
 protected:
     void SetUp() override {
-        if (!compilerAvailable(GetParam())) GTEST_SKIP() << "this compiler is not installed";
+        if (const std::string missing = test::compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
         folder_ = fs::temp_directory_path() / ("tegument-consumer-" + std::to_string(::getpid()));
         fs::create_directories(folder_ / "mine");
         fs::copy("hlsl", folder_ / "hlsl", fs::copy_options::recursive | fs::copy_options::overwrite_existing);

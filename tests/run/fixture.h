@@ -4,6 +4,7 @@
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
 #include "host/run/run.h"
+#include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>
 
@@ -17,31 +18,9 @@ namespace tegument::test {
 
 inline const std::filesystem::path kFixtures = "tests/run/fixtures";
 
-/// One device for all tests of the program; null where there is none.
-inline gpu::Device* device(std::string& reason) {
-    static Result<gpu::Device> made = gpu::Device::create({.validation = true, .prefer = {}});
-    if (made) return &*made;
-    reason = format(made.error());
-    return nullptr;
-}
-
 /// Every test of this kind ends with no message of the validation layers, and skips without a device.
-class Run : public testing::Test {
+class Run : public WithDevice {
 protected:
-    void SetUp() override {
-        std::string reason;
-        device_ = device(reason);
-        if (!device_) GTEST_SKIP() << reason;
-        before_ = device_->validationMessages().size();
-    }
-
-    void TearDown() override {
-        if (!device_) return;
-        const auto messages = device_->validationMessages();
-        for (std::size_t i = before_; i < messages.size(); ++i)
-            ADD_FAILURE() << messages[i];
-    }
-
     /// A picture of one row, so that pixel x is value number x.
     static RunOptions row(int width, const std::string& technique, Compiler compiler = defaultCompiler()) {
         return {.technique = technique, .width = width, .height = 1, .compiler = compiler};
@@ -53,11 +32,6 @@ protected:
         if (!effect) return effect.error();
         return runEffect(*device_, *effect, mesh, workspace, options);
     }
-
-    gpu::Device* device_ = nullptr;
-
-private:
-    std::size_t before_ = 0;
 };
 
 template <class T>

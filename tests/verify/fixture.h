@@ -1,7 +1,8 @@
 #pragma once
-// One device for all tests of the program, and the reports of modules, each made once.
+// What the tests of modules share: a device, and what a report must be.
 
 #include "host/verify/verify.h"
+#include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>
 
@@ -9,36 +10,7 @@
 
 namespace tegument::test {
 
-/// Null where there is no device; `reason` then says why.
-inline gpu::Device* device(std::string& reason) {
-    static Result<gpu::Device> made = gpu::Device::create({.validation = true, .prefer = {}});
-    if (made) return &*made;
-    reason = format(made.error());
-    return nullptr;
-}
-
-/// Skips without a device; ends without a message of the validation layers.
-class Verify : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string reason;
-        device_ = device(reason);
-        if (!device_) GTEST_SKIP() << reason;
-        before_ = device_->validationMessages().size();
-    }
-
-    void TearDown() override {
-        if (!device_) return;
-        const auto messages = device_->validationMessages();
-        for (std::size_t i = before_; i < messages.size(); ++i)
-            ADD_FAILURE() << messages[i];
-    }
-
-    gpu::Device* device_ = nullptr;
-
-private:
-    std::size_t before_ = 0;
-};
+class Verify : public WithDevice {};
 
 inline void expectPass(const Result<ModuleReport>& report) {
     ASSERT_TRUE(report) << format(report.error());

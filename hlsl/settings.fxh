@@ -3,7 +3,8 @@
 //   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
 //   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
-// SKIN_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
+//   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
+// SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #define TEGUMENT_SETTINGS_FXH
 
@@ -18,6 +19,9 @@
 #endif
 #ifndef TEGUMENT_SEAM_REPAIR
 #define TEGUMENT_SEAM_REPAIR 1
+#endif
+#ifndef TEGUMENT_FUR_COLOR_MAP
+#define TEGUMENT_FUR_COLOR_MAP 0
 #endif
 #if TEGUMENT_MAP_BITS == 32
 #define SKIN_MAP_FORMAT "A32B32G32R32F"
@@ -88,6 +92,9 @@ static const bool kShadowSpecular = kCorrected;
 
 // Seams: whether texels outside the charts are told from those inside.
 static const bool kRepairSeams = TEGUMENT_SEAM_REPAIR == 1;
+
+// Fur: whether its colour comes from a map, too.
+static const bool kFurColorMap = TEGUMENT_FUR_COLOR_MAP == 1;
 
 // Stretch maps hold kStretchScale * (texels of a 1024 map per mm): c = 0.1 of the seed's equation 27 brings heads into 0..1.
 static const float kStretchScale = 0.1 * 1024.0;

@@ -3,13 +3,19 @@
 #ifndef TEGUMENT_FUR_MAPPING_FXH
 #define TEGUMENT_FUR_MAPPING_FXH
 
+// Unit vector along v. What has no direction, as the normal of a degenerate face, takes +Z: a look-up needs one.
+float3 furDirection(float3 v)
+{
+    float3 n = safeNormalize(v);
+    return dot(n, n) > 0.5 ? n : float3(0.0, 0.0, 1.0);
+}
+
 // Where position and normal are opposite, as deep inside a concavity, the sum has no direction: there the normal decides.
 // position: from the mesh's centre.
 float3 furCombinedVector(float3 position, float3 normal)
 {
-    float3 n = safeNormalize(normal);
-    float3 sum = safeNormalize(position) + n;
-    return dot(sum, sum) > 1e-8 ? safeNormalize(sum) : n;
+    float3 sum = safeNormalize(position) + safeNormalize(normal);
+    return furDirection(dot(sum, sum) > 1e-8 ? sum : normal);
 }
 
 // A helix of one turn around v, of this radius (radians) at the tip: strands curl because each layer looks a little further around.

@@ -109,6 +109,16 @@ std::vector<FunctionCase> vectors() {
          .domain = [](const Inputs& x) { // near cancellation the sum's direction is the rounding's
              return glm::length(normalised(x.vec3(0)) + normalised(x.vec3(1))) > 0.05;
          }});
+    cases.push_back({.function = "furDirection",
+                     .body = "return float4(furDirection(a0), 0);",
+                     .arguments = {vector(3, 0.1, 1000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec3 v = x.vec3(0);
+                             return values(v == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : normalised(v));
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-6, .why = "one normalisation"},
+                     .domain = [](const Inputs& x) { return x.vec3(0) == glm::dvec3(0) || glm::length(x.vec3(0)) > 1e-3; }});
     cases.push_back({.function = "furCurled",
                      .body = "return float4(furCurled(a0, a1, a2), 0);",
                      .arguments = {unit(), linear(0, 1), linear(0, 1)},

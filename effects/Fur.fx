@@ -1,0 +1,38 @@
+// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a sphere map
+// (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each technique draws the shadow
+// map, the skin, then gFurLayers shells: in one instanced draw, or, for Direct3D 9, in a loop of the script.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/fur.fxh"
+#include "passes/shadow_map.fxh"
+#include "passes/fur_parameters.fxh"
+#include "passes/fur_shell.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=CubeCombined;";
+> = 0.8;
+
+#ifdef FX_TECHNIQUES
+// The six differ in one pixel shader.
+#define FUR_TECHNIQUE(name, shellPS) \
+technique name < string Script = \
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" \
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Shells"); > \
+{ \
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
+    MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
+    LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, STATE_LAYER) \
+}
+
+FUR_TECHNIQUE(CubePosition, CubePositionPS)
+FUR_TECHNIQUE(CubeNormal, CubeNormalPS)
+FUR_TECHNIQUE(CubeCombined, CubeCombinedPS)
+FUR_TECHNIQUE(SpherePosition, SpherePositionPS)
+FUR_TECHNIQUE(SphereNormal, SphereNormalPS)
+FUR_TECHNIQUE(SphereCombined, SphereCombinedPS)
+#endif

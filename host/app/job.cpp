@@ -102,7 +102,8 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
 Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     const auto size = parseSize(options.size);
     if (!size) return size.error();
-    auto effect = loadEffect(options.file, loadOptions(options.effect));
+    const std::filesystem::path file = effectPath(options.file);
+    auto effect = loadEffect(file, loadOptions(options.effect));
     if (!effect) return effect.error();
     Job job{.effect = std::move(*effect), .scene = {}, .run = {}};
     job.run.technique = options.technique;
@@ -116,7 +117,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
     SceneOptions sceneOptions = options.scene;
-    sceneOptions.effect = options.file;
+    sceneOptions.effect = file;
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);

@@ -78,4 +78,23 @@ bool RayScene::reaches(const glm::dvec3& light, const glm::dvec3& point, double 
     return !hit || hit->distance > distance - slack;
 }
 
+std::vector<std::uint32_t> RayScene::around(const glm::dvec3& centre, double radius) const {
+    constexpr double kWidened = 1 + 1e-5; // the query is in 32-bit floats
+    RTCPointQuery query{};
+    query.x = static_cast<float>(centre.x);
+    query.y = static_cast<float>(centre.y);
+    query.z = static_cast<float>(centre.z);
+    query.radius = static_cast<float>(radius * kWidened);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    std::vector<std::uint32_t> found;
+    const auto take = [](RTCPointQueryFunctionArguments* arguments) {
+        static_cast<std::vector<std::uint32_t>*>(arguments->userPtr)->push_back(arguments->primID);
+        return false; // the radius stays
+    };
+    rtcPointQuery(state_->scene, &query, &context, take, &found);
+    std::ranges::sort(found);
+    return found;
+}
+
 } // namespace tegument::reference

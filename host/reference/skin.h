@@ -79,6 +79,7 @@ public:
     [[nodiscard]] const Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const SkinSettings& settings() const { return settings_; }
     [[nodiscard]] const Pinhole& light() const { return light_; }
+    [[nodiscard]] const glm::dvec3& lightColour() const { return lightColour_; }
 
 private:
     const Mesh& mesh_;

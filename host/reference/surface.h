@@ -71,6 +71,11 @@ public:
     /// Whether light at `light` reaches `point` of the surface: nothing nearer than `slack` mm before it on the way.
     [[nodiscard]] bool reaches(const glm::dvec3& light, const glm::dvec3& point, double slack) const;
 
+    /// Triangles that come nearer than `radius`, in rising order, and perhaps a few that do not.
+    [[nodiscard]] std::vector<std::uint32_t> around(const glm::dvec3& centre, double radius) const;
+
+    [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+
 private:
     struct State;
     const Mesh& mesh_;

@@ -25,4 +25,7 @@ float gFurLean < string UIName = "Lean"; string UIWidget = "Slider"; float UIMin
 float gFurCurl < string UIName = "Curl"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 0.05; float UIStep = 0.001; string UIHelp = "radius of a strand's turns, radians of the map"; > = 0.0;
 float gFurSoftness < string UIName = "Softness"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "height across which a tapered strand ends"; > = 0.2;
 
+float3 gFurFill < string UIName = "Light from all sides"; string UIWidget = "Color"; string UIHelp = "irradiance / pi, linear; it throws no shadow but within the coat"; > = { 0.0, 0.0, 0.0 };
+float gFurSpread < string UIName = "Spread of the layers"; string UIWidget = "Slider"; float UIMin = 0.25; float UIMax = 4.0; float UIStep = 0.01; string UIHelp = "heights are (l / n)^this: below 1 denser at the tips"; > = 1.0;
+
 #endif

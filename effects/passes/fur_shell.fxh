@@ -9,6 +9,8 @@ SAMPLER2D(gFurSphere, LINEAR, CLAMP);
 SAMPLERCUBE(gFurCube, LINEAR);
 SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
 
+static const float kShadowTolerance = 0.005; // share of the mesh's radius
+
 struct FurInput
 {
     float3 position : POSITION;
@@ -21,7 +23,7 @@ struct FurVarying
     float4 position : SV_Position;
     float3 rest : TEXCOORD0;   // of the skin below, mesh space, from the bounding sphere's centre
     float3 normal : TEXCOORD1; // mesh space
-    float3 world : TEXCOORD2;  // of the skin below
+    float3 world : TEXCOORD2;  // in the coat
     float4 lightClip : TEXCOORD3;
     float3 coat : TEXCOORD4; // height in the coat, uv
 };
@@ -29,15 +31,18 @@ struct FurVarying
 FurVarying furVarying(FurInput input, float height)
 {
     FurVarying output;
-    output.world = worldPosition(input.position);
+    float3 skin = worldPosition(input.position);
+    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
     // Back into the mesh's own axes: with a rotation and one scale the transpose is the inverse, but for a length that does not matter.
-    output.rest = mul((float3x3)gWorld, output.world - gBoundingCenter);
+    output.rest = mul((float3x3)gWorld, skin - gBoundingCenter);
     output.normal = input.normal;
     output.coat = float3(height, kFurColorMap ? input.uv : float2(0.0, 0.0));
+    output.world = skin + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
-    float3 world = output.world + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
-    output.position = HALF_PIXEL(mul(float4(world, 1.0), gViewProjection), gViewportSize);
+    float4 position = mul(float4(output.world, 1.0), gViewProjection);
+    // Planes fitted to the mesh would cut off what its coat has before the nearer one.
+    position.z = max(position.z, 0.0);
+    output.position = HALF_PIXEL(position, gViewportSize);
     return output;
 }
 
@@ -48,10 +53,10 @@ FurVarying SkinVS(FurInput input)
 
 FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
 {
-    return furVarying(input, furLayerHeight(LAYER_INDEX(gFurLayer), gFurLayers, gFurOuterFirst));
+    return furVarying(input, furSpread(furLayerHeight(LAYER_INDEX(gFurLayer), gFurLayers, gFurOuterFirst), gFurSpread));
 }
 
-// The light that reaches the coat at this point. Its own length above the skin is no shadow.
+// Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
 float furShadow(FurVarying input, float3 normal, float3 toLight)
 {
     float3 fromLight = input.world - gLightPosition;
@@ -59,7 +64,7 @@ float furShadow(FurVarying input, float3 normal, float3 toLight)
     float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
     float2 slope = shadowSlope(normal, axisX, axisY, toLight, shadowFootprint(length(fromLight), gLightFov));
     float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
-    float tolerance = (0.005 + gFurLength) * gMeshRadius * range;
+    float tolerance = kShadowTolerance * gMeshRadius * range;
     return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), shadowDepth(input.lightClip, fromLight), tolerance, slope);
 }
 
@@ -72,29 +77,25 @@ float3 furAlbedo(FurVarying input)
     return albedo;
 }
 
-// Radiance of a strand. tint: of the fur map.
-float3 furRadiance(FurVarying input, float3 tint)
+// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface.
+float3 furRadiance(FurVarying input, float3 albedo, float strandsShare)
 {
     float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
-    float3 surface = input.world + furStrand(normal, gFurLean, input.coat.x) * furDistance(gFurLength, gMeshRadius, input.coat.x);
     float3 strand = furTangent(normal, gFurLean, input.coat.x);
-    float3 toLight = safeNormalize(gLightPosition - surface);
-    float3 toEye = safeNormalize(gCameraPosition - surface);
+    float3 toLight = safeNormalize(gLightPosition - input.world);
+    float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
-    float3 albedo = furAlbedo(input) * tint;
-    float3 strands = albedo * furDiffuse(strand, toLight, gFurMultiple) + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
-    strands *= furTransmittance(input.coat.x, cosine, gFurDensity);
     float3 dull = albedo * saturate(cosine);
-    return lerp(dull, strands, gFurKajiyaKay) * gLightColor * furShadow(input, normal, toLight);
+    float3 strands = albedo * furDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
+    strands += gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
+    float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+    float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * gLightColor * open * furShadow(input, normal, toLight);
+    return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0
 {
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
-    float3 toLight = safeNormalize(gLightPosition - input.world);
-    float cosine = dot(normal, toLight);
-    float open = lerp(1.0, furTransmittance(0.0, cosine, gFurDensity), gFurKajiyaKay);
-    return float4(furAlbedo(input) * gLightColor * saturate(cosine) * open * furShadow(input, normal, toLight), 1.0);
+    return float4(furRadiance(input, furAlbedo(input), 0.0), 1.0);
 }
 
 // texel: of a fur map, colour and coverage (or height) of its strands.
@@ -102,7 +103,7 @@ float4 shell(FurVarying input, float4 texel)
 {
     float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
     clip(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5));
-    return float4(furRadiance(input, texel.rgb), max(coverage, gFurOuterFirst));
+    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0), max(coverage, gFurOuterFirst));
 }
 
 float4 cubeShell(FurVarying input, float3 v)

@@ -26,12 +26,26 @@ float furSpecular(float3 strand, float3 toLight, float3 toEye, float exponent)
     return furSine(light) * pow(max(cosine, 1e-6), exponent) * 0.5 * sqrt((exponent + 0.6666667) / (2.0 * kPi));
 }
 
-// Share of the light that reaches this height: the way through the coat above is (1 - height) / cosine, of which the part (1 - height) sine / cosine runs
-// across the strands. density: optical depth of the whole coat for light at 45 degrees. cosine: of the coat's normal and the light.
-float furTransmittance(float height, float cosine, float density)
+// Share of the light that reaches this height in the coat of a ball of radius 1 whose coat is `thickness` thick. The way out of a ball of radius 1 + thickness
+// from the radius b = 1 + height * thickness, against the light, is sqrt((1 + thickness)^2 - b^2 sine^2) - b cosine; of it the part `sine` runs across the strands.
+// Flat (thickness 0) that is (1 - height) / cosine; on the ball nothing jumps where light grazes, and tips beyond the horizon still see it.
+// cosine: of the coat's normal and the light. density: optical depth of a flat coat for light at 45 degrees.
+float furTransmittance(float height, float cosine, float density, float thickness)
 {
-    float c = max(cosine, 1e-3);
-    return cosine > 0.0 ? exp(-density * (1.0 - height) * furSine(c) / c) : 0.0;
+    float k = max(thickness, 1e-3);
+    float b = 1.0 + height * k;
+    float above = (1.0 - height) * (2.0 + k + height * k); // ((1 + k)^2 - b^2) / k
+    float across = sqrt(b * b * cosine * cosine + k * above);
+    // The two forms are equal; each is exact where the other cancels.
+    float way = cosine > 0.0 ? above / max(across + b * cosine, 1e-6) : (across - b * cosine) / k;
+    return exp(-density * way * furSine(cosine));
+}
+
+// What light from all sides, of this colour, leaves of white at this height: one half of the directions, through the coat above as for light at 45 degrees.
+// multiple as for furDiffuse: light scattered once, a cylinder that sees half of a bright sphere; or as bright as a dull surface.
+float furFill(float height, float density, float multiple)
+{
+    return exp(-density * (1.0 - height)) * lerp(0.5, 1.0, multiple);
 }
 
 #endif

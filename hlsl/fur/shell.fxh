@@ -10,6 +10,12 @@ float furLayerHeight(float index, float layers, float outerFirst)
     return saturate(lerp(index + 1.0, count - index, outerFirst) / count);
 }
 
+// Layers that stand denser at the tips (exponent below 1) or at the roots (above 1): heights (l / n)^exponent.
+float furSpread(float height, float exponent)
+{
+    return height < 1.0 ? pow(max(height, 1e-6), exponent) : 1.0;
+}
+
 // mm. furLength: K, the coat's thickness as a share of the mesh's radius (mm).
 float furDistance(float furLength, float meshRadius, float height)
 {

@@ -32,10 +32,14 @@ double specular(const glm::dvec3& strand, const glm::dvec3& toLight, const glm::
     return sineFrom(l) * std::pow(std::max(cosine, 1e-6), exponent) * 0.5 * std::sqrt((exponent + 2.0 / 3) / (2 * kPi));
 }
 
-double transmittance(double height, double cosine, double density) {
-    if (cosine <= 0) return 0;
-    const double c = std::max(cosine, 1e-3);
-    return std::exp(-density * (1 - height) * sineFrom(c) / c);
+/// Along a ray from a point in the coat of a ball of radius 1, by the ray's two crossings with the coat's outside.
+double transmittance(double height, double cosine, double density, double thickness) {
+    const double coat = std::max(thickness, 1e-3);
+    const glm::dvec2 from(0, 1 + height * coat);
+    const glm::dvec2 direction(sineFrom(cosine), cosine);
+    const double middle = -glm::dot(from, direction); // of the two crossings
+    const double half = std::sqrt(middle * middle + (1 + coat) * (1 + coat) - glm::dot(from, from));
+    return std::exp(-density * (middle + half) / coat * sineFrom(cosine));
 }
 
 glm::dvec3 combined(const glm::dvec3& position, const glm::dvec3& normal) {
@@ -67,6 +71,11 @@ std::vector<FunctionCase> shells() {
                              return values(saturate((x.scalar(2) > 0.5 ? n - x.scalar(0) : x.scalar(0) + 1) / n));
                          },
                      .tolerance = {.forward = 4, .backward = 0, .why = "a quotient of whole numbers"}});
+    cases.push_back({.function = "furSpread",
+                     .body = "return float4(furSpread(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(0.001, 1), linear(0.25, 4)},
+                     .expected = [](const Inputs& x) { return values(std::pow(x.scalar(0), x.scalar(1))); },
+                     .tolerance = {.forward = 120, .backward = 4, .absolute = 1e-6, .why = "exp2 of a product up to 40: 3 + 2|x| ULP"}});
     cases.push_back(
         {.function = "furDistance",
          .body = "return float4(furDistance(a0, a1, a2), 0, 0, 0);",
@@ -167,11 +176,22 @@ std::vector<FunctionCase> lights() {
                                    .backward = 4,
                                    .absolute = 1e-4,
                                    .why = "a power of up to 200: 3 + 2|x| ULP with |x| up to 126, and 200 times those of its base"}});
-    cases.push_back({.function = "furTransmittance",
-                     .body = "return float4(furTransmittance(a0, a1, a2), 0, 0, 0);",
-                     .arguments = {linear(0, 1), cosine(), linear(0, 20)},
-                     .expected = [](const Inputs& x) { return values(transmittance(x.scalar(0), x.scalar(1), x.scalar(2))); },
-                     .tolerance = {.forward = 180, .backward = 4, .absolute = 1e-6, .why = "exp: 3 + 2|x| ULP with |x| up to 87"}});
+    cases.push_back(
+        {.function = "furTransmittance",
+         .body = "return float4(furTransmittance(a0, a1, a2, a3), 0, 0, 0);",
+         .arguments = {linear(0, 1), cosine(), linear(0, 20), linear(0, 0.5)},
+         .expected = [](const Inputs& x) { return values(transmittance(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
+         .tolerance = {.forward = 180,
+                       .backward = 4,
+                       .absolute = 2e-5,
+                       .why = "exp: 3 + 2|x| ULP with |x| up to 87; a way of up to 2,000 coats, whose rounding is what is left of "
+                              "light after more than ten of them"}});
+    cases.push_back(
+        {.function = "furFill",
+         .body = "return float4(furFill(a0, a1, a2), 0, 0, 0);",
+         .arguments = {linear(0, 1), linear(0, 20), linear(0, 1)},
+         .expected = [](const Inputs& x) { return values(std::exp(-x.scalar(1) * (1 - x.scalar(0))) * (0.5 + 0.5 * x.scalar(2))); },
+         .tolerance = {.forward = 48, .backward = 4, .absolute = 1e-7, .why = "exp: 3 + 2|x| ULP with |x| up to 20"}});
     return cases;
 }
 

@@ -135,7 +135,7 @@ private:
         return light != glm::dvec3(0);
     }
 
-    static constexpr double kSmall = 0.35; // a piece so much shorter than allowed has as many nodes per area with one
+    static constexpr double kSmall = 0.2; // a piece so much shorter than allowed does with one node
 
     const Mesh& mesh_;
     const Irradiance& irradiance_;

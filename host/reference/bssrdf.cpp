@@ -85,17 +85,20 @@ Radiance towardsEye(const SkinScene& scene, const SurfacePoint& point, const glm
 
 } // namespace
 
-std::vector<ShadedPoint> visiblePoints(const SkinScene& scene, const Pinhole& camera, std::size_t count, std::uint64_t seed) {
-    std::vector<ShadedPoint> all = coveredPixels(scene, camera);
-    if (count == 0 || count >= all.size()) return all;
-    std::ranges::sort(all, {}, [](const ShadedPoint& p) { return zOrder(p.x, p.y); });
+std::vector<ShadedPoint> spreadEvenly(std::vector<ShadedPoint> points, std::size_t count, std::uint64_t seed) {
+    if (count == 0 || count >= points.size()) return points;
+    std::ranges::sort(points, {}, [](const ShadedPoint& p) { return zOrder(p.x, p.y); });
     std::vector<ShadedPoint> chosen;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t first = i * all.size() / count;
-        const std::size_t last = (i + 1) * all.size() / count;
-        chosen.push_back(all[first + mixed(mixed(seed) + i) % (last - first)]);
+        const std::size_t first = i * points.size() / count;
+        const std::size_t last = (i + 1) * points.size() / count;
+        chosen.push_back(points[first + mixed(mixed(seed) + i) % (last - first)]);
     }
     return chosen;
+}
+
+std::vector<ShadedPoint> visiblePoints(const SkinScene& scene, const Pinhole& camera, std::size_t count, std::uint64_t seed) {
+    return spreadEvenly(coveredPixels(scene, camera), count, seed);
 }
 
 std::vector<Radiance> radiance(const SkinScene& scene, std::span<const ShadedPoint> points, const glm::dvec3& eye,

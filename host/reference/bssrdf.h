@@ -42,8 +42,11 @@ struct ShadedPoint {
     int y = 0;
     SurfacePoint point;
 };
-/// `count` pixels that see the mesh, spread evenly: covered pixels in the order of a Z curve, one out of each of `count` equal runs, by
-/// a fixed hash of `seed`. 0, or more than there are: every one.
+/// `count` of these pixels, spread evenly: in the order of a Z curve one out of each of `count` equal runs, by a fixed hash of `seed`. 0,
+/// or more than there are: every one.
+[[nodiscard]] std::vector<ShadedPoint> spreadEvenly(std::vector<ShadedPoint> points, std::size_t count, std::uint64_t seed = 1);
+
+/// Pixels that see the mesh, likewise.
 [[nodiscard]] std::vector<ShadedPoint> visiblePoints(const SkinScene& scene, const Pinhole& camera, std::size_t count,
                                                      std::uint64_t seed = 1);
 

@@ -13,6 +13,7 @@
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 #include "passes/skin_point.fxh"
+#include "passes/energy_share.fxh"
 #include "passes/irradiance.fxh"
 #include "passes/irradiance_gosselin.fxh"
 

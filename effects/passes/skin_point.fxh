@@ -24,16 +24,4 @@ float4 lightEntry(LitPoint p)
     return float4(texel.yz, max(path, 0.0), path > -gShadowTolerance ? texel.w : 0.0);
 }
 
-// What the specular layer leaves of light that crosses the surface at this cosine.
-float diffuseShare(float cosine)
-{
-    float albedo = tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).x;
-    return energyDiffuseShare(albedo, gSpecularIntensity);
-}
-
-float3 enteringLight(LitPoint p)
-{
-    return irradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
-}
-
 #endif

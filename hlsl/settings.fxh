@@ -2,6 +2,7 @@
 //   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
 //   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
+//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else 1
 //   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 // SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
@@ -22,6 +23,14 @@
 #endif
 #ifndef TEGUMENT_FUR_COLOR_MAP
 #define TEGUMENT_FUR_COLOR_MAP 0
+#endif
+#ifndef TEGUMENT_PEERS_AS_PRINTED
+#define TEGUMENT_PEERS_AS_PRINTED (TEGUMENT_SETTING != 2)
+#endif
+#if TEGUMENT_PEERS_AS_PRINTED
+#define PEER_SEPARABLE_UNIT 2.8
+#else
+#define PEER_SEPARABLE_UNIT 1.0
 #endif
 #if TEGUMENT_MAP_BITS == 32
 #define SKIN_MAP_FORMAT "A32B32G32R32F"
@@ -104,5 +113,8 @@ static const float kBlack = kCorrected ? 2.0 / 255.0 / 12.92 : 0.0;
 static const bool kCullPerPixel = kCorrected;
 // Equations 41 and 42 as printed: only the right and the upper side of the view.
 static const bool kCullAsPrinted = !kCorrected;
+
+// Peers (docs/peers.md).
+static const bool kPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 
 #endif

@@ -1,0 +1,54 @@
+// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx (docs/peers.md). Technique
+// Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too. TEGUMENT_PEERS_AS_PRINTED chooses between the printed
+// listing and FaceWorks' one-dimensional integral.
+#include "../../hlsl/platform.fxh"
+#include "../../hlsl/settings.fxh"
+#include "../../hlsl/workspace.fxh"
+#include "../../hlsl/surface/normal.fxh"
+#include "../../hlsl/specular/fresnel.fxh"
+#include "../../hlsl/specular/beckmann.fxh"
+#include "../../hlsl/specular/kelemen.fxh"
+#include "../../hlsl/specular/energy.fxh"
+#include "../../hlsl/shadow/map.fxh"
+#include "../../hlsl/scatter/irradiance.fxh"
+#include "../../hlsl/peers/screen.fxh"
+#include "../../hlsl/peers/preintegrated.fxh"
+#include "../../hlsl/peers/penumbra.fxh"
+#include "../passes/materials.fxh"
+#include "../passes/skin_parameters.fxh"
+#include "../passes/shadow_map.fxh"
+#include "../passes/surface.fxh"
+#include "../passes/specular.fxh"
+#include "passes/energy_map.fxh"
+#include "../passes/energy_share.fxh"
+#include "passes/point.fxh"
+#include "../passes/profile.fxh"
+#include "passes/preintegrated.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=PreintegratedPenumbra;";
+> = 0.8;
+
+#ifdef FX_TECHNIQUES
+technique Preintegrated < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    MESH_PASS(Final, PeerVS, PreintegratedPS, STATE_SOLID)
+}
+
+technique PreintegratedPenumbra < string Script =
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+{
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    MESH_PASS(Final, PeerVS, PreintegratedPenumbraPS, STATE_SOLID)
+}
+#endif

@@ -1,0 +1,40 @@
+// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey ground.
+#include "../../hlsl/platform.fxh"
+#include "../../hlsl/settings.fxh"
+#include "../../hlsl/workspace.fxh"
+#include "../../hlsl/surface/normal.fxh"
+#include "../../hlsl/peers/preintegrated.fxh"
+#include "../passes/quad.fxh"
+#include "../passes/profile.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=PreintegratedTable;";
+> = 0.8;
+
+Texture2D gPreintegratedMap : RENDERCOLORTARGET < int Width = 257; int Height = 65; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+SAMPLER2D(gPreintegrated, POINT, CLAMP);
+
+float4 PreintegratedTablePS(QuadVarying input) : SV_Target0
+{
+    float2 arguments = preintegratedArguments(input.uv);
+    return float4(preintegratedTexel(gGaussianWeight, arguments.x, arguments.y), 1.0);
+}
+
+float4 ShowPS(QuadVarying input) : SV_Target0
+{
+    return float4(0.5 + tex2Dlod(gPreintegrated, float4(input.uv, 0.0, 0.0)).rgb, 1.0);
+}
+
+#ifdef FX_TECHNIQUES
+technique PreintegratedTable < string Script =
+    "RenderColorTarget0=gPreintegratedMap; RenderDepthStencilTarget=; Pass=Precompute;"
+    "RenderColorTarget0=; Pass=Show;"; >
+{
+    QUAD_PASS(Precompute, QuadVS, PreintegratedTablePS, STATE_BUFFER)
+    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+}
+#endif

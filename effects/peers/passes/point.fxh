@@ -1,0 +1,32 @@
+// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture made of it. As
+// Main.fx has it, with a plain shadow map.
+#ifndef TEGUMENT_PEERS_PASSES_POINT_FXH
+#define TEGUMENT_PEERS_PASSES_POINT_FXH
+
+SurfaceVarying PeerVS(MeshInput input)
+{
+    SurfaceVarying output = surfaceVarying(input);
+    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    return output;
+}
+
+// Without shadow.
+LitPoint peerPoint(SurfaceVarying input)
+{
+    LitPoint p = surfacePoint(input);
+    float4 colour = tex2D(gSkin, input.uv);
+    p.albedo = colour.rgb;
+    p.scatters = colour.a;
+    return p;
+}
+
+// diffused: light under the surface, to be coloured and let out.
+float4 peerRadiance(SurfaceVarying input, LitPoint p, float3 diffused)
+{
+    float3 toEye = safeNormalize(gCameraPosition - input.world);
+    float3 skin = diffused * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
+    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+}
+
+#endif

@@ -24,6 +24,7 @@ void addFur(CLI::App& program, Action& action);
 void addSheet(CLI::App& program, Action& action);
 void addCompare(CLI::App& program, Action& action);
 void addView(CLI::App& program, Action& action);
+void addBench(CLI::App& program, Action& action);
 void addVerify(CLI::App& program, Action& action);
 
 } // namespace tegument::app

@@ -11,18 +11,6 @@ namespace tegument::app {
 
 namespace {
 
-Result<std::pair<int, int>> parseSize(const std::string& text) {
-    std::pair<int, int> size{0, 0};
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.first);
-    const bool separator = width.ec == std::errc() && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X');
-    const auto height = separator ? std::from_chars(width.ptr + 1, end, size.second) : width;
-    if (!separator || height.ec != std::errc() || height.ptr != end || size.first < 1 || size.second < 1)
-        return usageError(8010, fmt::format("--size {} is not a picture size", text),
-                          "write WIDTHxHEIGHT in pixels, for example 1024x1024");
-    return size;
-}
-
 std::optional<std::vector<double>> parseNumbers(std::string_view text) {
     std::vector<double> numbers;
     while (true) {
@@ -83,6 +71,24 @@ bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshF
 
 } // namespace
 
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+    std::pair<int, int> size{0, 0};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.first);
+    const bool separator = width.ec == std::errc() && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X');
+    const auto height = separator ? std::from_chars(width.ptr + 1, end, size.second) : width;
+    if (!separator || height.ec != std::errc() || height.ptr != end || size.first < 1 || size.second < 1)
+        return usageError(8010, fmt::format("--size {} is not a picture size", text),
+                          "write WIDTHxHEIGHT in pixels, for example 1024x1024");
+    return size;
+}
+
+Result<Compiler> chosenCompiler(const std::string& name) {
+    const Compiler compiler = name.empty() ? defaultCompiler() : name == "dxc" ? Compiler::Dxc : Compiler::Glslang;
+    if (compilerAvailable(compiler)) return compiler;
+    return machineError(8015, fmt::format("the compiler {} is not available", name), "run ./bootstrap build, or use --compiler glslang");
+}
+
 void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("effect", options.file, "Effect file (.fx)")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
@@ -109,10 +115,9 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     job.run.technique = options.technique;
     job.run.width = size->first;
     job.run.height = size->second;
-    job.run.compiler = options.compiler.empty() ? defaultCompiler() : options.compiler == "dxc" ? Compiler::Dxc : Compiler::Glslang;
-    if (!compilerAvailable(job.run.compiler))
-        return machineError(8015, fmt::format("the compiler {} is not available", options.compiler),
-                            "run ./bootstrap build, or use --compiler glslang");
+    const auto compiler = chosenCompiler(options.compiler);
+    if (!compiler) return compiler.error();
+    job.run.compiler = *compiler;
     for (const std::string& set : options.sets)
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 

@@ -4,6 +4,8 @@
 #include "host/app/effect_options.h"
 #include "host/app/scene.h"
 
+#include <utility>
+
 namespace tegument::app {
 
 struct JobOptions {
@@ -26,6 +28,12 @@ struct Job {
 
 /// Which technique decides whether a mesh must be there.
 enum class MeshFor { Technique, AnyTechnique };
+
+/// WIDTHxHEIGHT. TG8010.
+[[nodiscard]] Result<std::pair<int, int>> parseSize(const std::string& text);
+
+/// "dxc", "glslang", or the default for no name. TG8015 it is not there.
+[[nodiscard]] Result<Compiler> chosenCompiler(const std::string& name);
 
 void addJobOptions(CLI::App& command, JobOptions& options);
 /// TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler is not there; and whatever loading says.

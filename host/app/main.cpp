@@ -22,6 +22,7 @@ Start here:
   tegument render effects/Main.fx --dump all  the same, with every intermediate target as EXR
   tegument view effects/Main.fx               the same in a window; edits of the source show at once
   tegument verify                             every module against its reference in double precision
+  tegument bench                              every technique: milliseconds and error against brute force
 
 Exit codes: 0 success, 1 the input is at fault, 2 the command line is, 3 the machine is.)";
 
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
     tegument::app::addCompare(program, action);
     tegument::app::addView(program, action);
     tegument::app::addVerify(program, action);
+    tegument::app::addBench(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

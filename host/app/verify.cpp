@@ -2,6 +2,7 @@
 
 #include "host/app/commands.h"
 #include "host/app/effect_options.h"
+#include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/app/verify_page.h"
 #include "host/support/file.h"
@@ -98,10 +99,9 @@ Result<VerifyOptions> optionsOf(const VerifyArguments& arguments) {
     options.effects = arguments.effects;
     options.mapSize = arguments.mapSize;
     options.pictureSize = arguments.pictureSize;
-    options.compiler = arguments.compiler.empty() ? defaultCompiler() : arguments.compiler == "dxc" ? Compiler::Dxc : Compiler::Glslang;
-    if (!compilerAvailable(options.compiler))
-        return machineError(8015, fmt::format("the compiler {} is not available", arguments.compiler),
-                            "run ./bootstrap build, or use --compiler glslang");
+    const auto compiler = chosenCompiler(arguments.compiler);
+    if (!compiler) return compiler.error();
+    options.compiler = *compiler;
     if (arguments.modules.empty() && verifiableModules(options.effects).empty())
         return inputError(8060, {.file = arguments.effects, .byte = {}}, "this folder holds no module that has a reference",
                           "name the folder of the .fx files with --effects");

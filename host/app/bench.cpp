@@ -1,0 +1,192 @@
+// tegument bench: techniques against each other, milliseconds beside error.
+
+#include "host/app/commands.h"
+#include "host/app/effect_options.h"
+#include "host/app/job.h"
+#include "host/app/output.h"
+#include "host/bench/choice.h"
+#include "host/bench/report.h"
+#include "host/support/file.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <ctime>
+#include <memory>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct BenchArguments {
+    std::vector<std::string> scenes = {"head"};
+    std::vector<std::string> techniques;
+    std::vector<std::string> settings;
+    std::string size;
+    std::vector<int> mapSizes;
+    int frames = 0;
+    std::string reference = "1024";
+    std::string keepScenes;
+    std::string catalogue = "effects/catalogue.json";
+    std::string compiler;
+    std::string device;
+    std::string json;
+    std::string csv;
+    std::string plot;
+    bool pick = false;
+    double maxError = 0;
+    double maxMs = 0;
+    std::string markdown;
+};
+
+/// What is small enough for a processor, and what a graphics card is measured at.
+struct Defaults {
+    const char* size;
+    int mapSize;
+    int warmUp;
+    int frames;
+};
+
+Defaults defaultsFor(const gpu::Device& device) {
+    return device.info().cpu ? Defaults{"320x320", 256, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
+}
+
+/// "full", or a number of pixels.
+Result<std::size_t> referencePixels(const std::string& text) {
+    if (text == "full") return std::size_t{0};
+    std::size_t count = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || count == 0)
+        return usageError(8077, fmt::format("--reference {}: neither 'full' nor a number of pixels", text), "for example --reference 1024");
+    return count;
+}
+
+Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu::Device& device) {
+    const Defaults defaults = defaultsFor(device);
+    const auto size = parseSize(arguments.size.empty() ? defaults.size : arguments.size);
+    if (!size) return size.error();
+    const auto compiler = chosenCompiler(arguments.compiler);
+    if (!compiler) return compiler.error();
+    const auto pixels = referencePixels(arguments.reference);
+    if (!pixels) return pixels.error();
+    bench::BenchOptions options{.effects = effectPath(arguments.catalogue).parent_path(),
+                                .sceneFolder = arguments.keepScenes,
+                                .scenes = arguments.scenes,
+                                .width = size->first,
+                                .height = size->second,
+                                .mapSizes = arguments.mapSizes.empty() ? std::vector{defaults.mapSize} : arguments.mapSizes,
+                                .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
+                                .compiler = *compiler,
+                                .pixels = *pixels};
+    return options;
+}
+
+bench::Machine machineOf(const gpu::Device& device, Compiler compiler) {
+    return {.device = device.info().name,
+            .driver = device.info().driver,
+            .compiler = compilerName(compiler),
+            .date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),
+            .version = TEGUMENT_VERSION,
+            .cpu = device.info().cpu};
+}
+
+void printRows(const std::vector<bench::Row>& rows, const bench::Machine& machine) {
+    const bench::Table cells = bench::toTable(rows);
+    fmt::print("{}\n{}, driver {}; {} x {}, {:.0f} % of the first picture is skin{}\n", table(cells.header, cells.rows), machine.device,
+               machine.driver, rows.front().width, rows.front().height, 100 * rows.front().coverage,
+               machine.cpu ? "; a software device: its times are good as ratios only" : "");
+}
+
+int pickOne(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
+    bench::Limit limit;
+    if (arguments.maxError > 0) limit.error = arguments.maxError;
+    if (arguments.maxMs > 0) limit.milliseconds = arguments.maxMs;
+    const auto chosen = bench::pick(rows, limit);
+    if (!chosen) {
+        fmt::print("nothing measured keeps that limit\n");
+        return static_cast<int>(Blame::Input);
+    }
+    const bench::Row& row = rows[*chosen];
+    fmt::print("{} {}, maps of {}: {:.3f} ms, relative L2 {:.4f}\n{}\n", row.contender.name(), row.contender.setting, row.mapSize,
+               row.drawn.milliseconds.median, row.errors.relativeL2, bench::renderCommand(row));
+    return 0;
+}
+
+Result<void> writeTo(const std::string& target, const std::string& text) {
+    if (target != "-") return writeFile(target, text);
+    fmt::print("{}", text);
+    return {};
+}
+
+Result<int> report(const BenchArguments& arguments, const std::vector<bench::Row>& rows, const bench::Machine& machine) {
+    if (!arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, bench::toJson(rows, machine)); !written) return written.error();
+    if (!arguments.csv.empty())
+        if (const auto written = writeTo(arguments.csv, bench::toCsv(rows, machine)); !written) return written.error();
+    for (const bench::Row& row : rows)
+        if (row.failure)
+            fmt::print(stderr, "{} {} on {}:\n{}\n", row.contender.name(), row.contender.setting, row.scene, format(*row.failure));
+    const bool quiet = arguments.json == "-" || arguments.csv == "-";
+    if (!quiet) printRows(rows, machine);
+    return arguments.pick ? pickOne(arguments, rows) : 0;
+}
+
+Result<int> compare(const BenchArguments& arguments) {
+    const auto catalogue = bench::loadCatalogue(effectPath(arguments.catalogue));
+    if (!catalogue) return catalogue.error();
+    const auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
+    if (!contenders) return contenders.error();
+    auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
+    if (!device) return device.error();
+    const auto options = optionsOf(arguments, *device);
+    if (!options) return options.error();
+    Progress progress;
+    const auto rows =
+        bench::runBench(*device, *contenders, *options, {.say = [&](const std::string& what) { progress.say(what); }, .flip = nullptr});
+    progress.clear();
+    if (!rows) return rows.error();
+    return report(arguments, *rows, machineOf(*device, options->compiler));
+}
+
+int run(const BenchArguments& arguments) {
+    const auto result = compare(arguments);
+    return result ? *result : fail(result.error(), arguments.json == "-");
+}
+
+} // namespace
+
+void addBench(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<BenchArguments>();
+    CLI::App* command = program.add_subcommand("bench", "Time every technique and hold its picture against light by brute force");
+    command->add_option("--scene", arguments->scenes, "Names as in docs/bench.md (sphere-10, head@90+4px ...) or workspace files")
+        ->capture_default_str();
+    command->add_option("-t,--technique", arguments->techniques, "Techniques of the catalogue; default: all");
+    command->add_option("--setting", arguments->settings, "Settings of them; default: all");
+    command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
+    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 256, else 1024")
+        ->check(CLI::Range(16, 8192));
+    command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--reference", arguments->reference, "Pixels that get a reference, or 'full'")->capture_default_str();
+    command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");
+    command->add_option("--catalogue", arguments->catalogue, "What can be compared (docs/bench.md)")->capture_default_str();
+    command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")
+        ->check(CLI::IsMember({"dxc", "glslang"}));
+    command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
+    command->add_option("--json", arguments->json, "Write the results as JSON; -: to standard output");
+    command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
+    CLI::Option* pick = command->add_flag("--pick", arguments->pick, "Name the technique to take, and the command that draws with it");
+    command->add_option("--max-error", arguments->maxError, "With --pick: the cheapest within this relative L2")
+        ->check(CLI::PositiveNumber)
+        ->needs(pick);
+    command->add_option("--max-ms", arguments->maxMs, "With --pick: the most accurate within this time")
+        ->check(CLI::PositiveNumber)
+        ->needs(pick);
+    command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace tegument::app

@@ -1,0 +1,133 @@
+// Stretch and blurs under charts that are hard to blur in.
+
+#include "host/bench/stability_work.h"
+#include "host/reference/profile.h"
+#include "host/verify/truth.h"
+#include "host/verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::bench::stability {
+
+namespace {
+
+/// Constant light stays what it is, however the charts are stretched: largest deviation from the sum of the weights.
+Result<void> measureWhite(const Context& context, const Effect& effect, const char* technique, const HardScene& scene) {
+    const auto run = draw(context, effect, technique, scene, context.options.size);
+    if (!run) return run.error();
+    Worst worst;
+    for (int y = 0; y < run->image.height; ++y)
+        for (int x = 0; x < run->image.width; ++x) {
+            if (run->image.at(x, y, 3) < 0.5F) continue; // outside the charts
+            for (int c = 0; c < 3; ++c) {
+                const double error = std::abs(static_cast<double>(run->image.at(x, y, c)) - 1);
+                if (error > worst.value || !std::isfinite(error)) worst = {error, x, y};
+            }
+        }
+    context.report.rows.push_back({.part = {},
+                                   .module = fmt::format("Convolution, {}", technique),
+                                   .hardCase = scene.name,
+                                   .figure = "largest deviation of constant light from 1",
+                                   .value = worst.value,
+                                   .limit = 1e-4,
+                                   .cause = at("texel", worst),
+                                   .notFinite = notFinite(run->image).count,
+                                   .why = "weights of valid texels are renormalised; the profile's columns sum to 1"});
+    return {};
+}
+
+/// The cascade's answer to an edge of light, texel by texel, against the closed form at the place that the texel shows.
+Result<void> measureEdge(const Context& context, const Effect& effect, const HardScene& scene) {
+    constexpr double kBorder = 12; // mm from the edges of the plane: 4.4 sigma of the widest Gaussian
+    constexpr double kHalfSide = 30;
+    const auto run = draw(context, effect, "Convolution", scene, context.options.size);
+    if (!run) return run.error();
+    const verify::Seen seen = verify::lookUnwrapped(scene.mesh, context.options.size);
+    Worst worst;
+    double where = 0;
+    std::size_t texels = 0;
+    for (int y = 0; y < seen.height; ++y)
+        for (int x = 0; x < seen.width; ++x) {
+            const auto& point = seen.pixels[seen.index(x, y)];
+            if (!point || std::max(std::abs(point->position.x), std::abs(point->position.y)) > kHalfSide - kBorder) continue;
+            ++texels;
+            const glm::dvec3 exact = reference::halfPlane(reference::skinProfile(), point->position.x);
+            for (int c = 0; c < 3; ++c) {
+                const double error = std::abs(static_cast<double>(run->image.at(x, y, c)) - exact[c]);
+                if (error <= worst.value) continue;
+                worst = {error, x, y};
+                where = point->position.x;
+            }
+        }
+    context.report.rows.push_back({.part = {},
+                                   .module = "Convolution, Convolution",
+                                   .hardCase = fmt::format("{}: an edge of light", scene.name),
+                                   .figure = "largest difference from the closed form, of full light",
+                                   .value = worst.value,
+                                   .limit = std::nullopt,
+                                   .cause = fmt::format("{}, {:.2g} mm from the edge, of {} texels", at("texel", worst), where, texels),
+                                   .notFinite = notFinite(run->image).count,
+                                   .why = {}});
+    return {};
+}
+
+/// A figure of a module's own check on this scene; none where the chart has no texel whose neighbours all belong to it.
+Result<void> measureModule(const Context& context, const char* module, const char* subject, double limit, const HardScene& scene) {
+    const auto report = verifyModule(context.device, module,
+                                     {.effects = context.options.effects,
+                                      .compiler = context.options.compiler,
+                                      .mapSize = context.options.size,
+                                      .pictureSize = context.options.size,
+                                      .mesh = &scene.mesh,
+                                      .workspace = &scene.workspace});
+    constexpr int kNothingToCompare = 5261;
+    if (!report && report.error().diagnostics.front().code == kNothingToCompare) return {};
+    if (!report) return report.error();
+    const auto metric = std::ranges::find(report->metrics, fmt::format("{}: rel_l2", subject), &Metric::name);
+    if (metric == report->metrics.end()) return {};
+    Worst worst;
+    std::size_t bad = 0;
+    for (const VerifyPicture& picture : report->pictures) {
+        if (picture.subject != subject) continue;
+        bad += notFinite(picture.image).count;
+        if (picture.role != PictureRole::Difference) continue;
+        for (int y = 0; y < picture.image.height; ++y)
+            for (int x = 0; x < picture.image.width; ++x)
+                for (int c = 0; c < 3; ++c)
+                    if (static_cast<double>(picture.image.at(x, y, c)) > worst.value)
+                        worst = {static_cast<double>(picture.image.at(x, y, c)), x, y};
+    }
+    context.report.rows.push_back({.part = {},
+                                   .module = module,
+                                   .hardCase = scene.name,
+                                   .figure = fmt::format("{}: relative L2", subject),
+                                   .value = metric->value,
+                                   .limit = limit > 0 ? std::optional(limit) : std::nullopt,
+                                   .cause = fmt::format("{} differs by {:.2g} of the mean", at("texel", worst), worst.value),
+                                   .notFinite = bad,
+                                   .why = "the module's own limit"});
+    return {};
+}
+
+} // namespace
+
+Result<void> measureCharts(const Context& context) {
+    const auto effect = load(context, context.options.effects / "Convolution.fx", "corrected", {{"TEGUMENT_MAP_BITS", "32"}});
+    if (!effect) return effect.error();
+    for (const HardScene& scene : chartScenes()) {
+        context.say(fmt::format("charts: {}", scene.name));
+        for (const char* technique : {"White", "WhitePoisson"})
+            if (const auto measured = measureWhite(context, *effect, technique, scene); !measured) return measured;
+        if (const auto measured = measureModule(context, "Stretch", "gStretchMap", 3e-3, scene); !measured) return measured;
+    }
+    for (const HardScene& scene : edgeScenes()) {
+        context.say(fmt::format("charts: {}, an edge of light", scene.name));
+        if (const auto measured = measureEdge(context, *effect, scene); !measured) return measured;
+    }
+    return {};
+}
+
+} // namespace tegument::bench::stability

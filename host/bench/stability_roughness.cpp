@@ -1,0 +1,179 @@
+// The reflection at grazing angles and for narrow lobes, and the two precomputed tables at their edges.
+
+#include "host/bench/stability_work.h"
+#include "host/reference/skin.h"
+#include "host/reference/specular.h"
+#include "host/verify/truth.h"
+#include "host/verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tegument::bench::stability {
+
+namespace {
+
+constexpr double kSmallestRoughness = 1e-3; // docs/modules/Beckmann.md: smaller m count as this
+constexpr double kUsual = 0.05;             // the smallest that the effects' sliders offer
+constexpr int kPicture = 256;
+
+/// Where the eye and the light of one picture stand, seen from the middle of the cap.
+struct Directions {
+    double eye = 0; // degrees from the pole
+    double light = 0;
+};
+constexpr std::array kDirections = {Directions{0, 0}, Directions{0, 60}, Directions{0, 89}, Directions{80, -80}, Directions{85, -85}};
+
+glm::dvec3 tilted(double degrees) {
+    const double angle = glm::radians(degrees);
+    return {std::sin(angle), 0, std::cos(angle)};
+}
+
+struct Lobe {
+    double m = 0;
+    double error = -1; // relative to the picture's largest radiance
+    std::string cause;
+    std::size_t notFinite = 0;
+};
+
+std::string causeOf(const reference::SkinScene& skin, const reference::SurfacePoint& point, const glm::dvec3& eye, int x, int y) {
+    const glm::dvec3 n = glm::normalize(point.normal);
+    const glm::dvec3 l = skin.toLight(point);
+    const glm::dvec3 v = glm::normalize(eye - point.position);
+    return fmt::format("pixel ({}, {}): N.L {:.3g}, N.V {:.3g}, N.H {:.7g}", x, y, glm::dot(n, l), glm::dot(n, v),
+                       glm::dot(n, glm::normalize(l + v)));
+}
+
+/// Held against the formula at the place where each pixel's ray meets the mesh, with m no smaller than the effect takes it.
+void judge(const Image& picture, const verify::Truth& truth, const reference::SkinSettings& settings, Lobe& lobe) {
+    const verify::Seen seen = verify::look(truth.skin, truth.camera);
+    const auto counts = verify::interior(seen);
+    std::vector<double> exact(seen.pixels.size(), 0);
+    double peak = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] == 0) continue;
+        const reference::SurfacePoint& point = *seen.pixels[i];
+        const glm::dvec3 n = glm::normalize(point.normal);
+        const glm::dvec3 l = truth.skin.toLight(point);
+        exact[i] = std::max(0.0, glm::dot(n, l)) *
+                   reference::kelemenBrdf(n, l, glm::normalize(truth.camera.eye - point.position), settings.roughness, settings.intensity);
+        peak = std::max(peak, exact[i]);
+    }
+    for (int y = 0; y < seen.height; ++y)
+        for (int x = 0; x < seen.width; ++x) {
+            const std::size_t i = seen.index(x, y);
+            if (counts[i] == 0) continue;
+            const double error = std::abs(static_cast<double>(picture.at(x, y, 0)) - exact[i]) / std::max(peak, 1e-30);
+            if (error <= lobe.error) continue;
+            lobe.error = error;
+            lobe.cause = causeOf(truth.skin, *seen.pixels[i], truth.camera.eye, x, y);
+        }
+}
+
+Result<void> measureLobe(const Context& context, const Effect& effect, const Directions& directions, Lobe& lobe) {
+    HardScene scene = capScene(40, 89, tilted(directions.eye), tilted(directions.light));
+    scene.parameters = {{"gRoughness", {lobe.m}}, {"gSpecularIntensity", {1}}};
+    const auto run = draw(context, effect, "SpecularUnshadowed", scene, kPicture);
+    if (!run) return run.error();
+    lobe.notFinite += notFinite(run->image).count;
+    const verify::Scene stage{scene.mesh, scene.workspace};
+    const verify::Truth truth = verify::truthOf(stage, {.mapSize = context.options.size, .pictureSize = kPicture});
+    reference::SkinSettings settings = truth.skin.settings();
+    settings.roughness = std::max(lobe.m, kSmallestRoughness);
+    settings.intensity = 1;
+    const std::string before = lobe.cause;
+    judge(run->image, truth, settings, lobe);
+    if (lobe.cause != before) lobe.cause += fmt::format("; eye at {:g}, light at {:g} degrees", directions.eye, directions.light);
+    return {};
+}
+
+/// exp(-tan^2 / m^2) multiplies what N.H is off by: a few ULP of 32-bit floats, and 1/256 pixel of the mesh, by 2 / m^2 and 2 / m.
+double lobeLimit(double m) {
+    return 2e-6 / (m * m) + 4e-4 / m;
+}
+
+Result<void> measureLobes(const Context& context) {
+    const auto effect = load(context, context.options.effects / "Specular.fx", "corrected");
+    if (!effect) return effect.error();
+    for (const double m : {1.0, 0.3, 0.1, 0.05, 0.03, 0.01, 0.003, 0.001, 0.0}) {
+        Lobe lobe{.m = m, .cause = {}};
+        for (const Directions& directions : kDirections) {
+            context.say(fmt::format("roughness: m = {:g}, eye at {:g}, light at {:g} degrees", m, directions.eye, directions.light));
+            if (const auto measured = measureLobe(context, *effect, directions, lobe); !measured) return measured;
+        }
+        context.report.rows.push_back({.part = {},
+                                       .module = "Specular",
+                                       .hardCase = fmt::format("m = {:g}, {} views and lights up to 89 degrees", m, kDirections.size()),
+                                       .figure = "largest error, of the lobe's peak",
+                                       .value = lobe.error,
+                                       .limit = m >= kUsual ? std::optional(lobeLimit(m)) : std::nullopt,
+                                       .cause = lobe.cause,
+                                       .notFinite = lobe.notFinite,
+                                       .why = "rounding of N.H, 2e-6 / m^2, and vertices snapped to 1/256 pixel, 4e-4 / m"});
+    }
+    return {};
+}
+
+struct Table {
+    const char* module;
+    const char* map;
+    double limit; // of the usual part, relative to the table's mean
+};
+
+/// The worst texel of one part of a precomputed table: cosine along x, m along y.
+Worst worstTexel(const Image& rendered, const Image& exact, bool usual) {
+    double sum = 0;
+    for (const float value : exact.pixels)
+        sum += static_cast<double>(value);
+    const double mean = sum / static_cast<double>(exact.pixels.size());
+    Worst worst;
+    for (int y = 0; y < exact.height; ++y)
+        for (int x = 0; x < exact.width; ++x) {
+            if (((y + 0.5) / exact.height >= kUsual) != usual) continue;
+            const double error = std::abs(static_cast<double>(rendered.at(x, y, 0)) - static_cast<double>(exact.at(x, y, 0))) / mean;
+            if (error > worst.value) worst = {error, x, y};
+        }
+    return worst;
+}
+
+Result<void> measureTable(const Context& context, const Table& table) {
+    const auto report =
+        verifyModule(context.device, table.module, {.effects = context.options.effects, .compiler = context.options.compiler});
+    if (!report) return report.error();
+    const auto picture = [&](PictureRole role) -> const Image& {
+        return std::ranges::find_if(report->pictures, [&](const auto& p) { return p.subject == table.map && p.role == role; })->image;
+    };
+    const Image& rendered = picture(PictureRole::Rendered);
+    const Image& exact = picture(PictureRole::Reference);
+    for (const bool usual : {true, false}) {
+        const Worst worst = worstTexel(rendered, exact, usual);
+        context.report.rows.push_back(
+            {.part = {},
+             .module = table.module,
+             .hardCase = usual ? fmt::format("m from {:g} to 1, every cosine", kUsual) : fmt::format("m below {:g}, every cosine", kUsual),
+             .figure = "largest error, of the table's mean",
+             .value = worst.value,
+             .limit = usual ? std::optional(table.limit) : std::nullopt,
+             .cause = fmt::format("texel ({}, {}): cosine {:.4g}, m {:.4g}", worst.x, worst.y, (worst.x + 0.5) / exact.width,
+                                  (worst.y + 0.5) / exact.height),
+             .notFinite = notFinite(rendered).count,
+             .why = "docs/modules: a half; midpoints where the horizon cuts the lobe"});
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> measureRoughness(const Context& context) {
+    if (const auto measured = measureLobes(context); !measured) return measured;
+    for (const Table& table : {Table{"Beckmann", "gBeckmannMap", 2.5e-3}, Table{"EnergyAttenuation", "gEnergyAttenuationMap", 0.1}}) {
+        context.say(fmt::format("roughness: {}", table.module));
+        if (const auto measured = measureTable(context, table); !measured) return measured;
+    }
+    return {};
+}
+
+} // namespace tegument::bench::stability

@@ -18,16 +18,28 @@ NamedProfile namedBurley(const std::string& name, const std::string& source, con
     return {name, source, [d](double radius) { return burleyWithin(d, radius); }, [d](double x) { return burleyHalfPlane(d, x); }};
 }
 
+namespace {
+
+/// Each column divided by its sum, which rounding has left a thousandth from 1.
+Profile normalised(Profile profile) {
+    const glm::dvec3 sum = slab(profile, 0);
+    for (Gaussian& gaussian : profile)
+        gaussian.weight /= sum;
+    return profile;
+}
+
+} // namespace
+
 const Profile& refittedProfile(int count) {
     static const std::array<Profile, 4> kRefits = {
-        Profile{{0.0178, {.418, .917, .994}}, {1.8439, {.582, .083, .006}}},
-        Profile{{0.0088, {.249, .589, .833}}, {0.1231, {.263, .404, .167}}, {2.3929, {.488, .007, 0}}},
-        Profile{{0.0073, {.251, .496, .743}}, {0.0746, {.142, .449, .257}}, {0.6649, {.296, .054, 0}}, {3.5484, {.310, 0, 0}}},
-        Profile{{0.0064, {.237, .455, .654}},
-                {0.0496, {.091, .353, .338}},
-                {0.2115, {.170, .188, .005}},
-                {1.5963, {.386, .003, .002}},
-                {6.1879, {.116, .001, 0}}}};
+        normalised({{0.0178, {.418, .917, .994}}, {1.8439, {.582, .083, .006}}}),
+        normalised({{0.0088, {.249, .589, .833}}, {0.1231, {.263, .404, .167}}, {2.3929, {.488, .007, 0}}}),
+        normalised({{0.0073, {.251, .496, .743}}, {0.0746, {.142, .449, .257}}, {0.6649, {.296, .054, 0}}, {3.5484, {.310, 0, 0}}}),
+        normalised({{0.0064, {.237, .455, .654}},
+                    {0.0496, {.091, .353, .338}},
+                    {0.2115, {.170, .188, .005}},
+                    {1.5963, {.386, .003, .002}},
+                    {6.1879, {.116, .001, 0}}})};
     assert(count >= 2 && count <= 5);
     return kRefits.at(static_cast<std::size_t>(count - 2));
 }
@@ -41,8 +53,12 @@ const Profile& conferenceProfile() {
 }
 
 const Profile& physicalProfile() {
-    static const Profile kProfile = {{0.0003, {.058, .084, .119}}, {0.0048, {.129, .182, .240}}, {0.0421, {.242, .357, .437}},
-                                     {0.2429, {.269, .303, .204}}, {5.0122, {.137, .068, 0}},    {70.33, {.164, .006, 0}}};
+    static const Profile kProfile = normalised({{0.0003, {.058, .084, .119}},
+                                                {0.0048, {.129, .182, .240}},
+                                                {0.0421, {.242, .357, .437}},
+                                                {0.2429, {.269, .303, .204}},
+                                                {5.0122, {.137, .068, 0}},
+                                                {70.33, {.164, .006, 0}}});
     return kProfile;
 }
 

@@ -26,21 +26,27 @@ BOTTOM = 150  # mm: nothing comes back from below either
 def medium(substance):
     absorption = np.array(substance["absorption"]) * substance["unit"]
     scattering = np.array(substance["scattering"]) * substance["unit"]
+    extinction = absorption + scattering
     rgb = lambda values: {"type": "rgb", "value": [float(v) for v in values]}
     return {
         "type": "homogeneous",
-        "albedo": rgb(scattering / (absorption + scattering)),
-        "sigma_t": rgb(absorption + scattering),
+        "albedo": rgb(scattering / extinction),
+        "sigma_t": rgb(extinction / extinction.max()),  # a colour: at most 1
+        "scale": float(extinction.max()),
         "phase": {"type": "isotropic"},
     }
 
 
 def scene(mi, layers, endless, side, samples):
-    """Layers: (substance, thickness in mm) from the top; the last one has no lower surface when endless."""
+    """Layers: (substance, thickness in mm) from the top; the last one has no lower surface when endless.
+
+    volpathmis: the plain volpath draws free paths for one channel and weighs the others by ratios that hardly ever, but then greatly, exceed 1; after
+    hundreds of collisions its mean lies below the truth in every run of reasonable length.
+    """
     T = mi.ScalarTransform4f
     result = {
         "type": "scene",
-        "integrator": {"type": "volpath", "max_depth": -1, "rr_depth": 10000},
+        "integrator": {"type": "volpathmis", "max_depth": -1, "rr_depth": 10000},
         "sky": {"type": "constant"},
         "camera": {
             "type": "orthographic",

@@ -3,6 +3,7 @@
 #include "host/run/execute.h"
 #include "host/support/file.h"
 #include "tests/d3d/engines.h"
+#include "tests/d3d/fur_scene.h"
 #include "tests/d3d/job_file.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ Result<void> drawWithVulkan(gpu::Device& device, const Mesh& mesh, const Case& d
                             std::map<Engine, std::vector<std::string>>& jobFiles) {
     const auto effect = loadCase(drawn);
     if (!effect) return effect.error();
-    const Workspace workspace = testWorkspace();
+    const Workspace workspace = drawsFur(drawn) ? furWorkspace() : testWorkspace();
     const RunOptions options{
         .technique = drawn.technique, .width = kPictureWidth, .height = kPictureHeight, .compiler = Compiler::Dxc, .dump = {"all"}};
     const run::RunInput input{
@@ -65,13 +66,15 @@ TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
     }
     const auto mesh = testMesh();
     ASSERT_TRUE(mesh) << format(mesh.error());
-    const auto meshWritten = writeMeshFile(drawings() / kMeshFile, *mesh);
-    ASSERT_TRUE(meshWritten) << format(meshWritten.error());
+    const Mesh torus = furMesh();
+    for (const auto& written :
+         {writeMeshFile(drawings() / kMeshFile, *mesh), writeMeshFile(drawings() / kFurMeshFile, torus), writeFurMaps()})
+        ASSERT_TRUE(written) << format(written.error());
 
     ASSERT_FALSE(allCases().empty());
     std::map<Engine, std::vector<std::string>> jobFiles;
     for (const Case& drawn : allCases()) {
-        const auto done = drawWithVulkan(*device, *mesh, drawn, jobFiles);
+        const auto done = drawWithVulkan(*device, drawsFur(drawn) ? torus : *mesh, drawn, jobFiles);
         ASSERT_TRUE(done) << drawn.name() << "\n" << format(done.error());
     }
     const auto refused = compileAll(allCases());

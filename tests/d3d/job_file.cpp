@@ -4,6 +4,7 @@
 #include "host/run/pixels.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "tests/d3d/fur_scene.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -213,7 +214,9 @@ Result<std::string> writeJob(const Case& drawn, Engine engine, const run::RunInp
     const glm::vec3 background = input.workspace.background;
     std::string lines = fmt::format("technique {}\npicture {} {}{}\n", drawn.technique, kPictureWidth, kPictureHeight,
                                     text({background.x, background.y, background.z}));
-    if (prepared.drawsMesh) lines += fmt::format("mesh {}\n", kMeshFile);
+    if (prepared.drawsMesh) lines += fmt::format("mesh {}\n", drawsFur(drawn) ? kFurMeshFile : kMeshFile);
+    for (const auto& [name, numbers] : input.workspace.parameters)
+        lines += fmt::format("value {}{}\n", name, text(numbers));
     lines += sceneLines(prepared.scene) + *textures;
     if (engine != Engine::Direct3D11) lines += fmt::format("effect {}\n", effectFile(drawn, engine));
     if (engine != Engine::Direct3D9) lines += targetLines(prepared); // Wine's Direct3D 10 cannot read the numbers of annotations

@@ -91,11 +91,16 @@ const std::vector<Exception>& exceptions() {
     static const std::string kCubeFaces =
         "Direct3D 9 filters each face of a cube map by itself: beside the borders of faces, and in the small "
         "mip levels that grazing surfaces take, a look-up has other neighbours";
+    static const std::string kAlphaTest = "a coverage one step apart turns the alpha test of a layer";
+    constexpr double kFourPixels = 4.0 / (kPictureWidth * kPictureHeight);
     static const std::vector<Exception> all = {
         {Engine::Direct3D9, "Convolution_", "gIrradiance", 5e-3, 0.25, kRounding},
         {Engine::Direct3D9, "Main_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},
-        {Engine::Direct3D9, "Main_", "picture", 5e-2, 4.0 / (kPictureWidth * kPictureHeight), kShadowEdge},
+        {Engine::Direct3D9, "Main_", "picture", 5e-2, kFourPixels, kShadowEdge},
         {Engine::Direct3D9, "Fur_Cube", "picture", 0.5, 0.02, kCubeFaces},
+        {Engine::Direct3D9, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
+        {Engine::Direct3D10, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
+        {Engine::Direct3D11, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
         {Engine::Direct3D9, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D10, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D11, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},

@@ -6,6 +6,7 @@
 #include "../hlsl/fur.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
+#include "passes/fur_coat.fxh"
 #include "passes/fur_shell.fxh"
 
 float Script : STANDARDSGLOBAL <

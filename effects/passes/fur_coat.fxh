@@ -1,0 +1,92 @@
+// Pass Skin, and what every layer of a coat shares with it: where it is, how it is lit.
+#ifndef TEGUMENT_PASSES_FUR_COAT_FXH
+#define TEGUMENT_PASSES_FUR_COAT_FXH
+
+Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur"; string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
+SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
+
+static const float kShadowTolerance = 0.005; // share of the mesh's radius
+
+struct FurInput
+{
+    float3 position : POSITION;
+    float3 normal : NORMAL;
+    float2 uv : TEXCOORD0; // read with kFurColorMap only
+};
+
+struct FurVarying
+{
+    float4 position : SV_Position;
+    float3 rest : TEXCOORD0;   // of the skin below, mesh space, from the bounding sphere's centre
+    float3 normal : TEXCOORD1; // mesh space
+    float3 world : TEXCOORD2;  // in the coat
+    float4 lightClip : TEXCOORD3;
+    float3 coat : TEXCOORD4; // height in the coat, uv
+};
+
+FurVarying furVarying(FurInput input, float height)
+{
+    FurVarying output;
+    float3 skin = worldPosition(input.position);
+    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    // Back into the mesh's own axes: with a rotation and one scale the transpose is the inverse, but for a length that does not matter.
+    output.rest = mul((float3x3)gWorld, skin - gBoundingCenter);
+    output.normal = input.normal;
+    output.coat = float3(height, kFurColorMap ? input.uv : float2(0.0, 0.0));
+    output.world = skin + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
+    output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
+    float4 position = mul(float4(output.world, 1.0), gViewProjection);
+    // Planes fitted to the mesh would cut off what its coat has before the nearer one.
+    position.z = max(position.z, 0.0);
+    output.position = HALF_PIXEL(position, gViewportSize);
+    return output;
+}
+
+FurVarying SkinVS(FurInput input)
+{
+    return furVarying(input, 0.0);
+}
+
+// Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
+float furShadow(FurVarying input, float3 normal, float3 toLight)
+{
+    float3 fromLight = input.world - gLightPosition;
+    float3 axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
+    float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    float2 slope = shadowSlope(normal, axisX, axisY, toLight, shadowFootprint(length(fromLight), gLightFov));
+    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
+    float tolerance = kShadowTolerance * gMeshRadius * range;
+    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), shadowDepth(input.lightClip, fromLight), tolerance, slope);
+}
+
+// Albedo of fur at this place: from root to tip, times the colour map.
+float3 furAlbedo(FurVarying input)
+{
+    float3 albedo = lerp(gFurRootColor, gFurTipColor, input.coat.x);
+    if (kFurColorMap)
+        albedo *= tex2D(gFurColor, input.coat.yz).rgb;
+    return albedo;
+}
+
+// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface.
+float3 furRadiance(FurVarying input, float3 albedo, float strandsShare)
+{
+    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float3 strand = furTangent(normal, gFurLean, input.coat.x);
+    float3 toLight = safeNormalize(gLightPosition - input.world);
+    float3 toEye = safeNormalize(gCameraPosition - input.world);
+    float cosine = dot(normal, toLight);
+    float3 dull = albedo * saturate(cosine);
+    float3 strands = albedo * furDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
+    strands += gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
+    float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+    float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * gLightColor * open * furShadow(input, normal, toLight);
+    return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);
+}
+
+float4 SkinPS(FurVarying input) : SV_Target0
+{
+    return float4(furRadiance(input, furAlbedo(input), 0.0), 1.0);
+}
+
+#endif

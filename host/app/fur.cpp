@@ -1,6 +1,7 @@
 // tegument fur: the maps that the shells of effects/Fur.fx read.
 
 #include "host/app/commands.h"
+#include "host/app/fur_roots.h"
 #include "host/app/output.h"
 #include "host/image/dds.h"
 #include "meshprep/fur/fur_map.h"
@@ -242,6 +243,7 @@ void addFur(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("fur", "Make what fur needs");
     command->require_subcommand(1);
     addTexture(*command, action);
+    addFurRoots(*command, action);
 }
 
 } // namespace tegument::app

@@ -1,0 +1,200 @@
+// tegument fur roots: roots on a mesh, evenly by area, as one float texture (docs/fur.md, "Roots").
+
+#include "host/app/fur_roots.h"
+
+#include "host/app/output.h"
+#include "host/image/dds.h"
+#include "host/support/file.h"
+#include "meshprep/fur/roots/root_texture.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RootArguments {
+    RootOptions roots;
+    MeshOptions mesh;
+    std::string input;
+    std::string output = "out/fur/roots.dds";
+    std::string densityMap;
+    std::string lengthMap;
+    std::string directionMap;
+    bool json = false;
+};
+
+struct Built {
+    RootSet set;
+    RootTexture texture;
+    double readSeconds = 0;
+};
+
+Result<void> loadMaps(RootArguments& arguments) {
+    const std::pair<const std::string*, std::optional<FurMap>*> maps[] = {{&arguments.densityMap, &arguments.roots.densityMap},
+                                                                          {&arguments.lengthMap, &arguments.roots.lengthMap},
+                                                                          {&arguments.directionMap, &arguments.roots.directionMap}};
+    for (const auto& [path, map] : maps) {
+        if (path->empty()) continue;
+        auto loaded = FurMap::load(*path);
+        if (!loaded) return loaded.error();
+        *map = *std::move(loaded);
+    }
+    return {};
+}
+
+Result<Built> build(RootArguments& arguments, Progress& progress) {
+    if (const auto loaded = loadMaps(arguments); !loaded) return loaded.error();
+    Built built;
+    progress.say("reading the mesh");
+    const auto start = std::chrono::steady_clock::now();
+    const auto mesh = loadMesh(arguments.input, arguments.mesh);
+    if (!mesh) return mesh.error();
+    built.readSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    progress.say("placing roots");
+    auto set = makeRoots(*mesh, arguments.roots);
+    if (!set) return set.error();
+    built.set = *std::move(set);
+    auto texture = buildRootTexture(built.set);
+    if (!texture) return texture.error();
+    built.texture = *std::move(texture);
+    return built;
+}
+
+double buildSeconds(const Built& built) {
+    const RootSet::Seconds& s = built.set.seconds;
+    return s.surface + s.scatter + s.limits + s.strands + built.texture.seconds;
+}
+
+Json toJson(const Built& built, const RootArguments& arguments) {
+    const RootSet& set = built.set;
+    const RootTexture& texture = built.texture;
+    const RootSet::Seconds& s = set.seconds;
+    return {{"mesh", arguments.input},
+            {"seed", arguments.roots.seed},
+            {"roots", set.roots.size()},
+            {"wanted", set.wanted},
+            {"area_mm2", set.area},
+            {"density_per_mm2", set.density},
+            {"least_distance_mm", set.distance},
+            {"radius_mm", set.radius},
+            {"reach_mm", set.reach},
+            {"cell_mm", set.cell},
+            {"ball", {{"centre", {set.centre.x, set.centre.y, set.centre.z}}, {"radius", set.ballRadius}}},
+            {"shortened",
+             {{"fur_length", arguments.roots.furLength},
+              {"by_curvature", set.shortenedByCurvature},
+              {"by_opposite_sheet", set.shortenedByOpposite}}},
+            {"grid",
+             {{"bricks", {texture.bricks.x, texture.bricks.y, texture.bricks.z}},
+              {"cells_along_brick", texture.brick},
+              {"used_bricks", texture.usedBricks},
+              {"used_cells", texture.usedCells},
+              {"entries", texture.listed},
+              {"longest_list", texture.mostListed},
+              {"longest_list_texels", texture.mostTexels}}},
+            {"texture",
+             {{"width", texture.image.width},
+              {"height", texture.image.height},
+              {"texels", texture.texels},
+              {"bytes", texture.image.pixels.size() * sizeof(float)}}},
+            {"seconds",
+             {{"read", built.readSeconds},
+              {"surface", s.surface},
+              {"scatter", s.scatter},
+              {"limits", s.limits},
+              {"strands", s.strands},
+              {"texture", texture.seconds},
+              {"build", buildSeconds(built)}}}};
+}
+
+void printSummary(const Built& built, const RootArguments& arguments) {
+    const RootSet& set = built.set;
+    const RootTexture& texture = built.texture;
+    fmt::print("{} roots of {} wanted on {:.5g} mm^2, none nearer than {:.4g} mm\n", set.roots.size(), set.wanted, set.area, set.distance);
+    fmt::print("with a coat of {} radii ({:.4g} mm), {} strands are shortened where the surface is concave, {} by the sheet opposite\n",
+               arguments.roots.furLength, arguments.roots.furLength * set.ballRadius, set.shortenedByCurvature, set.shortenedByOpposite);
+    fmt::print("{} cells of {:.4g} mm in {} bricks of {}^3 cells; a cell lists {:.2f} roots, at most {} ({} texels)\n", texture.usedCells,
+               set.cell, texture.usedBricks, texture.brick, static_cast<double>(texture.listed) / static_cast<double>(texture.usedCells),
+               texture.mostListed, texture.mostTexels);
+    fmt::print("texture of {} x {} texels, {:.1f} MB\n", texture.image.width, texture.image.height,
+               static_cast<double>(texture.image.pixels.size() * sizeof(float)) / 1e6);
+    const RootSet::Seconds& s = set.seconds;
+    fmt::print("{:.3f} s to read; {:.3f} s to build: surface {:.3f}, places {:.3f}, lengths {:.3f}, strands {:.3f}, texture {:.3f}\n",
+               built.readSeconds, buildSeconds(built), s.surface, s.scatter, s.limits, s.strands, texture.seconds);
+}
+
+int run(RootArguments& arguments) {
+    Progress progress;
+    const auto built = build(arguments, progress);
+    progress.clear();
+    if (!built) return fail(built.error(), arguments.json);
+    const Json json = toJson(*built, arguments);
+    const fs::path beside = fs::path(arguments.output).replace_extension(".json");
+    const DdsTexture dds{.format = DdsFormat::Rgba32F, .images = {built->texture.image}};
+    if (const auto written = writeDds(arguments.output, dds); !written) return fail(written.error(), arguments.json);
+    if (const auto written = writeFile(beside, json.dump(2) + "\n"); !written) return fail(written.error(), arguments.json);
+    if (arguments.json) {
+        print(json);
+        return 0;
+    }
+    printSummary(*built, arguments);
+    fmt::print("wrote {} and {}\n", arguments.output, beside.string());
+    return 0;
+}
+
+void addPlaces(CLI::App& command, RootOptions& roots) {
+    auto* count = command.add_option("--count", roots.count, "Roots on the mesh")->capture_default_str();
+    command.add_option("--density", roots.density, "Roots per square millimetre, instead of --count")->excludes(count);
+    command.add_option("--spacing", roots.spacing, "Least distance of two roots, in mean spacings 1/sqrt(density)")->capture_default_str();
+    command.add_option("--seed", roots.seed, "Seed of the noise")->capture_default_str();
+    command.add_option("--reach", roots.reach, "How far from its root a strand is found, in mean spacings")->capture_default_str();
+    command.add_option("--cell", roots.cell, "Side of the grid's cells, in mean spacings")->capture_default_str();
+    command.add_option("--threads", roots.threads, "Threads; 0: one a processor")->capture_default_str();
+}
+
+void addLooks(CLI::App& command, RootArguments& arguments) {
+    RootOptions& roots = arguments.roots;
+    command.add_option("--radius", roots.radius, "Radius of a strand at its root, in mean spacings")->capture_default_str();
+    command.add_option("--thinnest", roots.thinnest, "Thinnest strand as a share of that radius")->capture_default_str();
+    command.add_option("--shortest", roots.shortest, "Shortest strand as a share of the longest")->capture_default_str();
+    command.add_option("--lean", roots.lean, "How far tips lean along the direction, in lengths of the strand")->capture_default_str();
+    command
+        .add_option_function<std::vector<double>>(
+            "--comb",
+            [&roots](const std::vector<double>& v) {
+                roots.comb = {v[0], v[1], v[2]};
+            },
+            "Direction in which strands lean, x y z")
+        ->expected(3);
+    command.add_option("--curl", roots.curl, "Most curled strand, 0 to 1 of the effect's curl")->capture_default_str();
+    command.add_option("--length", roots.furLength, "Coat length for which shortened strands are counted, a share of the mesh's radius")
+        ->capture_default_str();
+    command.add_option("--density-map", arguments.densityMap, "Picture or cube map: share of the density");
+    command.add_option("--length-map", arguments.lengthMap, "Picture or cube map: share of the length");
+    command.add_option("--direction-map", arguments.directionMap, "Picture (tangent space) or cube map (mesh space): direction, 0.5 is 0");
+}
+
+} // namespace
+
+void addFurRoots(CLI::App& fur, Action& action) {
+    auto arguments = std::make_shared<RootArguments>();
+    CLI::App* command = fur.add_subcommand("roots", "Place roots of fur on a mesh, evenly by area, as a texture (docs/fur.md)");
+    command->add_option("mesh", arguments->input, "Mesh, as the effect will draw it")->required();
+    command->add_option("-o,--output", arguments->output, "DDS to write; a JSON file of the same name says what is in it")
+        ->capture_default_str();
+    command->add_option("--unit-mm", arguments->mesh.unitMm, "Millimetres per unit of the mesh file");
+    addPlaces(*command, arguments->roots);
+    addLooks(*command, *arguments);
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace tegument::app

@@ -1,0 +1,33 @@
+#pragma once
+// Pictures that shape fur: density, length, direction. On meshes with texture coordinates they lie as every texture does; on others a cube
+// map (DDS) is looked up by the direction from the middle of the mesh's ball, which needs no coordinates and has no seam.
+
+#include "host/image/dds.h"
+#include "meshprep/fur/roots/fur_surface.h"
+
+#include <filesystem>
+
+namespace tegument {
+
+class FurMap {
+public:
+    /// DDS with six faces, or any picture.
+    [[nodiscard]] static Result<FurMap> load(const std::filesystem::path& path);
+    explicit FurMap(DdsTexture texture) : texture_(std::move(texture)) {}
+
+    [[nodiscard]] bool isCube() const { return texture_.isCube(); }
+    /// Bilinear; repeats beyond the unit square, clamps at the edges of a cube's faces. Grey counts as red, green and blue.
+    [[nodiscard]] glm::dvec3 at(const FurSurface& surface, const SurfacePoint& point) const;
+
+private:
+    DdsTexture texture_; // one mip
+};
+
+/// The length's or the density's map: red, held to 0..1.
+[[nodiscard]] double shareAt(const FurMap& map, const FurSurface& surface, const SurfacePoint& point);
+
+/// The direction's map, 0.5 is 0: in tangent space (x along the tangent, y along the bitangent), or, from a cube map, in mesh space. Made
+/// perpendicular to the normal; at most 1 long.
+[[nodiscard]] glm::dvec3 directionAt(const FurMap& map, const FurSurface& surface, const SurfacePoint& point);
+
+} // namespace tegument

@@ -1,0 +1,308 @@
+#include "meshprep/fur/roots/root_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tegument {
+
+namespace {
+
+constexpr std::size_t kHeaderTexels = 8;
+constexpr std::size_t kMostTexels = std::size_t{kRootColumns} * kRootColumns;
+constexpr int kSmallestBrick = 4;
+constexpr int kLargestBrick = 64;
+constexpr int kMostCells = 1 << 20; // along a side: cell numbers stay far below the 2^24 that a float counts to
+
+/// Cells of cubes, gathered into bricks. Cell numbers count through the bricks that hold something.
+class Grid {
+public:
+    explicit Grid(const RootSet& set) : cell_(static_cast<float>(set.cell)), reach_(static_cast<float>(set.reach)) {
+        glm::dvec3 low(std::numeric_limits<double>::infinity());
+        glm::dvec3 high(-low);
+        for (const Root& root : set.roots) {
+            low = glm::min(low, glm::dvec3(root.position));
+            high = glm::max(high, glm::dvec3(root.position));
+        }
+        // Half a cell of air: places beside the outermost roots lie inside in spite of rounding.
+        origin_ = glm::vec3(low - set.reach - 0.5 * set.cell);
+        size_ = (high - low + 2.0 * set.reach + set.cell) / set.cell;
+    }
+
+    [[nodiscard]] bool tooFine() const { return !(std::max({size_.x, size_.y, size_.z}) < kMostCells); }
+
+    /// The smallest bricks whose top level is no larger than the roots themselves.
+    void choose(std::size_t roots) {
+        for (brick_ = kSmallestBrick; brick_ < kLargestBrick && topCount() > 4 * kRootTexels * roots + 65536; brick_ *= 2) {
+        }
+    }
+
+    [[nodiscard]] glm::ivec3 bricks() const { return glm::ivec3(glm::ceil(size_ / static_cast<double>(brick_))); }
+    [[nodiscard]] std::size_t topCount() const {
+        const glm::dvec3 n(bricks());
+        return static_cast<std::size_t>(std::min(n.x * n.y * n.z, 1e12));
+    }
+    [[nodiscard]] int brick() const { return brick_; }
+    [[nodiscard]] std::size_t cellsOfBrick() const { return static_cast<std::size_t>(brick_) * static_cast<std::size_t>(brick_ * brick_); }
+    [[nodiscard]] glm::vec3 origin() const { return origin_; }
+    [[nodiscard]] float cell() const { return cell_; }
+
+    [[nodiscard]] glm::ivec3 cellOf(const glm::vec3& point) const { return glm::ivec3(glm::floor((point - origin_) / cell_)); }
+    [[nodiscard]] std::size_t topOf(const glm::ivec3& cell) const {
+        const glm::ivec3 k = cell / brick_;
+        const glm::ivec3 n = bricks();
+        return static_cast<std::size_t>(k.x) +
+               static_cast<std::size_t>(n.x) *
+                   (static_cast<std::size_t>(k.y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(k.z));
+    }
+    [[nodiscard]] std::size_t within(const glm::ivec3& cell) const {
+        const glm::ivec3 l = cell - cell / brick_ * brick_;
+        return static_cast<std::size_t>(l.x + brick_ * (l.y + brick_ * l.z));
+    }
+
+    /// Calls visit(cell) for every cell that the root's reach touches.
+    template <class Visit>
+    void around(const Root& root, Visit&& visit) const {
+        const float reach = reach_ * (1 + 1e-4F); // for the rounding of the look-up
+        const glm::vec3 at = (root.position - origin_) / cell_;
+        const float radius = reach / cell_;
+        const glm::ivec3 low(glm::floor(at - radius));
+        const glm::ivec3 high(glm::floor(at + radius));
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x) {
+                    const glm::vec3 corner(x, y, z);
+                    const glm::vec3 gap = glm::max(glm::max(corner - at, at - corner - 1.0F), glm::vec3(0));
+                    if (glm::dot(gap, gap) <= radius * radius) visit(glm::ivec3(x, y, z));
+                }
+    }
+
+private:
+    glm::vec3 origin_{0};
+    glm::dvec3 size_{0}; // in cells
+    float cell_ = 1;
+    float reach_ = 0;
+    int brick_ = kSmallestBrick;
+};
+
+class Builder {
+public:
+    Builder(RootSet& set, Grid grid) : set_(set), grid_(grid) {}
+
+    Result<RootTexture> build() {
+        findBricks();
+        sortRoots();
+        countLists();
+        if (const auto checked = layOut(); !checked) return checked.error();
+        writeHeader();
+        writeLists();
+        writeRoots();
+        return std::move(texture_);
+    }
+
+private:
+    static constexpr std::uint32_t kNone = UINT32_MAX;
+
+    void findBricks() {
+        brickOf_.assign(grid_.topCount(), kNone);
+        std::uint32_t bricks = 0;
+        for (const Root& root : set_.roots)
+            grid_.around(root, [&](const glm::ivec3& cell) {
+                std::uint32_t& brick = brickOf_[grid_.topOf(cell)];
+                if (brick == kNone) brick = bricks++;
+            });
+        texture_.usedBricks = bricks;
+        texture_.bricks = grid_.bricks();
+        texture_.brick = grid_.brick();
+    }
+
+    [[nodiscard]] std::size_t numberOf(const glm::ivec3& cell) const {
+        return brickOf_[grid_.topOf(cell)] * grid_.cellsOfBrick() + grid_.within(cell);
+    }
+
+    /// Roots of one cell lie beside each other, and cells of one brick: what is read together is stored together.
+    void sortRoots() {
+        std::vector<std::pair<std::size_t, std::uint32_t>> order;
+        order.reserve(set_.roots.size());
+        for (std::uint32_t i = 0; i < set_.roots.size(); ++i)
+            order.emplace_back(numberOf(grid_.cellOf(set_.roots[i].position)), i);
+        std::ranges::sort(order);
+        std::vector<Root> sorted;
+        sorted.reserve(order.size());
+        for (const auto& entry : order)
+            sorted.push_back(set_.roots[entry.second]);
+        set_.roots = std::move(sorted);
+    }
+
+    void countLists() {
+        lists_.assign(texture_.usedBricks * grid_.cellsOfBrick(), 0);
+        for (const Root& root : set_.roots)
+            grid_.around(root, [&](const glm::ivec3& cell) { ++lists_[numberOf(cell)]; });
+        std::size_t texels = 0;
+        for (std::uint32_t& count : lists_) {
+            texture_.usedCells += count > 0;
+            texture_.listed += count;
+            texture_.mostListed = std::max<std::size_t>(texture_.mostListed, count);
+            const std::size_t own = (std::size_t{count} + 3) / 4;
+            texture_.mostTexels = std::max(texture_.mostTexels, own);
+            count = own > 0 ? static_cast<std::uint32_t>(texels) : kNone; // from here on: where the list starts
+            texels += own;
+        }
+        listTexels_ = texels;
+    }
+
+    Result<void> layOut() {
+        firstTop_ = kHeaderTexels;
+        firstBrick_ = firstTop_ + (grid_.topCount() + 3) / 4;
+        firstList_ = firstBrick_ + lists_.size() / 4;
+        firstRoot_ = firstList_ + listTexels_;
+        texture_.texels = firstRoot_ + kRootTexels * set_.roots.size();
+        if (texture_.texels > kMostTexels)
+            return usageError(7107, fmt::format("{} roots would need {} texels, more than 4096 x 4096", set_.roots.size(), texture_.texels),
+                              "ask for fewer roots, a smaller --reach, or a larger --cell");
+        const std::size_t rows = (texture_.texels + kRootColumns - 1) / kRootColumns;
+        texture_.image = {.width = kRootColumns, .height = static_cast<int>(rows), .channels = 4, .pixels = {}, .metadata = {}};
+        texture_.image.pixels.assign(rows * kRootColumns * 4, 0.0F);
+        return {};
+    }
+
+    void put(std::size_t texel, const glm::vec3& xyz, double w) {
+        float* to = &texture_.image.pixels[4 * texel];
+        to[0] = xyz.x;
+        to[1] = xyz.y;
+        to[2] = xyz.z;
+        to[3] = static_cast<float>(w);
+    }
+
+    void writeHeader() {
+        put(0, grid_.origin(), static_cast<double>(grid_.cell()));
+        put(1, glm::vec3(grid_.bricks()), grid_.brick());
+        put(2, glm::vec3(texture_.image.height, firstTop_, set_.roots.size()), static_cast<double>(texture_.mostTexels));
+        put(3, glm::vec3(set_.reach, set_.radius, set_.distance), set_.density);
+        put(4, glm::vec3(set_.centre), set_.ballRadius);
+        put(5, glm::vec3(firstRoot_, 0, 0), 0);
+    }
+
+    void writeLists() {
+        float* pixels = texture_.image.pixels.data();
+        for (std::size_t i = 0; i < brickOf_.size(); ++i)
+            if (brickOf_[i] != kNone) pixels[4 * firstTop_ + i] = static_cast<float>(firstBrick_ + brickOf_[i] * grid_.cellsOfBrick() / 4);
+        for (std::size_t i = 0; i < lists_.size(); ++i)
+            if (lists_[i] != kNone) pixels[4 * firstBrick_ + i] = static_cast<float>(firstList_ + lists_[i]);
+        std::vector<std::uint32_t> filled(lists_.size(), 0);
+        for (std::size_t root = 0; root < set_.roots.size(); ++root)
+            grid_.around(set_.roots[root], [&](const glm::ivec3& cell) {
+                const std::size_t number = numberOf(cell);
+                pixels[4 * (firstList_ + lists_[number]) + filled[number]++] = static_cast<float>(firstRoot_ + kRootTexels * root);
+            });
+        for (std::size_t i = 0; i < lists_.size(); ++i)
+            if (lists_[i] != kNone) {
+                float& last = pixels[4 * (firstList_ + lists_[i] + (filled[i] - 1) / 4)];
+                last = -last; // marks a list's last texel
+            }
+    }
+
+    void writeRoots() {
+        for (std::size_t i = 0; i < set_.roots.size(); ++i) {
+            const Root& root = set_.roots[i];
+            const std::size_t texel = firstRoot_ + kRootTexels * i;
+            put(texel, root.position, root.radius);
+            put(texel + 1, root.normal * root.share, root.limit);
+            put(texel + 2, root.lean + root.normal * root.curl, root.random);
+        }
+    }
+
+    RootSet& set_;
+    Grid grid_;
+    RootTexture texture_;
+    std::vector<std::uint32_t> brickOf_; // by place in the top level
+    std::vector<std::uint32_t> lists_;   // by cell number
+    std::size_t listTexels_ = 0;
+    std::size_t firstTop_ = 0;
+    std::size_t firstBrick_ = 0;
+    std::size_t firstList_ = 0;
+    std::size_t firstRoot_ = 0;
+};
+
+/// What a shader does: texels by number, in floats.
+class Reader {
+public:
+    explicit Reader(const Image& image) : image_(image) {}
+
+    [[nodiscard]] glm::vec4 fetch(float number) const {
+        const float row = std::floor(number / static_cast<float>(kRootColumns));
+        const float column = number - static_cast<float>(kRootColumns) * row;
+        const float* from = &image_.pixels[4 * (static_cast<std::size_t>(row) * kRootColumns + static_cast<std::size_t>(column))];
+        return {from[0], from[1], from[2], from[3]};
+    }
+
+    [[nodiscard]] float entry(float first, float index) const {
+        const float part = std::floor(index / 4);
+        return fetch(first + part)[static_cast<glm::length_t>(index - 4 * part)];
+    }
+
+private:
+    const Image& image_;
+};
+
+} // namespace
+
+Result<RootTexture> buildRootTexture(RootSet& set) {
+    const auto start = std::chrono::steady_clock::now();
+    if (set.roots.empty())
+        return inputError(7105, {}, "no root stands on the mesh", "the length map or the density map may be 0 everywhere");
+    Grid grid(set);
+    grid.choose(set.roots.size());
+    if (grid.tooFine() || grid.topCount() > 4 * kMostTexels)
+        return usageError(
+            7107, "the mesh is too large for the fineness of its fur: the grid of its roots would have more than 4096 x 4096 texels",
+            "prepare far parts of the mesh on their own, or ask for fewer roots or a larger --cell");
+    auto texture = Builder(set, grid).build();
+    if (texture) texture->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return texture;
+}
+
+std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point) {
+    const Reader reader(image);
+    const glm::vec4 place = reader.fetch(0);
+    const glm::vec4 size = reader.fetch(1);
+    const glm::vec4 parts = reader.fetch(2);
+    const glm::vec3 bricks(size);
+    const float b = size.w;
+    const glm::vec3 cell = glm::floor((point - glm::vec3(place)) / place.w);
+    if (glm::any(glm::lessThan(cell, glm::vec3(0))) || glm::any(glm::greaterThanEqual(cell, b * bricks))) return {};
+    const glm::vec3 k = glm::floor(cell / b);
+    const float brick = reader.entry(parts.y, k.x + bricks.x * (k.y + bricks.y * k.z));
+    if (brick == 0) return {};
+    const glm::vec3 l = cell - b * k;
+    const float list = reader.entry(brick, l.x + b * (l.y + b * l.z));
+    if (list == 0) return {};
+    std::vector<std::size_t> found;
+    const std::size_t firstRoot = static_cast<std::size_t>(reader.fetch(5).x);
+    for (float at = list; at < list + parts.w; ++at) {
+        const glm::vec4 texel = reader.fetch(at);
+        for (glm::length_t i = 0; i < 4; ++i)
+            if (texel[i] != 0) found.push_back((static_cast<std::size_t>(std::abs(texel[i])) - firstRoot) / kRootTexels);
+        if (texel.x < 0) break;
+    }
+    return found;
+}
+
+Root rootAt(const Image& image, std::size_t number) {
+    const Reader reader(image);
+    const float first = reader.fetch(5).x + static_cast<float>(kRootTexels * number);
+    const glm::vec4 a = reader.fetch(first);
+    const glm::vec4 b = reader.fetch(first + 1);
+    const glm::vec4 c = reader.fetch(first + 2);
+    Root root{.position = glm::vec3(a), .radius = a.w, .share = glm::length(glm::vec3(b)), .limit = b.w, .random = c.w};
+    root.normal = glm::vec3(b) / root.share;
+    root.curl = glm::dot(glm::vec3(c), root.normal);
+    root.lean = glm::vec3(c) - root.normal * root.curl;
+    return root;
+}
+
+} // namespace tegument

@@ -1,0 +1,36 @@
+#pragma once
+// Roots as one float texture that shaders of every target can read, Direct3D 9 included: a grid of bricks of cells, the lists of the cells,
+// the roots. docs/fur.md, "Roots", has the layout.
+
+#include "host/image/image.h"
+#include "meshprep/fur/roots/roots.h"
+
+#include <span>
+
+namespace tegument {
+
+inline constexpr int kRootColumns = 4096;     // of the texture, always
+inline constexpr std::size_t kRootTexels = 3; // of one root
+
+struct RootTexture {
+    Image image; // RGBA
+    glm::ivec3 bricks{0};
+    int brick = 0; // cells along a brick's side
+    std::size_t usedBricks = 0;
+    std::size_t usedCells = 0;  // that list a root
+    std::size_t listed = 0;     // entries of all lists
+    std::size_t mostListed = 0; // entries of one list
+    std::size_t mostTexels = 0; // texels of one list: the bound of the shader's loop
+    std::size_t texels = 0;     // in use
+    double seconds = 0;
+};
+
+/// Puts the roots into the order of their cells. TG7107 where the texture would be larger than 4096 x 4096.
+[[nodiscard]] Result<RootTexture> buildRootTexture(RootSet& set);
+
+/// The reader that docs/fur.md describes, in the shader's arithmetic: numbers of the roots that the cell around a point lists.
+[[nodiscard]] std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point);
+/// The root with this number, as its texels say.
+[[nodiscard]] Root rootAt(const Image& image, std::size_t number);
+
+} // namespace tegument

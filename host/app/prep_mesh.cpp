@@ -124,10 +124,10 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
                                        {"unique-tolerance", NormalMode::UniqueTolerance},
                                        {"keep", NormalMode::Keep}}));
     command
-        .add_option("--normals-per", options.normals.sharing,
-                    "What shares a normal. place: everything at one place; sheet: not the two sides of triangles back to back (default); "
-                    "fan: only triangles "
-                    "that are joined by edges")
+        .add_option(
+            "--normals-per", options.normals.sharing,
+            "What shares a normal. place: everything at one place; sheet: not the two sides of parts that lie back to back (default); "
+            "fan: only triangles that are joined by edges")
         ->transform(names<NormalSharing>({{"place", NormalSharing::Place}, {"sheet", NormalSharing::Sheet}, {"fan", NormalSharing::Fan}}));
 }
 

@@ -15,12 +15,19 @@ namespace {
 /// Cosine of 0.26 degrees: float normals of one flat face differ by less, faces of a smooth scan by more.
 constexpr double kSameNormal = 0.99999;
 
-/// Places whose corners do not all share one normal.
+/// Places whose corners do not all share one normal. By sheets: those of components in which every triangle has another on its back, as
+/// a leaf that is seen from both sides. Folds that decimation leaves in a surface stay joined: the surface beside gives them a direction.
 std::vector<bool> dividedPlaces(const Surface& surface, NormalSharing sharing, const std::vector<std::uint32_t>& back) {
-    std::vector<bool> divided(surface.pointCount, sharing == NormalSharing::Fan);
+    std::vector<bool> divided(surface.pointCount, true);
     if (sharing != NormalSharing::Sheet) return divided;
+    DisjointSets components(surface.pointCount);
     for (std::size_t corner = 0; corner < surface.mesh.indices.size(); ++corner)
-        if (back[corner / 3] != corner / 3) divided[surface.pointAt(corner)] = true;
+        components.join(surface.pointAt(corner), surface.pointAt(corner - corner % 3));
+    std::vector<bool> single(surface.pointCount, false);
+    for (std::size_t triangle = 0; triangle < surface.triangles(); ++triangle)
+        if (back[triangle] == triangle) single[components.find(surface.pointAt(3 * triangle))] = true;
+    for (std::uint32_t point = 0; point < surface.pointCount; ++point)
+        divided[point] = !single[components.find(point)];
     return divided;
 }
 

@@ -16,7 +16,7 @@ enum class NormalMode {
 /// Which corners share a normal.
 enum class NormalSharing {
     Place, // all at one place
-    Sheet, // so, but the two sides of triangles back to back do not: the sum of their normals would be 0
+    Sheet, // so, but the two sides of components made of triangles back to back do not: the sum of their normals would be 0
     Fan    // triangles round a place that are joined by edges
 };
 

@@ -140,3 +140,11 @@ TEST(VertexNormals, of_a_fan_of_valence_100000_take_linear_time_in_every_mode) {
         EXPECT_GT(surface.mesh.normals[0].z, 0.5f);
     }
 }
+
+TEST(VertexNormals, of_a_fold_in_a_surface_are_shared_with_the_surface) {
+    // A square of two triangles, and on one of its edges a fold: a triangle and its flip.
+    Surface surface = surfaceOf(meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0, 1}}, {0, 1, 2, 0, 2, 3, 0, 1, 4, 1, 0, 4}));
+    const NormalChanges changes = makeNormals(surface, {});
+    EXPECT_EQ(changes.split, 0u);
+    EXPECT_LT(degreesBetween(surface.mesh.normals[0], {0, 0, 1}), 1e-3) << "the fold's two sides cancel, the surface is left";
+}

@@ -74,7 +74,7 @@ float4 ShowEvenPS(QuadVarying input) : SV_Target0
 }
 
 #ifdef FX_TECHNIQUES
-technique Convolution < string Script =
+technique Convolution < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
@@ -90,6 +90,7 @@ technique Convolution < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
+    OWN_SHADOW_PASS
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
     QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)

@@ -31,12 +31,13 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 }
 
 #ifdef FX_TECHNIQUES
-technique Irradiance < string Script =
+technique Irradiance < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
+    OWN_SHADOW_PASS
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)

@@ -37,7 +37,7 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 #ifdef FX_TECHNIQUES
-technique DEonLuebke < string Script =
+technique DEonLuebke < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
@@ -56,6 +56,7 @@ technique DEonLuebke < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    OWN_SHADOW_PASS
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
@@ -73,7 +74,7 @@ technique DEonLuebke < string Script =
     MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
 }
 
-technique DEonLuebkeCulled < string Script =
+technique DEonLuebkeCulled < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
@@ -95,6 +96,7 @@ technique DEonLuebkeCulled < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    OWN_SHADOW_PASS
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
     MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, STATE_BUFFER)
     QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
@@ -175,11 +177,12 @@ technique GosselinCulled < string Script =
     MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
 }
 
-technique Lambert < string Script =
+technique Lambert < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    OWN_SHADOW_PASS
     MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
     MESH_PASS(Final, FinalVS, LambertPS, STATE_SOLID)
 }

@@ -4,6 +4,8 @@
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
 //   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else 1
 //   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
+//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure what it is worth
+//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what that saves
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 // SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
@@ -20,6 +22,18 @@
 #endif
 #ifndef TEGUMENT_SEAM_REPAIR
 #define TEGUMENT_SEAM_REPAIR 1
+#endif
+#ifndef TEGUMENT_CULL_FRUSTUM
+#define TEGUMENT_CULL_FRUSTUM 1
+#endif
+#ifndef TEGUMENT_CULL_BACK_FACES
+#define TEGUMENT_CULL_BACK_FACES 1
+#endif
+#ifndef TEGUMENT_CULL_BLACK
+#define TEGUMENT_CULL_BLACK 1
+#endif
+#ifndef TEGUMENT_SHADOW_FROM_TSM
+#define TEGUMENT_SHADOW_FROM_TSM 1
 #endif
 #ifndef TEGUMENT_FUR_COLOR_MAP
 #define TEGUMENT_FUR_COLOR_MAP 0
@@ -113,6 +127,10 @@ static const float kBlack = kCorrected ? 2.0 / 255.0 / 12.92 : 0.0;
 static const bool kCullPerPixel = kCorrected;
 // Equations 41 and 42 as printed: only the right and the upper side of the view.
 static const bool kCullAsPrinted = !kCorrected;
+// The causes, one by one.
+static const bool kCullFrustum = TEGUMENT_CULL_FRUSTUM == 1;
+static const bool kCullBackFaces = TEGUMENT_CULL_BACK_FACES == 1;
+static const bool kCullBlack = TEGUMENT_CULL_BLACK == 1;
 
 // Peers (docs/peers.md).
 static const bool kPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;

@@ -39,7 +39,7 @@ bool outsidePoint(CullVarying input)
 
 bool hiddenPoint(CullVarying input)
 {
-    return outsidePoint(input) || facesAway(input, 0.0);
+    return (kCullFrustum && outsidePoint(input)) || (kCullBackFaces && facesAway(input, 0.0));
 }
 
 CullVarying cullVarying(MeshInput input)
@@ -63,7 +63,7 @@ QuadVarying PrePass1VS(QuadInput input)
 
 float4 PrePass1PS(QuadVarying input) : SV_Target0
 {
-    clip(blackAround(input.uv) ? 1.0 : -1.0);
+    clip(kCullBlack && blackAround(input.uv) ? 1.0 : -1.0);
     return 0.0;
 }
 

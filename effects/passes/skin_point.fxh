@@ -5,13 +5,28 @@
 Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
 SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
+// Techniques begin with OWN_SHADOW_SCRIPT and OWN_SHADOW_PASS, which are empty where the translucent shadow map serves as the shadow map.
+#if TEGUMENT_SHADOW_FROM_TSM
+#define OWN_SHADOW_SCRIPT ""
+#define OWN_SHADOW_PASS
+#else
+#define OWN_SHADOW_SCRIPT \
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+#define OWN_SHADOW_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+#endif
+
 LitPoint litPoint(SurfaceVarying input)
 {
     LitPoint p = surfacePoint(input);
     float4 colour = tex2D(gSkin, input.uv);
     p.albedo = colour.rgb;
     p.scatters = colour.a;
+#if TEGUMENT_SHADOW_FROM_TSM
     p.shadow = surfaceShadow(SAMPLER2D_ARG(gTsm), p);
+#else
+    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+#endif
     return p;
 }
 

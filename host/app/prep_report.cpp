@@ -51,6 +51,28 @@ Json mappingJson(const std::vector<prep::MappingFigures>& mapping) {
     return list;
 }
 
+Json rootMappingJson(const std::vector<prep::RootMapping>& mapping) {
+    Json list = Json::array();
+    for (const prep::RootMapping& m : mapping)
+        list.push_back({{"name", m.name},
+                        {"strands", m.count},
+                        {"cv_patch", m.cvPatch},
+                        {"cv_independent", m.poissonCv},
+                        {"starved", m.starved},
+                        {"largest_gap_spacings", m.largestGap},
+                        {"seam_length", m.seamLength}});
+    return list;
+}
+
+void printRootMapping(const std::vector<prep::RootMapping>& mapping) {
+    std::vector<std::vector<std::string>> rows;
+    for (const prep::RootMapping& m : mapping)
+        rows.push_back({m.name, fmt::format("{}", m.count), fmt::format("{:.3f}", m.cvPatch), fmt::format("{:.3f}", m.poissonCv),
+                        fmt::format("{:.2f} %", 100 * m.starved), fmt::format("{:.2f}", m.largestGap),
+                        fmt::format("{:.2f}", m.seamLength)});
+    fmt::print("{}\n", table({"by rest position", "strands", "CV patches", "independent", "starved", "largest gap", "seam"}, rows));
+}
+
 void printMapping(const std::vector<prep::MappingFigures>& mapping) {
     std::vector<std::vector<std::string>> rows;
     for (const prep::MappingFigures& m : mapping)
@@ -79,6 +101,7 @@ Json reportJson(const prep::PrepReport& report, const std::string& input, const 
     json["centre"] = {
         {"moved", {moved.x, moved.y, moved.z}}, {"radius", report.centring.radius}, {"minimal_radius", report.centring.minimalRadius}};
     if (!report.mapping.empty()) json["mapping"] = mappingJson(report.mapping);
+    if (!report.rootMapping.empty()) json["mapping_roots"] = rootMappingJson(report.rootMapping);
     json["topology"] = topologyJson(report.topology);
     json["levels"] = Json::array();
     for (const prep::LevelFigures& level : report.levels)
@@ -99,6 +122,7 @@ void printReport(const prep::PrepReport& report) {
         rows.push_back({std::string(c.model.name), fmt::format("{:.3f}", c.before.acmr()), fmt::format("{:.3f}", c.after.acmr()),
                         fmt::format("{:.3f}", c.before.atvr()), fmt::format("{:.3f}", c.after.atvr())});
     if (!report.mapping.empty()) printMapping(report.mapping);
+    if (!report.rootMapping.empty()) printRootMapping(report.rootMapping);
     if (report.output.faces > 0) fmt::print("\n{}\n", table({"cache", "ACMR before", "after", "ATVR before", "after"}, rows));
     fmt::print(
         "{} vertices, {} triangles; {} bytes with {}-byte vertices and {}-byte indices, {:.2f} % less than {} triangles on their own\n",

@@ -2,13 +2,13 @@
 
 #include "host/scene/normals.h"
 #include "meshprep/prepare/edges.h"
+#include "meshprep/prepare/patches.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 namespace tegument::prep {
@@ -126,21 +126,6 @@ double percentile(const std::vector<double>& values, const std::vector<double>& 
     return order.empty() ? 0 : values[order.back()];
 }
 
-double variation(const std::vector<double>& values, const std::vector<double>& weights) {
-    double total = 0;
-    double mean = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        total += weights[i];
-        mean += weights[i] * values[i];
-    }
-    if (!(mean > 0)) return 0;
-    mean /= total;
-    double squares = 0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        squares += weights[i] * (values[i] / mean - 1) * (values[i] / mean - 1);
-    return std::sqrt(squares / total);
-}
-
 class Examiner {
 public:
     explicit Examiner(const Surface& surface) : surface_(surface) {
@@ -155,7 +140,7 @@ public:
             area_.push_back(glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) / 2);
             total_ += area_.back();
         }
-        divide();
+        patches_ = divideIntoPatches(corners_, area_);
         findEdges();
     }
 
@@ -186,32 +171,6 @@ private:
     static constexpr double kMostAnisotropy = 1e9; // a triangle that the texture shows as a line
     static constexpr double kMostDensity = 1e3;    // times the mean: single triangles at a pole would decide alone
 
-    /// Farthest points, one after the other, each with the triangles nearest to it.
-    void divide() {
-        std::vector<glm::dvec3> middle;
-        for (const auto& p : corners_)
-            middle.push_back((p[0] + p[1] + p[2]) / 3.0);
-        std::vector<double> nearest(middle.size(), std::numeric_limits<double>::infinity());
-        patch_.assign(middle.size(), 0);
-        patchArea_.assign(kPatches, 0);
-        std::size_t seed = 0;
-        for (std::uint32_t k = 0; k < kPatches && !middle.empty(); ++k) {
-            std::size_t farthest = 0;
-            for (std::size_t i = 0; i < middle.size(); ++i) {
-                const glm::dvec3 offset = middle[i] - middle[seed];
-                const double squared = glm::dot(offset, offset);
-                if (squared < nearest[i]) {
-                    nearest[i] = squared;
-                    patch_[i] = k;
-                }
-                if (nearest[i] > nearest[farthest]) farthest = i;
-            }
-            seed = farthest;
-        }
-        for (std::size_t i = 0; i < patch_.size(); ++i)
-            patchArea_[patch_[i]] += area_[i];
-    }
-
     struct SharedEdge {
         std::uint32_t a = 0; // corners at which its two sides start
         std::uint32_t b = 0;
@@ -236,11 +195,12 @@ private:
         if (!(mean > 0)) return;
         std::vector<double> patches(kPatches, 0);
         for (std::size_t i = 0; i < density.size(); ++i) {
-            if (patchArea_[patch_[i]] > 0) patches[patch_[i]] += density[i] * area_[i] / patchArea_[patch_[i]];
+            if (patches_.area[patches_.ofTriangle[i]] > 0)
+                patches[patches_.ofTriangle[i]] += density[i] * area_[i] / patches_.area[patches_.ofTriangle[i]];
             density[i] = std::min(density[i] / mean, kMostDensity);
             if (density[i] < 0.05) figures.starved += area_[i] / total_;
         }
-        figures.cvPatch = variation(patches, patchArea_);
+        figures.cvPatch = variation(patches, patches_.area);
         double squares = 0; // about the mean before single densities were held down
         for (std::size_t i = 0; i < density.size(); ++i)
             squares += area_[i] / total_ * (density[i] - 1) * (density[i] - 1);
@@ -270,8 +230,7 @@ private:
     const Surface& surface_;
     std::vector<std::array<glm::dvec3, 3>> corners_;
     std::vector<double> area_;
-    std::vector<std::uint32_t> patch_;
-    std::vector<double> patchArea_;
+    Patches patches_;
     std::vector<SharedEdge> edges_;
     double total_ = 0;
 };

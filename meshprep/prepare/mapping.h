@@ -1,6 +1,7 @@
 #pragma once
 // How evenly textures lie on a mesh: by its own texture coordinates, and by the vectors with which the source document looks fur up.
 
+#include "meshprep/prepare/patches.h"
 #include "meshprep/prepare/surface.h"
 
 #include <string>
@@ -24,7 +25,6 @@ struct MappingFigures {
     std::optional<double> seamJumpTexels; // mean distance of the two sides of a seam; of texture coordinates only
 };
 
-inline constexpr int kPatches = 300;
 inline constexpr int kMappingTexels = 1024; // side of the texture, or of each of its charts
 
 /// One entry per way: the mesh's own coordinates if it has some, then {position, normal, sum of both} x {sphere map, cube map, two

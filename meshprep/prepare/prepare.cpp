@@ -114,7 +114,8 @@ private:
         if (options_.mappingReport) {
             begin("mapping");
             report_.mapping = examineMapping(surface_);
-            end("mapping", 0, fmt::format("{} ways examined", report_.mapping.size()));
+            report_.rootMapping = examineRoots(surface_);
+            end("mapping", 0, fmt::format("{} ways examined", report_.mapping.size() + report_.rootMapping.size()));
         }
         if (!surface_.mesh.uvs.empty()) makeTangents();
     }

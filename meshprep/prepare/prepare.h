@@ -11,6 +11,7 @@
 #include "meshprep/prepare/mapping.h"
 #include "meshprep/prepare/overdraw.h"
 #include "meshprep/prepare/points.h"
+#include "meshprep/prepare/root_mapping.h"
 #include "meshprep/prepare/topology.h"
 #include "meshprep/prepare/vertex_format.h"
 #include "meshprep/prepare/vertex_normals.h"
@@ -70,7 +71,8 @@ struct PrepReport {
     std::vector<CacheComparison> cache;
     std::vector<LevelFigures> levels; // from the second on
     std::optional<Overdraw> overdraw;
-    std::vector<MappingFigures> mapping; // if asked for
+    std::vector<MappingFigures> mapping;  // if asked for
+    std::vector<RootMapping> rootMapping; // likewise
     VertexError precision;
     Chunks chunks;
     SizeFigures bytes;     // with all that is written of the full mesh

@@ -64,6 +64,11 @@ TEST(SkinProfiles, refits_miss_the_six_gaussians_by_what_is_published_of_them) {
     expectNear(edgeOf(2), {.017, .040, .047}, 1.1e-3);
 }
 
+TEST(SkinProfiles, the_burley_nearest_to_the_six_gaussians_misses_their_edge_by_what_is_published) {
+    const ModelError error = modelError(namedBurley("", "", {.451, .104, .070}), skinOf(skinProfile()));
+    expectNear(error.halfPlane, {.029, .044, .059}, 1e-3);
+}
+
 TEST(SkinProfiles, every_table_is_white) {
     for (const Profile* profile :
          {&refittedProfile(2), &refittedProfile(3), &refittedProfile(4), &refittedProfile(5), &conferenceProfile(), &physicalProfile()}) {

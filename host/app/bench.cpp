@@ -5,6 +5,7 @@
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/bench/choice.h"
+#include "host/bench/python.h"
 #include "host/bench/report.h"
 #include "host/support/file.h"
 
@@ -41,6 +42,8 @@ struct BenchArguments {
     double maxError = 0;
     double maxMs = 0;
     std::string markdown;
+    bool growth = false;
+    bool ablation = false;
 };
 
 /// What is small enough for a processor, and what a graphics card is measured at.
@@ -52,7 +55,7 @@ struct Defaults {
 };
 
 Defaults defaultsFor(const gpu::Device& device) {
-    return device.info().cpu ? Defaults{"320x320", 256, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
+    return device.info().cpu ? Defaults{"320x320", 512, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
 }
 
 /// "full", or a number of pixels.
@@ -135,25 +138,117 @@ Result<int> report(const BenchArguments& arguments, const std::vector<bench::Row
     return arguments.pick ? pickOne(arguments, rows) : 0;
 }
 
-Result<int> compare(const BenchArguments& arguments) {
+constexpr const char* kPlotScript = "host/bench/plot.py";
+constexpr const char* kFlipScript = "host/bench/flip.py";
+
+/// The device and what to do on it, for every kind of measurement.
+struct Work {
+    gpu::Device device;
+    bench::BenchOptions options;
+    bench::Machine machine;
+};
+
+Result<Work> workOf(const BenchArguments& arguments) {
+    auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
+    if (!device) return device.error();
+    auto options = optionsOf(arguments, *device);
+    if (!options) return options.error();
+    bench::Machine machine = machineOf(*device, options->compiler);
+    return Work{std::move(*device), std::move(*options), std::move(machine)};
+}
+
+/// Measures, with what is being done shown meanwhile.
+template <class Measure>
+auto shown(Measure measure) {
+    Progress progress;
+    auto result = measure([&](const std::string& what) { progress.say(what); });
+    progress.clear();
+    return result;
+}
+
+/// JSON into a file of the plots' folder, then the plots.
+Result<void> plot(const BenchArguments& arguments, const char* kind, const std::string& json) {
+    const fs::path data = fs::path(arguments.plot) / (std::string(kind) + ".json");
+    if (const auto written = writeFile(data, json); !written) return written.error();
+    const auto plotted = bench::runHelper(effectPath(kPlotScript), {kind, data.string(), arguments.plot});
+    if (!plotted) return plotted.error();
+    fmt::print(stderr, "{}", *plotted);
+    return {};
+}
+
+Result<int> growth(const BenchArguments& arguments, Work& work) {
+    const auto measured = shown([&](const bench::Say& say) {
+        return bench::measureGrowth(
+            work.device,
+            {.effects = work.options.effects, .compiler = work.options.compiler, .frames = work.options.frames, .large = !work.machine.cpu},
+            say);
+    });
+    if (!measured) return measured.error();
+    const std::string json = bench::toJson(*measured, work.machine);
+    if (arguments.growth && !arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, json); !written) return written.error();
+    const bench::Table cells = bench::toTable(*measured);
+    if (arguments.json != "-" && arguments.csv != "-") fmt::print("\n{}", table(cells.header, cells.rows));
+    if (!arguments.plot.empty())
+        if (const auto plotted = plot(arguments, "growth", json); !plotted) return plotted.error();
+    return 0;
+}
+
+Result<int> ablation(const BenchArguments& arguments, Work& work) {
+    const auto measured =
+        shown([&](const bench::Say& say) { return bench::measureAblation(work.device, work.options, {.say = say, .flip = nullptr}); });
+    if (!measured) return measured.error();
+    if (!arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, bench::toJson(*measured, work.machine, work.options.scenes.front())); !written)
+            return written.error();
+    const bench::Table cells = bench::toTable(*measured);
+    if (arguments.json != "-")
+        fmt::print("{}\n{}, driver {}; {}, {} x {}, maps of {}\n", table(cells.header, cells.rows), work.machine.device,
+                   work.machine.driver, work.options.scenes.front(), work.options.width, work.options.height,
+                   work.options.mapSizes.front());
+    return 0;
+}
+
+Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto rows = shown([&](const bench::Say& say) {
+        return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(effectPath(kFlipScript))});
+    });
+    if (!rows) return rows.error();
+    auto code = report(arguments, *rows, work.machine);
+    if (!code || arguments.plot.empty()) return code;
+    if (const auto plotted = plot(arguments, "pareto", bench::toJson(*rows, work.machine)); !plotted) return plotted.error();
+    const auto grown = growth(arguments, work);
+    return grown ? code : grown;
+}
+
+Result<int> writeMarkdown(const std::string& file) {
+    const auto json = readFile(file);
+    if (!json) return json.error();
+    const auto markdown = bench::toMarkdown(*json, file);
+    if (!markdown) return markdown.error();
+    fmt::print("{}", *markdown);
+    return 0;
+}
+
+Result<int> runChosen(const BenchArguments& arguments) {
+    if (!arguments.markdown.empty()) return writeMarkdown(arguments.markdown);
+    if (arguments.pick && arguments.maxError <= 0 && arguments.maxMs <= 0)
+        return usageError(8079, "--pick needs a limit", "add --max-error E or --max-ms T");
     const auto catalogue = bench::loadCatalogue(effectPath(arguments.catalogue));
     if (!catalogue) return catalogue.error();
     const auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
     if (!contenders) return contenders.error();
-    auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
-    if (!device) return device.error();
-    const auto options = optionsOf(arguments, *device);
-    if (!options) return options.error();
-    Progress progress;
-    const auto rows =
-        bench::runBench(*device, *contenders, *options, {.say = [&](const std::string& what) { progress.say(what); }, .flip = nullptr});
-    progress.clear();
-    if (!rows) return rows.error();
-    return report(arguments, *rows, machineOf(*device, options->compiler));
+    for (const std::string& scene : arguments.scenes)
+        if (const auto known = bench::checkSceneName(scene); !known) return known.error();
+    auto work = workOf(arguments);
+    if (!work) return work.error();
+    if (arguments.growth) return growth(arguments, *work);
+    if (arguments.ablation) return ablation(arguments, *work);
+    return compare(arguments, *contenders, *work);
 }
 
 int run(const BenchArguments& arguments) {
-    const auto result = compare(arguments);
+    const auto result = runChosen(arguments);
     return result ? *result : fail(result.error(), arguments.json == "-");
 }
 
@@ -167,7 +262,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("-t,--technique", arguments->techniques, "Techniques of the catalogue; default: all");
     command->add_option("--setting", arguments->settings, "Settings of them; default: all");
     command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
-    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 256, else 1024")
+    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 512, else 1024")
         ->check(CLI::Range(16, 8192));
     command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
         ->check(CLI::Range(1, 100000));
@@ -186,6 +281,20 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--max-ms", arguments->maxMs, "With --pick: the most accurate within this time")
         ->check(CLI::PositiveNumber)
         ->needs(pick);
+    command->get_option("--max-ms")->excludes("--max-error");
+    command->add_option("--plot", arguments->plot,
+                        "Folder for the plots of time against error and of growth, PNG and SVG, with their JSON");
+    CLI::Option* growth =
+        command->add_flag("--growth", arguments->growth, "Only measure how cost grows with texels, pixels, passes, layers and faces");
+    CLI::Option* ablation =
+        command->add_flag("--ablation", arguments->ablation, "Only measure what each optimisation is worth, on the first scene");
+    growth->excludes(ablation)->excludes(pick);
+    ablation->excludes(pick);
+    command->add_option("--markdown", arguments->markdown, "Measure nothing: print the tables of a file that --json wrote, as Markdown")
+        ->check(CLI::ExistingFile);
+    command->footer(
+        "Scenes: plane-edge, plane-disc, sphere-5, sphere-10, sphere-20, cylinder, lobes, head; each as NAME[@LIGHT][+shadow][+bumps]\n"
+        "[+checker][+Npx] with LIGHT in degrees from the camera or 'behind', and N pixels to the mm. docs/bench.md explains the columns.");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

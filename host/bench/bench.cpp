@@ -125,10 +125,13 @@ void addFlip(std::vector<Row>& rows, std::size_t first, const Stage& stage, cons
 }
 
 void runContest(gpu::Device& device, const Stage& stage, const Contest& contest, const std::vector<Contender>& contenders,
-                const BenchTools& tools, std::vector<Row>& rows) {
+                const Frames& frames, const BenchTools& tools, std::vector<Row>& rows) {
     const std::string place = fmt::format("{}, maps of {}", stage.scene.name, contest.mapSize);
+    std::vector<Entry> entries;
+    for (const Contender& contender : contenders)
+        entries.push_back({contest, contender});
     const auto drawn =
-        drawInTurns(device, contest, contenders, [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
+        drawInTurns(device, entries, frames, [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
     const std::size_t first = rows.size();
     for (std::size_t i = 0; i < contenders.size(); ++i) {
         rows.push_back(rowOf(stage, contenders[i], contest));
@@ -150,9 +153,8 @@ Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contend
                                   .width = options.width,
                                   .height = options.height,
                                   .mapSize = mapSize,
-                                  .compiler = options.compiler,
-                                  .frames = options.frames};
-            runContest(device, **stage, contest, contenders, tools, rows);
+                                  .compiler = options.compiler};
+            runContest(device, **stage, contest, contenders, options.frames, tools, rows);
         }
     }
     return rows;

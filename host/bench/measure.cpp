@@ -87,18 +87,19 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
 
 } // namespace
 
-std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const Contest& contest, const std::vector<Contender>& contenders,
+std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,
                                        const std::function<void(const std::string&)>& say) {
     std::vector<Result<Entrant>> entrants;
-    for (const Contender& contender : contenders) {
-        say(fmt::format("preparing {} {} ({} of {})", contender.name(), contender.setting, entrants.size() + 1, contenders.size()));
-        entrants.push_back(enter(device, contest, contender));
+    for (const Entry& entry : entries) {
+        say(fmt::format("preparing {} {} ({} of {})", entry.contender.name(), entry.contender.setting, entrants.size() + 1,
+                        entries.size()));
+        entrants.push_back(enter(device, entry.contest, entry.contender));
     }
-    for (int frame = -contest.frames.warmUp; frame < contest.frames.timed; ++frame) {
-        say(fmt::format("frame {} of {}", frame + contest.frames.warmUp + 1, contest.frames.warmUp + contest.frames.timed));
-        for (Result<Entrant>& entrant : entrants)
-            if (entrant)
-                if (const auto drawn = drawOnce(contest, *entrant, frame >= 0); !drawn) entrant = drawn.error();
+    for (int frame = -frames.warmUp; frame < frames.timed; ++frame) {
+        say(fmt::format("frame {} of {}", frame + frames.warmUp + 1, frames.warmUp + frames.timed));
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            if (entrants[i])
+                if (const auto drawn = drawOnce(entries[i].contest, *entrants[i], frame >= 0); !drawn) entrants[i] = drawn.error();
     }
     std::vector<Result<Drawn>> outcomes;
     for (Result<Entrant>& entrant : entrants) {

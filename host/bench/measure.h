@@ -38,12 +38,17 @@ struct Contest {
     int height = 0;
     int mapSize = 0;
     Compiler compiler = Compiler::Dxc;
-    Frames frames;
 };
 
-/// Each contender's outcome, in their order: one that cannot be drawn does not stop the others. All are alive at once and drawn in turns,
-/// frame by frame, so that a clock that changes changes for all. `say`: what is being done.
-[[nodiscard]] std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const Contest& contest, const std::vector<Contender>& contenders,
+/// Who is drawn, and on what.
+struct Entry {
+    Contest contest;
+    Contender contender;
+};
+
+/// Each entry's outcome, in their order: one that cannot be drawn does not stop the others. All are alive at once and drawn in turns, frame
+/// by frame, so that a clock that changes changes for all. `say`: what is being done.
+[[nodiscard]] std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,
                                                      const std::function<void(const std::string&)>& say);
 
 /// Relative figures are to the mean of the truth over the compared pixels.

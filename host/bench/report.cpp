@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
-#include <map>
 
 namespace tegument::bench {
 
@@ -31,21 +31,22 @@ Json passesJson(const Drawn& drawn) {
     return passes;
 }
 
+Json machineJson(const Machine& machine) {
+    return {{"device", machine.device},     {"driver", machine.driver}, {"cpu", machine.cpu},
+            {"compiler", machine.compiler}, {"date", machine.date},     {"version", machine.version}};
+}
+
 Json headJson(const Row& row, const Machine& machine) {
-    return {{"technique", row.contender.name()},
-            {"setting", row.contender.setting},
-            {"source", row.contender.source},
-            {"scene", row.scene},
-            {"mesh", row.mesh},
-            {"resolution", {row.width, row.height}},
-            {"map_size", row.mapSize},
-            {"coverage", row.coverage},
-            {"device", machine.device},
-            {"driver", machine.driver},
-            {"cpu", machine.cpu},
-            {"compiler", machine.compiler},
-            {"date", machine.date},
-            {"version", machine.version}};
+    Json json{{"technique", row.contender.name()},
+              {"setting", row.contender.setting},
+              {"source", row.contender.source},
+              {"scene", row.scene},
+              {"mesh", row.mesh},
+              {"resolution", {row.width, row.height}},
+              {"map_size", row.mapSize},
+              {"coverage", row.coverage}};
+    json.update(machineJson(machine));
+    return json;
 }
 
 Json rowJson(const Row& row, const Machine& machine) {
@@ -82,49 +83,8 @@ std::string optional(std::optional<double> value, const char* absent) {
     return value ? fmt::format("{:.4f}", *value) : absent;
 }
 
-/// A number of an object that may lack it.
-std::string cell(const Json& object, const char* key, const char* pattern) {
-    if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return "not measured";
-    return fmt::format(fmt::runtime(pattern), object[key].get<double>());
-}
-
-std::string text(const Json& object, const char* key) {
-    return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : std::string();
-}
-
-double number(const Json& object, const char* key) {
-    return object.contains(key) && object[key].is_number() ? object[key].get<double>() : 0;
-}
-
-bool isRow(const Json& row) {
-    return row.is_object() && row.contains("technique") && row.contains("resolution") && row["resolution"].is_array() &&
-           row["resolution"].size() == 2 && row["resolution"][0].is_number() && row["resolution"][1].is_number();
-}
-
-constexpr const char* kMarkdownHeader =
-    "| technique | setting | ms, median | p5 | p95 | MiB | rel L2 | p99 | bias | FLIP | rel L2, own definition "
-    "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
-
-/// What a table's rows have in common, as its title.
-std::string title(const Json& row) {
-    return fmt::format("{}, {} x {}, maps of {} x {}, {:.0f} % of the picture is skin; {}, driver {}, compiler {}, {}, version {}",
-                       text(row, "scene"), row["resolution"][0].get<int>(), row["resolution"][1].get<int>(), number(row, "map_size"),
-                       number(row, "map_size"), 100 * number(row, "coverage"), text(row, "device"), text(row, "driver"),
-                       text(row, "compiler"), text(row, "date"), text(row, "version"));
-}
-
-std::string markdownRow(const Json& row) {
-    if (row.contains("failure"))
-        return fmt::format("| {} | {} | {} |\n", text(row, "technique"), text(row, "setting"), "could not be drawn");
-    const Json none;
-    const Json& ms = row.contains("ms") ? row["ms"] : none;
-    const Json& error = row.contains("error") ? row["error"] : none;
-    const Json& own = row.contains("own_error") ? row["own_error"] : none;
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", text(row, "technique"), text(row, "setting"),
-                       cell(ms, "median", "{:.3f}"), cell(ms, "p5", "{:.3f}"), cell(ms, "p95", "{:.3f}"),
-                       mebibytes(static_cast<std::uint64_t>(number(row, "target_bytes"))), cell(error, "rel_l2", "{:.4f}"),
-                       cell(error, "p99", "{:.3f}"), cell(error, "bias", "{:+.4f}"), cell(error, "flip", "{:.4f}"),
-                       own.is_object() ? cell(own, "rel_l2", "{:.4f}") : "the same");
+std::string dumped(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace
@@ -133,7 +93,7 @@ std::string toJson(const std::vector<Row>& rows, const Machine& machine) {
     Json list = Json::array();
     for (const Row& row : rows)
         list.push_back(rowJson(row, machine));
-    return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped(list);
 }
 
 std::string toCsv(const std::vector<Row>& rows, const Machine& machine) {
@@ -176,24 +136,53 @@ Table toTable(const std::vector<Row>& rows) {
     return table;
 }
 
-Result<std::string> toMarkdown(const std::string& json, const std::string& nameForMessages) {
-    const Json list = Json::parse(json, nullptr, false);
-    if (!list.is_array())
-        return inputError(8076, {.file = nameForMessages, .byte = {}}, "not a list of results", "give what tegument bench --json wrote");
-    std::vector<std::string> titles;
-    std::map<std::string, std::string> tables;
-    for (const Json& row : list) {
-        if (!isRow(row))
-            return inputError(8076, {.file = nameForMessages, .byte = {}}, "an entry of the list is no result of a comparison",
-                              "give what tegument bench --json wrote");
-        const std::string name = title(row);
-        if (!tables.contains(name)) titles.push_back(name);
-        tables[name] += markdownRow(row);
+std::string toJson(const std::vector<Growth>& growth, const Machine& machine) {
+    Json series = Json::array();
+    for (const Growth& one : growth)
+        series.push_back({{"quantity", one.quantity},
+                          {"what", one.what},
+                          {"x", one.x},
+                          {"ms", one.milliseconds},
+                          {"exponent", one.law.exponent},
+                          {"factor", one.law.factor},
+                          {"worst", one.law.worst}});
+    return dumped({{"machine", machineJson(machine)}, {"series", series}});
+}
+
+std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine, const std::string& scene) {
+    Json list = Json::array();
+    for (const AblationRow& row : rows)
+        list.push_back({{"group", row.group},
+                        {"what", row.what},
+                        {"ms", row.milliseconds},
+                        {"noise", row.noise},
+                        {"change", row.change},
+                        {"rel_l2", numberOrNull(row.relativeL2)}});
+    return dumped({{"machine", machineJson(machine)}, {"scene", scene}, {"ablation", list}});
+}
+
+Table toTable(const std::vector<Growth>& growth) {
+    Table table{.header = {"time of", "grows with", "sizes", "ms", "exponent"}, .rows = {}};
+    for (const Growth& one : growth) {
+        std::vector<std::string> ms;
+        for (const double milliseconds : one.milliseconds)
+            ms.push_back(fmt::format("{:.3f}", milliseconds));
+        table.rows.push_back({one.what, one.quantity, fmt::format("{:.0f}", fmt::join(one.x, ", ")), fmt::format("{}", fmt::join(ms, ", ")),
+                              fmt::format("{:.2f}", one.law.exponent)});
     }
-    std::string markdown;
-    for (const std::string& name : titles)
-        markdown += name + ".\n\n" + kMarkdownHeader + tables[name] + "\n";
-    return markdown;
+    return table;
+}
+
+Table toTable(const std::vector<AblationRow>& rows) {
+    Table table{.header = {"what", "ms", "change", "noise", "rel L2"}, .rows = {}};
+    std::string group;
+    for (const AblationRow& row : rows) {
+        if (row.group != group) table.rows.push_back({row.group, "", "", "", ""});
+        group = row.group;
+        table.rows.push_back({"  " + row.what, fmt::format("{:.3f}", row.milliseconds), fmt::format("{:+.3f}", row.change),
+                              fmt::format("{:.3f}", row.noise), optional(row.relativeL2, "the same")});
+    }
+    return table;
 }
 
 } // namespace tegument::bench

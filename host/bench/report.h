@@ -1,7 +1,9 @@
 #pragma once
 // Results as JSON, CSV, Markdown and a table for the terminal.
 
+#include "host/bench/ablation.h"
 #include "host/bench/bench.h"
+#include "host/bench/growth.h"
 
 #include <string>
 #include <vector>
@@ -28,8 +30,16 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 [[nodiscard]] Table toTable(const std::vector<Row>& rows);
-/// One Markdown table for each scene, size and machine of a list that toJson wrote, in the order of the list. TG8076
-/// when it is no such list.
+[[nodiscard]] Table toTable(const std::vector<Growth>& growth);
+[[nodiscard]] Table toTable(const std::vector<AblationRow>& rows);
+
+/// {machine, series: [{quantity, what, x, ms, exponent, factor, worst}]}
+[[nodiscard]] std::string toJson(const std::vector<Growth>& growth, const Machine& machine);
+/// {machine, scene, ablation: [{group, what, ms, noise, change, rel_l2}]}
+[[nodiscard]] std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine, const std::string& scene);
+
+/// The tables of docs/speed-error.md from any of these three: of a comparison one for each scene, size and machine. TG8076 when it is none
+/// of them.
 [[nodiscard]] Result<std::string> toMarkdown(const std::string& json, const std::string& nameForMessages);
 
 } // namespace tegument::bench

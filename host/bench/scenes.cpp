@@ -197,6 +197,11 @@ Result<fs::path> makeHead(const SceneName& name, const std::string& text, const 
     return writeScene(name, text, *mesh, view, options);
 }
 
+bool isFile(const std::string& text) {
+    std::error_code code;
+    return text.ends_with(".json") || fs::is_regular_file(text, code);
+}
+
 /// The workspace's textures win over the mesh file's, as when an effect is drawn.
 Result<void> takeTextures(Scene& scene) {
     for (const auto& [role, names] : {std::pair{"color", std::pair{"DIFFUSE", "gSkinMap"}}, {"normal", {"NORMAL", "gNormalMap"}}})
@@ -251,9 +256,14 @@ Result<SceneName> parseSceneName(const std::string& text) {
     return name;
 }
 
+Result<void> checkSceneName(const std::string& text) {
+    if (isFile(text)) return {};
+    const auto name = parseSceneName(text);
+    return name ? Result<void>() : name.error();
+}
+
 Result<Scene> loadScene(const std::string& text, const SceneOptions& options) {
-    std::error_code code;
-    if (text.ends_with(".json") || fs::is_regular_file(text, code)) return read(fs::path(text).stem().string(), text);
+    if (isFile(text)) return read(fs::path(text).stem().string(), text);
     const auto name = parseSceneName(text);
     if (!name) return name.error();
     const auto file = name->shape == "head" ? makeHead(*name, text, options) : makeShape(*name, text, options);

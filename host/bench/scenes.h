@@ -39,6 +39,9 @@ struct SceneOptions {
     int height = 0;
 };
 
+/// Whether `text` names a scene or a file, without reading or making any. TG8072, TG8073.
+[[nodiscard]] Result<void> checkSceneName(const std::string& text);
+
 /// `text` names a scene or a workspace file of one mesh. TG8074 a workspace of several objects.
 [[nodiscard]] Result<Scene> loadScene(const std::string& text, const SceneOptions& options);
 

@@ -30,8 +30,9 @@ struct StabilityRow {
 struct StabilityOptions {
     std::filesystem::path effects = "effects"; // folder of the .fx files
     Compiler compiler = Compiler::Dxc;
-    int size = 128;                 // texels a side of the maps, pixels a side of the pictures
-    std::vector<std::string> parts; // empty: all
+    int size = 128;                   // texels a side of the maps, pixels a side of the pictures
+    std::vector<std::string> parts;   // empty: all
+    std::vector<std::string> modules; // names of .fx files; empty: all
     /// Another device to compare with. Null: the machine's software device, where it has one and it is not the first.
     gpu::Device* other = nullptr;
     std::function<void(const std::string&)> say; // progress; may be empty

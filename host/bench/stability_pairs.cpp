@@ -72,8 +72,9 @@ Result<void> measureFormats(const Context& context) {
                                       Subject{"Main.fx", "Gosselin"}};
     for (const Subject& subject : kSubjects)
         for (const char* setting : {"seed", "deon2007", "corrected"}) {
-            context.say(fmt::format("formats: {} [{}]", subject.technique, setting));
             const auto file = context.options.effects / subject.file;
+            if (!context.wants(file.stem().string())) continue;
+            context.say(fmt::format("formats: {} [{}]", subject.technique, setting));
             const auto half = drawWay(context.device, context, file, subject.technique, setting,
                                       {context.options.compiler, {{"TEGUMENT_MAP_BITS", "16"}}});
             if (!half) return half.error();
@@ -87,10 +88,10 @@ Result<void> measureFormats(const Context& context) {
                  .hardCase = "maps of 16 against 32 bits a channel",
                  .figure = "relative L2",
                  .value = error.relativeL2,
-                 .limit = 2e-3,
+                 .limit = 5.5e-3,
                  .cause = fmt::format("{} differs by {:.2g} of the mean", at("pixel", error.largest), error.largest.value),
                  .notFinite = notFinite(*half).count + notFinite(*full).count,
-                 .why = "a half has 11 bits; software truncates, 1e-3 at most, and seven taps average"});
+                 .why = "eleven writes, each shortened by 2^-11 on average where halves are truncated"});
         }
     return {};
 }

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kSmallestRoughness = 1e-3; // docs/modules/Beckmann.md: smaller m count as this
 constexpr double kUsual = 0.05;             // the smallest that the effects' sliders offer
-constexpr int kPicture = 256;
 
 /// Where the eye and the light of one picture stand, seen from the middle of the cap.
 struct Directions {
@@ -76,11 +75,12 @@ void judge(const Image& picture, const verify::Truth& truth, const reference::Sk
 Result<void> measureLobe(const Context& context, const Effect& effect, const Directions& directions, Lobe& lobe) {
     HardScene scene = capScene(40, 89, tilted(directions.eye), tilted(directions.light));
     scene.parameters = {{"gRoughness", {lobe.m}}, {"gSpecularIntensity", {1}}};
-    const auto run = draw(context, effect, "SpecularUnshadowed", scene, kPicture);
+    const int size = 2 * context.options.size; // fine enough for grazing angles
+    const auto run = draw(context, effect, "SpecularUnshadowed", scene, size);
     if (!run) return run.error();
     lobe.notFinite += notFinite(run->image).count;
     const verify::Scene stage{scene.mesh, scene.workspace};
-    const verify::Truth truth = verify::truthOf(stage, {.mapSize = context.options.size, .pictureSize = kPicture});
+    const verify::Truth truth = verify::truthOf(stage, {.mapSize = context.options.size, .pictureSize = size});
     reference::SkinSettings settings = truth.skin.settings();
     settings.roughness = std::max(lobe.m, kSmallestRoughness);
     settings.intensity = 1;
@@ -168,8 +168,10 @@ Result<void> measureTable(const Context& context, const Table& table) {
 } // namespace
 
 Result<void> measureRoughness(const Context& context) {
-    if (const auto measured = measureLobes(context); !measured) return measured;
+    if (context.wants("Specular"))
+        if (const auto measured = measureLobes(context); !measured) return measured;
     for (const Table& table : {Table{"Beckmann", "gBeckmannMap", 2.5e-3}, Table{"EnergyAttenuation", "gEnergyAttenuationMap", 0.1}}) {
+        if (!context.wants(table.module)) continue;
         context.say(fmt::format("roughness: {}", table.module));
         if (const auto measured = measureTable(context, table); !measured) return measured;
     }

@@ -60,6 +60,11 @@ constexpr Subject kSubjects[] = {
     {"Fur.fx", "CubeCombined", "corrected"},
 };
 
+/// Outside the charts the seed's stretch counts as 1 (its Table 7): a length in disguise, which nobody can scale.
+bool scalesItself(const Subject& subject) {
+    return std::string_view(subject.technique) != "DEonLuebke" || std::string_view(subject.setting) != "seed";
+}
+
 struct Deviation {
     double relativeL2 = 0;
     std::string cause;
@@ -119,7 +124,7 @@ void addRows(const Context& context, const Subject& subject, const Sweep& sweep)
                                    .hardCase = "radius of the scene 1 mm to 10 m",
                                    .figure = "largest relative L2 to the picture at 100 mm",
                                    .value = sweep.judged.relativeL2,
-                                   .limit = kSamePicture,
+                                   .limit = scalesItself(subject) ? std::optional(kSamePicture) : std::nullopt,
                                    .cause = sweep.judged.cause,
                                    .notFinite = sweep.notFinite,
                                    .why = "single texels on the edge of a shadow tip over with the last bit"});
@@ -140,7 +145,7 @@ void addRows(const Context& context, const Subject& subject, const Sweep& sweep)
 Result<void> measureScale(const Context& context) {
     for (const Subject& subject : kSubjects) {
         const auto file = context.options.effects / subject.effect;
-        if (!std::filesystem::exists(file)) continue;
+        if (!std::filesystem::exists(file) || !context.wants(file.stem().string())) continue;
         context.say(fmt::format("scale: {} [{}]", subject.technique, subject.setting));
         const auto effect = load(context, file, subject.setting);
         if (!effect) return effect.error();

@@ -148,6 +148,7 @@ Result<void> sweep(const Context& context, const Effect& effect, const Tolerance
 } // namespace
 
 Result<void> measureShadow(const Context& context) {
+    if (!context.wants("ShadowMap")) return {};
     const std::vector<Tolerances> all = {{"seed", {0, 1e-4, 1e-3, 5e-3, 2e-2, 1e-1}, 5e-3, true},
                                          {"deon2007", {0, 0.1, 0.3, 1, 2, 5}, 2, false},
                                          {"corrected", {0, 0.03, 0.1, 0.3, 1, 3, 10}, 0.3, false}};

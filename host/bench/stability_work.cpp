@@ -1,5 +1,7 @@
 #include "host/bench/stability_work.h"
 
+#include "host/support/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +10,11 @@
 namespace tegument::bench::stability {
 
 namespace fs = std::filesystem;
+
+bool Context::wants(std::string_view module) const {
+    return options.modules.empty() ||
+           std::ranges::any_of(options.modules, [&](const std::string& name) { return equalsIgnoreCase(name, module); });
+}
 
 std::string settingNumber(const std::string& setting) {
     return setting == "seed" ? "0" : setting == "deon2007" ? "1" : "2";
@@ -28,7 +35,7 @@ std::vector<fs::path> effectFiles(const Context& context) {
     std::error_code code;
     for (auto entry = fs::recursive_directory_iterator(context.options.effects, code); !code && entry != fs::end(entry);
          entry.increment(code))
-        if (entry->path().extension() == ".fx") files.push_back(entry->path());
+        if (entry->path().extension() == ".fx" && context.wants(entry->path().stem().string())) files.push_back(entry->path());
     std::ranges::sort(files);
     return files;
 }

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Context {
     gpu::Device& device;
     const StabilityOptions& options;
     StabilityReport& report;
+
+    /// Whether the options ask for this module, "Main" of Main.fx.
+    [[nodiscard]] bool wants(std::string_view module) const;
 
     void say(const std::string& line) const {
         if (options.say) options.say(line);
@@ -44,7 +48,7 @@ struct HardScene {
 [[nodiscard]] Result<Effect> load(const Context& context, const std::filesystem::path& file, const std::string& setting,
                                   const Defines& defines = {});
 
-/// Every .fx file below the options' folder, sorted.
+/// Every wanted .fx file below the options' folder, sorted.
 [[nodiscard]] std::vector<std::filesystem::path> effectFiles(const Context& context);
 
 /// The picture, with the scene's parameters that the effect has.

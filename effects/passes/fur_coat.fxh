@@ -36,8 +36,7 @@ FurVarying furVarying(FurInput input, float height)
     output.world = skin + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
-    // Planes fitted to the mesh would cut off what its coat has before the nearer one.
-    position.z = max(position.z, 0.0);
+    position.z = furNearDepth(position.z, position.w);
     output.position = HALF_PIXEL(position, gViewportSize);
     return output;
 }
@@ -68,6 +67,13 @@ float3 furAlbedo(FurVarying input)
     return albedo;
 }
 
+// Radiance of strands of this albedo in light of colour 1 that nothing shadows.
+float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye)
+{
+    float3 diffuse = albedo * furDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
+    return diffuse + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
+}
+
 // Radiance of what has this albedo: of strands, or of the skin between them, a dull surface.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare)
 {
@@ -77,8 +83,7 @@ float3 furRadiance(FurVarying input, float3 albedo, float strandsShare)
     float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
-    float3 strands = albedo * furDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
-    strands += gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
+    float3 strands = furStrandLight(albedo, strand, toLight, toEye);
     float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * gLightColor * open * furShadow(input, normal, toLight);
     return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);

@@ -34,6 +34,15 @@ float3 furTangent(float3 normal, float lean, float height)
     return safeNormalize(normal + float3(0.0, -2.0 * lean * height, 0.0));
 }
 
+// Depth z of a clip position whose planes were fitted to the mesh: what the coat has before the nearer one is not cut off but drawn close behind it, in
+// order. From kNearMargin of w on, z / w falls to 0 as an exponential that goes on from it without a bend.
+static const float kNearMargin = 0.01;
+float furNearDepth(float z, float w)
+{
+    float margin = kNearMargin * max(w, 1e-20);
+    return z < margin && w > 0.0 ? margin * exp(max(z / margin - 1.0, -80.0)) : z;
+}
+
 // How much of a texel is covered at this height. alpha: of a fur map, the height at which its strands end; taper 0 takes it as coverage, whatever the
 // height (the seed's maps hold 0 and 1), 1 compares it with the height, across `softness` of it.
 float furCoverage(float alpha, float height, float taper, float softness)

@@ -1,0 +1,34 @@
+// FurRoots: fur whose strands grow on the surface itself, in proportion to area, without texture coordinates, seams or stretch, and few layers that each sweep
+// what lies between them and the next. Technique Cellular needs nothing but the mesh; technique Roots reads roots made by `tegument fur roots`.
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/fur_roots.fxh"
+#include "passes/shadow_map.fxh"
+#include "passes/fur_parameters.fxh"
+#include "passes/fur_roots_parameters.fxh"
+#include "passes/fur_coat.fxh"
+#include "passes/fur_strands.fxh"
+#include "passes/fur_cellular.fxh"
+
+float Script : STANDARDSGLOBAL <
+    string UIWidget = "none";
+    string ScriptClass = "object";
+    string ScriptOrder = "standard";
+    string ScriptOutput = "color";
+    string Script = "Technique=Cellular;";
+> = 0.8;
+
+#ifdef FX_TECHNIQUES
+#define STRANDS_TECHNIQUE(name, strandsPS) \
+technique name < string Script = \
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" \
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Strands"); > \
+{ \
+    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
+    MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
+    LAYER_PASS(Strands, "gFurLayers", StrandsVS, strandsPS, STATE_LAYER) \
+}
+
+STRANDS_TECHNIQUE(Cellular, CellularPS)
+#endif

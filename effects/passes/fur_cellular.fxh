@@ -1,0 +1,57 @@
+// Technique Cellular: strands where points of a lattice lie near the skin.
+#ifndef TEGUMENT_PASSES_FUR_CELLULAR_FXH
+#define TEGUMENT_PASSES_FUR_CELLULAR_FXH
+
+static const float kFurRho = 0.5;           // points that far from the skin still grow a strand, cells
+static const float kFurCellDensity = 0.875; // strands per square of a cell: 2 rho, less the shortening near the slab's faces
+
+// The strands of all cells that hold points near enough to the piece.
+float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
+{
+    float reach = sweep.reach + 0.5 * length(piece.along);
+    // 1 - x^2 / 2 is at least the sine of the angle whose cosine is x.
+    float3 extent = kFurRho * abs(sweep.normal) + reach * (1.0 - 0.5 * sweep.normal * sweep.normal);
+    float3 middle = piece.begin + 0.5 * piece.along;
+    float3 low = floor(middle - extent);
+    float3 high = floor(middle + extent);
+    float slab = kFurRho + 0.5 * dot(abs(sweep.normal), 1.0);
+    float3 cell = low;
+    [loop] for (int i = 0; i < 125 && cell.z <= high.z; i++)
+    {
+        [branch] if (abs(dot(middle - cell - 0.5, sweep.normal)) < slab)
+        {
+            float3 residue = furCellResidue(cell);
+            float3 root = piece.begin - cell - furUnit(residue);
+            float distance = dot(root, sweep.normal);
+            root -= sweep.normal * distance;
+            float3 away = root + 0.5 * piece.along;
+            [branch] if (abs(distance) < kFurRho && dot(away, away) < reach * reach)
+            {
+                float3 random = furUnit(furMixed(residue));
+                float share = max(lerp(gFurShortest, 1.0, random.y) * furNearness(distance, kFurRho), 0.01);
+                met = furMeet(met, sweep, piece, root, share, gFurRadius, random);
+            }
+        }
+        cell.x += 1.0;
+        cell = cell.x > high.x ? float3(low.x, cell.y + 1.0, cell.z) : cell;
+        cell = cell.y > high.y ? float3(low.x, low.y, cell.z + 1.0) : cell;
+    }
+    return met;
+}
+
+float4 CellularPS(StrandsVarying input) : SV_Target0
+{
+    FurSweep sweep = furSweep(input, gFurSpacing * gMeshRadius);
+    FurPiece piece = furFirstPiece();
+    float4 met = 0.0;
+    // Each turn takes the next place on the way, and from the second on the piece between it and the last one.
+    [loop] for (int i = 0; i <= sweep.steps; i++)
+    {
+        piece = furNextPiece(piece, sweep, i * sweep.step);
+        [branch] if (i > 0)
+            met = furCells(met, sweep, piece);
+    }
+    return furStrandColor(input, sweep, piece, met, kFurCellDensity);
+}
+
+#endif

@@ -1,0 +1,191 @@
+// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands, heights in shares of the
+// coat; places in the mesh's own axes.
+#ifndef TEGUMENT_PASSES_FUR_STRANDS_FXH
+#define TEGUMENT_PASSES_FUR_STRANDS_FXH
+
+static const float kFurStep = 1.0;        // that one step of a sweep goes along the skin
+static const float kFurMostSteps = 8.0;   // of a sweep; what lies beyond is taken as covered as it is to be expected
+static const float kFurFarSegment = 64.0; // added to gFurSegment where only coverage is expected
+
+struct StrandsVarying
+{
+    float4 position : SV_Position;
+    float4 rest : TEXCOORD0;   // as in FurVarying; layers above this one, and a half
+    float4 normal : TEXCOORD1; // height in the coat
+    float3 fromEye : TEXCOORD2;
+    float3 toLight : TEXCOORD3;
+    float4 lightClip : TEXCOORD4;
+};
+
+// The ray's way from a layer to the next, and how it is walked.
+struct FurSweep
+{
+    float3 place;     // over the skin
+    float3 direction; // unit, tangential
+    float3 normal;
+    float3 view;   // unit
+    float height;  // of the layer,
+    float bottom;  // and of the one below
+    float fall;    // see sweep.fxh
+    float bend;
+    float way;     // from layer to layer
+    float step;
+    float steps;   // below 0: other layers cover this one's part
+    float width;   // of a pixel
+    float fade;    // from strands to expected coverage
+    float reach;   // of strands from their roots
+};
+
+// A straight piece of it in (place, height), from begin to end.
+struct FurPiece
+{
+    float3 begin;
+    float3 end;
+    float3 along; // tangential
+    float top;
+    float low;
+    float2 bend;   // of a strand's axis at the top: along its own side, and across it,
+    float2 bendLow;
+};
+
+// Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
+StrandsVarying StrandsVS(LAYER_INPUT(FurInput, input))
+{
+    float layer = LAYER_INDEX(gFurLayer);
+    float height = furLayerHeight(layer, gFurLayers, 0.0);
+    FurVarying coat = furVarying(input, height);
+    StrandsVarying output;
+    output.position = coat.position;
+    output.rest = float4(coat.rest, gFurLayers - 0.5 - layer);
+    output.normal = float4(coat.normal, height);
+    output.fromEye = mul((float3x3)gWorld, coat.world - gCameraPosition);
+    output.toLight = mul((float3x3)gWorld, gLightPosition - coat.world);
+    output.lightClip = coat.lightClip;
+    return output;
+}
+
+float3 furDown()
+{
+    return mul((float3x3)gWorld, float3(0.0, -1.0, 0.0));
+}
+
+// From a strand's root to its axis at this height: its stray along its own side, and one of its turns, which begin at that side.
+float2 furBend(float height)
+{
+    float2 turn = furWave(gFurTurns * height + float3(0.0, 0.75, 0.5)).xy; // as cosine and sine
+    return height * (float2(gFurScatter * height, 0.0) + gFurCurls * turn);
+}
+
+// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root, 1 tip), brightness.
+// root: way from it to the piece's begin, tangential. share: of the coat's height. random: of the strand, in (0, 1).
+float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float3 random)
+{
+    float3 side = random - 0.5;
+    side = safeNormalize(side - sweep.normal * dot(side, sweep.normal));
+    float3 across = cross(sweep.normal, side);
+    float2 unbend = piece.bendLow - piece.bend;
+    float3 from = root - piece.bend.x * side - piece.bend.y * across;
+    float3 along = piece.along - unbend.x * side - unbend.y * across;
+    float drop = piece.top - piece.low;
+    float2 covered = furCone(from, along, radius * (1.0 - piece.top / share), radius * drop / share, sweep.width);
+    float height = piece.top - drop * covered.y;
+    float tint = 1.0 + gFurVariation * (random.z - 0.5);
+    return met + (1.0 - met.x) * covered.x * float4(1.0, height, saturate(height / share), tint);
+}
+
+// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square spacing.
+float4 furExpect(float4 sweep, float fade, float density, float3 heights, float way)
+{
+    float3 radius = gFurRadius * furMeanRadius(heights, gFurShortest);
+    float3 share = radius * float3(1.0, 4.0, 1.0);
+    float height = dot(share, heights) / max(dot(share, 1.0), 1e-4); // strands are met as often as they are wide
+    float along = saturate(height * 2.0 / (1.0 + gFurShortest));
+    sweep *= 1.0 - fade;
+    return sweep + (1.0 - sweep.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
+}
+
+FurSweep furSweep(StrandsVarying input, float spacing)
+{
+    FurSweep sweep;
+    float coat = max(gFurLength * gMeshRadius / spacing, 1.0);
+    sweep.normal = safeNormalize(input.normal.xyz);
+    sweep.view = safeNormalize(input.fromEye);
+    sweep.place = input.rest.xyz / spacing;
+    sweep.height = input.normal.w;
+    sweep.width = 2.0 * tan(0.5 * gCameraFov) / (gViewportSize.x * spacing) * length(input.fromEye);
+    sweep.fade = saturate(sweep.width - 1.0);
+
+    // By the upright coat, for that alone is the same for all layers.
+    float cosine = dot(sweep.view, sweep.normal);
+    float upright = coat * furSine(cosine) / max(-cosine, kFurLeastCosine);
+    float2 stride = furStride(gFurLayers, upright, gFurSegment + sweep.fade * kFurFarSegment, gFurFewest);
+    sweep.bottom = max(sweep.height - (sweep.fade > 0.0 ? stride.x : stride.y) / gFurLayers, 0.0);
+
+    float3 strand = coat * (sweep.normal + gFurLean * (sweep.height + sweep.bottom) * furDown());
+    float3 travel = furTravel(sweep.view, sweep.normal, strand);
+    sweep.fall = rsqrt(max(dot(travel, travel), 1e-8));
+    sweep.direction = travel * sweep.fall;
+    float curvature = furCurvature(sweep.direction, ddx(sweep.place), ddy(sweep.place), ddx(sweep.normal), ddy(sweep.normal));
+    sweep.bend = clamp(curvature * coat, -1.0, 1.0) / (coat * coat);
+    sweep.way = furWay(sweep.fall, sweep.bend, sweep.height - sweep.bottom);
+
+    float pieces = sweep.fade < 1.0 ? clamp(ceil(sweep.way / kFurStep), 1.0, kFurMostSteps) : 0.0;
+    sweep.step = min(sweep.way / max(pieces, 1.0), kFurStep);
+    sweep.steps = frac(input.rest.w / stride.x) * stride.x < 1.0 ? pieces : -1.0;
+    sweep.reach = gFurRadius + gFurScatter + gFurCurls + 0.5 * sweep.width;
+    return sweep;
+}
+
+FurPiece furFirstPiece()
+{
+    FurPiece piece;
+    piece.begin = 0.0;
+    piece.end = 0.0;
+    piece.along = 0.0;
+    piece.top = 0.0;
+    piece.low = 0.0;
+    piece.bend = 0.0;
+    piece.bendLow = 0.0;
+    return piece;
+}
+
+// The piece from where the last one ends to `way`. Places are those in the strands' own lattice, in which tufts lean together.
+FurPiece furNextPiece(FurPiece last, FurSweep sweep, float way)
+{
+    FurPiece piece;
+    piece.begin = last.end;
+    piece.top = last.low;
+    piece.bend = last.bendLow;
+    piece.low = saturate(furFallen(sweep.height, sweep.fall, sweep.bend, way));
+    piece.bendLow = furBend(piece.low);
+    float3 place = sweep.place + sweep.direction * way;
+    piece.end = place + gFurTufts * piece.low * piece.low * furTuft(place / gFurTuftSize);
+    piece.along = piece.end - piece.begin;
+    piece.along -= sweep.normal * dot(piece.along, sweep.normal);
+    return piece;
+}
+
+// What the skin leaves of the light: one tap, for strands are narrower than texels of the map.
+float furSkinShadow(float4 lightClip, float3 toLight)
+{
+    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
+    return shadowLit(SAMPLER2D_ARG(gShadow), shadowCoordinate(lightClip), shadowDepth(lightClip, toLight) - kShadowTolerance * gMeshRadius * range);
+}
+
+// The layer's colour and coverage. met: as furMeet; last: the last piece. density: of strands, per square spacing.
+float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
+{
+    float top = lerp(last.low, sweep.height, sweep.fade);
+    float beyond = sweep.way - max(sweep.steps, 0.0) * sweep.step * (1.0 - sweep.fade);
+    met = furExpect(met, sweep.fade, density, float3(top, 0.5 * (top + sweep.bottom), sweep.bottom), beyond);
+    clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
+    float3 mean = met.yzw / met.x;
+    float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
+    float3 strand = safeNormalize(sweep.normal + 2.0 * gFurLean * mean.x * furDown());
+    float3 toLight = safeNormalize(input.toLight);
+    float open = furSkinShadow(input.lightClip, input.toLight) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
+    float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
+    return float4(direct + albedo * gFurFill * furFill(mean.x, gFurDensity, gFurMultiple), met.x);
+}
+
+#endif

@@ -5,6 +5,7 @@
 #include "host/app/output.h"
 #include "host/image/dds.h"
 #include "host/support/file.h"
+#include "meshprep/fur/roots/root_picture.h"
 #include "meshprep/fur/roots/root_texture.h"
 
 #include <CLI/CLI.hpp>
@@ -28,10 +29,12 @@ struct RootArguments {
     std::string densityMap;
     std::string lengthMap;
     std::string directionMap;
+    std::string picture;
     bool json = false;
 };
 
 struct Built {
+    Mesh mesh;
     RootSet set;
     RootTexture texture;
     double readSeconds = 0;
@@ -55,11 +58,12 @@ Result<Built> build(RootArguments& arguments, Progress& progress) {
     Built built;
     progress.say("reading the mesh");
     const auto start = std::chrono::steady_clock::now();
-    const auto mesh = loadMesh(arguments.input, arguments.mesh);
+    auto mesh = loadMesh(arguments.input, arguments.mesh);
     if (!mesh) return mesh.error();
+    built.mesh = *std::move(mesh);
     built.readSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.say("placing roots");
-    auto set = makeRoots(*mesh, arguments.roots);
+    auto set = makeRoots(built.mesh, arguments.roots);
     if (!set) return set.error();
     built.set = *std::move(set);
     auto texture = buildRootTexture(built.set);
@@ -141,6 +145,12 @@ int run(RootArguments& arguments) {
     const DdsTexture dds{.format = DdsFormat::Rgba32F, .images = {built->texture.image}};
     if (const auto written = writeDds(arguments.output, dds); !written) return fail(written.error(), arguments.json);
     if (const auto written = writeFile(beside, json.dump(2) + "\n"); !written) return fail(written.error(), arguments.json);
+    if (!arguments.picture.empty()) {
+        constexpr int kSide = 640;
+        const Image picture = drawRoots(built->mesh, built->set, arguments.roots.furLength, kSide);
+        if (const auto written = writePng(arguments.picture, picture, PngEncoding::Srgb); !written)
+            return fail(written.error(), arguments.json);
+    }
     if (arguments.json) {
         print(json);
         return 0;
@@ -190,6 +200,7 @@ void addFurRoots(CLI::App& fur, Action& action) {
     command->add_option("mesh", arguments->input, "Mesh, as the effect will draw it")->required();
     command->add_option("-o,--output", arguments->output, "DDS to write; a JSON file of the same name says what is in it")
         ->capture_default_str();
+    command->add_option("--picture", arguments->picture, "PNG to draw the strands into, from the front, the right and above");
     command->add_option("--unit-mm", arguments->mesh.unitMm, "Millimetres per unit of the mesh file");
     addPlaces(*command, arguments->roots);
     addLooks(*command, *arguments);

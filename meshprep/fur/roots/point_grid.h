@@ -11,7 +11,7 @@ namespace tegument {
 
 class PointGrid {
 public:
-    PointGrid(float cell, std::size_t points) : perLength_(1 / cell), mask_(std::bit_ceil(4 * points + 16) - 1), heads_(mask_ + 1, kNone) {
+    PointGrid(float cell, std::size_t points) : perLength_(1 / cell), mask_(std::bit_ceil(points + 16) - 1), heads_(mask_ + 1, kNone) {
         entries_.reserve(points);
     }
 

@@ -12,11 +12,20 @@ namespace {
 
 // Sparser than a sixteenth, discs do not grow any more (the number of roots still falls): the search for neighbours stays short.
 constexpr double kLeastDensity = 1.0 / 16;
-constexpr std::uint32_t kThinning = 0x5bd1e995U; // another stream of the same noise
+constexpr std::uint32_t kOfDensity = 0x5bd1e995U; // streams of the noise of their own
+constexpr std::uint32_t kOfTurns = 0x6c8e9cf5U;
 
 struct Candidate {
     SurfacePoint point;
     float distance = 0;
+    double turn = 0; // when it is its turn
+};
+
+/// Darts numbered from `first`, one into each of `count` parts of equal area: in the order of the triangles, so that what is read for one
+/// is still at hand for the next.
+struct Round {
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
 };
 
 class Darts {
@@ -26,28 +35,35 @@ public:
         points_.reserve(options.wanted);
     }
 
-    /// Tries the places from `first` to `last`.
-    void round(std::uint64_t first, std::uint64_t last) {
+    void play(const Round& round) {
         std::vector<std::vector<Candidate>> left(threadCount(options_.threads));
-        inChunks(last - first, options_.threads, [&](std::size_t from, std::size_t to, std::size_t chunk) {
+        inChunks(round.count, options_.threads, [&](std::size_t from, std::size_t to, std::size_t chunk) {
             for (std::size_t i = from; i < to; ++i)
-                if (auto candidate = at(first + i); candidate && isFree(*candidate)) left[chunk].push_back(*candidate);
+                if (auto candidate = at(round, i); candidate && isFree(*candidate)) {
+                    candidate->turn = rootNoise(round.first + i, options_.seed ^ kOfTurns).x;
+                    left[chunk].push_back(*candidate);
+                }
         });
-        // What is left has room among the roots of earlier rounds; among each other they are taken in their order.
+        // What is left has room among the roots of earlier rounds; among each other they are taken in a random order.
+        std::vector<Candidate> candidates;
         for (const auto& chunk : left)
-            for (const Candidate& candidate : chunk)
-                if (points_.size() < options_.wanted && isFree(candidate)) take(candidate);
+            candidates.insert(candidates.end(), chunk.begin(), chunk.end());
+        std::ranges::stable_sort(candidates, {}, &Candidate::turn);
+        for (const Candidate& candidate : candidates)
+            if (points_.size() < options_.wanted && isFree(candidate)) take(candidate);
     }
 
     [[nodiscard]] bool done() const { return points_.size() >= options_.wanted; }
     std::vector<SurfacePoint> points() && { return std::move(points_); }
 
 private:
-    [[nodiscard]] std::optional<Candidate> at(std::uint64_t counter) const {
-        Candidate candidate{.point = surface_.point(rootNoise(counter, options_.seed)), .distance = options_.distance};
+    [[nodiscard]] std::optional<Candidate> at(const Round& round, std::uint64_t number) const {
+        glm::dvec3 place = rootNoise(round.first + number, options_.seed);
+        place.x = (static_cast<double>(number) + place.x) / static_cast<double>(round.count);
+        Candidate candidate{.point = surface_.point(place), .distance = options_.distance};
         if (!options_.density) return candidate;
         const double density = options_.density(candidate.point);
-        if (!(rootNoise(counter, options_.seed ^ kThinning).x < density)) return std::nullopt;
+        if (!(rootNoise(round.first + number, options_.seed ^ kOfDensity).x < density)) return std::nullopt;
         candidate.distance = static_cast<float>(options_.distance / std::sqrt(std::clamp(density, kLeastDensity, 1.0)));
         return candidate;
     }
@@ -77,12 +93,14 @@ std::vector<SurfacePoint> scatterRoots(const FurSurface& surface, const ScatterO
     if (options.wanted == 0 || !(surface.area() > 0)) return {};
     Darts darts(surface, options);
     const std::uint64_t most = std::uint64_t{options.wanted} * kTriesPerRoot;
-    // Early places mostly stay, so that checking them at once is of little use: rounds start small.
-    std::uint64_t size = std::max<std::uint64_t>(options.wanted / 8, 1024);
+    // Darts of one round are compared with those of earlier rounds by all processors, with each other by one: rounds start small.
+    std::uint64_t size = std::max<std::uint64_t>(options.wanted / 4, 1024);
     for (std::uint64_t first = 0; first < most && !darts.done();
          first += size, size = std::min(2 * size, 2 * std::uint64_t{options.wanted}))
-        darts.round(first, std::min(first + size, most));
-    return std::move(darts).points();
+        darts.play({.first = first, .count = size});
+    std::vector<SurfacePoint> points = std::move(darts).points();
+    std::ranges::stable_sort(points, {}, &SurfacePoint::triangle);
+    return points;
 }
 
 } // namespace tegument

@@ -17,9 +17,10 @@ struct ScatterOptions {
     std::function<double(const SurfacePoint&)> density; // share of the full density, 0..1; none: 1 everywhere. Called by several threads
 };
 
-/// The points of random places, taken one after another, that are nearer to none taken before than the distance; discs are larger where
-/// the density is less. Points that look to opposite sides (normals more than 90 degrees apart) do not see each other, so that both sides
-/// of a thin sheet have their own. Stops after kTriesPerRoot tries per wanted root. The same for any number of threads.
+/// Random places, taken in a random order, each if it is nearer than the distance to none taken before; discs are larger where the density
+/// is less. Points that look to opposite sides (normals more than 90 degrees apart) do not see each other, so that both sides of a thin
+/// sheet have their own. Stops after kTriesPerRoot tries per wanted root. In the order of the triangles; the same for any number of
+/// threads.
 [[nodiscard]] std::vector<SurfacePoint> scatterRoots(const FurSurface& surface, const ScatterOptions& options);
 
 inline constexpr std::size_t kTriesPerRoot = 64;

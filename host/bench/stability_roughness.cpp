@@ -23,8 +23,10 @@ constexpr double kUsual = 0.05;             // the smallest that the effects' sl
 struct Directions {
     double eye = 0; // degrees from the pole
     double light = 0;
+    bool narrow = false; // only as much of the sphere as the lobe covers, else all of it
 };
-constexpr std::array kDirections = {Directions{0, 0}, Directions{0, 60}, Directions{0, 89}, Directions{80, -80}, Directions{85, -85}};
+constexpr std::array kDirections = {Directions{0, 0},    Directions{0, 60},      Directions{0, 89},         Directions{80, -80},
+                                    Directions{85, -85}, Directions{0, 0, true}, Directions{30, -30, true}, Directions{80, -80, true}};
 
 glm::dvec3 tilted(double degrees) {
     const double angle = glm::radians(degrees);
@@ -33,7 +35,7 @@ glm::dvec3 tilted(double degrees) {
 
 struct Lobe {
     double m = 0;
-    double error = -1; // relative to the picture's largest radiance
+    double error = -1; // relative to the lobe's peak
     std::string cause;
     std::size_t notFinite = 0;
 };
@@ -50,30 +52,28 @@ std::string causeOf(const reference::SkinScene& skin, const reference::SurfacePo
 void judge(const Image& picture, const verify::Truth& truth, const reference::SkinSettings& settings, Lobe& lobe) {
     const verify::Seen seen = verify::look(truth.skin, truth.camera);
     const auto counts = verify::interior(seen);
-    std::vector<double> exact(seen.pixels.size(), 0);
-    double peak = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] == 0) continue;
-        const reference::SurfacePoint& point = *seen.pixels[i];
-        const glm::dvec3 n = glm::normalize(point.normal);
-        const glm::dvec3 l = truth.skin.toLight(point);
-        exact[i] = std::max(0.0, glm::dot(n, l)) *
-                   reference::kelemenBrdf(n, l, glm::normalize(truth.camera.eye - point.position), settings.roughness, settings.intensity);
-        peak = std::max(peak, exact[i]);
-    }
     for (int y = 0; y < seen.height; ++y)
         for (int x = 0; x < seen.width; ++x) {
             const std::size_t i = seen.index(x, y);
             if (counts[i] == 0) continue;
-            const double error = std::abs(static_cast<double>(picture.at(x, y, 0)) - exact[i]) / std::max(peak, 1e-30);
+            const reference::SurfacePoint& point = *seen.pixels[i];
+            const glm::dvec3 n = glm::normalize(point.normal);
+            const glm::dvec3 l = truth.skin.toLight(point);
+            const glm::dvec3 v = glm::normalize(truth.camera.eye - point.position);
+            const glm::dvec3 h = glm::normalize(l + v);
+            const double exact = std::max(0.0, glm::dot(n, l)) * reference::kelemenBrdf(n, l, v, settings.roughness, settings.intensity);
+            const double peak = glm::dot(h, l) * reference::kelemenBrdf(h, l, v, settings.roughness, settings.intensity);
+            const double error = std::abs(static_cast<double>(picture.at(x, y, 0)) - exact) / std::max(peak, 1e-30);
             if (error <= lobe.error) continue;
             lobe.error = error;
-            lobe.cause = causeOf(truth.skin, *seen.pixels[i], truth.camera.eye, x, y);
+            lobe.cause = causeOf(truth.skin, point, truth.camera.eye, x, y);
         }
 }
 
 Result<void> measureLobe(const Context& context, const Effect& effect, const Directions& directions, Lobe& lobe) {
-    HardScene scene = capScene(40, 89, tilted(directions.eye), tilted(directions.light));
+    // Four times m covers the lobe down to exp(-16).
+    const double degrees = directions.narrow ? std::min(80.0, glm::degrees(4 * std::max(lobe.m, kSmallestRoughness))) : 89;
+    HardScene scene = capScene(40, degrees, tilted(directions.eye), tilted(directions.light));
     scene.parameters = {{"gRoughness", {lobe.m}}, {"gSpecularIntensity", {1}}};
     const int size = 2 * context.options.size; // fine enough for grazing angles
     const auto run = draw(context, effect, "SpecularUnshadowed", scene, size);

@@ -271,7 +271,8 @@ HardScene capScene(double radius, double degrees, const glm::dvec3& toEye, const
     };
     HardScene scene{
         fmt::format("cap of {:g} degrees", degrees), {}, stage(glm::vec3(toEye * (8 * radius)), glm::vec3(toLight * (20 * radius))), {}};
-    scene.workspace.camera.horizontalFov = 16;
+    scene.workspace.camera.horizontalFov = static_cast<float>(glm::degrees(2 * std::atan(1.1 * std::sin(reach) / (8 - std::cos(reach)))));
+    scene.workspace.camera.target = glm::vec3(0, 0, static_cast<float>(degrees < 45 ? radius : 0));
     scene.workspace.light.color = glm::vec3(1);
     if (std::abs(toEye.y) > 0.9) scene.workspace.camera.up = {0, 0, 1};
     scene.mesh.name = scene.name;

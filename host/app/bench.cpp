@@ -1,5 +1,6 @@
 // tegument bench: techniques against each other, milliseconds beside error.
 
+#include "host/app/bench_stability.h"
 #include "host/app/commands.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
@@ -44,6 +45,9 @@ struct BenchArguments {
     std::string markdown;
     bool growth = false;
     bool ablation = false;
+    bool stability = false;
+    std::vector<std::string> parts;
+    std::vector<std::string> modules;
 };
 
 /// What is small enough for a processor, and what a graphics card is measured at.
@@ -224,14 +228,32 @@ Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Co
 Result<int> writeMarkdown(const std::string& file) {
     const auto json = readFile(file);
     if (!json) return json.error();
+    if (const auto tables = stabilityTables(*json)) {
+        fmt::print("{}", *tables);
+        return 0;
+    }
     const auto markdown = bench::toMarkdown(*json, file);
     if (!markdown) return markdown.error();
     fmt::print("{}", *markdown);
     return 0;
 }
 
+Result<int> stability(const BenchArguments& arguments) {
+    const auto compiler = chosenCompiler(arguments.compiler);
+    if (!compiler) return compiler.error();
+    StabilityArguments chosen{.effects = effectPath(arguments.catalogue).parent_path(),
+                              .parts = arguments.parts,
+                              .modules = arguments.modules,
+                              .compiler = *compiler,
+                              .device = arguments.device,
+                              .json = arguments.json};
+    if (!arguments.mapSizes.empty()) chosen.size = arguments.mapSizes.front();
+    return benchStability(chosen);
+}
+
 Result<int> runChosen(const BenchArguments& arguments) {
     if (!arguments.markdown.empty()) return writeMarkdown(arguments.markdown);
+    if (arguments.stability) return stability(arguments);
     if (arguments.pick && arguments.maxError <= 0 && arguments.maxMs <= 0)
         return usageError(8079, "--pick needs a limit", "add --max-error E or --max-ms T");
     const auto catalogue = bench::loadCatalogue(effectPath(arguments.catalogue));
@@ -290,6 +312,14 @@ void addBench(CLI::App& program, Action& action) {
         command->add_flag("--ablation", arguments->ablation, "Only measure what each optimisation is worth, on the first scene");
     growth->excludes(ablation)->excludes(pick);
     ablation->excludes(pick);
+    CLI::Option* stability =
+        command->add_flag("--stability", arguments->stability,
+                          "Only draw every module's hard cases: values that are not finite, largest errors and their causes");
+    stability->excludes(pick)->excludes(growth)->excludes(ablation);
+    command->add_option("--part", arguments->parts, "With --stability: parts of the report (docs/stability.md); default: all")
+        ->needs(stability);
+    command->add_option("--module", arguments->modules, "With --stability: names of effects, Main for Main.fx; default: all")
+        ->needs(stability);
     command->add_option("--markdown", arguments->markdown, "Measure nothing: print the tables of a file that --json wrote, as Markdown")
         ->check(CLI::ExistingFile);
     command->footer(

@@ -7,32 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tegument::app {
 
 namespace {
-
-Json rowJson(const bench::StabilityRow& row) {
-    Json json{{"part", row.part}, {"module", row.module}, {"case", row.hardCase}, {"figure", row.figure}};
-    json["value"] = std::isfinite(row.value) ? Json(row.value) : Json(nullptr);
-    json["limit"] = row.limit ? Json(*row.limit) : Json(nullptr);
-    json["not_finite"] = row.notFinite;
-    json["pass"] = row.pass();
-    json["cause"] = row.cause;
-    json["why"] = row.why;
-    return json;
-}
-
-std::string reportJson(const bench::StabilityReport& report, const gpu::DeviceInfo& device, const StabilityArguments& arguments) {
-    Json json{{"device", device.name},       {"driver", device.driver}, {"compiler", compilerName(arguments.compiler)},
-              {"version", TEGUMENT_VERSION}, {"size", arguments.size},  {"pass", report.pass()}};
-    json["rows"] = Json::array();
-    for (const bench::StabilityRow& row : report.rows)
-        json["rows"].push_back(rowJson(row));
-    json["notes"] = report.notes;
-    return json.dump(2) + "\n";
-}
 
 void printReport(const bench::StabilityReport& report) {
     std::vector<std::vector<std::string>> rows;
@@ -43,13 +21,6 @@ void printReport(const bench::StabilityReport& report) {
     fmt::print("{}", table({"module", "hard case", "figure", "value", "limit", "not finite", "", "caused by"}, rows));
     for (const std::string& note : report.notes)
         fmt::print("{}\n", note);
-}
-
-Result<void> writeTo(const std::string& target, const std::string& text) {
-    if (target.empty()) return {};
-    if (target != "-") return writeFile(target, text);
-    fmt::print("{}", text);
-    return {};
 }
 
 Result<bool> measure(const StabilityArguments& arguments) {
@@ -65,18 +36,25 @@ Result<bool> measure(const StabilityArguments& arguments) {
                                                           .say = [&](const std::string& line) { progress.say(line); }});
     progress.clear();
     if (!report) return report.error();
-    const gpu::DeviceInfo& info = device->info();
-    if (const auto written = writeTo(arguments.json, reportJson(*report, info, arguments)); !written) return written.error();
-    if (const auto written = writeTo(arguments.markdown, bench::stabilityMarkdown(*report)); !written) return written.error();
-    if (arguments.json == "-" || arguments.markdown == "-") return report->pass();
+    const std::string json = bench::stabilityJson(*report);
+    if (arguments.json == "-") {
+        fmt::print("{}", json);
+        return report->pass();
+    }
+    if (!arguments.json.empty())
+        if (const auto written = writeFile(arguments.json, json); !written) return written.error();
     printReport(*report);
-    fmt::print("\n{} of {} figures pass on {}, {}; maps and pictures of {} x {}\n",
-               std::ranges::count_if(report->rows, &bench::StabilityRow::pass), report->rows.size(), info.name, info.driver, arguments.size,
-               arguments.size);
+    fmt::print("\n{} of {} figures pass on {}, {}; maps of {} x {}\n", std::ranges::count_if(report->rows, &bench::StabilityRow::pass),
+               report->rows.size(), report->device, report->driver, report->size, report->size);
     return report->pass();
 }
 
 } // namespace
+
+std::optional<std::string> stabilityTables(const std::string& json) {
+    const auto report = bench::stabilityFromJson(json);
+    return report ? std::optional(bench::stabilityMarkdown(*report)) : std::nullopt;
+}
 
 int benchStability(const StabilityArguments& arguments) {
     const auto passed = measure(arguments);

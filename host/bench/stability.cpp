@@ -60,7 +60,12 @@ Result<StabilityReport> measureStability(gpu::Device& device, const StabilityOpt
         if (std::ranges::find(known, part) == known.end())
             return usageError(8080, fmt::format("the stability report has no part '{}'", part),
                               fmt::format("{} known: {}", didYouMean(part, known), fmt::join(known, ", ")));
-    StabilityReport report;
+    StabilityReport report{.device = device.info().name,
+                           .driver = device.info().driver,
+                           .compiler = compilerName(options.compiler),
+                           .size = options.size,
+                           .rows = {},
+                           .notes = {}};
     const stability::Context context{device, options, report};
     for (const Part& part : kParts) {
         if (!options.parts.empty() && std::ranges::find(options.parts, part.name) == options.parts.end()) continue;
@@ -73,7 +78,8 @@ Result<StabilityReport> measureStability(gpu::Device& device, const StabilityOpt
 }
 
 std::string stabilityMarkdown(const StabilityReport& report) {
-    std::string text;
+    std::string text =
+        fmt::format("{}, driver {}, {}, maps of {} x {}\n\n", report.device, report.driver, report.compiler, report.size, report.size);
     for (const Part& part : kParts) {
         bool begun = false;
         for (const StabilityRow& row : report.rows) {

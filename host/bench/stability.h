@@ -39,6 +39,10 @@ struct StabilityOptions {
 };
 
 struct StabilityReport {
+    std::string device;
+    std::string driver;
+    std::string compiler;
+    int size = 0; // texels a side of the maps
     std::vector<StabilityRow> rows;
     std::vector<std::string> notes; // what was not measured, and why
 
@@ -51,6 +55,11 @@ struct StabilityReport {
 /// TG8080 a part that does not exist; and whatever loading or running an effect on the plain scene says. A hard scene that an effect
 /// refuses is a row of the report.
 [[nodiscard]] Result<StabilityReport> measureStability(gpu::Device& device, const StabilityOptions& options = {});
+
+/// Every figure of a row; numbers that are not finite are null.
+[[nodiscard]] std::string stabilityJson(const StabilityReport& report);
+/// None when the text is not what stabilityJson wrote.
+[[nodiscard]] std::optional<StabilityReport> stabilityFromJson(const std::string& text);
 
 /// The tables of docs/stability.md.
 [[nodiscard]] std::string stabilityMarkdown(const StabilityReport& report);

@@ -109,6 +109,28 @@ TEST(StabilityRows, a_report_without_rows_does_not_pass) {
     EXPECT_FALSE(StabilityReport{}.pass());
 }
 
+TEST(StabilityRows, come_back_from_json_as_they_were) {
+    StabilityReport report{.device = "a device",
+                           .driver = "1.2",
+                           .compiler = "DXC",
+                           .size = 128,
+                           .rows = {row(0.25, 0.5), row(2, std::nullopt, 3)},
+                           .notes = {"not measured"}};
+    report.rows[0].cause = "pixel (1, 2)";
+    const auto back = stabilityFromJson(stabilityJson(report));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(stabilityJson(*back), stabilityJson(report));
+    EXPECT_EQ(stabilityMarkdown(*back), stabilityMarkdown(report));
+    EXPECT_EQ(back->rows[1].notFinite, 3U);
+    EXPECT_FALSE(back->rows[1].limit);
+}
+
+TEST(StabilityRows, other_json_is_no_stability_report) {
+    EXPECT_FALSE(stabilityFromJson("[]"));
+    EXPECT_FALSE(stabilityFromJson("{\"rows\": 3}"));
+    EXPECT_FALSE(stabilityFromJson("no json"));
+}
+
 TEST_F(Stability, an_unknown_part_is_refused_with_the_nearest_name) {
     const auto report = measureStability(*device_, {.parts = {"shadows"}, .say = {}});
     ASSERT_FALSE(report);

@@ -43,8 +43,8 @@ float penumbraEdge(float t)
     return t > 0.0 ? 1.0 - 0.5 * tail : 0.5 * tail;
 }
 
-// Shadow of each colour. Wide Gaussians (4 to 6) respond to the edge at distance x that the filtered share tells; narrow ones, narrower than the filter's
-// noise, to the sharp shadow.
+// Shadow of each colour. Wide Gaussians (4 to 6) respond to the edge at distance x that the filtered share tells, scaled so that the ends of the filter's
+// reach are light and shadow; narrow ones, narrower than the filter's noise, to the sharp shadow.
 float3 penumbraShadow(float4 gaussians[6], float sharp, float share, float radius)
 {
     float x = (2.0 * share - 1.0) * radius;
@@ -52,7 +52,11 @@ float3 penumbraShadow(float4 gaussians[6], float sharp, float share, float radiu
     [unroll] for (int i = 0; i < 3; i++)
         sum += gaussians[i].rgb * sharp;
     [unroll] for (int j = 3; j < 6; j++)
-        sum += gaussians[j].rgb * penumbraEdge(x * rsqrt(max(gaussians[j].w, 1e-6)));
+    {
+        float width = rsqrt(max(gaussians[j].w, 1e-6));
+        float beyond = penumbraEdge(-radius * width);
+        sum += gaussians[j].rgb * saturate((penumbraEdge(x * width) - beyond) / (1.0 - 2.0 * beyond));
+    }
     return sum;
 }
 

@@ -20,6 +20,8 @@ static const float kPrintedVariance = 1.414;
 static const int kPrintedSteps = 63;
 // mm over which light reaches around the edge of a body.
 static const float kOwnShadowReach = 10.0;
+// N.L at which light grazes the surface.
+static const float kEdgeOn = 0.1;
 
 // Sum of weight * N(0, variance) of one Gaussian: rgb weights, w variance.
 float3 preintegratedGaussian(float4 gaussian, float distance, float scale)
@@ -117,10 +119,11 @@ float3 preintegratedLight(SAMPLER2D_PARAM(table), float3 cosines, float curvatur
 }
 
 // mm by which the body's own front may lie before a point that has turned away from the light and yet counts as lit: the chord of its ring, and a quarter
-// for what is not a ring. Without it the shadow map would cut off what the table has brought around.
+// for what is not a ring. Without it the shadow map would cut off what the table has brought around. It begins before the terminator, where the map's
+// texels lie edge-on.
 float preintegratedTolerance(float cosine, float curvature)
 {
-    return min(2.5 * max(-cosine, 0.0) / max(curvature, kPreintegratedFlattest), kOwnShadowReach);
+    return min(2.5 * max(kEdgeOn - cosine, 0.0) / max(curvature, kPreintegratedFlattest), kOwnShadowReach);
 }
 
 #endif

@@ -10,7 +10,7 @@ static const float kSteepest = 16.0;
 // From a projection whose axis is the middle of the picture.
 float2 screenFrustum(float4x4 projection)
 {
-    return 1.0 / float2(projection[0][0], projection[1][1]);
+    return 1.0 / max(float2(projection[0][0], projection[1][1]), 1e-6);
 }
 
 float3 screenPosition(float2 uv, float depth, float2 frustum)

@@ -121,10 +121,11 @@ float4 separableLight(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv,
     return tex2Dlod(light, float4(uv, 0.0, 0.0)) * separableShare(z * ray - here, along, scale);
 }
 
-// One direction: rows first .. first + pairs of the tables. axis: one pixel along x or y, in uv. The centre stands in for what the taps do not keep.
+// One direction: rows first .. first + pairs of the tables. axis: one pixel along x or y, in uv. between: the depth, interpolated, because the nearest
+// pixel's would seem to stand out of a surface that is seen at an angle. The centre stands in for what the taps do not keep.
 // strength: share of each colour that diffuses.
-float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum, float unit, float3 strength,
-                         int first, int pairs)
+float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), SAMPLER2D_PARAM(between), float2 uv, float2 axis, float2 frustum, float unit,
+                         float3 strength, int first, int pairs)
 {
     float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
     float3 across = screenAcross(SAMPLER2D_ARG(depth), uv, axis, frustum);
@@ -138,8 +139,8 @@ float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 
     [unroll] for (int i = 1; i <= pairs; i++)
     {
         float4 tap = separableTap(first + i);
-        float4 pair = separableLight(SAMPLER2D_ARG(light), SAMPLER2D_ARG(depth), uv + tap.w * step, ray + tap.w * turn, z * ray, along, scale) +
-                      separableLight(SAMPLER2D_ARG(light), SAMPLER2D_ARG(depth), uv - tap.w * step, ray - tap.w * turn, z * ray, along, scale);
+        float4 pair = separableLight(SAMPLER2D_ARG(light), SAMPLER2D_ARG(between), uv + tap.w * step, ray + tap.w * turn, z * ray, along, scale) +
+                      separableLight(SAMPLER2D_ARG(light), SAMPLER2D_ARG(between), uv - tap.w * step, ray - tap.w * turn, z * ray, along, scale);
         sum += tap.rgb * pair.rgb;
         kept += tap.rgb * pair.a;
     }

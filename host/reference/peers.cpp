@@ -123,7 +123,7 @@ double burleyRadius(double share, double d) {
 }
 
 double burleyEdge(double x, double d) {
-    static const std::vector<Node> kAngles = gaussLegendre(256, 0, kPi / 2);
+    static const std::vector<Node> kAngles = gaussLegendre(96, 0, kPi / 2);
     double beyond = 0;
     for (const Node& angle : kAngles)
         beyond += angle.weight / kPi * (1 - burleyShare(std::abs(x) / std::cos(angle.x), d));

@@ -52,6 +52,7 @@ std::string pixelShader(const FunctionCase& function, const Samples& samples, co
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/cull.fxh"
 #include "../hlsl/fur.fxh"
+#include "../hlsl/peers.fxh"
 #include "../hlsl/fur.fxh"
 Texture2D gInputMap;
 Texture2D gTestMap;

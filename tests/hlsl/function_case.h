@@ -121,6 +121,8 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> scatterCases();
 [[nodiscard]] std::vector<FunctionCase> cullCases();
 [[nodiscard]] std::vector<FunctionCase> furCases();
+[[nodiscard]] std::vector<FunctionCase> peerScreenCases();
+[[nodiscard]] std::vector<FunctionCase> peerTableCases();
 [[nodiscard]] std::vector<FunctionCase> furCases();
 
 /// Texels along the maps that functions are tested with: TEGUMENT_MAP_SIZE.

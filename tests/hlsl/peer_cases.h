@@ -1,0 +1,38 @@
+#pragma once
+// What the cases of hlsl/peers share.
+
+#include "tests/hlsl/maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tegument::test {
+
+inline constexpr double kPeerPi = std::numbers::pi;
+inline constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.2360679774997896964);
+
+/// A coordinate near 1, rounded a few times.
+[[nodiscard]] inline Argument peerUv(double low = 0.1, double high = 0.9) {
+    return linear(low, high, 2, 3e-7);
+}
+
+/// The rows of d'Eon and Luebke's table as HLSL, and as numbers.
+inline constexpr const char* kGaussianRows =
+    "float4 g[6] = {float4(.233, .455, .649, .0064), float4(.1, .336, .344, .0484), float4(.118, .198, 0, .187), "
+    "float4(.113, .007, .007, .567), float4(.358, .004, 0, 1.99), float4(.078, 0, 0, 7.41)}; ";
+
+/// Place in view space of what is seen at uv.
+[[nodiscard]] inline glm::dvec3 viewPlace(const glm::dvec2& uv, double depth, const glm::dvec2& frustum) {
+    return depth * glm::dvec3((2 * uv.x - 1) * frustum.x, (1 - 2 * uv.y) * frustum.y, 1);
+}
+
+/// Where it is seen.
+[[nodiscard]] inline glm::dvec2 viewUv(const glm::dvec3& place, const glm::dvec2& frustum) {
+    return {0.5 + 0.5 * place.x / place.z / frustum.x, 0.5 - 0.5 * place.y / place.z / frustum.y};
+}
+
+/// Place of the next pixel along the surface, from that of uv.
+[[nodiscard]] glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);
+
+} // namespace tegument::test

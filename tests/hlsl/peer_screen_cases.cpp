@@ -1,0 +1,369 @@
+// hlsl/peers on the pixels of a picture: geometry, the separable kernel, Burley's disc. References: docs/peers.md, host/reference/peers.h.
+
+#include "host/reference/peers.h"
+#include "tests/hlsl/peer_cases.h"
+
+#include <map>
+
+namespace tegument::test {
+
+glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
+    const double z = map.at(uv).x;
+    const double back = z - map.at(uv - axis).x;
+    const double ahead = map.at(uv + axis).x - z;
+    const double nearer = std::abs(ahead) < std::abs(back) ? ahead : back;
+    const double pixel = 2 * z * (std::abs(axis.x) * frustum.x + std::abs(axis.y) * frustum.y);
+    const double change = std::abs(nearer) < 16 * pixel ? nearer : 0;
+    return viewPlace(uv + axis, z + change, frustum) - viewPlace(uv, z, frustum);
+}
+
+namespace {
+
+/// The map's red is its depth, about 600: results are brought to where the other colours are, so that a tolerance means the same in all.
+const glm::dvec4 kScale(0.001, 1, 1, 1);
+constexpr const char* kScaleCode = "float4(.001, 1, 1, 1) * ";
+
+constexpr double kPixel = 1.0 / kTestMapSize;
+const glm::dvec2 kFrustum(0.22, 0.11);
+constexpr const char* kFrustumCode = "float2 f = float2(.22, .11); ";
+
+std::vector<FunctionCase> geometry() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "screenFrustum",
+                     .body = "float4x4 m = {a0, 0, 0, 0, 0, a1, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0}; return float4(screenFrustum(m), 0, 0);",
+                     .arguments = {logarithmic(0.1, 100), logarithmic(0.1, 100)},
+                     .expected = [](const Inputs& x) { return values(1 / x.scalar(0), 1 / x.scalar(1)); },
+                     .tolerance = {.forward = 3, .backward = 0, .why = "two quotients"},
+                     .domain = [](const Inputs& x) { return x.scalar(0) > 0.05 && x.scalar(1) > 0.05; }});
+    cases.push_back(
+        {.function = "screenPosition",
+         .body = "return float4(screenPosition(a0, a1, a2), 0);",
+         .arguments = {peerUv(), logarithmic(1, 1e4), linear(0.05, 1, 2)},
+         .expected = [](const Inputs& x) { return values(viewPlace(x.vec2(0), x.scalar(1), x.vec2(2))); },
+         .tolerance = {.forward = 4, .backward = 1, .why = "a sum that cancels in the middle, which the slack of uv stands for"}});
+    cases.push_back({.function = "screenCoordinate",
+                     .body = "return float4(screenCoordinate(a0, a1), 0, 0);",
+                     .arguments = {linear(1, 1000, 3), linear(0.05, 1, 2)},
+                     .expected = [](const Inputs& x) { return values(viewUv(x.vec3(0), x.vec2(1))); },
+                     .tolerance = {.forward = 6, .backward = 2, .absolute = 1e-6, .why = "quotients and a sum with 0.5"},
+                     .domain = [](const Inputs& x) { return x.scalar(0, 2) > 1e-2 && x.scalar(1) > 0.04 && x.scalar(1, 1) > 0.04; }});
+    for (const auto& [axis, body] :
+         {std::pair(glm::dvec2(kPixel, 0), "float2(1.0 / kMapSize, 0)"), std::pair(glm::dvec2(0, kPixel), "float2(0, 1.0 / kMapSize)")})
+        cases.push_back({.function = "screenAcross",
+                         .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
+                         .arguments = {peerUv(), linear(0.1, 0.5, 2)},
+                         .expected = [axis](const Inputs& x) { return values(nextPixel(shadowMap(), x.vec2(0), axis, x.vec2(1))); },
+                         .tolerance = {.forward = 8,
+                                       .backward = 2,
+                                       .absolute = 1.5e-4,
+                                       .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
+                         .map = &shadowMap()});
+    cases.push_back({.function = "screenNoise",
+                     .body = "return float4(screenNoise(floor(a0)), 0, 0, 0);",
+                     .arguments = {linear(0, 256, 2)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double first = std::floor(x.scalar(0)) * 0.06711056 + std::floor(x.scalar(0, 1)) * 0.00583715;
+                             const double second = 52.9829189 * (first - std::floor(first));
+                             return values(second - std::floor(second));
+                         },
+                     .tolerance = {.forward = 0,
+                                   .backward = 0,
+                                   .absolute = 2e-4,
+                                   .why = "the inner fraction keeps 1e-6 of 18, times 53; neither fraction near its jump"},
+                     .domain =
+                         [](const Inputs& x) {
+                             const double first = std::floor(x.scalar(0)) * 0.06711056 + std::floor(x.scalar(0, 1)) * 0.00583715;
+                             const double inner = first - std::floor(first);
+                             const double outer = 52.9829189 * inner - std::floor(52.9829189 * inner);
+                             return inner > 1e-4 && inner < 1 - 1e-4 && outer > 1e-3 && outer < 1 - 1e-3;
+                         }});
+    return cases;
+}
+
+// Kernels.
+// ----------------------------------------------------------------------------------------------------------------------------------
+
+struct Table {
+    int first = 0;
+    int samples = 0;
+};
+/// Rows of the shader's tables: one side of each kernel.
+constexpr std::array<Table, 4> kTables = {{{0, 7}, {4, 11}, {10, 17}, {19, 25}}};
+
+/// Made once: the judge asks for it thousands of times.
+const reference::Kernel& kernelOf(int samples, bool corrected) {
+    static std::map<std::pair<int, bool>, reference::Kernel> made;
+    reference::Kernel& kernel = made[{samples, corrected}];
+    if (kernel.empty())
+        kernel = corrected ? reference::separableKernel(reference::skinProfile(), samples, reference::separableReach(samples))
+                           : reference::separableKernelPrinted(samples);
+    return kernel;
+}
+
+Values row(int i, bool corrected) {
+    const Table* table = &kTables[0];
+    for (const Table& one : kTables)
+        if (i >= one.first) table = &one;
+    const reference::Kernel& kernel = kernelOf(table->samples, corrected);
+    const reference::KernelSample& sample = kernel.at(static_cast<std::size_t>(table->samples / 2 + i - table->first));
+    return values(glm::dvec4(sample.weight, sample.offset));
+}
+
+/// Share of its own light that a tap keeps.
+double share(const glm::dvec3& way, const glm::dvec3& along, double scale, bool corrected) {
+    if (!corrected) return 1 - std::clamp(scale * std::abs(way.z), 0.0, 1.0);
+    const double ahead = glm::dot(way, along);
+    return ahead * ahead / std::max(glm::dot(way, way), 1e-12);
+}
+
+/// Printed: 300 width |dz| / tan(fov / 2) in units of the demonstration, of which 0.012 are the width and 1.5 units of the kernel.
+double depthScale(double frustumY, double unit) {
+    return 300 * 0.012 * 0.012 / 1.5 / (frustumY * unit);
+}
+
+/// The whole blur along one axis, sample after sample.
+Values convolved(const glm::dvec2& uv, const glm::dvec2& axis, double unit, const glm::dvec3& strength, int samples, bool corrected) {
+    const TestMap& map = shadowMap();
+    const double z = map.at(uv).x;
+    if (z <= 0) return values(0);
+    const glm::dvec3 centre = map.at(uv);
+    const glm::dvec3 next = nextPixel(map, uv, axis, kFrustum);
+    const glm::dvec2 direction = axis / glm::length(axis);
+    const glm::dvec2 step = corrected ? axis * unit / glm::length(next) : direction * (0.5 * unit / (kFrustum.y * z));
+    glm::dvec3 sum(0);
+    for (const reference::KernelSample& sample : kernelOf(samples, corrected)) {
+        const glm::dvec2 at = uv + sample.offset * step;
+        const glm::dvec4 tap = map.at(at);
+        const glm::dvec3 way = viewPlace(at, tap.x, kFrustum) - viewPlace(uv, z, kFrustum);
+        const double kept = sample.offset == 0 ? 0 : share(way, glm::normalize(next), depthScale(kFrustum.y, unit), corrected);
+        sum += sample.weight * (kept * glm::dvec3(tap) + (1 - kept * tap.w) * centre);
+    }
+    return values(kScale * glm::dvec4(centre + strength * (sum - centre), 1));
+}
+
+std::vector<FunctionCase> kernels() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "separableTap",
+         .body = "return separableTap((int)a0);",
+         .arguments = {whole(0, 31)},
+         .expected = [](const Inputs& x) { return row(static_cast<int>(x.scalar(0)), x.corrected()); },
+         .tolerance = {.forward = 10, .backward = 0, .absolute = 6e-7, .why = "weights are written with seven digits, offsets with six"},
+         .settings = {0, 1, 2}});
+    cases.push_back({.function = "separableStep",
+                     .body = "return float4(separableStep(a0, a1, a2, a3, a4), 0, 0);",
+                     .arguments = {linear(1e-4, 1e-2, 2), vector(3, 0.01, 100), logarithmic(1, 1e4), linear(0.05, 1, 2), linear(0.01, 10)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double printed = 0.5 * x.scalar(4) / (x.scalar(3, 1) * std::max(x.scalar(2), 1e-3));
+                             if (!x.corrected()) return values(x.scalar(0) > 0 ? glm::dvec2(printed, 0) : glm::dvec2(0, printed));
+                             return values(x.vec2(0) * (x.scalar(4) / std::max(glm::length(x.vec3(1)), 1e-6)));
+                         },
+                     .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-12, .why = "a length and two quotients; one axis is 0"},
+                     .settings = {0, 2},
+                     .domain = [](const Inputs& x) { return x.scalar(3, 1) > 0.04 && glm::length(x.vec3(1)) > 1e-5; }});
+    cases.push_back({.function = "separableShare",
+                     .body = "return float4(separableShare(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {vector(3, 1e-3, 100), unit(), logarithmic(1e-3, 10)},
+                     .expected = [](const Inputs& x) { return values(share(x.vec3(0), x.vec3(1), x.scalar(2), x.corrected())); },
+                     .tolerance = {.forward = 16, .backward = 4, .absolute = 2e-6, .why = "a dot product that may cancel, squared"},
+                     .settings = {0, 2},
+                     .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 1e-4; }});
+    cases.push_back({.function = "separableScale",
+                     .body = "return float4(separableScale(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(0.05, 1, 2), linear(0.01, 10)},
+                     .expected = [](const Inputs& x) { return values(depthScale(x.scalar(0, 1), std::max(x.scalar(1), 1e-6))); },
+                     .tolerance = {.forward = 6, .backward = 2, .why = "a quotient"},
+                     .domain = [](const Inputs& x) { return x.scalar(0, 1) > 0.04; }});
+    cases.push_back({.function = "separableLight",
+                     .body = std::string(kFrustumCode) + "return " + kScaleCode +
+                             "separableLight(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), a0, screenPosition(a0, 1, f), "
+                             "screenPosition(a1, 600, f), a2, a3);",
+                     .arguments = {peerUv(), peerUv(), unit(), logarithmic(1e-3, 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec4 tap = shadowMap().at(x.vec2(0));
+                             const glm::dvec3 way = viewPlace(x.vec2(0), tap.x, kFrustum) - viewPlace(x.vec2(1), 600, kFrustum);
+                             return values(kScale * tap * share(way, x.vec3(2), x.scalar(3), x.corrected()));
+                         },
+                     .tolerance = {.forward = 16, .backward = 4, .absolute = 5e-6, .why = "a share that keeps 2e-6"},
+                     .settings = {0, 2},
+                     .map = &shadowMap()});
+    for (const Table& table : kTables)
+        cases.push_back(
+            {.function = "separableConvolve",
+             .body = std::string(kFrustumCode) + "float2 axis = a3 > 0.5 ? float2(1.0 / kMapSize, 0) : float2(0, 1.0 / kMapSize); " +
+                     "return " + kScaleCode +
+                     "separableConvolve(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), a0, axis, f, a1, a2, " +
+                     std::to_string(table.first) + ", " + std::to_string(table.samples / 2) + ");",
+             .arguments = {peerUv(0.2, 0.8), linear(0.2, 6), linear(0, 1, 3), whole(0, 1)},
+             .expected =
+                 [samples = table.samples](const Inputs& x) {
+                     const glm::dvec2 axis = x.scalar(3) > 0.5 ? glm::dvec2(kPixel, 0) : glm::dvec2(0, kPixel);
+                     return convolved(x.vec2(0), axis, x.scalar(1), x.vec3(2), samples, x.corrected());
+                 },
+             .tolerance = {.forward = 32,
+                           .backward = 4,
+                           .absolute = 1e-4,
+                           .why = "light up to 600; near taps keep a share from a difference of places, 3e-5 of their distance of 0.01 mm"},
+             .settings = {0, 2},
+             .samples = 1024,
+             .map = &shadowMap(),
+             .domain = [](const Inputs& x) { return x.scalar(1) > 0.1; }});
+    return cases;
+}
+
+// Discs.
+// ------------------------------------------------------------------------------------------------------------------------------------
+
+glm::dvec2 middleOf(const glm::dvec2& uv, const glm::dvec2& viewport) {
+    return (glm::floor(uv * viewport) + 0.5) / viewport;
+}
+
+glm::dvec3 weight(double apart, double radius, const glm::dvec3& d, double widest, bool corrected) {
+    glm::dvec3 result;
+    for (int c = 0; c < 3; ++c)
+        result[c] = reference::burleyProfile(apart, d[c]) / reference::burleyProfile(radius, widest);
+    return corrected ? result : result * (apart / radius); // what the published weight leaves out
+}
+
+/// Radii of the taps for a profile of 1 mm.
+const std::vector<double>& unitRadii(int count) {
+    static std::map<int, std::vector<double>> made;
+    std::vector<double>& radii = made[count];
+    for (int i = static_cast<int>(radii.size()); i < count; ++i)
+        radii.push_back(reference::burleyRadius((i + 0.5) / count, 1));
+    return radii;
+}
+
+/// The disc in the tangent plane or facing the eye, tap after tap.
+Values gathered(const Inputs& x, int count) {
+    const TestMap& map = shadowMap();
+    const glm::dvec2 uv = x.vec2(0);
+    const glm::dvec2 viewport(kTestMapSize);
+    const double z = map.at(uv).x;
+    if (z <= 0) return values(0);
+    const glm::dvec3 u = glm::normalize(x.vec3(1));
+    const glm::dvec3 v = glm::normalize(glm::cross(glm::normalize(x.vec3(2)), u));
+    const glm::dvec3 normal = glm::cross(u, v);
+    const glm::dvec3 here = viewPlace(uv, z, kFrustum);
+    const glm::dvec3 d = x.vec3(3);
+    const double widest = std::max({d.x, d.y, d.z});
+    glm::dvec3 sum(0);
+    glm::dvec3 total(0);
+    for (int i = 0; i < count; ++i) {
+        const double radius = widest * unitRadii(count)[static_cast<std::size_t>(i)];
+        const glm::dvec3 at = here + radius * (std::cos(kGoldenAngle * i) * u + std::sin(kGoldenAngle * i) * v);
+        const glm::dvec2 pixel = middleOf(viewUv(at, kFrustum), viewport);
+        const glm::dvec4 tap = map.at(pixel);
+        if (tap.x <= 0) continue;
+        const glm::dvec3 way = viewPlace(pixel, tap.x, kFrustum) - here;
+        const double departure = x.corrected() ? glm::dot(way, normal) : way.z;
+        const glm::dvec3 w = weight(std::hypot(radius, departure), radius, d, widest, x.corrected());
+        sum += w * glm::dvec3(tap);
+        total += w * tap.w;
+    }
+    const glm::dvec3 light = total.z > 1e-6 ? sum / total : glm::dvec3(map.at(uv));
+    return values(kScale * glm::dvec4(light, 1));
+}
+
+std::vector<FunctionCase> discs() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "burleyRadius",
+         .body = "return float4(burleyRadius(a0), 0, 0, 0);",
+         .arguments = {linear(0, 0.9999)},
+         .expected = [](const Inputs& x) { return values(reference::burleyRadius(std::clamp(x.scalar(0), 0.0, 0.9999999), 1)); },
+         .tolerance = {.forward = 8,
+                       .backward = 2,
+                       .absolute = 2e-6,
+                       .why = "the logarithm of a number near 1 for small shares: 2^-21 absolute in Vulkan"},
+         .domain = [](const Inputs& x) { return x.scalar(0) >= 0 && x.scalar(0) < 0.99995; }});
+    cases.push_back({.function = "burleyPolar",
+                     .body = "return float4(burleyPolar(a0, a1), 0);",
+                     .arguments = {logarithmic(1e-4, 20), linear(0.05, 5, 3)},
+                     .expected =
+                         [](const Inputs& x) {
+                             glm::dvec3 sum;
+                             for (int c = 0; c < 3; ++c)
+                                 sum[c] = 8 * kPeerPi * x.scalar(0) * reference::burleyProfile(x.scalar(0), x.vec3(1)[c]);
+                             return values(sum);
+                         },
+                     .tolerance = {.forward = 400, .backward = 4, .absolute = 1e-30, .why = "exp: 3 + 2|x| ULP with |x| up to 130, cubed"},
+                     .domain =
+                         [](const Inputs& x) {
+                             return x.scalar(0) > 5e-5 && std::min({x.vec3(1).x, x.vec3(1).y, x.vec3(1).z}) > 0.04;
+                         }});
+    cases.push_back(
+        {.function = "burleyWeight",
+         .body = "return float4(burleyWeight(a0 * a1, a1, a2, a3), 0);",
+         .arguments = {linear(1, 3), logarithmic(1e-3, 7), linear(0.05, 0.45, 3), linear(0.45, 1)},
+         .expected =
+             [](const Inputs& x) { return values(weight(x.scalar(0) * x.scalar(1), x.scalar(1), x.vec3(2), x.scalar(3), x.corrected())); },
+         .tolerance = {.forward = 400, .backward = 8, .absolute = 1e-30, .why = "two of the exponentials of burleyPolar"},
+         .settings = {0, 2},
+         .domain =
+             [](const Inputs& x) {
+                 return x.scalar(0) > 0.5 && x.scalar(1) > 5e-4 && std::min({x.vec3(2).x, x.vec3(2).y, x.vec3(2).z}) > 0.04;
+             }});
+    cases.push_back({.function = "burleyDirection",
+                     .body = "return float4(burleyDirection(a0, a1), 0, 0);",
+                     .arguments = {whole(0, 79), linear(0, 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double angle = kGoldenAngle * x.scalar(0) + 2 * kPeerPi * x.scalar(1);
+                             return values(std::cos(angle), std::sin(angle));
+                         },
+                     .tolerance = {.forward = 4, .backward = 0, .absolute = 5e-5, .why = "an angle of up to 200 radians keeps 2e-5"}});
+    cases.push_back({.function = "burleyPixel",
+                     .body = "return float4(burleyPixel(a0, a1), 0, 0);",
+                     .arguments = {peerUv(), whole(1, 2000)},
+                     .expected = [](const Inputs& x) { return values(middleOf(x.vec2(0), x.vec2(1))); },
+                     .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-7, .why = "on the border of two pixels it may be either"}});
+    cases.back().arguments[1].components = 2;
+    cases.push_back({.function = "burleyApart",
+                     .body = "return float4(burleyApart(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {vector(3, 1e-2, 20), unit(), logarithmic(1e-3, 10)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double departure = x.corrected() ? glm::dot(x.vec3(0), x.vec3(1)) : x.scalar(0, 2);
+                             return values(std::hypot(x.scalar(2), departure));
+                         },
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a dot product that may cancel"},
+                     .settings = {0, 2}});
+    cases.push_back(
+        {.function = "burleyGather",
+         .body = std::string(kFrustumCode) +
+                 "float3 u = safeNormalize(a1); float3 v = safeNormalize(cross(safeNormalize(a2), u)); return float4(.001, 1, 1, 1) * "
+                 "burleyGather(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), a0, float2(kMapSize, kMapSize), f, u, v, a3, 0.0, 20);",
+         .arguments = {peerUv(0.2, 0.8), unit(), unit(), linear(0.1, 2, 3)},
+         .expected = [](const Inputs& x) { return gathered(x, 20); },
+         .tolerance =
+             {.forward = 32,
+              .backward = 4,
+              .absolute = 1e-4,
+              .why = "one of twenty taps on the border of two pixels may be either, up to 9 mm of depth apart; the mean of depths of 600"},
+         .settings = {0, 2},
+         .samples = 512,
+         .map = &shadowMap(),
+         .domain =
+             [](const Inputs& x) {
+                 const bool lengths = glm::length(x.vec3(1)) > 0.5 && glm::length(x.vec3(2)) > 0.5;
+                 return lengths && glm::length(glm::cross(x.vec3(1), x.vec3(2))) > 0.3 &&
+                        std::min({x.vec3(3).x, x.vec3(3).y, x.vec3(3).z}) > 0.08;
+             }});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> peerScreenCases() {
+    std::vector<FunctionCase> cases = geometry();
+    for (auto make : {kernels, discs})
+        for (FunctionCase& one : make())
+            cases.push_back(std::move(one));
+    return cases;
+}
+
+} // namespace tegument::test

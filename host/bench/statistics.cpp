@@ -54,4 +54,28 @@ PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y) {
     return law;
 }
 
+AffineLaw fitAffine(std::span<const double> x, std::span<const double> y) {
+    assert(x.size() == y.size() && x.size() >= 2);
+    // Minimises the sum of (fixed / y + slope x / y - 1)^2: two unknowns, normal equations.
+    double a = 0;
+    double b = 0;
+    double c = 0;
+    double right = 0;
+    double rightX = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double u = 1 / y[i];
+        const double v = x[i] / y[i];
+        a += u * u;
+        b += u * v;
+        c += v * v;
+        right += u;
+        rightX += v;
+    }
+    const double determinant = a * c - b * b;
+    AffineLaw law{.fixed = (right * c - rightX * b) / determinant, .slope = (a * rightX - b * right) / determinant};
+    for (std::size_t i = 0; i < x.size(); ++i)
+        law.worst = std::max(law.worst, std::abs(y[i] / (law.fixed + law.slope * x[i]) - 1));
+    return law;
+}
+
 } // namespace tegument::bench

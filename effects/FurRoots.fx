@@ -9,6 +9,7 @@
 #include "passes/fur_coat.fxh"
 #include "passes/fur_strands.fxh"
 #include "passes/fur_cellular.fxh"
+#include "passes/fur_rooted.fxh"
 
 float Script : STANDARDSGLOBAL <
     string UIWidget = "none";
@@ -31,4 +32,5 @@ technique name < string Script = \
 }
 
 STRANDS_TECHNIQUE(Cellular, CellularPS)
+STRANDS_TECHNIQUE(Roots, RootsPS)
 #endif

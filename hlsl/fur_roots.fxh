@@ -2,4 +2,5 @@
 #include "../hlsl/fur.fxh"
 #include "../hlsl/fur/cells.fxh"
 #include "../hlsl/fur/cones.fxh"
+#include "../hlsl/fur/roots.fxh"
 #include "../hlsl/fur/sweep.fxh"

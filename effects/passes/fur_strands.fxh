@@ -21,15 +21,12 @@ struct StrandsVarying
 struct FurSweep
 {
     float3 place;     // over the skin
-    float3 direction; // unit, tangential
+    float3 travel;    // of the place while the height falls by 1
     float3 normal;
     float3 view;   // unit
     float height;  // of the layer,
     float bottom;  // and of the one below
-    float fall;    // see sweep.fxh
-    float bend;
-    float way;     // from layer to layer
-    float step;
+    float step;    // height
     float steps;   // below 0: other layers cover this one's part
     float width;   // of a pixel
     float fade;    // from strands to expected coverage
@@ -122,15 +119,11 @@ FurSweep furSweep(StrandsVarying input, float spacing)
     sweep.bottom = max(sweep.height - (sweep.fade > 0.0 ? stride.x : stride.y) / gFurLayers, 0.0);
 
     float3 strand = coat * (sweep.normal + gFurLean * (sweep.height + sweep.bottom) * furDown());
-    float3 travel = furTravel(sweep.view, sweep.normal, strand);
-    sweep.fall = rsqrt(max(dot(travel, travel), 1e-8));
-    sweep.direction = travel * sweep.fall;
-    float curvature = furCurvature(sweep.direction, ddx(sweep.place), ddy(sweep.place), ddx(sweep.normal), ddy(sweep.normal));
-    sweep.bend = clamp(curvature * coat, -1.0, 1.0) / (coat * coat);
-    sweep.way = furWay(sweep.fall, sweep.bend, sweep.height - sweep.bottom);
+    sweep.travel = furTravel(sweep.view, sweep.normal, strand);
+    float way = length(sweep.travel) * (sweep.height - sweep.bottom);
 
-    float pieces = sweep.fade < 1.0 ? clamp(ceil(sweep.way / kFurStep), 1.0, kFurMostSteps) : 0.0;
-    sweep.step = min(sweep.way / max(pieces, 1.0), kFurStep);
+    float pieces = sweep.fade < 1.0 ? clamp(ceil(way / kFurStep), 1.0, kFurMostSteps) : 0.0;
+    sweep.step = (sweep.height - sweep.bottom) / max(max(pieces, 1.0), way / kFurStep);
     sweep.steps = frac(input.rest.w / stride.x) * stride.x < 1.0 ? pieces : -1.0;
     sweep.reach = gFurRadius + gFurScatter + gFurCurls + 0.5 * sweep.width;
     return sweep;
@@ -149,16 +142,16 @@ FurPiece furFirstPiece()
     return piece;
 }
 
-// The piece from where the last one ends to `way`. Places are those in the strands' own lattice, in which tufts lean together.
-FurPiece furNextPiece(FurPiece last, FurSweep sweep, float way)
+// The piece from where the last one ends down to `drop` below the layer. Places are those in the strands' own lattice, in which tufts lean together.
+FurPiece furNextPiece(FurPiece last, FurSweep sweep, float drop)
 {
     FurPiece piece;
     piece.begin = last.end;
     piece.top = last.low;
     piece.bend = last.bendLow;
-    piece.low = saturate(furFallen(sweep.height, sweep.fall, sweep.bend, way));
+    piece.low = sweep.height - drop;
     piece.bendLow = furBend(piece.low);
-    float3 place = sweep.place + sweep.direction * way;
+    float3 place = sweep.place + sweep.travel * drop;
     piece.end = place + gFurTufts * piece.low * piece.low * furTuft(place / gFurTuftSize);
     piece.along = piece.end - piece.begin;
     piece.along -= sweep.normal * dot(piece.along, sweep.normal);
@@ -176,7 +169,7 @@ float furSkinShadow(float4 lightClip, float3 toLight)
 float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
-    float beyond = sweep.way - max(sweep.steps, 0.0) * sweep.step * (1.0 - sweep.fade);
+    float beyond = length(sweep.travel) * (top - sweep.bottom);
     met = furExpect(met, sweep.fade, density, float3(top, 0.5 * (top + sweep.bottom), sweep.bottom), beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;

@@ -1,12 +1,10 @@
-// The way of a ray through the coat. From layer to layer its place over the skin (the root's side of the strands it passes) moves by the tangential part of the
-// view, and its height falls:
-//   h(s) = h0 - fall s + bend s^2 / 2,  s = mm along the skin, heights as shares of the coat; bend = curvature of the skin along the way / coat.
-// On a curved skin a grazing ray turns before it meets the layer below and leaves the coat again.
+// The way of a ray through the coat. From layer to layer its place over the skin (where the strands that it passes have their roots) moves by the tangential part of
+// the view while its height falls: a straight line in (place, height), for the skin is taken as flat between two layers.
 #ifndef TEGUMENT_FUR_SWEEP_FXH
 #define TEGUMENT_FUR_SWEEP_FXH
 
 // Where the place goes while the height falls by 1: mm, tangential. view: unit, towards the skin. strand: how the coat's point moves while the height
-// rises by 1, mm. A ray that rises along the skin is taken as falling with this cosine: it leaves at once by its bend.
+// rises by 1, mm. Rays that rise along the skin, which interpolated normals bring about at silhouettes, are taken as falling with this cosine.
 static const float kFurLeastCosine = 0.02;
 float3 furTravel(float3 view, float3 normal, float3 strand)
 {
@@ -14,29 +12,6 @@ float3 furTravel(float3 view, float3 normal, float3 strand)
     float rise = dot(strand, normal);
     float3 along = view + normal * -dot(view, normal);
     return along * (rise / cosine) + (strand - normal * rise);
-}
-
-// Curvature of the skin, 1 / mm, along the unit tangent: how far the normal turns that way from pixel to pixel, over how far the place goes, in the direction across
-// the screen in which the place goes that way fastest. Where the skin is seen at a grazing angle, which is where curvature matters, place goes almost only that way.
-// Convex is positive.
-float furCurvature(float3 tangent, float3 placeX, float3 placeY, float3 normalX, float3 normalY)
-{
-    float2 place = float2(dot(placeX, tangent), dot(placeY, tangent));
-    float2 turn = float2(dot(normalX, tangent), dot(normalY, tangent));
-    return dot(place, turn) / max(dot(place, place), 1e-20);
-}
-
-// mm along the skin until the height has fallen by `drop`, or, where it never does, until the ray leaves the layer again.
-float furWay(float fall, float bend, float drop)
-{
-    float square = fall * fall - 2.0 * bend * drop;
-    return square > 0.0 ? 2.0 * drop / (fall + sqrt(square)) : 2.0 * fall / max(bend, 1e-20);
-}
-
-// Height after s mm of the way.
-float furFallen(float height, float fall, float bend, float s)
-{
-    return height - fall * s + 0.5 * bend * s * s;
 }
 
 // Every how many layers one is drawn, 1, 2, 4 ..: as rarely as keeps a segment within `most` spacings, and `fewest` layers in all; and how many its sweep spans. Where the

@@ -66,7 +66,7 @@ Result<Built> build(RootArguments& arguments, Progress& progress) {
     auto set = makeRoots(built.mesh, arguments.roots);
     if (!set) return set.error();
     built.set = *std::move(set);
-    auto texture = buildRootTexture(built.set);
+    auto texture = buildRootTexture(built.set, arguments.roots.threads);
     if (!texture) return texture.error();
     built.texture = *std::move(texture);
     return built;

@@ -1,12 +1,13 @@
 #include "meshprep/fur/roots/root_texture.h"
 
+#include "meshprep/fur/roots/parallel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace tegument {
 
@@ -14,9 +15,14 @@ namespace {
 
 constexpr std::size_t kHeaderTexels = 8;
 constexpr std::size_t kMostTexels = std::size_t{kRootColumns} * kRootColumns;
-constexpr int kSmallestBrick = 4;
-constexpr int kLargestBrick = 64;
+constexpr int kSmallestShift = 2;   // bricks of 4 x 4 x 4 cells ...
+constexpr int kLargestShift = 6;    // ... to 64 x 64 x 64
 constexpr int kMostCells = 1 << 20; // along a side: cell numbers stay far below the 2^24 that a float counts to
+
+Error tooLarge(std::size_t roots, double texels) {
+    return usageError(7107, fmt::format("{} roots would need {:.3g} texels, more than 4096 x 4096", roots, texels),
+                      "ask for fewer roots, a smaller --reach, or a larger --cell");
+}
 
 /// Cells of cubes, gathered into bricks. Cell numbers count through the bricks that hold something.
 class Grid {
@@ -37,31 +43,30 @@ public:
 
     /// The smallest bricks whose top level is no larger than the roots themselves.
     void choose(std::size_t roots) {
-        for (brick_ = kSmallestBrick; brick_ < kLargestBrick && topCount() > 4 * kRootTexels * roots + 65536; brick_ *= 2) {
+        for (shift_ = kSmallestShift;; ++shift_) {
+            bricks_ = glm::ivec3(glm::ceil(size_ / static_cast<double>(brick())));
+            if (shift_ == kLargestShift || topCount() <= 4 * kRootTexels * roots + 65536) return;
         }
     }
 
-    [[nodiscard]] glm::ivec3 bricks() const { return glm::ivec3(glm::ceil(size_ / static_cast<double>(brick_))); }
+    [[nodiscard]] const glm::ivec3& bricks() const { return bricks_; }
     [[nodiscard]] std::size_t topCount() const {
-        const glm::dvec3 n(bricks());
+        const glm::dvec3 n(bricks_);
         return static_cast<std::size_t>(std::min(n.x * n.y * n.z, 1e12));
     }
-    [[nodiscard]] int brick() const { return brick_; }
-    [[nodiscard]] std::size_t cellsOfBrick() const { return static_cast<std::size_t>(brick_) * static_cast<std::size_t>(brick_ * brick_); }
+    [[nodiscard]] int brick() const { return 1 << shift_; }
+    [[nodiscard]] std::size_t cellsOfBrick() const { return std::size_t{1} << (3 * shift_); }
     [[nodiscard]] glm::vec3 origin() const { return origin_; }
     [[nodiscard]] float cell() const { return cell_; }
 
     [[nodiscard]] glm::ivec3 cellOf(const glm::vec3& point) const { return glm::ivec3(glm::floor((point - origin_) / cell_)); }
-    [[nodiscard]] std::size_t topOf(const glm::ivec3& cell) const {
-        const glm::ivec3 k = cell / brick_;
-        const glm::ivec3 n = bricks();
-        return static_cast<std::size_t>(k.x) +
-               static_cast<std::size_t>(n.x) *
-                   (static_cast<std::size_t>(k.y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(k.z));
-    }
-    [[nodiscard]] std::size_t within(const glm::ivec3& cell) const {
-        const glm::ivec3 l = cell - cell / brick_ * brick_;
-        return static_cast<std::size_t>(l.x + brick_ * (l.y + brick_ * l.z));
+    /// Number of a cell, counted brick after brick, empty ones too.
+    [[nodiscard]] std::uint64_t placeOf(const glm::ivec3& cell) const {
+        const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
+        const glm::ivec3 k(cell.x >> shift_, cell.y >> shift_, cell.z >> shift_);
+        const glm::ivec3 l = cell & (brick() - 1);
+        const std::uint64_t brickNumber = n(k.x) + n(bricks_.x) * (n(k.y) + n(bricks_.y) * n(k.z));
+        return (brickNumber << (3 * shift_)) + n(l.x + ((l.y + (l.z << shift_)) << shift_));
     }
 
     /// Calls visit(cell) for every cell that the root's reach touches.
@@ -86,16 +91,18 @@ private:
     glm::dvec3 size_{0}; // in cells
     float cell_ = 1;
     float reach_ = 0;
-    int brick_ = kSmallestBrick;
+    int shift_ = kSmallestShift;
+    glm::ivec3 bricks_{1};
 };
 
 class Builder {
 public:
-    Builder(RootSet& set, Grid grid) : set_(set), grid_(grid) {}
+    Builder(RootSet& set, const Grid& grid, unsigned threads) : set_(set), grid_(grid), threads_(threads) {}
 
     Result<RootTexture> build() {
-        findBricks();
         sortRoots();
+        findCells();
+        numberBricks();
         countLists();
         if (const auto checked = layOut(); !checked) return checked.error();
         writeHeader();
@@ -107,29 +114,18 @@ public:
 private:
     static constexpr std::uint32_t kNone = UINT32_MAX;
 
-    void findBricks() {
-        brickOf_.assign(grid_.topCount(), kNone);
-        std::uint32_t bricks = 0;
-        for (const Root& root : set_.roots)
-            grid_.around(root, [&](const glm::ivec3& cell) {
-                std::uint32_t& brick = brickOf_[grid_.topOf(cell)];
-                if (brick == kNone) brick = bricks++;
-            });
-        texture_.usedBricks = bricks;
-        texture_.bricks = grid_.bricks();
-        texture_.brick = grid_.brick();
-    }
-
-    [[nodiscard]] std::size_t numberOf(const glm::ivec3& cell) const {
-        return brickOf_[grid_.topOf(cell)] * grid_.cellsOfBrick() + grid_.within(cell);
-    }
+    /// Cells as root after root touches them, for a run of roots.
+    struct Touched {
+        std::vector<std::uint64_t> cells;   // first by place in the grid, later by number among the bricks that hold something
+        std::vector<std::uint32_t> perRoot; // how many of them
+    };
 
     /// Roots of one cell lie beside each other, and cells of one brick: what is read together is stored together.
     void sortRoots() {
-        std::vector<std::pair<std::size_t, std::uint32_t>> order;
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
         order.reserve(set_.roots.size());
         for (std::uint32_t i = 0; i < set_.roots.size(); ++i)
-            order.emplace_back(numberOf(grid_.cellOf(set_.roots[i].position)), i);
+            order.emplace_back(grid_.placeOf(grid_.cellOf(set_.roots[i].position)), i);
         std::ranges::sort(order);
         std::vector<Root> sorted;
         sorted.reserve(order.size());
@@ -138,10 +134,39 @@ private:
         set_.roots = std::move(sorted);
     }
 
+    void findCells() {
+        touched_.resize(threadCount(threads_));
+        inChunks(set_.roots.size(), threads_, [&](std::size_t first, std::size_t last, std::size_t chunk) {
+            Touched& own = touched_[chunk];
+            own.perRoot.reserve(last - first);
+            for (std::size_t i = first; i < last; ++i) {
+                const std::size_t before = own.cells.size();
+                grid_.around(set_.roots[i], [&](const glm::ivec3& cell) { own.cells.push_back(grid_.placeOf(cell)); });
+                own.perRoot.push_back(static_cast<std::uint32_t>(own.cells.size() - before));
+            }
+        });
+    }
+
+    /// Bricks count in the order in which roots touch them.
+    void numberBricks() {
+        brickOf_.assign(grid_.topCount(), kNone);
+        std::uint32_t bricks = 0;
+        for (Touched& run : touched_)
+            for (std::uint64_t& cell : run.cells) {
+                std::uint32_t& brick = brickOf_[cell / grid_.cellsOfBrick()];
+                if (brick == kNone) brick = bricks++;
+                cell = brick * grid_.cellsOfBrick() + cell % grid_.cellsOfBrick();
+            }
+        texture_.usedBricks = bricks;
+        texture_.bricks = grid_.bricks();
+        texture_.brick = grid_.brick();
+    }
+
     void countLists() {
         lists_.assign(texture_.usedBricks * grid_.cellsOfBrick(), 0);
-        for (const Root& root : set_.roots)
-            grid_.around(root, [&](const glm::ivec3& cell) { ++lists_[numberOf(cell)]; });
+        for (const Touched& run : touched_)
+            for (const std::uint64_t cell : run.cells)
+                ++lists_[cell];
         std::size_t texels = 0;
         for (std::uint32_t& count : lists_) {
             texture_.usedCells += count > 0;
@@ -161,9 +186,7 @@ private:
         firstList_ = firstBrick_ + lists_.size() / 4;
         firstRoot_ = firstList_ + listTexels_;
         texture_.texels = firstRoot_ + kRootTexels * set_.roots.size();
-        if (texture_.texels > kMostTexels)
-            return usageError(7107, fmt::format("{} roots would need {} texels, more than 4096 x 4096", set_.roots.size(), texture_.texels),
-                              "ask for fewer roots, a smaller --reach, or a larger --cell");
+        if (texture_.texels > kMostTexels) return tooLarge(set_.roots.size(), static_cast<double>(texture_.texels));
         const std::size_t rows = (texture_.texels + kRootColumns - 1) / kRootColumns;
         texture_.image = {.width = kRootColumns, .height = static_cast<int>(rows), .channels = 4, .pixels = {}, .metadata = {}};
         texture_.image.pixels.assign(rows * kRootColumns * 4, 0.0F);
@@ -184,7 +207,16 @@ private:
         put(2, glm::vec3(texture_.image.height, firstTop_, set_.roots.size()), static_cast<double>(texture_.mostTexels));
         put(3, glm::vec3(set_.reach, set_.radius, set_.distance), set_.density);
         put(4, glm::vec3(set_.centre), set_.ballRadius);
-        put(5, glm::vec3(firstRoot_, 0, 0), 0);
+        double sum = 0;
+        float least = 1;
+        float lean = 0;
+        for (const Root& root : set_.roots) {
+            sum += static_cast<double>(root.share);
+            least = std::min(least, root.share);
+            lean = std::max(lean, glm::length(root.lean));
+        }
+        put(5, glm::vec3(least, sum / static_cast<double>(set_.roots.size()), lean), 0);
+        put(6, glm::vec3(firstRoot_, 0, 0), 0);
     }
 
     void writeLists() {
@@ -194,11 +226,15 @@ private:
         for (std::size_t i = 0; i < lists_.size(); ++i)
             if (lists_[i] != kNone) pixels[4 * firstBrick_ + i] = static_cast<float>(firstList_ + lists_[i]);
         std::vector<std::uint32_t> filled(lists_.size(), 0);
-        for (std::size_t root = 0; root < set_.roots.size(); ++root)
-            grid_.around(set_.roots[root], [&](const glm::ivec3& cell) {
-                const std::size_t number = numberOf(cell);
-                pixels[4 * (firstList_ + lists_[number]) + filled[number]++] = static_cast<float>(firstRoot_ + kRootTexels * root);
-            });
+        std::size_t root = 0;
+        for (const Touched& run : touched_) {
+            const std::uint64_t* cell = run.cells.data();
+            for (const std::uint32_t count : run.perRoot) {
+                const auto address = static_cast<float>(firstRoot_ + kRootTexels * root++);
+                for (const std::uint64_t* end = cell + count; cell != end; ++cell)
+                    pixels[4 * (firstList_ + lists_[*cell]) + filled[*cell]++] = address;
+            }
+        }
         for (std::size_t i = 0; i < lists_.size(); ++i)
             if (lists_[i] != kNone) {
                 float& last = pixels[4 * (firstList_ + lists_[i] + (filled[i] - 1) / 4)];
@@ -217,8 +253,10 @@ private:
     }
 
     RootSet& set_;
-    Grid grid_;
+    const Grid& grid_;
+    unsigned threads_;
     RootTexture texture_;
+    std::vector<Touched> touched_;
     std::vector<std::uint32_t> brickOf_; // by place in the top level
     std::vector<std::uint32_t> lists_;   // by cell number
     std::size_t listTexels_ = 0;
@@ -251,17 +289,22 @@ private:
 
 } // namespace
 
-Result<RootTexture> buildRootTexture(RootSet& set) {
+Result<RootTexture> buildRootTexture(RootSet& set, unsigned threads) {
     const auto start = std::chrono::steady_clock::now();
     if (set.roots.empty())
         return inputError(7105, {}, "no root stands on the mesh", "the length map or the density map may be 0 everywhere");
+    // What a ball touches of a grid of unit cells on average: 1 + 6 r + 3 pi r^2 + 4/3 pi r^3 of them.
+    const double r = set.reach / set.cell;
+    const double touched = 1 + r * (6 + r * (9.42 + r * 4.19));
+    const double texels = static_cast<double>(set.roots.size()) * (touched / 4 + kRootTexels);
+    if (texels > 2.0 * static_cast<double>(kMostTexels)) return tooLarge(set.roots.size(), texels);
     Grid grid(set);
     grid.choose(set.roots.size());
     if (grid.tooFine() || grid.topCount() > 4 * kMostTexels)
         return usageError(
             7107, "the mesh is too large for the fineness of its fur: the grid of its roots would have more than 4096 x 4096 texels",
             "prepare far parts of the mesh on their own, or ask for fewer roots or a larger --cell");
-    auto texture = Builder(set, grid).build();
+    auto texture = Builder(set, grid, threads).build();
     if (texture) texture->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return texture;
 }
@@ -282,7 +325,7 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
     const float list = reader.entry(brick, l.x + b * (l.y + b * l.z));
     if (list == 0) return {};
     std::vector<std::size_t> found;
-    const std::size_t firstRoot = static_cast<std::size_t>(reader.fetch(5).x);
+    const std::size_t firstRoot = static_cast<std::size_t>(reader.fetch(6).x);
     for (float at = list; at < list + parts.w; ++at) {
         const glm::vec4 texel = reader.fetch(at);
         for (glm::length_t i = 0; i < 4; ++i)
@@ -294,7 +337,7 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
 
 Root rootAt(const Image& image, std::size_t number) {
     const Reader reader(image);
-    const float first = reader.fetch(5).x + static_cast<float>(kRootTexels * number);
+    const float first = reader.fetch(6).x + static_cast<float>(kRootTexels * number);
     const glm::vec4 a = reader.fetch(first);
     const glm::vec4 b = reader.fetch(first + 1);
     const glm::vec4 c = reader.fetch(first + 2);

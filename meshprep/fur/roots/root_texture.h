@@ -26,7 +26,7 @@ struct RootTexture {
 };
 
 /// Puts the roots into the order of their cells. TG7107 where the texture would be larger than 4096 x 4096.
-[[nodiscard]] Result<RootTexture> buildRootTexture(RootSet& set);
+[[nodiscard]] Result<RootTexture> buildRootTexture(RootSet& set, unsigned threads = 0);
 
 /// The reader that docs/fur.md describes, in the shader's arithmetic: numbers of the roots that the cell around a point lists.
 [[nodiscard]] std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point);

@@ -15,7 +15,7 @@ struct RootOptions {
     double radius = 0.3;           // of a strand at its root
     double thinnest = 0.8;         // strands' radii lie evenly between this share and 1
     double shortest = 0.7;         // strands' lengths lie evenly between this share and 1
-    double reach = 0.5;            // how far from its root a strand can be looked up
+    double reach = 1.5;            // how far from its root a strand can be looked up
     double cell = 1.0;             // side of the grid's cells
     double lean = 0.0;             // how far tips lean along `comb` or the direction map, in lengths of the strand
     glm::dvec3 comb{0, -1, 0};     // mesh space; where there is no direction map

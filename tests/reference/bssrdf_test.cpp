@@ -190,6 +190,14 @@ TEST(VisiblePoints, are_every_covered_pixel_when_no_count_is_given) {
     EXPECT_EQ(visiblePoints(skin, camera, 100000).size(), 32U * 32U);
 }
 
+TEST(VisiblePoints, of_a_camera_that_looks_away_are_none_and_need_no_light) {
+    const Mesh mesh = plane(30, 4);
+    const SkinScene skin(mesh, lightAt({0, 0, kFar}), glm::dvec3(1), skinSettings("corrected"));
+    const auto points = visiblePoints(skin, pinhole({0, 0, 100}, {0, 0, 200}, {0, 1, 0}, 0.3, 8, 8), 16);
+    EXPECT_TRUE(points.empty());
+    EXPECT_TRUE(radiance(skin, points, {0, 0, 100}, uncached()).empty());
+}
+
 TEST_F(BssrdfCache, keeps_a_result_bit_for_bit) {
     const auto [first, computed] = compute(0.5);
     const auto [second, again] = compute(0.5);

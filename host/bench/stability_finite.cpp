@@ -12,9 +12,8 @@ namespace tegument::bench::stability {
 
 namespace {
 
-/// What one technique did over all scenes.
+/// What the techniques of one effect did over all scenes.
 struct Tally {
-    std::size_t runs = 0;
     std::size_t values = 0; // that are not finite
     std::set<std::string> scenes;
     std::string first;
@@ -46,17 +45,17 @@ Result<void> scan(const Context& context, EffectSession& session, const SessionF
     return {};
 }
 
-Result<void> drawScene(const Context& context, const Effect& effect, const std::string& setting, const HardScene& scene,
-                       std::vector<Tally>& tallies) {
+Result<void> drawScene(const Context& context, const Effect& effect, const std::string& setting, const HardScene& scene, Tally& tally) {
     EffectSession session(context.device, effect, {.mesh = &scene.mesh, .objects = {}});
-    for (std::size_t i = 0; i < effect.techniques.size(); ++i) {
-        const RunOptions options = runOptions(context, effect, effect.techniques[i].name, scene, context.options.size);
+    for (const Technique& technique : effect.techniques) {
+        const RunOptions options = runOptions(context, effect, technique.name, scene, context.options.size);
         const auto frame = session.draw(scene.workspace, options);
         if (!frame && frame.error().blame == Blame::Machine) return frame.error();
-        tallies[i].runs += 1;
         if (!frame)
-            tallies[i].refusals.insert(fmt::format("{}: TG{}", scene.name, frame.error().diagnostics.front().code));
-        else if (const auto scanned = scan(context, session, *frame, fmt::format("{} [{}]", scene.name, setting), tallies[i]); !scanned)
+            tally.refusals.insert(fmt::format("{}: TG{}", scene.name, frame.error().diagnostics.front().code));
+        else if (const auto scanned =
+                     scan(context, session, *frame, fmt::format("{} [{}], {}", technique.name, setting, scene.name), tally);
+                 !scanned)
             return scanned;
     }
     return {};
@@ -74,30 +73,27 @@ std::string causes(const Tally& tally) {
 Result<void> measureFinite(const Context& context) {
     const std::vector<HardScene> scenes = hostileScenes();
     for (const auto& file : effectFiles(context)) {
-        std::vector<Tally> tallies;
-        std::vector<std::string> names;
+        Tally tally;
+        std::size_t techniques = 0;
         for (const char* setting : {"seed", "corrected"}) {
             const auto effect = load(context, file, setting);
             if (!effect) return effect.error();
-            tallies.resize(effect->techniques.size());
-            names.clear();
-            for (const Technique& technique : effect->techniques)
-                names.push_back(fmt::format("{}, {}", file.stem().string(), technique.name));
+            techniques = effect->techniques.size();
             for (const HardScene& scene : scenes) {
                 context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
-                if (const auto drawn = drawScene(context, *effect, setting, scene, tallies); !drawn) return drawn;
+                if (const auto drawn = drawScene(context, *effect, setting, scene, tally); !drawn) return drawn;
             }
         }
-        for (std::size_t i = 0; i < tallies.size(); ++i)
-            context.report.rows.push_back({.part = {},
-                                           .module = names[i],
-                                           .hardCase = fmt::format("{} scenes, seed and corrected", scenes.size()),
-                                           .figure = "values that are not finite, all targets",
-                                           .value = static_cast<double>(tallies[i].values),
-                                           .limit = 0,
-                                           .cause = causes(tallies[i]),
-                                           .notFinite = tallies[i].values,
-                                           .why = "finite numbers in, finite numbers out"});
+        context.report.rows.push_back(
+            {.part = {},
+             .module = file.stem().string(),
+             .hardCase = fmt::format("{} scenes, {} technique{}, seed and corrected", scenes.size(), techniques, techniques > 1 ? "s" : ""),
+             .figure = "values that are not finite, all targets",
+             .value = static_cast<double>(tally.values),
+             .limit = 0,
+             .cause = causes(tally),
+             .notFinite = tally.values,
+             .why = "finite numbers in, finite numbers out"});
     }
     return {};
 }

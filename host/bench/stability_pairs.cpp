@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 namespace tegument::bench::stability {
 
@@ -31,33 +33,52 @@ std::string moduleName(const std::filesystem::path& file, const std::string& tec
     return fmt::format("{}, {} [{}]", file.stem().string(), technique, setting);
 }
 
-/// Visits every technique of every effect.
-template <class Visit>
-Result<void> everyTechnique(const Context& context, const std::vector<std::string>& settings, Visit visit) {
-    for (const auto& file : effectFiles(context))
-        for (const std::string& setting : settings) {
-            const auto effect = load(context, file, setting);
-            if (!effect) return effect.error();
-            for (const Technique& technique : effect->techniques)
-                if (const auto visited = visit(file, technique.name, setting); !visited) return visited;
-        }
-    return {};
+/// All techniques of one effect, each drawn in two ways.
+struct Pairs {
+    std::size_t pictures = 0;
+    PictureError worst; // by its largest difference
+    std::string where = "every bit of every picture equal";
+    std::size_t notFinite = 0;
+};
+
+void add(Pairs& pairs, const std::string& picture, const Image& a, const Image& b) {
+    const PictureError error = differenceOf(a, b);
+    pairs.pictures += 1;
+    pairs.notFinite += notFinite(a).count + notFinite(b).count;
+    pairs.worst.relativeL2 = std::max(pairs.worst.relativeL2, error.relativeL2);
+    pairs.worst.beyond = std::max(pairs.worst.beyond, error.beyond);
+    if (error.largest.value <= pairs.worst.largest.value) return;
+    pairs.worst.largest = error.largest;
+    pairs.where = fmt::format("{}: {} differs by {:.2g} of the mean", picture, at("pixel", error.largest), error.largest.value);
 }
 
-void addPair(const Context& context, const std::string& module, const std::string& pair, const Image& a, const Image& b, double limit,
-             const char* why) {
-    const PictureError error = differenceOf(a, b);
-    context.report.rows.push_back(
-        {.part = {},
-         .module = module,
-         .hardCase = pair,
-         .figure = "share of pixels that differ by more than 1e-3 of the mean",
-         .value = error.beyond,
-         .limit = limit,
-         .cause = error.largest.value > 0 ? fmt::format("{} differs by {:.2g} of the mean", at("pixel", error.largest), error.largest.value)
-                                          : "every bit equal",
-         .notFinite = notFinite(a).count + notFinite(b).count,
-         .why = why});
+using DrawPair = std::function<Result<std::pair<Image, Image>>(const std::filesystem::path& file, const std::string& technique,
+                                                               const std::string& setting)>;
+
+/// Every technique of an effect in settings seed and corrected.
+Result<Pairs> pairsOf(const Context& context, const std::filesystem::path& file, const DrawPair& drawPair) {
+    Pairs pairs;
+    for (const char* setting : {"seed", "corrected"}) {
+        const auto effect = load(context, file, setting);
+        if (!effect) return effect.error();
+        for (const Technique& technique : effect->techniques) {
+            context.say(fmt::format("{}, {} [{}], in two ways", file.stem().string(), technique.name, setting));
+            const auto both = drawPair(file, technique.name, setting);
+            if (!both) return both.error();
+            add(pairs, fmt::format("{} [{}]", technique.name, setting), both->first, both->second);
+        }
+    }
+    return pairs;
+}
+
+Result<void> everyEffect(const Context& context, const DrawPair& drawPair,
+                         const std::function<StabilityRow(const std::string& effect, const Pairs& pairs)>& row) {
+    for (const auto& file : effectFiles(context)) {
+        const auto pairs = pairsOf(context, file, drawPair);
+        if (!pairs) return pairs.error();
+        context.report.rows.push_back(row(file.stem().string(), *pairs));
+    }
+    return {};
 }
 
 } // namespace
@@ -101,18 +122,25 @@ Result<void> measureCompilers(const Context& context) {
         context.report.notes.emplace_back("DXC against glslang: not measured, DXC is not installed");
         return {};
     }
-    return everyTechnique(context, {"seed", "corrected"},
-                          [&](const std::filesystem::path& file, const std::string& technique, const std::string& setting) -> Result<void> {
-                              context.say(fmt::format("compilers: {}, {} [{}]", file.stem().string(), technique, setting));
-                              const Defines whole = {{"TEGUMENT_MAP_BITS", "32"}};
-                              const auto dxc = drawWay(context.device, context, file, technique, setting, {Compiler::Dxc, whole});
-                              if (!dxc) return dxc.error();
-                              const auto other = drawWay(context.device, context, file, technique, setting, {Compiler::Glslang, whole});
-                              if (!other) return other.error();
-                              addPair(context, moduleName(file, technique, setting), "DXC against glslang", *dxc, *other, 1e-3,
-                                      "docs/measurements.md: the last bit decides single points on the edge of a shadow");
-                              return {};
-                          });
+    const Defines whole = {{"TEGUMENT_MAP_BITS", "32"}};
+    const auto both = [&](const auto& file, const auto& technique, const auto& setting) -> Result<std::pair<Image, Image>> {
+        auto dxc = drawWay(context.device, context, file, technique, setting, {Compiler::Dxc, whole});
+        if (!dxc) return dxc.error();
+        auto glslang = drawWay(context.device, context, file, technique, setting, {Compiler::Glslang, whole});
+        if (!glslang) return glslang.error();
+        return std::pair(std::move(*dxc), std::move(*glslang));
+    };
+    return everyEffect(context, both, [](const std::string& effect, const Pairs& pairs) {
+        return StabilityRow{.part = {},
+                            .module = effect,
+                            .hardCase = fmt::format("DXC against glslang, {} pictures, float maps", pairs.pictures),
+                            .figure = "largest share of pixels that differ by more than 1e-3 of the mean",
+                            .value = pairs.worst.beyond,
+                            .limit = 1e-3,
+                            .cause = pairs.where,
+                            .notFinite = pairs.notFinite,
+                            .why = "the last bit decides single points on the edge of a shadow"};
+    });
 }
 
 Result<void> measureDevices(const Context& context) {
@@ -127,27 +155,25 @@ Result<void> measureDevices(const Context& context) {
         return {};
     }
     const std::string pair = fmt::format("{} against {}", context.device.info().name, other->info().name);
-    return everyTechnique(context, {"seed", "corrected"},
-                          [&](const std::filesystem::path& file, const std::string& technique, const std::string& setting) -> Result<void> {
-                              context.say(fmt::format("devices: {}, {} [{}]", file.stem().string(), technique, setting));
-                              const Way way{context.options.compiler, {{"TEGUMENT_MAP_BITS", "32"}}};
-                              const auto here = drawWay(context.device, context, file, technique, setting, way);
-                              if (!here) return here.error();
-                              const auto there = drawWay(*other, context, file, technique, setting, way);
-                              if (!there) return there.error();
-                              const PictureError error = differenceOf(*here, *there);
-                              context.report.rows.push_back({.part = {},
-                                                             .module = moduleName(file, technique, setting),
-                                                             .hardCase = pair,
-                                                             .figure = "relative L2",
-                                                             .value = error.relativeL2,
-                                                             .limit = std::nullopt,
-                                                             .cause = fmt::format("{} differs by {:.2g} of the mean",
-                                                                                  at("pixel", error.largest), error.largest.value),
-                                                             .notFinite = notFinite(*here).count + notFinite(*there).count,
-                                                             .why = {}});
-                              return {};
-                          });
+    const Way way{context.options.compiler, {{"TEGUMENT_MAP_BITS", "32"}}};
+    const auto both = [&](const auto& file, const auto& technique, const auto& setting) -> Result<std::pair<Image, Image>> {
+        auto here = drawWay(context.device, context, file, technique, setting, way);
+        if (!here) return here.error();
+        auto there = drawWay(*other, context, file, technique, setting, way);
+        if (!there) return there.error();
+        return std::pair(std::move(*here), std::move(*there));
+    };
+    return everyEffect(context, both, [&](const std::string& effect, const Pairs& pairs) {
+        return StabilityRow{.part = {},
+                            .module = effect,
+                            .hardCase = fmt::format("{}, {} pictures, float maps", pair, pairs.pictures),
+                            .figure = "largest relative L2",
+                            .value = pairs.worst.relativeL2,
+                            .limit = std::nullopt,
+                            .cause = pairs.where,
+                            .notFinite = pairs.notFinite,
+                            .why = {}};
+    });
 }
 
 } // namespace tegument::bench::stability

@@ -65,8 +65,8 @@ PictureError differenceOf(const Image& image, const Image& reference) {
         for (int x = 0; x < reference.width; ++x)
             for (int c = 0; c < channels; ++c)
                 sum += static_cast<double>(reference.at(x, y, c));
-    const double mean = sum / (static_cast<double>(reference.width) * reference.height * channels);
-    if (!(mean > 0)) return error;
+    double mean = sum / (static_cast<double>(reference.width) * reference.height * channels);
+    if (!(mean > 0)) mean = 1; // nothing to relate to
     for (int y = 0; y < reference.height; ++y)
         for (int x = 0; x < reference.width; ++x) {
             double here = 0;
@@ -81,7 +81,7 @@ PictureError differenceOf(const Image& image, const Image& reference) {
             beyond += here > 1e-3 ? 1 : 0;
             if (here > error.largest.value) error.largest = {here, x, y};
         }
-    error.relativeL2 = std::sqrt(squares / squaresOfReference);
+    error.relativeL2 = squaresOfReference > 0 ? std::sqrt(squares / squaresOfReference) : std::sqrt(squares);
     error.beyond = static_cast<double>(beyond) / (static_cast<double>(reference.width) * reference.height);
     return error;
 }

@@ -1,5 +1,7 @@
 #include "host/bench/bench.h"
 
+#include "host/bench/textures.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,17 +12,23 @@ namespace tegument::bench {
 
 namespace {
 
+Scene fitted(Scene scene, const BenchOptions& options) {
+    const TruthScene truth = truthScene(scene, options.width, options.height);
+    fitTextures(scene, reference::visiblePoints(truth.skin, truth.camera, 0));
+    return scene;
+}
+
 /// A scene with everything that does not depend on who is compared on it.
 struct Stage {
     Stage(Scene loaded, const BenchOptions& options)
-        : scene(std::move(loaded)), truth(truthScene(scene, options.width, options.height)),
+        : scene(fitted(std::move(loaded), options)), truth(truthScene(scene, options.width, options.height)),
           sample(samplePixels(scene, truth, options.pixels)) {}
 
     Scene scene;
     TruthScene truth; // refers to the scene's mesh
     Sample sample;
     std::vector<glm::dvec3> light;
-    std::map<std::array<double, 3>, std::vector<glm::dvec3>> claimed; // by Burley's distances
+    std::map<std::string, std::vector<glm::dvec3>> claimed; // by definition
 };
 
 Progress progressOf(const Say& say, const std::string& what) {
@@ -39,9 +47,9 @@ Result<std::unique_ptr<Stage>> stageOf(const std::string& name, const std::vecto
                           "move the camera of the workspace, or choose a larger --size");
     stage->light = trueLight(stage->truth, stage->sample, progressOf(say, fmt::format("{}: reference", name)));
     for (const Contender& contender : contenders)
-        if (contender.claim == Claim::Burley && !stage->claimed.contains(contender.burley))
-            stage->claimed[contender.burley] = claimedLight(stage->truth, stage->sample, contender,
-                                                            progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
+        if (!contender.ownDefinition().empty() && !stage->claimed.contains(contender.ownDefinition()))
+            stage->claimed[contender.ownDefinition()] = claimedLight(
+                stage->truth, stage->sample, contender, progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
     return stage;
 }
 
@@ -69,8 +77,8 @@ Result<void> judge(Row& row, const Stage& stage, const Result<Drawn>& drawn) {
     const auto errors = errorsOf(drawn->picture, stage.sample, stage.light);
     if (!errors) return errors.error();
     row.errors = *errors;
-    if (row.contender.claim == Claim::Burley) {
-        const auto own = errorsOf(drawn->picture, stage.sample, stage.claimed.at(row.contender.burley));
+    if (const std::string definition = row.contender.ownDefinition(); !definition.empty()) {
+        const auto own = errorsOf(drawn->picture, stage.sample, stage.claimed.at(definition));
         if (!own) return own.error();
         row.own = *own;
     }

@@ -52,6 +52,8 @@ std::optional<std::string> readProfile(const Json& json, Contender& contender) {
         contender.claim = Claim::SixGaussians;
     } else if (json == "none") {
         contender.claim = Claim::None;
+    } else if (json == "delta") {
+        contender.claim = Claim::Delta;
     } else if (json.is_object() && json.size() == 1 && json.contains("burley") && json["burley"].is_array() && json["burley"].size() == 3) {
         contender.claim = Claim::Burley;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -60,7 +62,7 @@ std::optional<std::string> readProfile(const Json& json, Contender& contender) {
             contender.burley[c] = distance.get<double>();
         }
     } else {
-        return R"('profile' must be "six-gaussians", "none" or {"burley": [3 distances in mm]})";
+        return R"('profile' must be "six-gaussians", "delta", "none" or {"burley": [3 distances in mm]})";
     }
     return std::nullopt;
 }
@@ -120,6 +122,12 @@ Result<void> everyNameChooses(const char* option, const std::vector<std::string>
 }
 
 } // namespace
+
+std::string Contender::ownDefinition() const {
+    if (claim == Claim::Delta) return "no diffusion";
+    if (claim == Claim::Burley) return fmt::format("normalised diffusion, d = {}, {}, {} mm", burley[0], burley[1], burley[2]);
+    return {};
+}
 
 Result<std::vector<Contender>> loadCatalogue(const fs::path& file) {
     const auto text = readFile(file);

@@ -17,6 +17,7 @@ namespace tegument::bench {
 /// What a technique claims to integrate, beside the truth that all are held against.
 enum class Claim {
     SixGaussians, // the truth itself
+    Delta,        // no diffusion: light leaves where it enters
     Burley,       // normalised diffusion with its own distances
     None          // no integral of a profile
 };
@@ -33,6 +34,8 @@ struct Contender {
     Claim claim = Claim::SixGaussians;
     std::array<double, 3> burley{}; // mm
 
+    /// What it is held against besides the truth; empty: nothing. Equal where two claim the same.
+    [[nodiscard]] std::string ownDefinition() const;
     /// "SeparableSSS, 17 samples"
     [[nodiscard]] std::string name() const { return variant.empty() ? technique : technique + ", " + variant; }
 };

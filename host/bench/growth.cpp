@@ -100,7 +100,7 @@ Sweep pixels(int first) {
                 .pass = "Final",
                 .points = {}};
     for (int size = first; size <= 8 * first; size *= 2)
-        sweep.points.push_back({.x = static_cast<double>(size) * size, .picture = size, .mapSize = 256, .parameters = {}});
+        sweep.points.push_back({.x = static_cast<double>(size) * size, .picture = size, .mapSize = 256, .quads = 16, .parameters = {}});
     return sweep;
 }
 
@@ -142,7 +142,7 @@ Sweep faces(int first) {
 
 Result<std::vector<Growth>> measureGrowth(gpu::Device& device, const GrowthOptions& options, const Say& say) {
     const bool large = options.large;
-    std::vector<Sweep> sweeps = {texels(large ? 512 : 64), pixels(large ? 512 : 64), blurs(large ? 2048 : 256)};
+    std::vector<Sweep> sweeps = {texels(large ? 512 : 128), pixels(large ? 512 : 128), blurs(large ? 2048 : 256)};
     std::error_code code;
     if (std::filesystem::exists(options.effects / "Fur.fx", code)) sweeps.push_back(layers(large ? 1024 : 128));
     sweeps.push_back(faces(large ? 256 : 64));

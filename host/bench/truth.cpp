@@ -93,6 +93,18 @@ std::vector<glm::dvec3> lightOf(const TruthScene& truth, const Sample& sample, r
     return light;
 }
 
+/// Every point sends back what enters it.
+std::vector<glm::dvec3> undiffusedLight(const TruthScene& truth, const Sample& sample) {
+    std::vector<glm::dvec3> light;
+    for (const reference::ShadedPoint& pixel : sample.points) {
+        const reference::SurfacePoint& point = pixel.point;
+        const bool lit = truth.skin.lit(point);
+        light.push_back(truth.skin.entering(point, lit) * truth.skin.leaving(point, truth.camera.eye) +
+                        truth.skin.reflected(point, truth.skin.mappedNormal(point), truth.camera.eye, lit));
+    }
+    return light;
+}
+
 } // namespace
 
 TruthScene truthScene(const Scene& scene, int width, int height) {
@@ -129,7 +141,7 @@ std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample,
 }
 
 std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender, const Progress& progress) {
-    if (contender.claim != Claim::Burley) return {};
+    if (contender.claim == Claim::Delta) return undiffusedLight(truth, sample);
     return lightOf(truth, sample, reference::burley({contender.burley[0], contender.burley[1], contender.burley[2]}), progress);
 }
 

@@ -34,8 +34,9 @@ struct TruthScene {
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Light of each point: the six Gaussians, or what the contender claims.
+/// Light of each point by the six Gaussians.
 [[nodiscard]] std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, const Progress& progress);
+/// Of a contender that has a definition of its own.
 [[nodiscard]] std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
                                                    const Progress& progress);
 

@@ -26,6 +26,7 @@ constexpr std::array kModules = {
     Module{"Irradiance", verify::verifyIrradiance},
     Module{"Convolution", verify::verifyConvolution},
     Module{"Main", verify::verifyMain},
+    Module{"Fur", verify::verifyFur},
 };
 
 std::vector<std::string> names() {

@@ -82,6 +82,17 @@ std::vector<FunctionCase> shells() {
          .arguments = {linear(0, 0.5), logarithmic(1, 1e3), linear(0, 1)},
          .expected = [](const Inputs& x) { return values(x.scalar(0) * x.scalar(1) * x.scalar(2)); },
          .tolerance = {.forward = 2, .backward = 0, .absolute = 1e-35, .why = "two products, of which a denormal one is flushed to 0"}});
+    cases.push_back({.function = "furNearDepth",
+                     .body = "return float4(furNearDepth(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(-50, 100), linear(1, 1000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double margin = 0.01 * x.scalar(1);
+                             return values(x.scalar(0) < margin ? margin * std::exp(std::max(x.scalar(0) / margin - 1, -80.0))
+                                                                : x.scalar(0));
+                         },
+                     .tolerance = {.forward = 180, .backward = 4, .absolute = 1e-6, .why = "exp: 3 + 2|x| ULP with |x| up to 80"},
+                     .domain = [](const Inputs& x) { return x.scalar(1) >= 1; }});
     cases.push_back({.function = "furStrand",
                      .body = "return float4(furStrand(a0, a1, a2), 0);",
                      .arguments = {unit(), linear(0, 2), linear(0, 1)},

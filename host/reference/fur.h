@@ -1,0 +1,108 @@
+#pragma once
+// The picture of shells as docs/fur.md defines it, in double precision: what each pixel's ray meets of every layer, in the order of
+// drawing, where fur maps are looked up, how strands are lit, what is blended over what.
+
+#include "host/reference/pinhole.h"
+#include "host/reference/skin.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace tegument::reference {
+
+/// The parameters of effects/Fur.fx.
+struct FurCoat {
+    int layers = 32;
+    double length = 0.06; // share of the mesh's radius
+    double lean = 0.25;
+    double spread = 1; // heights are (l / n)^spread
+    bool outerFirst = false;
+    double taper = 0;
+    double softness = 0.2;
+    double alphaTest = 0.02;
+    glm::dvec3 root{0.16, 0.085, 0.04}; // albedo
+    glm::dvec3 tip{0.72, 0.52, 0.33};
+    double kajiyaKay = 1;
+    double multiple = 0.7;
+    double specular = 0.08;
+    double exponent = 40;
+    double density = 1.2;
+    glm::dvec3 fill{0};
+};
+
+/// A place on a layer, 0 the skin.
+struct FurFragment {
+    int layer = 0;
+    std::uint32_t triangle = 0;
+    double height = 0;    // in the coat
+    double depth = 0;     // mm along the view
+    glm::dvec3 rest{0};   // of the skin below, from the centre of the mesh's bounding sphere
+    glm::dvec3 normal{0}; // interpolated, not normalised
+    glm::dvec3 position{0};
+};
+
+class FurShells {
+public:
+    /// `mesh` must outlive the shells; the eye must be outside of the coat.
+    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view);
+
+    /// Front faces that a pixel's ray meets, in the order in which they are drawn.
+    [[nodiscard]] const std::vector<FurFragment>& at(int x, int y) const { return pixels_[index(x, y)]; }
+    /// Where the ray of another pixel meets the plane of a fragment's triangle.
+    [[nodiscard]] FurFragment onItsPlane(const FurFragment& fragment, int x, int y) const;
+    [[nodiscard]] const FurCoat& coat() const { return coat_; }
+
+private:
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] glm::dvec3 extruded(std::uint32_t vertex, double height) const;
+    [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle, double height) const;
+    [[nodiscard]] FurFragment meet(int layer, std::uint32_t triangle, double height, const glm::dvec3& direction,
+                                   glm::dvec3& weights) const;
+    void draw(int layer, double height);
+    void draw(int layer, std::uint32_t triangle, double height);
+
+    const Mesh& mesh_;
+    FurCoat coat_;
+    Pinhole view_;
+    std::vector<std::vector<FurFragment>> pixels_;
+};
+
+enum class FurVector { Position, Normal, Combined };
+/// Unit vector by which a fur map is looked up.
+[[nodiscard]] glm::dvec3 furVector(FurVector kind, const FurFragment& fragment);
+
+/// In the mirror ball of a sphere map.
+[[nodiscard]] glm::dvec2 onSphereMap(const glm::dvec3& direction);
+struct OnCube {
+    int face = 0; // +X -X +Y -Y +Z -Z
+    glm::dvec2 uv{0};
+};
+[[nodiscard]] OnCube onCubeMap(const glm::dvec3& direction);
+
+/// What a texel's alpha covers at this height.
+[[nodiscard]] double furCovered(const FurCoat& coat, double alpha, double height);
+
+/// Share of the light that the coat lets through to this height.
+[[nodiscard]] double furOpen(const FurCoat& coat, double height, double cosine);
+
+struct FurLight {
+    glm::dvec3 position{0};
+    glm::dvec3 colour{1};
+};
+/// Towards the eye; `lit`: the skin hides no light.
+[[nodiscard]] glm::dvec3 furRadiance(const FurCoat& coat, const FurFragment& fragment, const FurLight& light, const glm::dvec3& eye,
+                                     bool lit);
+
+/// What is seen of a fragment in the end.
+struct FurShare {
+    const FurFragment* fragment = nullptr;
+    double weight = 0;
+};
+/// Depth test, alpha test and blending of a pixel's fragments. What the weights lack to 1 is background.
+[[nodiscard]] std::vector<FurShare> blendFur(const FurCoat& coat, const std::vector<FurFragment>& fragments,
+                                             const std::function<double(const FurFragment&)>& alpha);
+
+} // namespace tegument::reference

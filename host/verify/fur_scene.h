@@ -1,0 +1,30 @@
+#pragma once
+// Inside host/verify: what fur is verified on, made from formulas.
+
+#include "host/reference/fur.h"
+#include "host/verify/scene.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tegument::verify {
+
+struct FurScene {
+    std::string name;
+    Scene scene;
+    reference::FurCoat coat;
+};
+
+/// A torus whose parts shadow each other, layers blended from the skin outwards; or the options' mesh.
+[[nodiscard]] FurScene furTorus(const VerifyOptions& options);
+/// A ball, opaque layers from the outermost inwards; or the options' mesh.
+[[nodiscard]] FurScene furBall(const VerifyOptions& options);
+
+/// The coat as parameters of Fur.fx.
+[[nodiscard]] std::map<std::string, std::vector<double>> parametersOf(const reference::FurCoat& coat);
+
+/// Cones of random lengths, one in each square of four texels: alpha is the height over each texel.
+[[nodiscard]] Image furPattern(int size, int seed);
+
+} // namespace tegument::verify

@@ -2,7 +2,7 @@
 // what lies between them and the next. Technique Cellular needs nothing but the mesh; technique Roots reads roots made by `tegument fur roots`.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
-#include "../hlsl/fur_roots.fxh"
+#include "../hlsl/fur.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"

@@ -1,5 +1,10 @@
-// Group fur: shells, the vectors that look up fur maps, the light on strands. About the paths see surface.fxh.
+// Group fur: shells, the vectors that look up fur maps, the light on strands; strands that grow on the surface itself: the lattice or the roots that they stand in,
+// cones, and the ray's way through them. About the paths see surface.fxh.
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/fur/shell.fxh"
 #include "../hlsl/fur/mapping.fxh"
 #include "../hlsl/fur/lighting.fxh"
+#include "../hlsl/fur/cells.fxh"
+#include "../hlsl/fur/cones.fxh"
+#include "../hlsl/fur/roots.fxh"
+#include "../hlsl/fur/sweep.fxh"

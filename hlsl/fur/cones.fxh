@@ -2,7 +2,7 @@
 // change together, so a piece of a ray between two layers is a straight line in (place, height), and what it meets of a cone is a quadratic. Exact whatever
 // the distance of the layers; a test at the layers alone misses every strand thinner than their gap.
 //   from, along: place of the ray from the strand's axis where the piece begins, and how it changes, in the tangent plane. radius, growth: of the strand there,
-//   and how it changes. All lengths in one unit. width: of a pixel.
+//   and how it changes (growth at least 0). All lengths in one unit. width: of a pixel.
 #ifndef TEGUMENT_FUR_CONES_FXH
 #define TEGUMENT_FUR_CONES_FXH
 
@@ -17,13 +17,13 @@ float2 furSection(float2 radius, float2 distance, float width)
 // x: how much of what is still free the strand covers along the piece; what it covers where the piece begins was drawn by the layer above.
 // y: where along the piece, 0 to 1, the ray enters the strand.
 //   It covers most where radius - distance is largest: seen sideways where the ray passes the axis, seen from above at the end of the piece. It enters at the smaller
-//   root of |from + along t|^2 = (radius + growth t)^2; without one, where it covers most.
+//   root of |from + along t|^2 = (radius + growth t)^2; without one, or from above the tip (radius < 0), where it covers most.
 float2 furCone(float3 from, float3 along, float radius, float growth, float width)
 {
     float square = max(dot(along, along), 1e-12);
     float distance = dot(from, from);
     float passing = dot(from, along);
-    float k = clamp(growth * rsqrt(square), -0.999, 0.999);
+    float k = min(growth * rsqrt(square), 0.999);
     float aside = sqrt(max(distance * square - passing * passing, 0.0)); // times |along|
     float most = saturate((aside * k * rsqrt(1.0 - k * k) - passing) / square);
 
@@ -31,7 +31,7 @@ float2 furCone(float3 from, float3 along, float radius, float growth, float widt
     float outside = distance - radius * radius;
     float discriminant = middle * middle - (square - growth * growth) * outside;
     float below = max(sqrt(max(discriminant, 0.0)) - middle, 1e-9);
-    float entry = discriminant > 0.0 ? clamp(outside / below, 0.0, most) : most;
+    float entry = min(discriminant, radius) > 0.0 ? clamp(outside / below, 0.0, most) : most;
 
     float2 covered = furSection(float2(radius, radius + growth * most), float2(sqrt(distance), length(from + along * most)), width);
     return float2(saturate((covered.y - covered.x) / max(1.0 - covered.x, 1e-4)), entry);

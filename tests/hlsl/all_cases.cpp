@@ -4,7 +4,7 @@ namespace tegument::test {
 
 std::vector<FunctionCase> allCases() {
     std::vector<FunctionCase> all;
-    for (auto make : {specularCases, surfaceCases, shadowCases, gaussianCases, poissonCases, scatterCases, cullCases, furCases,
+    for (auto make : {specularCases, surfaceCases, shadowCases, gaussianCases, poissonCases, scatterCases, cullCases, furCases, furRootsCases,
                       peerScreenCases, peerTableCases})
         for (FunctionCase& function : make())
             all.push_back(std::move(function));

@@ -57,4 +57,16 @@ const TestMap& needMap() {
     return kMap;
 }
 
+const TestMap& addressMap() {
+    static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
+        std::array<float, 4> texel{};
+        for (int i = 0; i < 4; ++i) {
+            const std::uint32_t bits = scattered(4 * x + i, y);
+            texel[static_cast<std::size_t>(i)] = bits % 7 == 0 ? 0.0F : static_cast<float>(bits % 8001);
+        }
+        return texel;
+    });
+    return kMap;
+}
+
 } // namespace tegument::test

@@ -14,4 +14,7 @@ namespace tegument::test {
 /// (1 where needed, densities along U and V, 1), needed in a few places.
 [[nodiscard]] const TestMap& needMap();
 
+/// Whole numbers up to 8000 in every channel, a seventh of them 0: tables of addresses.
+[[nodiscard]] const TestMap& addressMap();
+
 } // namespace tegument::test

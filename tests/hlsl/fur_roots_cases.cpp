@@ -1,0 +1,335 @@
+// Strands that grow on the surface (hlsl/fur/cells, cones, sweep, roots) against whole-number arithmetic, searches and sums of their own.
+
+#include "tests/hlsl/function_case.h"
+#include "tests/hlsl/maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace tegument::test {
+
+namespace {
+
+using Residues = std::array<std::int64_t, 3>;
+
+constexpr std::int64_t kPrime = 1019;
+
+std::int64_t residue(std::int64_t v) {
+    return (v % kPrime + kPrime) % kPrime;
+}
+
+/// One round, in whole numbers.
+Residues mixedWhole(const Residues& v) {
+    const std::int64_t x = residue(431 * v[0] + 577 * v[1] + 101);
+    const std::int64_t y = residue(797 * v[1] + 281 * v[2] + 389);
+    const std::int64_t z = residue(163 * v[2] + 907 * v[0] + 733);
+    return {residue(y * z + 613 * x), residue(z * x + 613 * y), residue(x * y + 613 * z)};
+}
+
+Residues whole3(const Inputs& x) {
+    return {std::llround(x.scalar(0)), std::llround(x.scalar(1)), std::llround(x.scalar(2))};
+}
+
+Values valuesOf(const Residues& v) {
+    return values(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+}
+
+double wave(double x) {
+    const double t = std::abs(2 * (x - std::floor(x)) - 1);
+    return 2 * (3 * t * t - 2 * t * t * t) - 1;
+}
+
+glm::dvec3 waves(const glm::dvec3& x) {
+    return {wave(x.x), wave(x.y), wave(x.z)};
+}
+
+std::vector<FunctionCase> cells() {
+    const Tolerance exact{.forward = 0, .backward = 0, .why = "whole numbers below 2^22"};
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "furResidue",
+                     .body = "return float4(furResidue(float3(a0, a1, a2)), 0);",
+                     .arguments = {whole(-4190000, 4190000), whole(-1019, 1019), whole(0, 4190000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const Residues v = whole3(x);
+                             return valuesOf({residue(v[0]), residue(v[1]), residue(v[2])});
+                         },
+                     .tolerance = exact});
+    cases.push_back({.function = "furMixed",
+                     .body = "return float4(furMixed(float3(a0, a1, a2)), 0);",
+                     .arguments = {whole(0, 1018), whole(0, 1018), whole(0, 1018)},
+                     .expected = [](const Inputs& x) { return valuesOf(mixedWhole(whole3(x))); },
+                     .tolerance = exact});
+    cases.push_back({.function = "furCellResidue",
+                     .body = "return float4(furCellResidue(float3(a0, a1, a2)), 0);",
+                     .arguments = {whole(-2399, 2399), whole(-2399, 2399), whole(-2399, 2399)},
+                     .expected = [](const Inputs& x) { return valuesOf(mixedWhole(mixedWhole(whole3(x)))); },
+                     .tolerance = exact});
+    cases.push_back({.function = "furUnit",
+                     .body = "return float4(furUnit(a0), 0);",
+                     .arguments = {linear(0, 1018, 3)},
+                     .expected = [](const Inputs& x) { return values((x.vec3(0) + 0.5) / 1019.0); },
+                     .tolerance = {.forward = 3, .backward = 1, .why = "a sum and a product with a rounded reciprocal"}});
+    cases.push_back(
+        {.function = "furNearness",
+         .body = "return float4(furNearness(a0, a1), 0, 0, 0);",
+         .arguments = {linear(-1, 1), linear(0.1, 1)},
+         .expected = [](const Inputs& x) { return values(std::clamp(4 * (1 - std::abs(x.scalar(0)) / x.scalar(1)), 0.0, 1.0)); },
+         .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-6, .why = "a difference of numbers up to 4"}});
+    cases.push_back(
+        {.function = "furWave",
+         .body = "return float4(furWave(a0), 0);",
+         .arguments = {linear(-50, 50, 3)},
+         .expected = [](const Inputs& x) { return values(waves(x.vec3(0))); },
+         .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-5, .why = "the fraction of numbers up to 50 rounds at 4e-6"}});
+    cases.push_back({.function = "furTuft",
+                     .body = "return float4(furTuft(a0), 0);",
+                     .arguments = {linear(-50, 50, 3)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec3 p = x.vec3(0);
+                             return values(waves(0.31 * glm::dvec3(p.y, p.z, p.x) + 0.4 * waves(0.19 * glm::dvec3(p.z, p.x, p.y))));
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-5, .why = "waves of waves, slopes up to 3"}});
+    return cases;
+}
+
+double section(double radius, double distance, double width) {
+    const double wide = std::max(radius, width / 2);
+    return std::clamp((wide - distance) / width + 0.5, 0.0, 1.0) * std::clamp(radius / wide, 0.0, 1.0);
+}
+
+/// A piece of a ray and a cone, searched instead of solved: radius - distance is concave along the piece.
+struct Meeting {
+    glm::dvec3 from;
+    glm::dvec3 along;
+    double radius = 0;
+    double growth = 0;
+
+    [[nodiscard]] double inside(double t) const { return radius + growth * t - glm::length(from + along * t); }
+    [[nodiscard]] double nearest() const {
+        double low = 0;
+        double high = 1;
+        for (int i = 0; i < 80; ++i) {
+            const double a = low + (high - low) / 3;
+            const double b = high - (high - low) / 3;
+            (inside(a) < inside(b) ? low : high) = inside(a) < inside(b) ? a : b;
+        }
+        return (low + high) / 2;
+    }
+    [[nodiscard]] double entry(double nearest) const {
+        if (radius < 0 || inside(nearest) < 0) return nearest;
+        if (inside(0) >= 0) return 0;
+        double low = 0;
+        double high = nearest;
+        for (int i = 0; i < 60; ++i)
+            (inside((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
+        return high;
+    }
+};
+
+Meeting meeting(const Inputs& x) {
+    return {x.vec3(0), x.vec3(1), x.scalar(2), x.scalar(3) * glm::length(x.vec3(1))};
+}
+
+std::vector<FunctionCase> cones() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "furSection",
+                     .body = "return float4(furSection(a0, a1, a2), 0, 0);",
+                     .arguments = {linear(-0.5, 2, 2), linear(0, 3, 2), logarithmic(1e-2, 4)},
+                     .expected =
+                         [](const Inputs& x) {
+                             return values(section(x.scalar(0), x.scalar(1), x.scalar(2)),
+                                           section(x.scalar(0, 1), x.scalar(1, 1), x.scalar(2)));
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-4, .why = "a difference up to 3 over as little as 1e-2"}});
+    cases.push_back(
+        {.function = "furCone",
+         .body = "return float4(furCone(a0, a1, a2, a3 * length(a1), a4), 0, 0);",
+         .arguments = {vector(3, 0.05, 1.5), vector(3, 0.2, 2), linear(-0.2, 0.5), linear(0, 0.9), logarithmic(0.05, 1)},
+         .expected =
+             [](const Inputs& x) {
+                 const Meeting m = meeting(x);
+                 const double nearest = m.nearest();
+                 const double already = section(m.radius, glm::length(m.from), x.scalar(4));
+                 const double covered = section(m.radius + m.growth * nearest, glm::length(m.from + m.along * nearest), x.scalar(4));
+                 return values(std::clamp((covered - already) / std::max(1 - already, 1e-4), 0.0, 1.0), m.entry(nearest));
+             },
+         .tolerance = {.forward = 16,
+                       .backward = 4,
+                       .absolute = 2e-3,
+                       .why = "the way aside is the root of a difference: 3e-4 where the ray aims at the axis, over a pixel of 0.05; "
+                              "the entry is the root of a discriminant"},
+         .samples = 2048,
+         .domain =
+             [](const Inputs& x) {
+                 const Meeting m = meeting(x);
+                 const double nearest = m.nearest();
+                 // Grazing: whether and where the ray enters is the rounding's.
+                 return section(m.radius, glm::length(m.from), x.scalar(4)) < 0.9 && std::abs(m.inside(nearest)) > 0.02 &&
+                        std::abs(m.radius) > 1e-6;
+             }});
+    return cases;
+}
+
+/// The largest power of two that leaves at least `needed` of this many layers.
+double stride(double layers, double needed) {
+    double s = 1;
+    while (layers / (2 * s) >= needed)
+        s *= 2;
+    return s;
+}
+
+double needed(const Inputs& x) {
+    return std::max(x.scalar(1) / x.scalar(2), x.scalar(3));
+}
+
+bool nearPowerOfTwo(double ratio) {
+    const double l = std::log2(ratio);
+    return std::abs(l - std::round(l)) < 1e-5;
+}
+
+/// Mean of max(1 - h / L, 0) over L in [s, 1], by the midpoint rule on the part where it is not 0.
+double meanRadius(double h, double s) {
+    const double from = std::max(h, s);
+    constexpr int kSteps = 1000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i)
+        sum += 1 - h / (from + (1 - from) * (i + 0.5) / kSteps);
+    return sum / kSteps * (1 - from) / (1 - s);
+}
+
+std::vector<FunctionCase> sweeps() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "furTravel",
+         .body = "return float4(furTravel(a0, a1, a2), 0);",
+         .arguments = {unit(), unit(), vector(3, 0.1, 20)},
+         .expected =
+             [](const Inputs& x) { // the point place + height * strand stays on the ray, the place on the skin
+                 return values(x.vec3(2) - x.vec3(0) * (glm::dot(x.vec3(2), x.vec3(1)) / glm::dot(x.vec3(0), x.vec3(1))));
+             },
+         .tolerance = {.forward = 16, .backward = 8, .absolute = 2e-3, .why = "a quotient by a cosine of 0.05, of lengths up to 20"},
+         .domain = [](const Inputs& x) { return glm::dot(x.vec3(0), x.vec3(1)) < -0.05 && std::abs(glm::length(x.vec3(1)) - 1) < 1e-6; }});
+    cases.push_back(
+        {.function = "furStride",
+         .body = "return float4(furStride(a0, a1, a2, a3), 0, 0);",
+         .arguments = {whole(1, 512), logarithmic(0.1, 1000), logarithmic(0.5, 16), whole(1, 64)},
+         .expected =
+             [](const Inputs& x) { return values(stride(x.scalar(0), needed(x)), stride(x.scalar(0) * std::pow(2.0, 0.25), needed(x))); },
+         .tolerance = {.forward = 2, .backward = 0, .why = "powers of two from a rounded exponential"},
+         .domain = [](const Inputs& x) { // at a power of two the logarithm's rounding decides
+             const double ratio = x.scalar(0) / needed(x);
+             return !nearPowerOfTwo(ratio) && !nearPowerOfTwo(ratio * std::pow(2.0, 0.25));
+         }});
+    cases.push_back({.function = "furMeanRadius",
+                     .body = "return float4(furMeanRadius(a0, a1), 0);",
+                     .arguments = {linear(0, 1, 3), linear(0.1, 0.9)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double s = x.scalar(1);
+                             return values(meanRadius(x.scalar(0, 0), s), meanRadius(x.scalar(0, 1), s), meanRadius(x.scalar(0, 2), s));
+                         },
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-5, .why = "1 - least + h ln(least) cancels near the tips"},
+                     .samples = 1024});
+    cases.push_back({.function = "furExpected",
+                     .body = "return float4(furExpected(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {linear(0, 2), linear(0, 0.5, 3), linear(0, 20)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double a = x.scalar(1, 0);
+                             const double m = x.scalar(1, 1);
+                             const double b = x.scalar(1, 2);
+                             const double sideways = 2 * x.scalar(2) * (a / 6 + 2 * m / 3 + b / 6);
+                             const double above = std::numbers::pi * std::max(b * b - a * a, 0.0);
+                             return values(-std::expm1(-x.scalar(0) * (sideways + above)));
+                         },
+                     .tolerance = {.forward = 60, .backward = 4, .absolute = 1e-6, .why = "1 - exp: exp errs by 3 + 2|x| ULP of 1"}});
+    return cases;
+}
+
+/// Texels and tables of the map as if it were kFurRootsWidth = 4096 wide and three texels high.
+constexpr std::int64_t kWidth = 4096;
+constexpr std::int64_t kRows = 3;
+
+double tableEntry(std::int64_t first, std::int64_t index) {
+    const std::int64_t texel = first + index / 4;
+    const glm::dvec2 uv((static_cast<double>(texel % kWidth) + 0.5) / kWidth, (static_cast<double>(texel / kWidth) + 0.5) / kRows);
+    return addressMap().at(uv)[static_cast<int>(index % 4)];
+}
+
+using Cell = glm::tvec3<std::int64_t>;
+
+std::int64_t number(const Cell& cell, const Cell& count) {
+    return cell.x + count.x * (cell.y + count.y * cell.z);
+}
+
+double rootList(const glm::dvec3& place) {
+    const Cell bricks(4, 3, 5);
+    constexpr std::int64_t kSide = 4;
+    const glm::dvec3 c = glm::clamp(glm::floor((place - glm::dvec3(1, 2, 3)) / 7.0), glm::dvec3(0), glm::dvec3(bricks * kSide - Cell(1)));
+    const Cell cell(c);
+    const double table = tableEntry(50, number(cell / kSide, bricks));
+    if (table == 0) return 0;
+    return tableEntry(std::llround(table), number(cell - cell / kSide * kSide, Cell(kSide)));
+}
+
+std::vector<FunctionCase> roots() {
+    const Tolerance exact{.forward = 0, .backward = 0, .why = "whole numbers"};
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "furTexel",
+                     .body = "return float4(furTexel(a0, a1), 0, 0);",
+                     .arguments = {whole(0, 8000000), whole(1, 4000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const auto index = std::llround(x.scalar(0));
+                             return values((static_cast<double>(index % kWidth) + 0.5) / kWidth,
+                                           (static_cast<double>(index / kWidth) + 0.5) / x.scalar(1));
+                         },
+                     .tolerance = {.forward = 3, .backward = 0, .why = "one division"}});
+    cases.push_back({.function = "furPick",
+                     .body = "return float4(furPick(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(-5, 5, 4), whole(0, 3)},
+                     .expected = [](const Inputs& x) { return values(x.scalar(0, static_cast<std::size_t>(std::llround(x.scalar(1))))); },
+                     .tolerance = exact});
+    cases.push_back(
+        {.function = "furCellNumber",
+         .body = "return float4(furCellNumber(float3(a0, a1, a2), float3(a3, a4, 100)), 0, 0, 0);",
+         .arguments = {whole(0, 99), whole(0, 99), whole(0, 99), whole(1, 100), whole(1, 100)},
+         .expected =
+             [](const Inputs& x) { return values(x.scalar(0) + x.scalar(3) * x.scalar(1) + x.scalar(3) * x.scalar(4) * x.scalar(2)); },
+         .tolerance = exact});
+    cases.push_back({.function = "furTable",
+                     .body = "return float4(furTable(SAMPLER2D_ARG(gTest), 3.0, a0, a1), 0, 0, 0);",
+                     .arguments = {whole(0, 8000), whole(0, 1000)},
+                     .expected = [](const Inputs& x) { return values(tableEntry(std::llround(x.scalar(0)), std::llround(x.scalar(1)))); },
+                     .tolerance = exact,
+                     .map = &addressMap()});
+    cases.push_back(
+        {.function = "furRootList",
+         .body = "return float4(furRootList(SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 4), float2(3, 50)), 0, 0, 0);",
+         .arguments = {linear(-20, 150, 3)},
+         .expected = [](const Inputs& x) { return values(rootList(x.vec3(0))); },
+         .tolerance = exact,
+         .map = &addressMap(),
+         .domain = [](const Inputs& x) { // off the faces of the cells, where rounding decides
+             const glm::dvec3 c = (x.vec3(0) - glm::dvec3(1, 2, 3)) / 7.0;
+             const glm::dvec3 off = glm::abs(c - glm::round(c));
+             return std::min({off.x, off.y, off.z}) > 1e-5;
+         }});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> furRootsCases() {
+    std::vector<FunctionCase> cases = cells();
+    for (auto make : {cones, sweeps, roots})
+        for (FunctionCase& one : make())
+            cases.push_back(std::move(one));
+    return cases;
+}
+
+} // namespace tegument::test

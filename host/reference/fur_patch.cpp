@@ -89,9 +89,13 @@ double exactHit(const FurPatch& patch, const FurRay& ray) {
     return best;
 }
 
-double shellHit(const FurPatch& patch, const FurRay& ray, int layers) {
+double layerHeight(double share, double exponent) {
+    return exponent == 1 ? share : std::pow(share, exponent);
+}
+
+double shellHit(const FurPatch& patch, const FurRay& ray, int layers, double exponent) {
     for (int l = layers; l >= 1; --l) {
-        const double h = (l - 0.5) / layers;
+        const double h = layerHeight((l - 0.5) / layers, exponent);
         const double x = ray.x + ray.run * (1 - h);
         bool inside = false;
         strands(patch, cell(x) - 1, cell(x) + 1, cell(ray.y), [&](const Cone& cone) {
@@ -103,10 +107,10 @@ double shellHit(const FurPatch& patch, const FurRay& ray, int layers) {
     return kNoHit;
 }
 
-double sweptHit(const FurPatch& patch, const FurRay& ray, int layers, int cells) {
+double sweptHit(const FurPatch& patch, const FurRay& ray, int layers, int cells, double exponent) {
     for (int l = layers; l >= 1; --l) {
-        const double high = static_cast<double>(l) / layers;
-        const double low = static_cast<double>(l - 1) / layers;
+        const double high = layerHeight(static_cast<double>(l) / layers, exponent);
+        const double low = layerHeight(static_cast<double>(l - 1) / layers, exponent);
         const int first = cell(ray.x + ray.run * (1 - high)) - 1;
         const int last = std::min(cell(ray.x + ray.run * (1 - low)) + 1, first + cells - 1);
         double best = kNoHit;
@@ -117,28 +121,69 @@ double sweptHit(const FurPatch& patch, const FurRay& ray, int layers, int cells)
     return kNoHit;
 }
 
-std::vector<double> drawPatch(const FurPatch& patch, const FurView& view, const FurMethod& method) {
-    const auto hit = [&](const FurRay& ray) {
-        if (method.kind == FurMethod::Kind::Shells) return shellHit(patch, ray, method.layers);
-        if (method.kind == FurMethod::Kind::Swept) return sweptHit(patch, ray, method.layers, method.cells);
-        return exactHit(patch, ray);
-    };
+double hitOf(const FurPatch& patch, const FurRay& ray, const FurMethod& method) {
+    if (method.kind == FurMethod::Kind::Shells) return shellHit(patch, ray, method.layers, method.exponent);
+    if (method.kind == FurMethod::Kind::Swept) return sweptHit(patch, ray, method.layers, method.cells, method.exponent);
+    return exactHit(patch, ray);
+}
+
+namespace {
+
+/// Calls visit(ray) for every sample of every pixel, pixel after pixel.
+template <class Visit>
+void rays(const FurPatch& patch, const FurView& view, Visit&& visit) {
     const double run = patch.coat * std::tan(view.tilt);
     const double stretch = view.pixel / std::cos(view.tilt); // along x a pixel covers more of a tilted patch
+    for (int j = 0; j < view.size; ++j)
+        for (int i = 0; i < view.size; ++i)
+            for (int v = 0; v < view.samples; ++v)
+                for (int u = 0; u < view.samples; ++u)
+                    visit(FurRay{
+                        .x = (i + (u + 0.5) / view.samples) * stretch, .y = (j + (v + 0.5) / view.samples) * view.pixel, .run = run});
+}
+
+} // namespace
+
+std::vector<double> drawPatch(const FurPatch& patch, const FurView& view, const FurMethod& method) {
+    const int samples = view.samples * view.samples;
     std::vector<double> picture;
     picture.reserve(static_cast<std::size_t>(view.size) * static_cast<std::size_t>(view.size));
-    for (int j = 0; j < view.size; ++j)
-        for (int i = 0; i < view.size; ++i) {
-            double sum = 0;
-            for (int v = 0; v < view.samples; ++v)
-                for (int u = 0; u < view.samples; ++u) {
-                    const double h =
-                        hit({.x = (i + (u + 0.5) / view.samples) * stretch, .y = (j + (v + 0.5) / view.samples) * view.pixel, .run = run});
-                    sum += h == kNoHit ? kSkin : kRoot + (kTip - kRoot) * h;
-                }
-            picture.push_back(sum / (view.samples * view.samples));
-        }
+    double sum = 0;
+    int count = 0;
+    rays(patch, view, [&](const FurRay& ray) {
+        const double h = hitOf(patch, ray, method);
+        sum += h == kNoHit ? kSkin : kRoot + (kTip - kRoot) * h;
+        if (++count < samples) return;
+        picture.push_back(sum / samples);
+        sum = 0;
+        count = 0;
+    });
     return picture;
+}
+
+double coverageGap(const FurPatch& patch, const FurView& view, const FurMethod& method) {
+    double covered = 0;
+    double missed = 0;
+    rays(patch, view, [&](const FurRay& ray) {
+        if (exactHit(patch, ray) == kNoHit) return;
+        covered += 1;
+        if (hitOf(patch, ray, method) == kNoHit) missed += 1;
+    });
+    return covered > 0 ? missed / covered : 0;
+}
+
+double outlineGap(const FurPatch& patch, int layers, double exponent) {
+    constexpr int kSide = 64;
+    double sum = 0;
+    for (int j = 0; j < kSide; ++j)
+        for (int i = 0; i < kSide; ++i) {
+            const double tip = coneOf(patch, i, j).length;
+            double shown = 0;
+            for (int l = layers; l >= 1 && shown == 0; --l)
+                if (const double h = layerHeight((l - 0.5) / layers, exponent); h <= tip) shown = h;
+            sum += tip - shown;
+        }
+    return patch.coat * sum / (kSide * kSide);
 }
 
 FurError furError(const std::vector<double>& picture, const std::vector<double>& truth) {

@@ -116,6 +116,33 @@ TEST(FurPatch, shells_lose_strands_and_never_add_any) {
     EXPECT_LT(error.bias, -0.8 * error.rms);
 }
 
+TEST(FurPatch, what_shells_leave_open_is_what_they_lose_in_brightness) {
+    const FurPatch patch{.coat = 12};
+    const FurView view{.tilt = radians(70), .pixel = 0.5, .size = 16};
+    const FurMethod few{.kind = FurMethod::Kind::Shells, .layers = 16};
+    const FurMethod many{.kind = FurMethod::Kind::Shells, .layers = 256};
+    EXPECT_GT(coverageGap(patch, view, few), 4 * coverageGap(patch, view, many));
+    EXPECT_EQ(coverageGap(patch, view, {.kind = FurMethod::Kind::Swept, .layers = 16, .cells = 9}), 0);
+}
+
+TEST(FurPatch, an_outline_loses_half_a_layer_of_an_even_spread) {
+    const FurPatch patch{.coat = 8};
+    // Tips lie evenly between layers and the first below is half a gap away on average, from 0 to 1.
+    EXPECT_NEAR(outlineGap(patch, 40), 0.5 * 8 / 40, 0.02 * 8 / 40);
+    // Denser at the tips: the gap there, p h^(1 - 1/p) / n with h about 0.8, is the smaller one.
+    EXPECT_LT(outlineGap(patch, 40, 0.5), 0.75 * outlineGap(patch, 40));
+}
+
+TEST(FurPatch, swept_shells_are_exact_however_they_are_spread) {
+    const FurPatch patch{.coat = 4};
+    const FurView view{.tilt = radians(45), .pixel = 0.5, .size = 16};
+    const auto truth = drawPatch(patch, view, {});
+    for (const double exponent : {0.5, 2.0}) {
+        const FurMethod method{.kind = FurMethod::Kind::Swept, .layers = 4, .cells = 9, .exponent = exponent};
+        EXPECT_LT(furError(drawPatch(patch, view, method), truth).rms, 1e-12) << exponent;
+    }
+}
+
 } // namespace
 
 } // namespace tegument::reference

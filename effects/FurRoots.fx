@@ -20,7 +20,7 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 #ifdef FX_TECHNIQUES
-#define STRANDS_TECHNIQUE(name, strandsPS) \
+#define STRANDS_TECHNIQUE(name, strandsVS, strandsPS) \
 technique name < string Script = \
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" \
@@ -28,9 +28,9 @@ technique name < string Script = \
 { \
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
     MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
-    LAYER_PASS(Strands, "gFurLayers", StrandsVS, strandsPS, STATE_LAYER) \
+    LAYER_PASS(Strands, "gFurLayers", strandsVS, strandsPS, STATE_LAYER) \
 }
 
-STRANDS_TECHNIQUE(Cellular, CellularPS)
-STRANDS_TECHNIQUE(Roots, RootsPS)
+STRANDS_TECHNIQUE(Cellular, CellularVS, CellularPS)
+STRANDS_TECHNIQUE(Roots, RootsVS, RootsPS)
 #endif

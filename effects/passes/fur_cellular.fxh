@@ -29,7 +29,7 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
             {
                 float3 random = furUnit(furMixed(residue));
                 float share = max(lerp(gFurShortest, 1.0, random.y) * furNearness(distance, kFurRho), 0.01);
-                met = furMeet(met, sweep, piece, root, share, gFurRadius, random);
+                met = furMeet(met, sweep, piece, root, share, gFurRadius, 1.0, random);
             }
         }
         cell.x += 1.0;
@@ -37,6 +37,11 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
         cell = cell.y > high.y ? float3(low.x, low.y, cell.z + 1.0) : cell;
     }
     return met;
+}
+
+StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
+{
+    return strandsVarying(input, LAYER_INDEX(gFurLayer), float3(0.0, 0.0, 0.0));
 }
 
 float4 CellularPS(StrandsVarying input) : SV_Target0

@@ -62,10 +62,21 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
             float4 lean = furRootTexel(texel, 2.0);
             // Roots of an opposite sheet look the other way.
             float share = max(min(dot(up.xyz, sweep.normal), up.w * (1.0 / (gFurLength * gMeshRadius))), 0.01);
-            met = furMeet(met, sweep, piece, root, share, gFurRadius * place.w / grid.radius, frac(lean.w * float3(1.0, 256.0, 65536.0)));
+            met = furMeet(met, sweep, piece, root, share, gFurRadius * place.w / grid.radius, dot(lean.xyz, sweep.normal), frac(lean.w * float3(1.0, 256.0, 65536.0)));
         }
     }
     return met;
+}
+
+// The lean of the first root near a vertex: combed fur leans evenly, so it serves the strands around.
+StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
+{
+    FurRootGrid grid = furRootGrid();
+    float list = furRootList(SAMPLER2D_ARG(gFurRoots), input.position, grid.origin, grid.bricks, grid.rows);
+    float root = abs(furTable(SAMPLER2D_ARG(gFurRoots), grid.rows.x, list, 0.0));
+    float3 lean = furRootTexel(furTexel(root, grid.rows.x), 2.0).xyz;
+    lean -= input.normal * dot(lean, input.normal); // without its curl
+    return strandsVarying(input, LAYER_INDEX(gFurLayer), list > 0.0 ? lean : float3(0.0, 0.0, 0.0));
 }
 
 float4 RootsPS(StrandsVarying input) : SV_Target0

@@ -15,6 +15,7 @@ struct StrandsVarying
     float3 fromEye : TEXCOORD2;
     float3 toLight : TEXCOORD3;
     float4 lightClip : TEXCOORD4;
+    float3 lean : TEXCOORD5; // of the tips, share of the coat
 };
 
 // The ray's way from a layer to the next, and how it is walked.
@@ -45,25 +46,29 @@ struct FurPiece
     float2 bendLow;
 };
 
-// Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
-StrandsVarying StrandsVS(LAYER_INPUT(FurInput, input))
-{
-    float layer = LAYER_INDEX(gFurLayer);
-    float height = furLayerHeight(layer, gFurLayers, 0.0);
-    FurVarying coat = furVarying(input, height);
-    StrandsVarying output;
-    output.position = coat.position;
-    output.rest = float4(coat.rest, gFurLayers - 0.5 - layer);
-    output.normal = float4(coat.normal, height);
-    output.fromEye = mul((float3x3)gWorld, coat.world - gCameraPosition);
-    output.toLight = mul((float3x3)gWorld, gLightPosition - coat.world);
-    output.lightClip = coat.lightClip;
-    return output;
-}
-
 float3 furDown()
 {
     return mul((float3x3)gWorld, float3(0.0, -1.0, 0.0));
+}
+
+// lean: of the strands at this vertex, besides their weight, mesh space. Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
+StrandsVarying strandsVarying(FurInput input, float layer, float3 lean)
+{
+    float height = furLayerHeight(layer, gFurLayers, 0.0);
+    FurVarying coat = furVarying(input, height);
+    float3 leaning = mul(lean, (float3x3)gWorld) * furDistance(gFurLength, gMeshRadius, height) * height;
+    float3 world = coat.world + leaning;
+    float4 position = mul(float4(world, 1.0), gViewProjection);
+    position.z = furNearDepth(position.z, position.w);
+    StrandsVarying output;
+    output.position = HALF_PIXEL(position, gViewportSize);
+    output.rest = float4(coat.rest, gFurLayers - 0.5 - layer);
+    output.normal = float4(coat.normal, height);
+    output.fromEye = mul((float3x3)gWorld, world - gCameraPosition);
+    output.toLight = mul((float3x3)gWorld, gLightPosition - world);
+    output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    output.lean = lean + gFurLean * furDown();
+    return output;
 }
 
 // From a strand's root to its axis at this height: its stray along its own side, and one of its turns, which begin at that side.
@@ -74,11 +79,12 @@ float2 furBend(float height)
 }
 
 // Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root, 1 tip), brightness.
-// root: way from it to the piece's begin, tangential. share: of the coat's height. random: of the strand, in (0, 1).
-float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float3 random)
+// root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
+// random: of the strand, in (0, 1).
+float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float stray, float3 random)
 {
     float3 side = random - 0.5;
-    side = safeNormalize(side - sweep.normal * dot(side, sweep.normal));
+    side = stray * safeNormalize(side - sweep.normal * dot(side, sweep.normal));
     float3 across = cross(sweep.normal, side);
     float2 unbend = piece.bendLow - piece.bend;
     float3 from = root - piece.bend.x * side - piece.bend.y * across;
@@ -118,7 +124,7 @@ FurSweep furSweep(StrandsVarying input, float spacing)
     float2 stride = furStride(gFurLayers, upright, gFurSegment + sweep.fade * kFurFarSegment, gFurFewest);
     sweep.bottom = max(sweep.height - (sweep.fade > 0.0 ? stride.x : stride.y) / gFurLayers, 0.0);
 
-    float3 strand = coat * (sweep.normal + gFurLean * (sweep.height + sweep.bottom) * furDown());
+    float3 strand = coat * (sweep.normal + (sweep.height + sweep.bottom) * input.lean);
     sweep.travel = furTravel(sweep.view, sweep.normal, strand);
     float way = length(sweep.travel) * (sweep.height - sweep.bottom);
 
@@ -174,7 +180,7 @@ float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
-    float3 strand = safeNormalize(sweep.normal + 2.0 * gFurLean * mean.x * furDown());
+    float3 strand = safeNormalize(sweep.normal + 2.0 * mean.x * input.lean);
     float3 toLight = safeNormalize(input.toLight);
     float open = furSkinShadow(input.lightClip, input.toLight) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;

@@ -14,10 +14,8 @@ static const float kPreintegratedSharpest = 0.5;
 static const float kPreintegratedFlattest = 1e-4;
 static const int kPreintegratedSteps = 200;
 static const float kPreintegratedReach = 10.0;
-// The listing's step, radians, and what it multiplies variances with.
-static const float kPrintedStep = 0.05;
+// What the listing multiplies variances with.
 static const float kPrintedVariance = 1.414;
-static const int kPrintedSteps = 63;
 // mm over which light reaches around the edge of a body.
 static const float kOwnShadowReach = 10.0;
 // N.L at which light grazes the surface.
@@ -51,19 +49,22 @@ float3 preintegratedCorrected(float4 gaussians[6], float angle, float curvature)
     return sum;
 }
 
-// Half a turn from -pi/2 in steps of 0.05, chords 2 rho sin(x / 2), the radial profile's weights on a line, variances times 1.414, normalised.
+// The listing's integral: half a turn, chords 2 rho sin(x / 2), the radial profile's weights on a line, variances times 1.414, normalised. Its steps are
+// laid where the profile is, instead of over the whole half turn.
 float3 preintegratedPrinted(float4 gaussians[6], float angle, float curvature)
 {
+    float bent = max(curvature, kPreintegratedFlattest);
+    float reach = min(2.0 * asin(min(0.5 * kPreintegratedReach * bent, 1.0)), 0.5 * kPi);
     float3 sum = float3(0.0, 0.0, 0.0);
     float3 total = float3(0.0, 0.0, 0.0);
-    [loop] for (int i = 0; i < kPrintedSteps; i++)
+    [loop] for (int i = 0; i <= kPreintegratedSteps; i++)
     {
-        float x = i * kPrintedStep - 0.5 * kPi;
-        float3 weight = preintegratedProfile(gaussians, abs(2.0 * sin(0.5 * x)) / max(curvature, kPreintegratedFlattest), kPrintedVariance);
+        float x = (2.0 * i / kPreintegratedSteps - 1.0) * reach;
+        float3 weight = preintegratedProfile(gaussians, 2.0 * sin(0.5 * x) / bent, kPrintedVariance);
         sum += saturate(cos(angle + x)) * weight;
         total += weight;
     }
-    return total.z > 1e-20 ? sum / max(total, 1e-20) : float3(1.0, 1.0, 1.0) * saturate(cos(angle));
+    return sum / max(total, 1e-20);
 }
 
 // What a texel of the table holds. cosine = N.L.

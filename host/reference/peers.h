@@ -37,8 +37,8 @@ using Kernel = std::vector<KernelSample>;
 /// Light max(cos, 0) around a cylinder of this radius (mm), spread along its surface by the profile's marginal, which goes around it as
 /// often as it reaches: at cos(theta) = cosine.
 [[nodiscard]] glm::dvec3 ring(const Profile& profile, double radius, double cosine);
-/// As the listing of GPU Pro 2 has it: from -pi/2 in steps of 0.05 to pi/2, by chords, weights those of the profile's Gaussians with
-/// variances times 1.414 on a line, normalised by their sum. Where that vanishes, max(cos, 0).
+/// As the listing of GPU Pro 2 has it: over half a turn, by chords, weights those of the profile's Gaussians with variances times 1.414 on
+/// a line, normalised by their integral.
 [[nodiscard]] glm::dvec3 ringPrinted(const Profile& profile, double radius, double cosine);
 
 } // namespace tegument::reference

@@ -59,7 +59,7 @@ struct Defaults {
 };
 
 Defaults defaultsFor(const gpu::Device& device) {
-    return device.info().cpu ? Defaults{"320x320", 512, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
+    return device.info().cpu ? Defaults{"320x320", 1024, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
 }
 
 /// "full", or a number of pixels.
@@ -284,7 +284,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("-t,--technique", arguments->techniques, "Techniques of the catalogue; default: all");
     command->add_option("--setting", arguments->settings, "Settings of them; default: all");
     command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
-    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 512, else 1024")
+    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 1024")
         ->check(CLI::Range(16, 8192));
     command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
         ->check(CLI::Range(1, 100000));

@@ -69,14 +69,16 @@ Result<Growth> measure(gpu::Device& device, const GrowthOptions& options, const 
         entries.push_back({contest, contenderOf(options, sweep, point)});
     }
     const auto drawn = drawInTurns(device, entries, options.frames, [&](const std::string& what) { say("growth: " + what); });
-    Growth growth{.quantity = sweep.quantity, .what = sweep.what, .x = {}, .milliseconds = {}, .law = {}};
+    Growth growth{.quantity = sweep.quantity, .what = sweep.what, .x = {}, .milliseconds = {}, .law = {}, .parts = {}};
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (!drawn[i]) return drawn[i].error();
         growth.x.push_back(sweep.points[i].x);
         growth.milliseconds.push_back(timeOf(*drawn[i], sweep.pass));
     }
     const bool timed = std::ranges::all_of(growth.milliseconds, [](double ms) { return ms > 0; });
-    if (timed) growth.law = fitPowerLaw(growth.x, growth.milliseconds);
+    if (!timed) return growth;
+    growth.law = fitPowerLaw(growth.x, growth.milliseconds);
+    growth.parts = fitAffine(growth.x, growth.milliseconds);
     return growth;
 }
 
@@ -141,11 +143,11 @@ Sweep faces(int first) {
 } // namespace
 
 Result<std::vector<Growth>> measureGrowth(gpu::Device& device, const GrowthOptions& options, const Say& say) {
-    const bool large = options.large;
-    std::vector<Sweep> sweeps = {texels(large ? 512 : 128), pixels(large ? 512 : 128), blurs(large ? 2048 : 256)};
+    const auto size = [&](int large, int usual, int small) { return options.large ? large : options.small ? small : usual; };
+    std::vector<Sweep> sweeps = {texels(size(512, 128, 16)), pixels(size(512, 128, 16)), blurs(size(2048, 256, 32))};
     std::error_code code;
-    if (std::filesystem::exists(options.effects / "Fur.fx", code)) sweeps.push_back(layers(large ? 1024 : 128));
-    sweeps.push_back(faces(large ? 256 : 64));
+    if (std::filesystem::exists(options.effects / "Fur.fx", code)) sweeps.push_back(layers(size(1024, 128, 16)));
+    sweeps.push_back(faces(size(256, 64, 8)));
     std::vector<Growth> all;
     for (const Sweep& sweep : sweeps) {
         auto growth = measure(device, options, sweep, say);

@@ -14,6 +14,7 @@ struct Growth {
     std::vector<double> x;
     std::vector<double> milliseconds;
     PowerLaw law;
+    AffineLaw parts; // a fixed cost and one for each unit: what an exponent below 1 comes from
 };
 
 struct GrowthOptions {
@@ -22,6 +23,7 @@ struct GrowthOptions {
     Compiler compiler = Compiler::Dxc;
     Frames frames;
     bool large = false; // sizes for a graphics card, else for a processor
+    bool small = false; // so small that the figures mean nothing: for tests
 };
 
 /// Texels, pixels, blurs, layers of fur, faces: all expected to be linear.

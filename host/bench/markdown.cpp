@@ -87,7 +87,8 @@ std::string machineLine(const Json& json) {
 }
 
 std::string growthMarkdown(const Json& json) {
-    std::string markdown = machineLine(json) + "| time of | grows with | at | ms | exponent |\n|---|---|---|---|---|\n";
+    std::string markdown =
+        machineLine(json) + "| time of | grows with | at | ms | exponent | fixed cost, ms | off by |\n|---|---|---|---|---|---|---|\n";
     for (const Json& one : json["series"]) {
         std::string sizes;
         std::string times;
@@ -95,8 +96,8 @@ std::string growthMarkdown(const Json& json) {
             sizes += fmt::format("{}{:.0f}", sizes.empty() ? "" : ", ", x.get<double>());
         for (const Json& ms : one["ms"])
             times += fmt::format("{}{:.3f}", times.empty() ? "" : ", ", ms.get<double>());
-        markdown += fmt::format("| {} | {} | {} | {} | {} |\n", text(one, "what"), text(one, "quantity"), sizes, times,
-                                cell(one, "exponent", "{:.2f}"));
+        markdown += fmt::format("| {} | {} | {} | {} | {} | {} | {:.0f} % |\n", text(one, "what"), text(one, "quantity"), sizes, times,
+                                cell(one, "exponent", "{:.2f}"), cell(one, "fixed_ms", "{:.3f}"), 100 * number(one, "affine_worst"));
     }
     return markdown;
 }

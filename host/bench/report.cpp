@@ -146,7 +146,10 @@ std::string toJson(const std::vector<Growth>& growth, const Machine& machine) {
                           {"ms", one.milliseconds},
                           {"exponent", one.law.exponent},
                           {"factor", one.law.factor},
-                          {"worst", one.law.worst}});
+                          {"worst", one.law.worst},
+                          {"fixed_ms", one.parts.fixed},
+                          {"ms_per_unit", one.parts.slope},
+                          {"affine_worst", one.parts.worst}});
     return dumped({{"machine", machineJson(machine)}, {"series", series}});
 }
 
@@ -163,13 +166,14 @@ std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine,
 }
 
 Table toTable(const std::vector<Growth>& growth) {
-    Table table{.header = {"time of", "grows with", "sizes", "ms", "exponent"}, .rows = {}};
+    Table table{.header = {"time of", "grows with", "sizes", "ms", "exponent", "fixed, ms", "off"}, .rows = {}};
     for (const Growth& one : growth) {
         std::vector<std::string> ms;
         for (const double milliseconds : one.milliseconds)
             ms.push_back(fmt::format("{:.3f}", milliseconds));
         table.rows.push_back({one.what, one.quantity, fmt::format("{:.0f}", fmt::join(one.x, ", ")), fmt::format("{}", fmt::join(ms, ", ")),
-                              fmt::format("{:.2f}", one.law.exponent)});
+                              fmt::format("{:.2f}", one.law.exponent), fmt::format("{:.3f}", one.parts.fixed),
+                              fmt::format("{:.0f} %", 100 * one.parts.worst)});
     }
     return table;
 }

@@ -33,7 +33,7 @@ struct Table {
 [[nodiscard]] Table toTable(const std::vector<Growth>& growth);
 [[nodiscard]] Table toTable(const std::vector<AblationRow>& rows);
 
-/// {machine, series: [{quantity, what, x, ms, exponent, factor, worst}]}
+/// {machine, series: [{quantity, what, x, ms, exponent, factor, worst, fixed_ms, ms_per_unit, affine_worst}]}
 [[nodiscard]] std::string toJson(const std::vector<Growth>& growth, const Machine& machine);
 /// {machine, scene, ablation: [{group, what, ms, noise, change, rel_l2}]}
 [[nodiscard]] std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine, const std::string& scene);

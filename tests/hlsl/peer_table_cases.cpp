@@ -26,7 +26,7 @@ glm::dvec3 texel(const Inputs& x) {
 
 const Tolerance kIntegral{.forward = 64,
                           .backward = 8,
-                          .absolute = 2.5e-3,
+                          .absolute = 1e-3,
                           .why = "steps of 0.1 mm beside a light whose slope has an edge; acos keeps 3e-4 near its ends"};
 
 std::vector<FunctionCase> integrals() {

@@ -46,8 +46,8 @@ public:
         const RootOptions defaults;
         const double spacing = std::sqrt(area() / static_cast<double>(count));
         std::vector<Strand> strands;
-        for (const SurfacePoint& root :
-             scatterRoots(surface_, {.wanted = count, .distance = static_cast<float>(defaults.spacing * spacing), .density = {}}))
+        const ScatterOptions options{.wanted = count, .distance = static_cast<float>(defaults.spacing * spacing), .density = {}};
+        for (const SurfacePoint& root : scatterRoots(surface_, options).points)
             strands.push_back({.place = glm::dvec3(root.position), .triangle = root.triangle});
         return strands;
     }

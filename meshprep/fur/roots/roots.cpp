@@ -168,10 +168,11 @@ Result<RootSet> makeRoots(const Mesh& mesh, const RootOptions& options) {
                            .threads = options.threads,
                            .density = {}};
     if (options.densityMap) scatter.density = [&](const SurfacePoint& point) { return shareAt(*options.densityMap, surface, point); };
-    const std::vector<SurfacePoint> points = scatterRoots(surface, scatter);
+    const auto [points, distance] = scatterRoots(surface, scatter);
+    set.distance = static_cast<double>(distance) * surface.radius();
     set.seconds.scatter = watch.lap();
     const double kNeighbours = 2; // spacings: a dozen neighbours
-    const auto reach = static_cast<float>(kNeighbours * set.distance / options.spacing / surface.radius());
+    const auto reach = static_cast<float>(kNeighbours / std::sqrt(set.density) / surface.radius());
     const std::vector<LengthLimits> limits = lengthLimits(surface, points, reach, options.threads);
     set.seconds.limits = watch.lap();
     growStrands(set, surface, options, points, limits);

@@ -12,6 +12,7 @@ namespace {
 
 // Sparser than a sixteenth, discs do not grow any more (the number of roots still falls): the search for neighbours stays short.
 constexpr double kLeastDensity = 1.0 / 16;
+constexpr float kShrinking = 0.95F;               // of the distance from one round to the next
 constexpr std::uint32_t kOfDensity = 0x5bd1e995U; // streams of the noise of their own
 constexpr std::uint32_t kOfTurns = 0x6c8e9cf5U;
 
@@ -31,7 +32,7 @@ struct Round {
 class Darts {
 public:
     Darts(const FurSurface& surface, const ScatterOptions& options)
-        : surface_(surface), options_(options), taken_(std::max(2 * options.distance, 1e-6F), options.wanted) {
+        : surface_(surface), options_(options), distance_(options.distance), taken_(std::max(2 * options.distance, 1e-6F), options.wanted) {
         points_.reserve(options.wanted);
     }
 
@@ -53,18 +54,21 @@ public:
             if (points_.size() < options_.wanted && isFree(candidate)) take(candidate);
     }
 
+    /// Roots to come may stand this much closer.
+    void shrink(float share) { distance_ *= share; }
+
     [[nodiscard]] bool done() const { return points_.size() >= options_.wanted; }
-    std::vector<SurfacePoint> points() && { return std::move(points_); }
+    ScatteredRoots roots() && { return {.points = std::move(points_), .distance = distance_}; }
 
 private:
     [[nodiscard]] std::optional<Candidate> at(const Round& round, std::uint64_t number) const {
         glm::dvec3 place = rootNoise(round.first + number, options_.seed);
         place.x = (static_cast<double>(number) + place.x) / static_cast<double>(round.count);
-        Candidate candidate{.point = surface_.point(place), .distance = options_.distance};
+        Candidate candidate{.point = surface_.point(place), .distance = distance_};
         if (!options_.density) return candidate;
         const double density = options_.density(candidate.point);
         if (!(rootNoise(round.first + number, options_.seed ^ kOfDensity).x < density)) return std::nullopt;
-        candidate.distance = static_cast<float>(options_.distance / std::sqrt(std::clamp(density, kLeastDensity, 1.0)));
+        candidate.distance = static_cast<float>(distance_ / std::sqrt(std::clamp(density, kLeastDensity, 1.0)));
         return candidate;
     }
 
@@ -72,8 +76,20 @@ private:
         return taken_.visit(candidate.point.position, candidate.distance, [&](std::uint32_t i, float squared) {
             const PointGrid::Entry& other = taken_.entries()[i];
             const float distance = std::min(candidate.distance, other.reach);
-            return squared >= distance * distance || glm::dot(candidate.point.normal, other.normal) <= 0;
+            if (squared >= distance * distance || glm::dot(candidate.point.normal, other.normal) <= 0) return true;
+            return alongSurface(candidate.point, other, std::sqrt(squared)) >= distance;
         });
+    }
+
+    /// Length of the way over the surface, which bends from one normal to the other (J. Bowers et al., Parallel Poisson Disk Sampling with
+    /// Spectrum Analysis on Surfaces, 2010, eq. 2).
+    [[nodiscard]] static float alongSurface(const SurfacePoint& from, const PointGrid::Entry& to, float straight) {
+        if (!(straight > 0)) return 0;
+        const glm::vec3 way = (to.position - from.position) / straight;
+        const float a = std::clamp(glm::dot(from.normal, way), -1.0F, 1.0F);
+        const float b = std::clamp(glm::dot(to.normal, way), -1.0F, 1.0F);
+        if (std::abs(a - b) < 1e-3F) return straight / std::sqrt(std::max(1 - a * a, 1e-6F));
+        return straight * (std::asin(a) - std::asin(b)) / (a - b);
     }
 
     void take(const Candidate& candidate) {
@@ -83,24 +99,27 @@ private:
 
     const FurSurface& surface_;
     const ScatterOptions& options_;
+    float distance_;
     PointGrid taken_;
     std::vector<SurfacePoint> points_;
 };
 
 } // namespace
 
-std::vector<SurfacePoint> scatterRoots(const FurSurface& surface, const ScatterOptions& options) {
+ScatteredRoots scatterRoots(const FurSurface& surface, const ScatterOptions& options) {
     if (options.wanted == 0 || !(surface.area() > 0)) return {};
     Darts darts(surface, options);
-    const std::uint64_t most = std::uint64_t{options.wanted} * kTriesPerRoot;
+    const std::uint64_t wanted = options.wanted;
     // Darts of one round are compared with those of earlier rounds by all processors, with each other by one: rounds start small.
-    std::uint64_t size = std::max<std::uint64_t>(options.wanted / 4, 1024);
-    for (std::uint64_t first = 0; first < most && !darts.done();
-         first += size, size = std::min(2 * size, 2 * std::uint64_t{options.wanted}))
+    std::uint64_t size = std::max<std::uint64_t>(wanted / 4, 1024);
+    for (std::uint64_t first = 0; first < wanted * kTriesPerRoot && !darts.done();
+         first += size, size = std::clamp<std::uint64_t>(2 * size, 1024, 2 * wanted + 1024)) {
+        if (first > wanted * kTriesAtFullDistance) darts.shrink(kShrinking);
         darts.play({.first = first, .count = size});
-    std::vector<SurfacePoint> points = std::move(darts).points();
-    std::ranges::stable_sort(points, {}, &SurfacePoint::triangle);
-    return points;
+    }
+    ScatteredRoots roots = std::move(darts).roots();
+    std::ranges::stable_sort(roots.points, {}, &SurfacePoint::triangle);
+    return roots;
 }
 
 } // namespace tegument

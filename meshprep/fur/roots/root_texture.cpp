@@ -19,6 +19,13 @@ constexpr int kSmallestShift = 2;   // bricks of 4 x 4 x 4 cells ...
 constexpr int kLargestShift = 6;    // ... to 64 x 64 x 64
 constexpr int kMostCells = 1 << 20; // along a side: cell numbers stay far below the 2^24 that a float counts to
 
+/// The texels of one root lie in one row: a row's last texel, 4096 = 3 * 1365 + 1, stays empty.
+constexpr std::size_t kRootsOfRow = kRootColumns / kRootTexels;
+
+std::size_t rootAddress(std::size_t first, std::size_t number) {
+    return first + number / kRootsOfRow * kRootColumns + number % kRootsOfRow * kRootTexels;
+}
+
 Error tooLarge(std::size_t roots, double texels) {
     return usageError(7107, fmt::format("{} roots would need {:.3g} texels, more than 4096 x 4096", roots, texels),
                       "ask for fewer roots, a smaller --reach, or a larger --cell");
@@ -45,7 +52,7 @@ public:
     void choose(std::size_t roots) {
         for (shift_ = kSmallestShift;; ++shift_) {
             bricks_ = glm::ivec3(glm::ceil(size_ / static_cast<double>(brick())));
-            if (shift_ == kLargestShift || topCount() <= 4 * kRootTexels * roots + 65536) return;
+            if (shift_ == kLargestShift || topCount() <= kRootTexels * roots + 65536) return;
         }
     }
 
@@ -182,10 +189,10 @@ private:
 
     Result<void> layOut() {
         firstTop_ = kHeaderTexels;
-        firstBrick_ = firstTop_ + (grid_.topCount() + 3) / 4;
+        firstBrick_ = firstTop_ + grid_.topCount();
         firstList_ = firstBrick_ + lists_.size() / 4;
-        firstRoot_ = firstList_ + listTexels_;
-        texture_.texels = firstRoot_ + kRootTexels * set_.roots.size();
+        firstRoot_ = (firstList_ + listTexels_ + kRootColumns - 1) / kRootColumns * kRootColumns;
+        texture_.texels = rootAddress(firstRoot_, set_.roots.size());
         if (texture_.texels > kMostTexels) return tooLarge(set_.roots.size(), static_cast<double>(texture_.texels));
         const std::size_t rows = (texture_.texels + kRootColumns - 1) / kRootColumns;
         texture_.image = {.width = kRootColumns, .height = static_cast<int>(rows), .channels = 4, .pixels = {}, .metadata = {}};
@@ -222,7 +229,8 @@ private:
     void writeLists() {
         float* pixels = texture_.image.pixels.data();
         for (std::size_t i = 0; i < brickOf_.size(); ++i)
-            if (brickOf_[i] != kNone) pixels[4 * firstTop_ + i] = static_cast<float>(firstBrick_ + brickOf_[i] * grid_.cellsOfBrick() / 4);
+            if (brickOf_[i] != kNone)
+                pixels[4 * (firstTop_ + i)] = static_cast<float>(firstBrick_ + brickOf_[i] * grid_.cellsOfBrick() / 4);
         for (std::size_t i = 0; i < lists_.size(); ++i)
             if (lists_[i] != kNone) pixels[4 * firstBrick_ + i] = static_cast<float>(firstList_ + lists_[i]);
         std::vector<std::uint32_t> filled(lists_.size(), 0);
@@ -230,7 +238,7 @@ private:
         for (const Touched& run : touched_) {
             const std::uint64_t* cell = run.cells.data();
             for (const std::uint32_t count : run.perRoot) {
-                const auto address = static_cast<float>(firstRoot_ + kRootTexels * root++);
+                const auto address = static_cast<float>(rootAddress(firstRoot_, root++));
                 for (const std::uint64_t* end = cell + count; cell != end; ++cell)
                     pixels[4 * (firstList_ + lists_[*cell]) + filled[*cell]++] = address;
             }
@@ -245,7 +253,7 @@ private:
     void writeRoots() {
         for (std::size_t i = 0; i < set_.roots.size(); ++i) {
             const Root& root = set_.roots[i];
-            const std::size_t texel = firstRoot_ + kRootTexels * i;
+            const std::size_t texel = rootAddress(firstRoot_, i);
             put(texel, root.position, root.radius);
             put(texel + 1, root.normal * root.share, root.limit);
             put(texel + 2, root.lean + root.normal * root.curl, root.random);
@@ -265,6 +273,10 @@ private:
     std::size_t firstList_ = 0;
     std::size_t firstRoot_ = 0;
 };
+
+std::size_t rootNumber(std::size_t texelsAfterFirst) {
+    return texelsAfterFirst / kRootColumns * kRootsOfRow + texelsAfterFirst % kRootColumns / kRootTexels;
+}
 
 /// What a shader does: texels by number, in floats.
 class Reader {
@@ -300,7 +312,7 @@ Result<RootTexture> buildRootTexture(RootSet& set, unsigned threads) {
     if (texels > 2.0 * static_cast<double>(kMostTexels)) return tooLarge(set.roots.size(), texels);
     Grid grid(set);
     grid.choose(set.roots.size());
-    if (grid.tooFine() || grid.topCount() > 4 * kMostTexels)
+    if (grid.tooFine() || grid.topCount() > kMostTexels)
         return usageError(
             7107, "the mesh is too large for the fineness of its fur: the grid of its roots would have more than 4096 x 4096 texels",
             "prepare far parts of the mesh on their own, or ask for fewer roots or a larger --cell");
@@ -319,7 +331,7 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
     const glm::vec3 cell = glm::floor((point - glm::vec3(place)) / place.w);
     if (glm::any(glm::lessThan(cell, glm::vec3(0))) || glm::any(glm::greaterThanEqual(cell, b * bricks))) return {};
     const glm::vec3 k = glm::floor(cell / b);
-    const float brick = reader.entry(parts.y, k.x + bricks.x * (k.y + bricks.y * k.z));
+    const float brick = reader.fetch(parts.y + k.x + bricks.x * (k.y + bricks.y * k.z)).x;
     if (brick == 0) return {};
     const glm::vec3 l = cell - b * k;
     const float list = reader.entry(brick, l.x + b * (l.y + b * l.z));
@@ -329,7 +341,7 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
     for (float at = list; at < list + parts.w; ++at) {
         const glm::vec4 texel = reader.fetch(at);
         for (glm::length_t i = 0; i < 4; ++i)
-            if (texel[i] != 0) found.push_back((static_cast<std::size_t>(std::abs(texel[i])) - firstRoot) / kRootTexels);
+            if (texel[i] != 0) found.push_back(rootNumber(static_cast<std::size_t>(std::abs(texel[i])) - firstRoot));
         if (texel.x < 0) break;
     }
     return found;
@@ -337,7 +349,7 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
 
 Root rootAt(const Image& image, std::size_t number) {
     const Reader reader(image);
-    const float first = reader.fetch(6).x + static_cast<float>(kRootTexels * number);
+    const auto first = static_cast<float>(rootAddress(static_cast<std::size_t>(reader.fetch(6).x), number));
     const glm::vec4 a = reader.fetch(first);
     const glm::vec4 b = reader.fetch(first + 1);
     const glm::vec4 c = reader.fetch(first + 2);

@@ -86,6 +86,20 @@ TEST(RootTexture, holds_each_root_as_it_is) {
     }
 }
 
+TEST(RootTexture, keeps_the_texels_of_a_root_in_one_row) {
+    const Built built = build(ball(50), {.count = 3000}); // more than the 1,365 of one row
+    const auto first = static_cast<std::size_t>(built.texture.image.at(6, 0, 0));
+    EXPECT_EQ(first % kRootColumns, 0u);
+    std::set<std::size_t> addresses;
+    for (const Root& root : built.set.roots)
+        for (std::size_t i = first; i + 2 < built.texture.texels; ++i)
+            if (built.texture.image.pixels[4 * i] == root.position.x && built.texture.image.pixels[4 * i + 3] == root.radius)
+                addresses.insert(i);
+    EXPECT_EQ(addresses.size(), 3000u);
+    for (const std::size_t address : addresses)
+        EXPECT_LE(address % kRootColumns, kRootColumns - kRootTexels);
+}
+
 TEST(RootTexture, tells_in_its_first_row_what_is_in_it) {
     const Built built = build(ball(50), {.count = 1000, .shortest = 0.5, .lean = 0.4});
     const auto texel = [&](std::size_t i) {

@@ -12,8 +12,9 @@ install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
 install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN reference EXCLUDE
-        PATTERN verify EXCLUDE PATTERN view EXCLUDE)
+        PATTERN verify EXCLUDE PATTERN bench EXCLUDE PATTERN view EXCLUDE)
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
+install(FILES host/bench/plot.py host/bench/flip.py DESTINATION share/tegument/host/bench)
 install(FILES LICENSE README.md DESTINATION share/doc/tegument)
 
 include(CMakePackageConfigHelpers)

@@ -1,0 +1,123 @@
+// tegument bench as a user runs it.
+
+#include "tests/app/program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace tegument::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// So small that it takes a second.
+std::vector<std::string> tiny(std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"bench",
+                                          "--scene",
+                                          "sphere-5",
+                                          "--size",
+                                          "40x40",
+                                          "--map-size",
+                                          "64",
+                                          "--frames",
+                                          "1",
+                                          "--reference",
+                                          "64",
+                                          "--keep-scenes",
+                                          (scratch() / "scenes").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+bool noDevice(const Ran& ran) {
+    return ran.code == 3 && ran.err.find("TG60") != std::string::npos;
+}
+
+void expectRefused(const std::vector<std::string>& arguments, const char* code) {
+    const Ran ran = tegument(arguments);
+    EXPECT_NE(ran.code, 0);
+    EXPECT_NE(ran.err.find(code), std::string::npos) << ran.err;
+}
+
+} // namespace
+
+TEST(Bench, refuses_scenes_and_techniques_that_do_not_exist) {
+    expectRefused({"bench", "--scene", "spheer-5"}, "TG8072");
+    expectRefused({"bench", "--scene", "sphere-5@up"}, "TG8073");
+    expectRefused({"bench", "--technique", "Phong"}, "TG8071");
+    expectRefused({"bench", "--catalogue", write("catalogue.json", "{}")}, "TG8070");
+}
+
+TEST(Bench, refuses_options_that_mean_nothing) {
+    expectRefused({"bench", "--pick"}, "TG8079");
+    EXPECT_EQ(tegument({"bench", "--max-error", "0.1"}).code, 2) << "without --pick";
+    EXPECT_EQ(tegument({"bench", "--pick", "--max-error", "-1"}).code, 2);
+    EXPECT_EQ(tegument({"bench", "--pick", "--max-error", "1", "--max-ms", "1"}).code, 2);
+    EXPECT_EQ(tegument({"bench", "--growth", "--ablation"}).code, 2);
+    EXPECT_EQ(tegument({"bench", "--frames", "0"}).code, 2);
+}
+
+TEST(Bench, refuses_a_reference_of_no_pixels) {
+    const Ran ran = tegument({"bench", "--reference", "some"});
+    if (noDevice(ran)) GTEST_SKIP() << ran.err;
+    EXPECT_NE(ran.err.find("TG8077"), std::string::npos) << ran.err;
+}
+
+TEST(Bench, writes_a_json_list_and_nothing_else) {
+    const Ran ran = tegument(tiny({"--technique", "Lambert", "DEonLuebke", "--setting", "corrected", "--json", "-"}));
+    if (noDevice(ran)) GTEST_SKIP() << ran.err;
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto list = ran.json();
+    ASSERT_EQ(list.size(), 2);
+    EXPECT_GT(list[0]["error"]["rel_l2"].get<double>(), list[1]["error"]["rel_l2"].get<double>()) << "light spreads on a sphere of 5 mm";
+    EXPECT_EQ(list[1]["reference"]["pixels"], 64);
+}
+
+TEST(Bench, picks_a_technique_with_a_command_that_draws) {
+    const Ran ran = tegument(tiny({"--technique", "Lambert", "DEonLuebke", "--setting", "corrected", "--pick", "--max-error", "0.02"}));
+    if (noDevice(ran)) GTEST_SKIP() << ran.err;
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::string word = "tegument render ";
+    const auto at = ran.out.find(word);
+    ASSERT_NE(at, std::string::npos) << ran.out;
+    std::vector<std::string> arguments = {"render"};
+    std::string command = ran.out.substr(at + word.size(), ran.out.find('\n', at) - at - word.size());
+    for (std::size_t next = 0; (next = command.find(' ')) != std::string::npos; command = command.substr(next + 1))
+        arguments.push_back(command.substr(0, next));
+    arguments.push_back(command);
+    arguments.insert(arguments.end(), {"-o", (scratch() / "picked.png").string()});
+    const Ran drawn = tegument(arguments);
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_TRUE(fs::exists(scratch() / "picked.png"));
+}
+
+TEST(Bench, keeps_its_scenes_where_it_is_told) {
+    const Ran ran = tegument(tiny({"--technique", "Lambert", "--csv", (scratch() / "r.csv").string()}));
+    if (noDevice(ran)) GTEST_SKIP() << ran.err;
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(fs::exists(scratch() / "scenes" / "sphere-5-40x40.json"));
+    EXPECT_TRUE(fs::exists(scratch() / "r.csv"));
+}
+
+/// A matplotlib that cannot be imported stands before the real one.
+TEST(Bench, without_matplotlib_the_results_stand_and_the_plots_do_not) {
+    const fs::path cache = scratch() / "cache";
+    fs::create_directories(cache / "tools" / "flip");
+    write("cache/tools/flip/matplotlib.py", "raise ImportError('none here')\n");
+    const fs::path plots = scratch() / "plots";
+    const Ran ran = tegument(tiny({"--technique", "Lambert", "--plot", plots.string()}), {{"TEGUMENT_CACHE", cache.string()}});
+    if (noDevice(ran)) GTEST_SKIP() << ran.err;
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_NE(ran.err.find("TG8078"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.out.find("Lambert"), std::string::npos) << "the table is printed first";
+    EXPECT_TRUE(fs::exists(plots / "pareto.json"));
+}
+
+TEST(Bench, turns_results_into_tables_without_a_device) {
+    expectRefused({"bench", "--markdown", write("empty.json", "{}")}, "TG8076");
+}
+
+} // namespace tegument::test

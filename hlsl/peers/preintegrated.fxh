@@ -1,7 +1,7 @@
 // Pre-integrated skin shading (Penner and Borshukov, Pre-integrated skin shading, GPU Pro 2, 2011; Penner, SIGGRAPH 2010): light scattered around a ring
 // of the surface's own radius, in a table over N.L and curvature.
 //   D(theta, rho) = integral of max(cos(theta + x / rho), 0) L(x) dx,   x along the ring, mm
-// Corrected: L = the profile's marginal, sum of w_i N(0, v_i), over 10 mm to both sides in 200 steps, as NVIDIA FaceWorks (2014) tabulates it.
+// Corrected: L = the profile's marginal, sum of w_i N(0, v_i), over 10 mm to both sides, as NVIDIA FaceWorks (2014) tabulates it (in 200 steps).
 // Printed: the listing of GPU Pro 2, see preintegratedPrinted. The table holds D - max(cos(theta), 0), which is small and has no edge to interpolate over.
 #ifndef TEGUMENT_PEERS_PREINTEGRATED_FXH
 #define TEGUMENT_PEERS_PREINTEGRATED_FXH
@@ -12,6 +12,7 @@ static const float2 kPreintegratedSize = float2(257.0, 65.0);
 static const float kPreintegratedSharpest = 0.5;
 // A flat surface has no ring. 10 m.
 static const float kPreintegratedFlattest = 1e-4;
+// To one side; shader model 3 loops at most 255 times.
 static const int kPreintegratedSteps = 200;
 static const float kPreintegratedReach = 10.0;
 // What the listing multiplies variances with.
@@ -36,15 +37,21 @@ float3 preintegratedProfile(float4 gaussians[6], float distance, float scale)
     return sum;
 }
 
-// Both ends are nodes; the profile is 1e-5 there.
+// Light at both ends of an arc around the angle.
+float preintegratedPair(float angle, float arc)
+{
+    return saturate(cos(angle + arc)) + saturate(cos(angle - arc));
+}
+
+// Midpoints of the steps, both sides at once; the profile is 1e-5 at the ends.
 float3 preintegratedCorrected(float4 gaussians[6], float angle, float curvature)
 {
     float3 sum = float3(0.0, 0.0, 0.0);
-    float step = 2.0 * kPreintegratedReach / kPreintegratedSteps;
-    [loop] for (int i = 0; i <= kPreintegratedSteps; i++)
+    float step = kPreintegratedReach / kPreintegratedSteps;
+    [loop] for (int i = 0; i < kPreintegratedSteps; i++)
     {
-        float x = i * step - kPreintegratedReach;
-        sum += max(cos(angle + x * curvature), 0.0) * step * preintegratedProfile(gaussians, x, 1.0);
+        float x = (i + 0.5) * step;
+        sum += preintegratedPair(angle, x * curvature) * step * preintegratedProfile(gaussians, x, 1.0);
     }
     return sum;
 }
@@ -57,12 +64,12 @@ float3 preintegratedPrinted(float4 gaussians[6], float angle, float curvature)
     float reach = min(2.0 * asin(min(0.5 * kPreintegratedReach * bent, 1.0)), 0.5 * kPi);
     float3 sum = float3(0.0, 0.0, 0.0);
     float3 total = float3(0.0, 0.0, 0.0);
-    [loop] for (int i = 0; i <= kPreintegratedSteps; i++)
+    [loop] for (int i = 0; i < kPreintegratedSteps; i++)
     {
-        float x = (2.0 * i / kPreintegratedSteps - 1.0) * reach;
+        float x = (i + 0.5) / kPreintegratedSteps * reach;
         float3 weight = preintegratedProfile(gaussians, 2.0 * sin(0.5 * x) / bent, kPrintedVariance);
-        sum += saturate(cos(angle + x)) * weight;
-        total += weight;
+        sum += preintegratedPair(angle, x) * weight;
+        total += 2.0 * weight;
     }
     return sum / max(total, 1e-20);
 }

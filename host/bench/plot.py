@@ -29,7 +29,7 @@ INK = "#333333"
 DPI = 150  # of figures and files alike: labels are placed in pixels
 
 plt.rcParams.update({
-    "font.size": 9, "font.family": "DejaVu Sans", "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK,
+    "font.size": 10, "font.family": "DejaVu Sans", "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK,
     "ytick.color": INK, "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True, "grid.color": "#E4E4E4",
     "grid.linewidth": 0.6, "svg.fonttype": "path", "svg.hashsalt": "tegument", "figure.dpi": DPI,
 })
@@ -38,9 +38,14 @@ plt.rcParams.update({
 def save(figure, folder, name):
     for ending in ("png", "svg"):
         path = folder / f"{name}.{ending}"
-        figure.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
+        figure.savefig(path, dpi=DPI, bbox_inches="tight", pad_inches=0.12, metadata={"Date": None} if ending == "svg" else None)
         print(path)
     plt.close(figure)
+
+
+def darker(colour):
+    """For text: light blue and orange do for points, but are too pale to read on white."""
+    return tuple(0.72 * part for part in matplotlib.colors.to_rgb(colour))
 
 
 def plain(value, _=None):
@@ -82,12 +87,12 @@ class Labels:
             if width > 0 and height > 0:
                 cost += 300 + width * height
         cost += 60 * sum(x0 - 9 < x < x1 + 9 and y0 - 9 < y < y1 + 9 for x, y in self.points)
-        cost += 1.5 * sum(x0 < x < x1 and y0 < y < y1 for x, y in self.lines)
+        cost += 2.5 * sum(x0 < x < x1 and y0 < y < y1 for x, y in self.lines)
         outside = max(0, self.area.x0 - x0) + max(0, x1 - self.area.x1) + max(0, self.area.y0 - y0) + max(0, y1 - self.area.y1)
         return cost + 10 * outside
 
     def place(self, index, text, colour):
-        label = self.axes.text(0, 0, text, fontsize=7.5, color=colour, transform=None)
+        label = self.axes.text(0, 0, text, fontsize=8.5, color=darker(colour), transform=self.axes.transAxes)
         extent = label.get_window_extent(self.renderer)
         width, height = extent.width, extent.height
         px, py = self.points[index]
@@ -100,7 +105,7 @@ class Labels:
             if best is None or cost < best[0]:
                 best = (cost, x, y)
         _, x, y = best
-        label.set_position((x, y))
+        label.set_position(((x - self.area.x0) / self.area.width, (y - self.area.y0) / self.area.height))
         label.set_verticalalignment("bottom")
         self.taken.append((x - 2, y - 1, x + width + 2, y + height + 1))
         self.lead(px, py, x, y, width, height, colour)
@@ -202,9 +207,15 @@ def growth(series, machine, folder):
         axes.grid(True, which="major")
         fit = [one["factor"] * v ** one["exponent"] for v in x]
         axes.plot(x, fit, color=colour, linewidth=1.2, alpha=0.7)
+        # Through the last point: what the time would be if it grew in proportion.
+        axes.plot(x, [ms[-1] * v / x[-1] for v in x], color=INK, linewidth=0.9, linestyle=(0, (2, 3)), alpha=0.6)
         axes.plot(x, ms, marker="o", linestyle="", color=colour, markersize=6, markeredgecolor="white")
-        axes.set_title(f"{one['what']}", fontsize=9, loc="left")
-        axes.text(0.04, 0.94, f"exponent {one['exponent']:.2f}", transform=axes.transAxes, va="top", fontsize=10, color=colour)
+        axes.set_title(f"{one['what']}", fontsize=10, loc="left")
+        axes.text(0.04, 0.94, f"exponent {one['exponent']:.2f}", transform=axes.transAxes, va="top", fontsize=11, color=darker(colour))
+        if one.get("fixed_ms", 0) > 0:
+            share = one["fixed_ms"] / (one["fixed_ms"] + one["ms_per_unit"] * x[0])
+            axes.text(0.04, 0.83, f"fixed {one['fixed_ms']:.2g} ms, {100 * share:.0f} % of the first", transform=axes.transAxes, va="top",
+                      fontsize=8.5, alpha=0.85)
         axes.set_xlabel(one["quantity"])
         axes.set_ylabel("ms")
         for tick in axes.get_xticklabels():
@@ -214,8 +225,9 @@ def growth(series, machine, folder):
     for axes in list(grid.flat)[len(series):]:
         axes.set_visible(False)
     height = 3.3 * lines + 0.6
-    figure.text(0.07, 1 - 0.22 / height, "How cost grows", fontsize=12)
-    figure.text(0.07, 1 - 0.42 / height, f"{machine['device']}, {machine['driver']}, {machine['date']}", fontsize=8, alpha=0.8)
+    figure.text(0.07, 1 - 0.20 / height, "How cost grows", fontsize=13)
+    figure.text(0.07, 1 - 0.42 / height, f"{machine['device']}, {machine['driver']}, {machine['date']}; dotted: in proportion", fontsize=9,
+                alpha=0.8)
     save(figure, folder, "growth")
 
 

@@ -68,7 +68,7 @@ TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
     ASSERT_TRUE(mesh) << format(mesh.error());
     const Mesh torus = furMesh();
     for (const auto& written :
-         {writeMeshFile(drawings() / kMeshFile, *mesh), writeMeshFile(drawings() / kFurMeshFile, torus), writeFurMaps()})
+         {writeMeshFile(drawings() / kMeshFile, *mesh), writeMeshFile(drawings() / kFurMeshFile, torus), writeFurMaps(), writeFurRoots()})
         ASSERT_TRUE(written) << format(written.error());
 
     ASSERT_FALSE(allCases().empty());

@@ -2,6 +2,7 @@
 
 #include "host/image/dds.h"
 #include "meshprep/fur/fur_map.h"
+#include "meshprep/fur/roots/root_texture.h"
 
 #include <cmath>
 #include <numbers>
@@ -69,6 +70,15 @@ Result<void> writeFurMaps() {
     return writeDds(mapFile("fur_cube"), cube);
 }
 
+Result<void> writeFurRoots() {
+    constexpr std::size_t kRoots = 4000;
+    auto set = makeRoots(furMesh(), {.count = kRoots, .shortest = 0.5, .lean = 0.3, .comb = {1, 0, 0}});
+    if (!set) return set.error();
+    const auto texture = buildRootTexture(*set);
+    if (!texture) return texture.error();
+    return writeDds(mapFile("fur_roots"), makeDds(texture->image, DdsFormat::Rgba32F, false));
+}
+
 Workspace furWorkspace() {
     Workspace workspace;
     workspace.head = false;
@@ -76,8 +86,11 @@ Workspace furWorkspace() {
     workspace.light.position = {-3.2F, 3.6F, 6};
     workspace.light.color = glm::vec3(1.2F);
     workspace.background = glm::vec3(2, 4, 6) / 255.0F;
-    workspace.textures = {{"gFurCubeMap", mapFile("fur_cube").string()}, {"gFurSphereMap", mapFile("fur_sphere").string()}};
-    workspace.parameters = {{"gFurLayers", {16}}, {"gFurTaper", {1}}, {"gFurFill", {0.1, 0.2, 0.3}}, {"gFurCurl", {0.01}}};
+    workspace.textures = {{"gFurCubeMap", mapFile("fur_cube").string()},
+                          {"gFurSphereMap", mapFile("fur_sphere").string()},
+                          {"gFurRootsMap", mapFile("fur_roots").string()}};
+    workspace.parameters = {
+        {"gFurLayers", {16}}, {"gFurTaper", {1}}, {"gFurFill", {0.1, 0.2, 0.3}}, {"gFurCurl", {0.01}}, {"gFurSpacing", {0.03}}};
     return workspace;
 }
 

@@ -16,6 +16,9 @@ inline constexpr const char* kFurMeshFile = "fur.bin";
 /// The maps as files in the folder of the drawings.
 [[nodiscard]] Result<void> writeFurMaps();
 
+/// Roots on the torus, likewise.
+[[nodiscard]] Result<void> writeFurRoots();
+
 [[nodiscard]] Workspace furWorkspace();
 
 } // namespace tegument::test

@@ -121,6 +121,14 @@ double sweptHit(const FurPatch& patch, const FurRay& ray, int layers, int cells,
     return kNoHit;
 }
 
+double heightOver(const FurPatch& patch, double x, double y) {
+    double height = -1;
+    strands(patch, cell(x) - 1, cell(x) + 1, cell(y), [&](const Cone& cone) {
+        height = std::max(height, cone.length * (1 - std::hypot(x - cone.x, y - cone.y) / patch.baseRadius));
+    });
+    return height;
+}
+
 double hitOf(const FurPatch& patch, const FurRay& ray, const FurMethod& method) {
     if (method.kind == FurMethod::Kind::Shells) return shellHit(patch, ray, method.layers, method.exponent);
     if (method.kind == FurMethod::Kind::Swept) return sweptHit(patch, ray, method.layers, method.cells, method.exponent);

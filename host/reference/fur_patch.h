@@ -37,7 +37,8 @@ inline constexpr double kNoHit = -1;
 /// cones in at most `cells` cells along it, so that nothing between layers is lost while a segment is no longer than that.
 [[nodiscard]] double sweptHit(const FurPatch& patch, const FurRay& ray, int layers, int cells, double exponent = 1);
 
-/// Up to where a point of the patch is covered, a share of the coat, 0 beside all strands: what a fur map of the patch holds.
+/// Up to where a point of the patch is covered, a share of the coat; below 0 beside all strands, where their cones go on: what a fur map of
+/// the patch holds, so that nothing bends at their feet when it is interpolated.
 [[nodiscard]] double heightOver(const FurPatch& patch, double x, double y);
 
 struct FurView {

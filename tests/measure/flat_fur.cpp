@@ -1,0 +1,174 @@
+#include "tests/measure/flat_fur.h"
+
+#include "host/image/dds.h"
+#include "host/reference/pinhole.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <unistd.h>
+#include <utility>
+
+namespace tegument::measure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kHalf = 12;    // the patch reaches so many spacings to each side
+constexpr int kMapSize = 1280;  // 32 texels a spacing
+constexpr double kAway = 4000; // of the eye: rays go astray by a 2000th of their way down, 32-bit positions by a 1000th
+constexpr double kSkin = 0.05;  // what drawPatch draws, as albedo of the skin ...
+constexpr double kRoot = 0.15;  // ... and of strands, which the map's colour makes brighter than the skin
+constexpr double kTip = 1;
+
+fs::path mapFile(const fs::path& folder) {
+    return folder / "patch.dds";
+}
+
+/// Seen from the middle of a cube whose +Z face is the patch, directions are places on it.
+Image face(const reference::FurPatch& patch, int size) {
+    Image image{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
+    image.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, static_cast<float>(kRoot / kSkin));
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column) {
+            const auto place = [&](int i) { return kHalf * (2 * (i + 0.5) / size - 1); };
+            image.at(column, row, 3) = static_cast<float>(reference::heightOver(patch, place(column), -place(row)));
+        }
+    return image;
+}
+
+/// Two levels, the coarse one exact like the fine one: a mean of heights would be a map of other strands.
+Result<void> writeMap(const fs::path& folder, const reference::FurPatch& patch) {
+    DdsTexture cube{.format = DdsFormat::Rgba16F, .faces = 6, .mips = 2, .images = {}};
+    for (int side = 0; side < 6; ++side)
+        for (const int size : {kMapSize, kMapSize / 2}) {
+            constexpr int kAhead = 4; // +Z
+            Image empty{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
+            empty.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, 0.0F);
+            cube.images.push_back(side == kAhead ? face(patch, size) : std::move(empty));
+        }
+    return writeDds(mapFile(folder), cube);
+}
+
+Mesh plane() {
+    constexpr float kEdge = static_cast<float>(kHalf);
+    Mesh mesh;
+    mesh.name = "patch";
+    mesh.positions = {{-kEdge, -kEdge, 0}, {kEdge, -kEdge, 0}, {kEdge, kEdge, 0}, {-kEdge, kEdge, 0}};
+    mesh.normals.assign(4, {0, 0, 1});
+    mesh.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    mesh.parts = {{.name = "patch", .firstIndex = 0, .indexCount = 6}};
+    computeTangents(mesh);
+    computeBounds(mesh);
+    return mesh;
+}
+
+/// Seen from the side of -x, so that a ray moves towards +x on its way down (FurRay).
+Workspace workspaceOf(const reference::FurView& view, double coat) {
+    Workspace workspace;
+    workspace.head = false;
+    workspace.cameraRelative = false;
+    workspace.lightRelative = false;
+    const glm::dvec3 middle(0, 0, coat / 2);
+    workspace.camera.position = glm::vec3(middle + kAway * glm::dvec3(-std::sin(view.tilt), 0, std::cos(view.tilt)));
+    workspace.camera.target = glm::vec3(middle);
+    workspace.camera.horizontalFov = static_cast<float>(glm::degrees(2 * std::atan(view.pixel * view.size / 2 / kAway)));
+    workspace.camera.nearPlane = static_cast<float>(kAway - 10 * kHalf);
+    workspace.camera.farPlane = static_cast<float>(kAway + 10 * kHalf);
+    workspace.light.position = {0, 0, static_cast<float>(kAway)};
+    return workspace;
+}
+
+/// Mean of samples x samples values.
+std::vector<double> reduced(const std::vector<double>& fine, const reference::FurView& view) {
+    const int side = view.size * view.samples;
+    std::vector<double> picture(static_cast<std::size_t>(view.size) * static_cast<std::size_t>(view.size), 0.0);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            picture[static_cast<std::size_t>(y / view.samples * view.size + x / view.samples)] +=
+                fine[static_cast<std::size_t>(y * side + x)] / (view.samples * view.samples);
+    return picture;
+}
+
+} // namespace
+
+FlatFur::FlatFur(gpu::Device& device, const reference::FurPatch& patch)
+    : device_(&device), patch_(patch), folder_(fs::temp_directory_path() / fmt::format("tegument-flat-fur-{}", ::getpid())) {}
+
+FlatFur::FlatFur(FlatFur&& other) noexcept
+    : device_(other.device_), patch_(other.patch_), folder_(std::exchange(other.folder_, fs::path())) {}
+
+FlatFur& FlatFur::operator=(FlatFur&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(patch_, other.patch_);
+    std::swap(folder_, other.folder_);
+    return *this;
+}
+
+FlatFur::~FlatFur() {
+    std::error_code code;
+    if (!folder_.empty()) fs::remove_all(folder_, code);
+}
+
+Result<FlatFur> FlatFur::create(gpu::Device& device, const reference::FurPatch& patch) {
+    FlatFur flat(device, patch);
+    if (const auto written = writeMap(flat.folder_, patch); !written) return written.error();
+    return flat;
+}
+
+Result<std::vector<double>> FlatFur::draw(const reference::FurView& view, int layers, double spread) const {
+    // A ball whose radius is the coat's height times 10, its centre where the map's middle is.
+    constexpr double kLength = 0.1;
+    const double tip = kSkin * kTip / kRoot;
+    const auto effect = loadEffect("effects/Fur.fx");
+    if (!effect) return effect.error();
+    const Mesh mesh = plane();
+    const int side = view.size * view.samples;
+    const auto run = runEffect(*device_, *effect, &mesh, workspaceOf(view, patch_.coat),
+                               {.technique = "CubePosition",
+                                .width = side,
+                                .height = side,
+                                .compiler = defaultCompiler(),
+                                .parameters = {{"gBoundingCenter", {0, 0, -kHalf}},
+                                               {"gMeshRadius", {patch_.coat / kLength}},
+                                               {"gFurLength", {kLength}},
+                                               {"gFurLayers", {static_cast<double>(layers)}},
+                                               {"gFurSpread", {spread}},
+                                               {"gFurTaper", {1}},
+                                               {"gFurSoftness", {0}},
+                                               {"gFurAlphaTest", {0.5}},
+                                               {"gFurLean", {0}},
+                                               {"gFurKajiyaKay", {0}},
+                                               {"gFurRootColor", {kSkin, kSkin, kSkin}},
+                                               {"gFurTipColor", {tip, tip, tip}}},
+                                .textures = {{"gFurCubeMap", mapFile(folder_).string()}},
+                                .dump = {}});
+    if (!run) return run.error();
+    std::vector<double> fine;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            fine.push_back(static_cast<double>(run->image.at(x, y, 0)));
+    return reduced(fine, view);
+}
+
+std::vector<double> FlatFur::truth(const reference::FurView& view) const {
+    const Workspace workspace = workspaceOf(view, patch_.coat);
+    const int side = view.size * view.samples;
+    const auto camera = reference::pinhole(glm::dvec3(workspace.camera.position), glm::dvec3(workspace.camera.target), {0, 1, 0},
+                                           glm::radians(static_cast<double>(workspace.camera.horizontalFov)), side, side);
+    std::vector<double> fine;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const glm::dvec3 way = camera.ray(x, y);
+            const glm::dvec3 down = way / -way.z; // for one spacing downwards
+            const glm::dvec3 top = camera.eye + (camera.eye.z - patch_.coat) * down;
+            const glm::dvec3 middle = camera.eye + (camera.eye.z - patch_.coat / 2) * down; // sideways it moves by a 2000th of that
+            const double hit = reference::exactHit(patch_, {.x = top.x, .y = middle.y, .run = patch_.coat * down.x});
+            fine.push_back(hit == reference::kNoHit ? kSkin : kRoot + (kTip - kRoot) * hit);
+        }
+    return reduced(fine, view);
+}
+
+} // namespace tegument::measure

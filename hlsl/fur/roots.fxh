@@ -37,7 +37,7 @@ float furRootList(SAMPLER2D_PARAM(roots), float3 place, float4 origin, float4 br
 {
     float3 cell = clamp(floor((place - origin.xyz) / origin.w), 0.0, bricks.w * bricks.xyz - 1.0);
     float3 brick = floor((cell + 0.5) / bricks.w);
-    float table = furTable(SAMPLER2D_ARG(roots), rows.x, rows.y, furCellNumber(brick, bricks.xyz));
+    float table = tex2Dlod(roots, float4(furTexel(rows.y + furCellNumber(brick, bricks.xyz), rows.x), 0.0, 0.0)).x;
     float list = furTable(SAMPLER2D_ARG(roots), rows.x, table, furCellNumber(cell - bricks.w * brick, bricks.www));
     return table > 0.0 ? list : 0.0;
 }

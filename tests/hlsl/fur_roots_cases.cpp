@@ -271,7 +271,7 @@ double rootList(const glm::dvec3& place) {
     constexpr std::int64_t kSide = 4;
     const glm::dvec3 c = glm::clamp(glm::floor((place - glm::dvec3(1, 2, 3)) / 7.0), glm::dvec3(0), glm::dvec3(bricks * kSide - Cell(1)));
     const Cell cell(c);
-    const double table = tableEntry(50, number(cell / kSide, bricks));
+    const double table = tableEntry(50 + number(cell / kSide, bricks), 0);
     if (table == 0) return 0;
     return tableEntry(std::llround(table), number(cell - cell / kSide * kSide, Cell(kSide)));
 }

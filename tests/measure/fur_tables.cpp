@@ -66,7 +66,7 @@ std::vector<Case> cases() {
     std::vector<Case> all;
     for (const double coat : {4.0, 12.0})
         for (const double tilt : {0.0, 45.0, 70.0})
-            for (const double pixel : {0.125, 0.25})
+            for (const double pixel : {0.25, 0.5})
                 if (coat * std::tan(radians(tilt)) < 15) all.push_back({coat, tilt, pixel}); // else rays leave the patch
     return all;
 }

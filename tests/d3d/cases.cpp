@@ -58,20 +58,26 @@ Image reduced(const Image& image) {
     return small;
 }
 
-std::vector<Case> discover() {
+std::vector<fs::path> effectsIn(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code code;
-    for (const auto& entry : fs::directory_iterator("effects", code))
+    for (const auto& entry : fs::directory_iterator(folder, code))
         if (entry.path().extension() == ".fx") files.push_back(entry.path());
     std::ranges::sort(files);
+    return files;
+}
+
+std::vector<Case> discover() {
     std::vector<Case> cases;
-    for (const fs::path& file : files) {
+    for (const fs::path& file : effectsIn("effects")) {
         const auto effect = loadCase({.effect = file, .technique = {}});
         if (!effect) continue; // tests/effect and tests/check say why
         for (const Technique& technique : effect->techniques)
             for (const int bits : {16, 32})
                 if (bits == 16 || file.stem() == "Convolution") cases.push_back({file, technique.name, bits});
     }
+    for (const fs::path& file : effectsIn("effects/peers")) // the last technique of each: the others take fewer samples
+        if (const auto effect = loadCase({.effect = file, .technique = {}})) cases.push_back({file, effect->techniques.back().name});
     return cases;
 }
 

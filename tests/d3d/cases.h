@@ -36,8 +36,8 @@ std::string engineName(Engine engine); // "d3d9"
 
 /// The effect as all engines get it.
 [[nodiscard]] Result<Effect> loadCase(const Case& drawn);
-/// From the files: effects/*.fx and the techniques that they hold. Those of Convolution.fx also with maps of 32 bits: what differs between
-/// engines in the cascade of 16-bit maps must vanish there.
+/// From the files: effects/*.fx and the techniques that they hold, and one technique of each of effects/peers. Those of Convolution.fx also
+/// with maps of 32 bits: what differs between engines in the cascade of 16-bit maps must vanish there.
 [[nodiscard]] const std::vector<Case>& allCases();
 
 /// The human where it was made (./bootstrap test), with its maps reduced; else a sphere.

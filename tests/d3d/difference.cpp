@@ -97,6 +97,8 @@ const std::vector<Exception>& exceptions() {
         {Engine::Direct3D9, "Convolution_", "gIrradiance", 5e-3, 0.25, kRounding},
         {Engine::Direct3D9, "Main_DEonLuebke", "gIrradiance", 5e-3, 0.05, kRounding},
         {Engine::Direct3D9, "Main_", "picture", 5e-2, kFourPixels, kShadowEdge},
+        {Engine::Direct3D9, "Burley_", "g", 5e-2, kFourPixels, kShadowEdge},
+        {Engine::Direct3D9, "Separable_", "g", 5e-2, kFourPixels, kShadowEdge},
         {Engine::Direct3D9, "Fur_Cube", "picture", 0.5, 0.02, kCubeFaces},
         {Engine::Direct3D9, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
         {Engine::Direct3D10, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},

@@ -76,20 +76,8 @@ private:
         return taken_.visit(candidate.point.position, candidate.distance, [&](std::uint32_t i, float squared) {
             const PointGrid::Entry& other = taken_.entries()[i];
             const float distance = std::min(candidate.distance, other.reach);
-            if (squared >= distance * distance || glm::dot(candidate.point.normal, other.normal) <= 0) return true;
-            return alongSurface(candidate.point, other, std::sqrt(squared)) >= distance;
+            return squared >= distance * distance || glm::dot(candidate.point.normal, other.normal) <= 0;
         });
-    }
-
-    /// Length of the way over the surface, which bends from one normal to the other (J. Bowers et al., Parallel Poisson Disk Sampling with
-    /// Spectrum Analysis on Surfaces, 2010, eq. 2).
-    [[nodiscard]] static float alongSurface(const SurfacePoint& from, const PointGrid::Entry& to, float straight) {
-        if (!(straight > 0)) return 0;
-        const glm::vec3 way = (to.position - from.position) / straight;
-        const float a = std::clamp(glm::dot(from.normal, way), -1.0F, 1.0F);
-        const float b = std::clamp(glm::dot(to.normal, way), -1.0F, 1.0F);
-        if (std::abs(a - b) < 1e-3F) return straight / std::sqrt(std::max(1 - a * a, 1e-6F));
-        return straight * (std::asin(a) - std::asin(b)) / (a - b);
     }
 
     void take(const Candidate& candidate) {

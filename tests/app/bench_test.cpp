@@ -106,7 +106,7 @@ TEST(Bench, keeps_its_scenes_where_it_is_told) {
 TEST(Bench, without_matplotlib_the_results_stand_and_the_plots_do_not) {
     const fs::path cache = scratch() / "cache";
     fs::create_directories(cache / "tools" / "flip");
-    write("cache/tools/flip/matplotlib.py", "raise ImportError('none here')\n");
+    ASSERT_TRUE(fs::exists(write("cache/tools/flip/matplotlib.py", "raise ImportError('none here')\n")));
     const fs::path plots = scratch() / "plots";
     const Ran ran = tegument(tiny({"--technique", "Lambert", "--plot", plots.string()}), {{"TEGUMENT_CACHE", cache.string()}});
     if (noDevice(ran)) GTEST_SKIP() << ran.err;

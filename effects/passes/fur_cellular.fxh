@@ -41,7 +41,7 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
 
 StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
 {
-    return strandsVarying(input, LAYER_INDEX(gFurLayer), float3(0.0, 0.0, 0.0));
+    return strandsVarying(input, LAYER_INDEX(gFurLayer), float3(0.0, 0.0, 0.0), 1.0);
 }
 
 float4 CellularPS(StrandsVarying input) : SV_Target0
@@ -56,7 +56,7 @@ float4 CellularPS(StrandsVarying input) : SV_Target0
         [branch] if (i > 0)
             met = furCells(met, sweep, piece);
     }
-    return furStrandColor(input, sweep, piece, met, kFurCellDensity);
+    return furStrandColor(input, sweep, piece, met, kFurCellDensity, gFurShortest);
 }
 
 #endif

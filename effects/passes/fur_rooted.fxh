@@ -15,6 +15,7 @@ struct FurRootGrid
     float2 rows;   // of the texture; address of the table of bricks
     float spacing; // mm
     float radius;  // greatest of a root, mm
+    float shortest; // strand, share of the longest
     float3 centre; // of the mesh's ball
 };
 
@@ -32,6 +33,7 @@ FurRootGrid furRootGrid()
     grid.rows = furRootsHeader(2.0).xy;
     grid.spacing = rsqrt(max(strands.w, 1e-10));
     grid.radius = strands.y;
+    grid.shortest = furRootsHeader(5.0).x;
     grid.centre = furRootsHeader(4.0).xyz;
     return grid;
 }
@@ -76,7 +78,7 @@ StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
     float root = abs(furTable(SAMPLER2D_ARG(gFurRoots), grid.rows.x, list, 0.0));
     float3 lean = furRootTexel(furTexel(root, grid.rows.x), 2.0).xyz;
     lean -= input.normal * dot(lean, input.normal); // without its curl
-    return strandsVarying(input, LAYER_INDEX(gFurLayer), list > 0.0 ? lean : float3(0.0, 0.0, 0.0));
+    return strandsVarying(input, LAYER_INDEX(gFurLayer), list > 0.0 ? lean : float3(0.0, 0.0, 0.0), list > 0.0 ? 1.0 : 0.0);
 }
 
 float4 RootsPS(StrandsVarying input) : SV_Target0
@@ -96,7 +98,7 @@ float4 RootsPS(StrandsVarying input) : SV_Target0
             met = furRoots(met, sweep, piece, grid, list);
         }
     }
-    return furStrandColor(input, sweep, piece, met, 1.0);
+    return furStrandColor(input, sweep, piece, met, 1.0, grid.shortest);
 }
 
 #endif

@@ -15,7 +15,7 @@ struct StrandsVarying
     float3 fromEye : TEXCOORD2;
     float3 toLight : TEXCOORD3;
     float4 lightClip : TEXCOORD4;
-    float3 lean : TEXCOORD5; // of the tips, share of the coat
+    float4 lean : TEXCOORD5; // of the tips, share of the coat; share of the full density of strands
 };
 
 // The ray's way from a layer to the next, and how it is walked.
@@ -51,8 +51,8 @@ float3 furDown()
     return mul((float3x3)gWorld, float3(0.0, -1.0, 0.0));
 }
 
-// lean: of the strands at this vertex, besides their weight, mesh space. Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
-StrandsVarying strandsVarying(FurInput input, float layer, float3 lean)
+// lean: of the strands at this vertex, besides their weight, mesh space; density: share of the full one. Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
+StrandsVarying strandsVarying(FurInput input, float layer, float3 lean, float density)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, height);
@@ -67,7 +67,7 @@ StrandsVarying strandsVarying(FurInput input, float layer, float3 lean)
     output.fromEye = mul((float3x3)gWorld, world - gCameraPosition);
     output.toLight = mul((float3x3)gWorld, gLightPosition - world);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.lean = lean + gFurLean * furDown();
+    output.lean = float4(lean + gFurLean * furDown(), density);
     return output;
 }
 
@@ -96,15 +96,16 @@ float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float sh
     return met + (1.0 - met.x) * covered.x * float4(1.0, height, saturate(height / share), tint);
 }
 
-// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square spacing.
-float4 furExpect(float4 sweep, float fade, float density, float3 heights, float way)
+// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square
+// spacing; shortest: strand, share of the longest.
+float4 furExpect(float4 met, float fade, float density, float shortest, float3 heights, float way)
 {
-    float3 radius = gFurRadius * furMeanRadius(heights, gFurShortest);
+    float3 radius = gFurRadius * furMeanRadius(heights, shortest);
     float3 share = radius * float3(1.0, 4.0, 1.0);
     float height = dot(share, heights) / max(dot(share, 1.0), 1e-4); // strands are met as often as they are wide
-    float along = saturate(height * 2.0 / (1.0 + gFurShortest));
-    sweep *= 1.0 - fade;
-    return sweep + (1.0 - sweep.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
+    float along = saturate(height * 2.0 / (1.0 + shortest));
+    met *= 1.0 - fade;
+    return met + (1.0 - met.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
 }
 
 FurSweep furSweep(StrandsVarying input, float spacing)
@@ -124,7 +125,7 @@ FurSweep furSweep(StrandsVarying input, float spacing)
     float2 stride = furStride(gFurLayers, upright, gFurSegment + sweep.fade * kFurFarSegment, gFurFewest);
     sweep.bottom = max(sweep.height - (sweep.fade > 0.0 ? stride.x : stride.y) / gFurLayers, 0.0);
 
-    float3 strand = coat * (sweep.normal + (sweep.height + sweep.bottom) * input.lean);
+    float3 strand = coat * (sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz);
     sweep.travel = furTravel(sweep.view, sweep.normal, strand);
     float way = length(sweep.travel) * (sweep.height - sweep.bottom);
 
@@ -171,16 +172,16 @@ float furSkinShadow(float4 lightClip, float3 toLight)
     return shadowLit(SAMPLER2D_ARG(gShadow), shadowCoordinate(lightClip), shadowDepth(lightClip, toLight) - kShadowTolerance * gMeshRadius * range);
 }
 
-// The layer's colour and coverage. met: as furMeet; last: the last piece. density: of strands, per square spacing.
-float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
+// The layer's colour and coverage. met: as furMeet; last: the last piece. density, shortest: as furExpect.
+float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density, float shortest)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
     float beyond = length(sweep.travel) * (top - sweep.bottom);
-    met = furExpect(met, sweep.fade, density, float3(top, 0.5 * (top + sweep.bottom), sweep.bottom), beyond);
+    met = furExpect(met, sweep.fade, density * input.lean.w, shortest, float3(top, 0.5 * (top + sweep.bottom), sweep.bottom), beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
-    float3 strand = safeNormalize(sweep.normal + 2.0 * mean.x * input.lean);
+    float3 strand = safeNormalize(sweep.normal + 2.0 * mean.x * input.lean.xyz);
     float3 toLight = safeNormalize(input.toLight);
     float open = furSkinShadow(input.lightClip, input.toLight) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;

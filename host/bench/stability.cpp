@@ -74,6 +74,9 @@ Result<StabilityReport> measureStability(gpu::Device& device, const StabilityOpt
         for (std::size_t i = first; i < report.rows.size(); ++i)
             report.rows[i].part = part.name;
     }
+    if (report.rows.empty() && report.notes.empty())
+        return usageError(8081, fmt::format("no effect in {} that these parts of the stability report draw", options.effects.string()),
+                          "--module takes names of effects, Main for Main.fx; --part shadow draws ShadowMap alone");
     return report;
 }
 

@@ -52,8 +52,8 @@ struct StabilityReport {
 /// In the order of the report.
 [[nodiscard]] const std::vector<std::string>& stabilityParts();
 
-/// TG8080 a part that does not exist; and whatever loading or running an effect on the plain scene says. A hard scene that an effect
-/// refuses is a row of the report.
+/// TG8080 a part that does not exist; TG8081 no effect to draw; and whatever loading or running an effect on the plain scene says. A hard
+/// scene that an effect refuses is a row of the report.
 [[nodiscard]] Result<StabilityReport> measureStability(gpu::Device& device, const StabilityOptions& options = {});
 
 /// Every figure of a row; numbers that are not finite are null.

@@ -138,6 +138,12 @@ TEST_F(Stability, an_unknown_part_is_refused_with_the_nearest_name) {
     EXPECT_NE(report.error().diagnostics.front().hint.find("'shadow'"), std::string::npos);
 }
 
+TEST_F(Stability, a_module_that_no_part_draws_is_refused) {
+    const auto report = measureStability(*device_, {.parts = {"shadow"}, .modules = {"Beckmann"}, .say = {}});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().diagnostics.front().code, 8081);
+}
+
 TEST_F(Stability, a_value_that_is_not_finite_is_found_with_its_target_and_pixel) {
     const EffectFolder folder("1.0 / (floor(input.uv.x * 16.0) - 3.0 + gZero)"); // a column of infinities
     const auto report =

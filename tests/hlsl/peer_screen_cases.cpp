@@ -49,15 +49,16 @@ std::vector<FunctionCase> geometry() {
                      .domain = [](const Inputs& x) { return x.scalar(0, 2) > 1e-2 && x.scalar(1) > 0.04 && x.scalar(1, 1) > 0.04; }});
     for (const auto& [axis, body] :
          {std::pair(glm::dvec2(kPixel, 0), "float2(1.0 / kMapSize, 0)"), std::pair(glm::dvec2(0, kPixel), "float2(0, 1.0 / kMapSize)")})
-        cases.push_back({.function = "screenAcross",
-                         .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
-                         .arguments = {peerUv(), linear(0.1, 0.5, 2)},
-                         .expected = [axis](const Inputs& x) { return values(nextPixel(shadowMap(), x.vec2(0), axis, x.vec2(1))); },
-                         .tolerance = {.forward = 8,
-                                       .backward = 2,
-                                       .absolute = 1.5e-4,
-                                       .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
-                         .map = &shadowMap()});
+        cases.push_back(
+            {.function = "screenAcross",
+             .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
+             .arguments = {peerUv(), linear(0.1, 0.5, 2)},
+             .expected = [along = axis](const Inputs& x) { return values(nextPixel(shadowMap(), x.vec2(0), along, x.vec2(1))); },
+             .tolerance = {.forward = 8,
+                           .backward = 2,
+                           .absolute = 1.5e-4,
+                           .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
+             .map = &shadowMap()});
     cases.push_back({.function = "screenNoise",
                      .body = "return float4(screenNoise(floor(a0)), 0, 0, 0);",
                      .arguments = {linear(0, 256, 2)},

@@ -33,6 +33,18 @@ using Parameters = std::map<std::string, std::vector<double>>;
 inline constexpr double kHalfWidth = 8;
 inline constexpr float kEyeDistance = 700;
 
+struct Scratch {
+    std::filesystem::path folder = std::filesystem::temp_directory_path() / ("tegument-peers-" + std::to_string(::getpid()));
+
+    Scratch() { std::filesystem::create_directories(folder); }
+    ~Scratch() {
+        std::error_code code;
+        std::filesystem::remove_all(folder, code);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+};
+
 class Peers : public Run {
 public:
     static constexpr int kEdgeMap = 2048; // texels of the colour map
@@ -75,21 +87,22 @@ protected:
     }
     static std::string whiteMap() { return mapFile("white", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 1, 1}}); }
 
-    /// Written once by each process.
+    /// Written once by each process, gone with it.
     static std::string mapFile(const std::string& name, const Image& image) {
-        const std::filesystem::path file =
-            std::filesystem::temp_directory_path() / ("tegument-peers-" + std::to_string(::getpid()) + "-" + name + ".png");
+        static const Scratch kScratch;
+        const std::filesystem::path file = kScratch.folder / (name + ".png");
         const bool there = std::filesystem::exists(file) || writePng(file, image, PngEncoding::Srgb);
         EXPECT_TRUE(there) << file;
         return file.string();
     }
 
     Result<RunResult> render(const Technique3& peer, const Mesh& mesh, const Workspace& scene, RunOptions options, bool printed = false,
-                             int mapSize = 256) {
-        const auto effect =
-            loadEffect(std::string("effects/") + (std::string(peer.effect) == "Main" ? "" : "peers/") + peer.effect + ".fx",
-                       {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}, {"TEGUMENT_PEERS_AS_PRINTED", printed ? "1" : "0"}},
-                        .includeFolders = {}});
+                             int mapSize = 256, const std::string& setting = "2") {
+        const auto effect = loadEffect(std::string("effects/") + (std::string(peer.effect) == "Main" ? "" : "peers/") + peer.effect + ".fx",
+                                       {.defines = {{"TEGUMENT_SETTING", setting},
+                                                    {"TEGUMENT_MAP_SIZE", std::to_string(mapSize)},
+                                                    {"TEGUMENT_PEERS_AS_PRINTED", printed ? "1" : "0"}},
+                                        .includeFolders = {}});
         if (!effect) return effect.error();
         options.technique = peer.name;
         return runEffect(*device_, *effect, &mesh, scene, options);

@@ -92,18 +92,53 @@ TEST_F(PeerPictures, both_compilers_draw_the_same_picture_in_both_forms) {
         }
 }
 
-TEST_F(PeerPictures, every_target_is_finite_in_both_forms) {
+bool finite(const Image& image) {
+    return std::ranges::all_of(image.pixels, [](float value) { return std::isfinite(value); });
+}
+
+TEST_F(PeerPictures, every_target_is_finite_in_every_setting) {
     for (const Technique3& peer : kPeers)
-        for (const bool printed : {false, true}) {
+        for (const std::string setting : {"0", "1", "2"}) {
             RunOptions options = size(64, 48);
             options.dump = {"all"};
-            const auto result = render(peer, ball(80, 16, 32), closeUp(), options, printed, 64);
+            const auto result = render(peer, ball(80, 16, 32), closeUp(), options, setting != "2", 64, setting);
             ASSERT_TRUE(succeeded(result));
             for (const auto& [name, image] : result->dumped)
-                EXPECT_TRUE(std::ranges::all_of(image.pixels, [](float value) { return std::isfinite(value); }))
-                    << peer.name << " " << name;
-            EXPECT_TRUE(std::ranges::all_of(result->image.pixels, [](float value) { return std::isfinite(value) && value >= 0; }))
-                << peer.name;
+                EXPECT_TRUE(finite(image)) << peer.name << " " << name << " " << setting;
+            EXPECT_TRUE(finite(result->image)) << peer.name << setting;
+            EXPECT_GE(std::ranges::min(result->image.pixels), 0) << peer.name << setting;
+        }
+}
+
+/// What the peers' own sliders offer, all at the low end, all at the high end.
+const std::array<Parameters, 2> kEnds = {{{{"gSeparableStrength", {0, 0, 0}},
+                                           {"gSeparableUnit", {0}},
+                                           {"gBurleyDistance", {0.001, 0.001, 0.001}},
+                                           {"gBurleyTurn", {0}},
+                                           {"gBumpShare", {0, 0, 0}},
+                                           {"gPenumbraRadius", {0.1}}},
+                                          {{"gSeparableStrength", {1, 1, 1}},
+                                           {"gSeparableUnit", {10}},
+                                           {"gBurleyDistance", {5, 5, 5}},
+                                           {"gBurleyTurn", {1}},
+                                           {"gBumpShare", {1, 1, 1}},
+                                           {"gPenumbraRadius", {20}}}}};
+
+TEST_F(PeerPictures, are_finite_at_both_ends_of_their_sliders) {
+    for (const std::size_t i : {3U, 6U, 8U})
+        for (const Parameters& ends : kEnds) {
+            const auto effect = loadEffect(std::string("effects/peers/") + kPeers.at(i).effect + ".fx", {});
+            ASSERT_TRUE(succeeded(effect));
+            Parameters own;
+            for (const auto& [name, values] : ends)
+                if (effect->findParameter(name)) own[name] = values;
+            EXPECT_EQ(own.size(), 2U) << kPeers.at(i).effect;
+            for (const bool printed : {false, true}) {
+                const auto result = portrait(kPeers.at(i), defaultCompiler(), printed, own);
+                ASSERT_TRUE(succeeded(result));
+                EXPECT_TRUE(finite(result->image)) << kPeers.at(i).name << printed;
+                EXPECT_GT(meanOfAll(result->image), 0.01) << kPeers.at(i).name << printed;
+            }
         }
 }
 

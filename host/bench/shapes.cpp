@@ -150,10 +150,10 @@ Mesh planeWithEdge(double angle) {
 Mesh planeWithDisc(double angle) {
     constexpr double kHole = 4; // mm
     constexpr double kOuter = 12;
-    constexpr double kHeight = 20;
+    constexpr double kAside = 34; // so far that the camera, which sees 24 mm, does not see the plate
     Mesh mesh;
     addPlane(mesh);
-    const glm::dvec3 centre(-kHeight * std::tan(glm::radians(angle)), 0, kHeight);
+    const glm::dvec3 centre(-kAside, 0, kAside / std::tan(glm::radians(angle)));
     addRing(mesh, centre, kHole, kOuter, 0.25, {kGap, 0.66}, 0.32);
     return finished(std::move(mesh), "plane with a disc");
 }

@@ -57,7 +57,8 @@ float burleyApart(float3 way, float3 normal, float radius)
     return sqrt(radius * radius + departure * departure);
 }
 
-// light: RGB times coverage, and coverage. Axes of the disc: unit vectors in view space. turning: 1 turns the pattern from pixel to pixel. The taps' light over the sum of their weights, of each colour.
+// light: RGB times coverage, and coverage. Axes of the disc: unit vectors in view space. turning: 1 turns the pattern from pixel to pixel.
+// The taps' light over the sum of their weights, of each colour.
 float4 burleyGather(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, float2 viewport, float2 frustum, float3 axisU, float3 axisV, float3 d,
                     float turning, int count)
 {

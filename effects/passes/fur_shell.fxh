@@ -17,7 +17,7 @@ float4 shell(FurVarying input, float4 texel)
 {
     float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
     clip(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5));
-    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0), max(coverage, gFurOuterFirst));
+    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0), max(furLayerCoverage(coverage, gFurLayers), gFurOuterFirst));
 }
 
 float4 cubeShell(FurVarying input, float3 v)

@@ -51,4 +51,12 @@ float furCoverage(float alpha, float height, float taper, float softness)
     return lerp(alpha, min(standing, saturate(alpha * 1e4)), taper);
 }
 
+// What is covered in part counts once in each layer, so that more layers would cover more of what is behind: as many layers as now shall cover what
+// kFurLayers do with this coverage in each of them. 0 and 1 stay what they are.
+static const float kFurLayers = 32.0;
+float furLayerCoverage(float coverage, float layers)
+{
+    return coverage < 1.0 ? 1.0 - pow(max(1.0 - coverage, 1e-7), kFurLayers / max(layers, 1.0)) : 1.0;
+}
+
 #endif

@@ -184,7 +184,8 @@ std::vector<FurShare> blendFur(const FurCoat& coat, const std::vector<FurFragmen
         if (fragment.layer > 0) {
             covered = furCovered(coat, alpha(fragment), fragment.height);
             if (covered < least) continue;
-            if (coat.outerFirst) covered = 1;
+            // n layers let through what 32 layers would.
+            covered = coat.outerFirst ? 1 : 1 - std::exp(32.0 / coat.layers * std::log1p(-std::min(covered, 1.0)));
         }
         for (FurShare& share : shares)
             share.weight *= 1 - covered;

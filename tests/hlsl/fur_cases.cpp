@@ -115,6 +115,14 @@ std::vector<FunctionCase> shells() {
                              return values(std::lerp(alpha, std::min(standing, saturate(alpha * 1e4)), x.scalar(2)));
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a quotient by as little as 1e-4, interpolated"}});
+    cases.push_back(
+        {.function = "furLayerCoverage",
+         .body = "return float4(furLayerCoverage(a0, a1), 0, 0, 0);",
+         .arguments = {linear(0, 1), whole(1, 512)},
+         .expected = [](const Inputs& x) { return values(1 - std::pow(1 - x.scalar(0), 32 / x.scalar(1))); },
+         .tolerance =
+             {.forward = 8, .backward = 4, .absolute = 2e-6, .why = "1 less a power: 3 + 2|x| ULP, which cancels where little is covered"},
+         .domain = [](const Inputs& x) { return x.scalar(1) >= 1 && x.scalar(0) <= 1 && (x.scalar(0) == 1 || x.scalar(0) < 0.999); }});
     return cases;
 }
 

@@ -11,7 +11,7 @@ namespace tegument {
 struct RootOptions {
     std::size_t count = 70'000;    // roots where the density map is 1 everywhere
     std::optional<double> density; // roots per mm^2 instead; the count is then this times the mesh's area
-    double spacing = 0.75;         // least distance of two roots
+    double spacing = 0.72;         // least distance of two roots
     double radius = 0.3;           // of a strand at its root
     double thinnest = 0.8;         // strands' radii lie evenly between this share and 1
     double shortest = 0.7;         // strands' lengths lie evenly between this share and 1

@@ -28,7 +28,7 @@ struct ScatteredRoots {
 /// kTriesAtFullDistance tries per wanted root the distance shrinks. After kTriesPerRoot it is over. The same for any number of threads.
 [[nodiscard]] ScatteredRoots scatterRoots(const FurSurface& surface, const ScatterOptions& options);
 
-inline constexpr std::size_t kTriesAtFullDistance = 24; // smooth surfaces need 12 for 0.75 spacings
+inline constexpr std::size_t kTriesAtFullDistance = 24; // smooth surfaces need ten for 0.72 spacings
 inline constexpr std::size_t kTriesPerRoot = 64;
 
 } // namespace tegument

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 
 namespace tegument::bench::stability {
 
@@ -19,14 +20,15 @@ namespace {
 constexpr double kSmallestRoughness = 1e-3; // docs/modules/Beckmann.md: smaller m count as this
 constexpr double kUsual = 0.05;             // the smallest that the effects' sliders offer
 
-/// Where the eye and the light of one picture stand, seen from the middle of the cap.
+/// Where the eye and the light of one picture stand, seen from the middle of the cap: degrees from its pole.
 struct Directions {
-    double eye = 0; // degrees from the pole
+    double eye = 0;
     double light = 0;
-    bool narrow = false; // only as much of the sphere as the lobe covers, else all of it
 };
-constexpr std::array kDirections = {Directions{0, 0},    Directions{0, 60},      Directions{0, 89},         Directions{80, -80},
-                                    Directions{85, -85}, Directions{0, 0, true}, Directions{30, -30, true}, Directions{80, -80, true}};
+constexpr double kWholeCap = 89; // degrees
+constexpr std::array kWide = {Directions{0, 0}, Directions{0, 60}, Directions{0, 89}, Directions{80, -80}, Directions{85, -85}};
+/// The highlight is on the pole: only as much of the cap as the lobe covers.
+constexpr std::array kNarrow = {Directions{0, 0}, Directions{30, -30}, Directions{80, -80}};
 
 glm::dvec3 tilted(double degrees) {
     const double angle = glm::radians(degrees);
@@ -48,45 +50,63 @@ std::string causeOf(const reference::SkinScene& skin, const reference::SurfacePo
                        glm::dot(n, glm::normalize(l + v)));
 }
 
+/// A cap up to so many degrees from its pole, and what the pixels of one view of it see.
+struct View {
+    Directions directions;
+    HardScene scene;
+    verify::Scene stage; // the same, as the references take it
+    verify::Truth truth;
+    verify::Seen seen;
+    std::vector<std::uint8_t> counts;
+
+    View(const Context& context, const Directions& from, double degrees)
+        : directions(from), scene(capScene(40, degrees, tilted(from.eye), tilted(from.light))), stage{scene.mesh, scene.workspace},
+          truth(verify::truthOf(stage, {.mapSize = context.options.size, .pictureSize = 2 * context.options.size})),
+          seen(verify::look(truth.skin, truth.camera)), counts(verify::interior(seen)) {}
+};
+
 /// Held against the formula at the place where each pixel's ray meets the mesh, with m no smaller than the effect takes it.
-void judge(const Image& picture, const verify::Truth& truth, const reference::SkinSettings& settings, Lobe& lobe) {
-    const verify::Seen seen = verify::look(truth.skin, truth.camera);
-    const auto counts = verify::interior(seen);
-    for (int y = 0; y < seen.height; ++y)
-        for (int x = 0; x < seen.width; ++x) {
-            const std::size_t i = seen.index(x, y);
-            if (counts[i] == 0) continue;
-            const reference::SurfacePoint& point = *seen.pixels[i];
+void judge(const Image& picture, const View& view, Lobe& lobe) {
+    const double m = std::max(lobe.m, kSmallestRoughness);
+    for (int y = 0; y < view.seen.height; ++y)
+        for (int x = 0; x < view.seen.width; ++x) {
+            const std::size_t i = view.seen.index(x, y);
+            if (view.counts[i] == 0) continue;
+            const reference::SurfacePoint& point = *view.seen.pixels[i];
             const glm::dvec3 n = glm::normalize(point.normal);
-            const glm::dvec3 l = truth.skin.toLight(point);
-            const glm::dvec3 v = glm::normalize(truth.camera.eye - point.position);
+            const glm::dvec3 l = view.truth.skin.toLight(point);
+            const glm::dvec3 v = glm::normalize(view.truth.camera.eye - point.position);
             const glm::dvec3 h = glm::normalize(l + v);
-            const double exact = std::max(0.0, glm::dot(n, l)) * reference::kelemenBrdf(n, l, v, settings.roughness, settings.intensity);
-            const double peak = glm::dot(h, l) * reference::kelemenBrdf(h, l, v, settings.roughness, settings.intensity);
+            const double exact = std::max(0.0, glm::dot(n, l)) * reference::kelemenBrdf(n, l, v, m, 1);
+            const double peak = glm::dot(h, l) * reference::kelemenBrdf(h, l, v, m, 1);
             const double error = std::abs(static_cast<double>(picture.at(x, y, 0)) - exact) / std::max(peak, 1e-30);
             if (error <= lobe.error) continue;
             lobe.error = error;
-            lobe.cause = causeOf(truth.skin, point, truth.camera.eye, x, y);
+            lobe.cause = fmt::format("{}; eye at {:g}, light at {:g} degrees", causeOf(view.truth.skin, point, view.truth.camera.eye, x, y),
+                                     view.directions.eye, view.directions.light);
         }
 }
 
-Result<void> measureLobe(const Context& context, const Effect& effect, const Directions& directions, Lobe& lobe) {
-    // Four times m covers the lobe down to exp(-16).
-    const double degrees = directions.narrow ? std::min(80.0, glm::degrees(4 * std::max(lobe.m, kSmallestRoughness))) : 89;
-    HardScene scene = capScene(40, degrees, tilted(directions.eye), tilted(directions.light));
-    scene.parameters = {{"gRoughness", {lobe.m}}, {"gSpecularIntensity", {1}}};
-    const int size = 2 * context.options.size; // fine enough for grazing angles
-    const auto run = draw(context, effect, "SpecularUnshadowed", scene, size);
+Result<void> measureLobe(const Context& context, const Effect& effect, View& view, Lobe& lobe) {
+    context.say(fmt::format("roughness: m = {:g}, eye at {:g}, light at {:g} degrees", lobe.m, view.directions.eye, view.directions.light));
+    view.scene.parameters = {{"gRoughness", {lobe.m}}, {"gSpecularIntensity", {1}}};
+    const auto run = draw(context, effect, "SpecularUnshadowed", view.scene, view.seen.width);
     if (!run) return run.error();
     lobe.notFinite += notFinite(run->image).count;
-    const verify::Scene stage{scene.mesh, scene.workspace};
-    const verify::Truth truth = verify::truthOf(stage, {.mapSize = context.options.size, .pictureSize = size});
-    reference::SkinSettings settings = truth.skin.settings();
-    settings.roughness = std::max(lobe.m, kSmallestRoughness);
-    settings.intensity = 1;
-    const std::string before = lobe.cause;
-    judge(run->image, truth, settings, lobe);
-    if (lobe.cause != before) lobe.cause += fmt::format("; eye at {:g}, light at {:g} degrees", directions.eye, directions.light);
+    judge(run->image, view, lobe);
+    return {};
+}
+
+/// In the wide views, and in narrow ones that the lobe fills.
+Result<void> measureLobe(const Context& context, const Effect& effect, std::deque<View>& wide, Lobe& lobe) {
+    for (View& view : wide)
+        if (const auto measured = measureLobe(context, effect, view, lobe); !measured) return measured;
+    // Four times m covers the lobe down to exp(-16).
+    const double degrees = std::min(80.0, glm::degrees(4 * std::max(lobe.m, kSmallestRoughness)));
+    for (const Directions& directions : kNarrow) {
+        View view(context, directions, degrees);
+        if (const auto measured = measureLobe(context, effect, view, lobe); !measured) return measured;
+    }
     return {};
 }
 
@@ -99,16 +119,16 @@ double lobeLimit(double m, bool software) {
 Result<void> measureLobes(const Context& context) {
     const auto effect = load(context, context.options.effects / "Specular.fx", "corrected");
     if (!effect) return effect.error();
+    std::deque<View> wide;
+    for (const Directions& directions : kWide)
+        wide.emplace_back(context, directions, kWholeCap);
     for (const double m : {1.0, 0.3, 0.1, 0.05, 0.03, 0.01, 0.003, 0.001, 0.0}) {
         Lobe lobe{.m = m, .cause = {}};
-        for (const Directions& directions : kDirections) {
-            context.say(fmt::format("roughness: m = {:g}, eye at {:g}, light at {:g} degrees", m, directions.eye, directions.light));
-            if (const auto measured = measureLobe(context, *effect, directions, lobe); !measured) return measured;
-        }
+        if (const auto measured = measureLobe(context, *effect, wide, lobe); !measured) return measured;
         context.report.rows.push_back(
             {.part = {},
              .module = "Specular",
-             .hardCase = fmt::format("m = {:g}, {} views and lights up to 89 degrees", m, kDirections.size()),
+             .hardCase = fmt::format("m = {:g}, {} views and lights up to 89 degrees", m, kWide.size() + kNarrow.size()),
              .figure = "largest error, of the lobe's peak",
              .value = lobe.error,
              .limit = m >= kUsual ? std::optional(lobeLimit(m, context.device.info().cpu)) : std::nullopt,

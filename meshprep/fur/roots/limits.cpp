@@ -103,14 +103,14 @@ private:
 };
 
 float curvatureAt(const PointGrid& grid, const SurfacePoint& root, float reach) {
-    const auto [u, v] = tangents(root.normal);
+    const std::pair<glm::vec3, glm::vec3> frame = tangents(root.normal);
+    const auto onPlane = [&](const glm::vec3& d) { return glm::vec2(glm::dot(d, frame.first), glm::dot(d, frame.second)); };
     NormalFit fit;
     grid.visit(root.position, reach, [&](std::uint32_t i, float) {
         const PointGrid::Entry& other = grid.entries()[i];
         const glm::vec3 step = other.position - root.position;
         const glm::vec3 change = other.normal - root.normal;
-        if (glm::dot(other.normal, root.normal) > 0)
-            fit.add({glm::dot(step, u), glm::dot(step, v)}, {glm::dot(change, u), glm::dot(change, v)});
+        if (glm::dot(other.normal, root.normal) > 0) fit.add(onPlane(step), onPlane(change));
         return true;
     });
     return fit.concaveCurvature();

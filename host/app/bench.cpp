@@ -176,6 +176,7 @@ Result<void> plot(const BenchArguments& arguments, const char* kind, const std::
     if (const auto written = writeFile(data, json); !written) return written.error();
     const auto plotted = bench::runHelper(effectPath(kPlotScript), {kind, data.string(), arguments.plot});
     if (!plotted) return plotted.error();
+    std::fflush(stdout); // the table before what follows it
     fmt::print(stderr, "{}", *plotted);
     return {};
 }

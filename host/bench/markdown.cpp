@@ -62,7 +62,36 @@ std::string markdownRow(const Json& row) {
                        cell(ms, "median", "{:.3f}"), cell(ms, "p5", "{:.3f}"), cell(ms, "p95", "{:.3f}"),
                        mebibytes(number(row, "target_bytes")), cell(error, "rel_l2", "{:.4f}"), cell(error, "p99", "{:.3f}"),
                        cell(error, "bias", "{:+.4f}"), cell(error, "flip", "{:.4f}"),
-                       own.is_object() ? cell(own, "rel_l2", "{:.4f}") : "the same");
+                       own.is_object()                       ? cell(own, "rel_l2", "{:.4f}")
+                       : text(row, "own_definition").empty() ? "none"
+                                                             : "the same");
+}
+
+/// Of a list with several scenes: relative L2 of each technique on each of them.
+std::string scenesMarkdown(const Json& list) {
+    std::vector<std::string> scenes;
+    std::vector<std::string> contenders;
+    std::map<std::pair<std::string, std::string>, std::string> cells;
+    for (const Json& row : list) {
+        const std::string scene = fmt::format("{}, {}", text(row, "scene"), number(row, "map_size"));
+        const std::string contender = text(row, "technique") + " | " + text(row, "setting");
+        if (std::ranges::find(scenes, scene) == scenes.end()) scenes.push_back(scene);
+        if (std::ranges::find(contenders, contender) == contenders.end()) contenders.push_back(contender);
+        cells[{contender, scene}] = row.contains("error") ? cell(row["error"], "rel_l2", "{:.4f}") : "not measured";
+    }
+    if (scenes.size() < 2) return {};
+    std::string markdown = "Relative L2 by scene and side of the maps.\n\n| technique | setting |";
+    for (const std::string& scene : scenes)
+        markdown += fmt::format(" {} |", scene);
+    markdown += "\n|---|---|";
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        markdown += "---|";
+    for (const std::string& contender : contenders) {
+        markdown += fmt::format("\n| {} |", contender);
+        for (const std::string& scene : scenes)
+            markdown += fmt::format(" {} |", cells[{contender, scene}]);
+    }
+    return markdown + "\n";
 }
 
 Result<std::string> resultsMarkdown(const Json& list, const std::string& file) {
@@ -77,7 +106,7 @@ Result<std::string> resultsMarkdown(const Json& list, const std::string& file) {
     std::string markdown;
     for (const std::string& name : titles)
         markdown += name + ".\n\n" + kMarkdownHeader + tables[name] + "\n";
-    return markdown;
+    return markdown + scenesMarkdown(list);
 }
 
 std::string machineLine(const Json& json) {

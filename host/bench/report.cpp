@@ -62,7 +62,9 @@ Json rowJson(const Row& row, const Machine& machine) {
     json["target_bytes"] = row.drawn.targetBytes;
     json["error"] = errorsJson(row.errors);
     json["own_error"] = row.own ? errorsJson(*row.own) : Json(nullptr);
-    json["own_definition"] = row.own ? Json(row.contender.ownDefinition()) : Json(nullptr);
+    json["own_definition"] = row.own                                      ? Json(row.contender.ownDefinition())
+                             : row.contender.claim == Claim::SixGaussians ? Json("the truth")
+                                                                          : Json(nullptr);
     json["reference"] = {{"kind", row.wholeReference ? "brute force, every pixel" : "brute force, stratified pixels"},
                          {"id", row.referenceId},
                          {"pixels", row.referencePixels}};

@@ -90,6 +90,16 @@ TEST(BenchMarkdown, says_not_measured_where_nothing_was) {
               std::string::npos);
 }
 
+TEST(BenchMarkdown, of_several_scenes_ends_with_one_row_for_each_technique) {
+    Row other = exampleRow();
+    other.scene = "head";
+    other.errors.relativeL2 = 0.25;
+    const auto markdown = toMarkdown(toJson({exampleRow(), other}, exampleMachine()), "r.json");
+    ASSERT_TRUE(markdown);
+    EXPECT_NE(markdown->find("| technique | setting | sphere-5, 256 | head, 256 |"), std::string::npos) << *markdown;
+    EXPECT_NE(markdown->find("| Tech, 7 samples | paper | 0.0100 | 0.2500 |"), std::string::npos) << *markdown;
+}
+
 TEST(BenchMarkdown, of_growth_and_of_ablation_have_their_tables) {
     const Growth growth{
         .quantity = "texels", .what = "blurs", .x = {1, 2}, .milliseconds = {3, 6}, .law = {.exponent = 1, .factor = 3}, .parts = {}};

@@ -17,7 +17,7 @@ float2 furSection(float2 radius, float2 distance, float width)
 // x: how much of what is still free the strand covers along the piece; what it covers where the piece begins was drawn by the layer above.
 // y: where along the piece, 0 to 1, the ray enters the strand.
 //   It covers most where radius - distance is largest: seen sideways where the ray passes the axis, seen from above at the end of the piece. It enters at the smaller
-//   root of |from + along t|^2 = (radius + growth t)^2; without one, or from above the tip (radius < 0), where it covers most.
+//   root of |from + along t|^2 = (radius + growth t)^2; without one, where it covers most.
 float2 furCone(float3 from, float3 along, float radius, float growth, float width)
 {
     float square = max(dot(along, along), 1e-12);
@@ -25,13 +25,14 @@ float2 furCone(float3 from, float3 along, float radius, float growth, float widt
     float passing = dot(from, along);
     float k = min(growth * rsqrt(square), 0.999);
     float aside = sqrt(max(distance * square - passing * passing, 0.0)); // times |along|
-    float most = saturate((aside * k * rsqrt(1.0 - k * k) - passing) / square);
+    float most = k < 0.999 ? saturate((aside * k * rsqrt(1.0 - k * k) - passing) / square) : 1.0; // steeper than the cone: its end
 
     float middle = passing - radius * growth;
     float outside = distance - radius * radius;
     float discriminant = middle * middle - (square - growth * growth) * outside;
-    float below = max(sqrt(max(discriminant, 0.0)) - middle, 1e-9);
-    float entry = min(discriminant, radius) > 0.0 ? clamp(outside / below, 0.0, most) : most;
+    float below = sqrt(max(discriminant, 0.0)) - middle + 1e-9;
+    // From outside a negative divisor means that the root lies behind, or on the cone's other half; from above the tip it does not.
+    float entry = discriminant > 0.0 ? clamp(outside / (outside > 0.0 ? max(below, 1e-9) : below), 0.0, most) : most;
 
     float2 covered = furSection(float2(radius, radius + growth * most), float2(sqrt(distance), length(from + along * most)), width);
     return float2(saturate((covered.y - covered.x) / max(1.0 - covered.x, 1e-4)), entry);

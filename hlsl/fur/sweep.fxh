@@ -16,11 +16,13 @@ float3 furTravel(float3 view, float3 normal, float3 strand)
 
 // Every how many layers one is drawn, 1, 2, 4 ..: as rarely as keeps a segment within `most` spacings, and `fewest` layers in all; and how many its sweep spans. Where the
 // normal turns from one layer to the next, they may disagree by one doubling: near that the sweep already spans twice as many, so that no layer is left out by both.
+// In that zone what a strand covers in part counts twice, so it is narrow. It begins above whole numbers, where `fewest` puts most of a picture.
 // travel: of the place from tips to skin, spacings.
+static const float2 kFurZone = float2(0.02, 0.1); // doublings
 float2 furStride(float layers, float travel, float most, float fewest)
 {
     float spare = log2(layers / max(travel / most, fewest));
-    return exp2(floor(max(float2(spare, spare + 0.25), 0.0)));
+    return exp2(floor(max(spare + kFurZone, 0.0)));
 }
 
 // Mean radius, share of the base radius, of strands at these heights, if their lengths lie evenly between `shortest` and 1: the mean of max(1 - h / L, 0).

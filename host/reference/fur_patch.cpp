@@ -12,11 +12,7 @@ constexpr double kSkin = 0.05;
 constexpr double kRoot = 0.15;
 constexpr double kTip = 1.0;
 
-struct Cone {
-    double x = 0;
-    double y = 0;
-    double length = 1; // share of the coat
-};
+using Cone = FurStrand;
 
 /// SplitMix64 of the cell: independent of the shaders' hashes.
 std::uint64_t mixed(std::uint64_t v) {
@@ -30,13 +26,6 @@ double unit(std::uint64_t bits) {
     return static_cast<double>(bits & 0xfffffU) / static_cast<double>(0x100000U);
 }
 
-Cone coneOf(const FurPatch& patch, int cellX, int cellY) {
-    const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cellX)) << 32U) | static_cast<std::uint32_t>(cellY);
-    const std::uint64_t bits = mixed(mixed(key) + patch.seed);
-    return {cellX + 0.5 + patch.jitter * (2 * unit(bits) - 1), cellY + 0.5 + patch.jitter * (2 * unit(bits >> 20U) - 1),
-            patch.shortest + (1 - patch.shortest) * unit(bits >> 40U)};
-}
-
 int cell(double coordinate) {
     return static_cast<int>(std::floor(coordinate));
 }
@@ -47,7 +36,7 @@ template <class Visit>
 void strands(const FurPatch& patch, int x0, int x1, int y, Visit&& visit) {
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x0; i <= x1; ++i)
-            visit(coneOf(patch, i, j));
+            visit(strandOf(patch, i, j));
 }
 
 /// The largest h in [low, high] at which the ray is inside the cone, or kNoHit. Inside means
@@ -80,6 +69,13 @@ double highestInside(const FurPatch& patch, const FurRay& ray, const Cone& cone,
 }
 
 } // namespace
+
+FurStrand strandOf(const FurPatch& patch, int cellX, int cellY) {
+    const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cellX)) << 32U) | static_cast<std::uint32_t>(cellY);
+    const std::uint64_t bits = mixed(mixed(key) + patch.seed);
+    return {cellX + 0.5 + patch.jitter * (2 * unit(bits) - 1), cellY + 0.5 + patch.jitter * (2 * unit(bits >> 20U) - 1),
+            patch.shortest + (1 - patch.shortest) * unit(bits >> 40U)};
+}
 
 double exactHit(const FurPatch& patch, const FurRay& ray) {
     assert(patch.jitter + patch.baseRadius <= 1);
@@ -185,7 +181,7 @@ double outlineGap(const FurPatch& patch, int layers, double exponent) {
     double sum = 0;
     for (int j = 0; j < kSide; ++j)
         for (int i = 0; i < kSide; ++i) {
-            const double tip = coneOf(patch, i, j).length;
+            const double tip = strandOf(patch, i, j).length;
             double shown = 0;
             for (int l = layers; l >= 1 && shown == 0; --l)
                 if (const double h = layerHeight((l - 0.5) / layers, exponent); h <= tip) shown = h;

@@ -15,6 +15,14 @@ struct FurPatch {
     std::uint32_t seed = 1;
 };
 
+/// The strand of a cell.
+struct FurStrand {
+    double x = 0; // of its root
+    double y = 0;
+    double length = 1; // share of the coat
+};
+[[nodiscard]] FurStrand strandOf(const FurPatch& patch, int cellX, int cellY);
+
 /// A ray that comes down to the patch: at height h (0 skin, 1 top of the coat) it is over (x + run * (1 - h), y). run = coat * tan(tilt).
 struct FurRay {
     double x = 0;

@@ -108,19 +108,27 @@ void printRows(const std::vector<bench::Row>& rows, const bench::Machine& machin
                machine.cpu ? "; a software device: its times are good as ratios only" : "");
 }
 
-int pickOne(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
+/// For each scene its own choice; the worst exit code.
+int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
     bench::Limit limit;
     if (arguments.maxError > 0) limit.error = arguments.maxError;
     if (arguments.maxMs > 0) limit.milliseconds = arguments.maxMs;
-    const auto chosen = bench::pick(rows, limit);
-    if (!chosen) {
-        fmt::print("nothing measured keeps that limit\n");
-        return static_cast<int>(Blame::Input);
+    int code = 0;
+    for (std::size_t first = 0; first < rows.size();) {
+        std::vector<bench::Row> ofScene;
+        for (; first < rows.size() && (ofScene.empty() || rows[first].scene == ofScene.front().scene); ++first)
+            ofScene.push_back(rows[first]);
+        const auto chosen = bench::pick(ofScene, limit);
+        if (!chosen) {
+            fmt::print("{}: nothing measured keeps that limit\n", ofScene.front().scene);
+            code = static_cast<int>(Blame::Input);
+            continue;
+        }
+        const bench::Row& row = ofScene[*chosen];
+        fmt::print("{}: {} {}, maps of {}: {:.3f} ms, relative L2 {:.4f}\n{}\n", row.scene, row.contender.name(), row.contender.setting,
+                   row.mapSize, row.drawn.milliseconds.median, row.errors.relativeL2, bench::renderCommand(row));
     }
-    const bench::Row& row = rows[*chosen];
-    fmt::print("{} {}, maps of {}: {:.3f} ms, relative L2 {:.4f}\n{}\n", row.contender.name(), row.contender.setting, row.mapSize,
-               row.drawn.milliseconds.median, row.errors.relativeL2, bench::renderCommand(row));
-    return 0;
+    return code;
 }
 
 Result<void> writeTo(const std::string& target, const std::string& text) {
@@ -129,17 +137,18 @@ Result<void> writeTo(const std::string& target, const std::string& text) {
     return {};
 }
 
+/// The table first: a file that cannot be written must not take it along.
 Result<int> report(const BenchArguments& arguments, const std::vector<bench::Row>& rows, const bench::Machine& machine) {
-    if (!arguments.json.empty())
-        if (const auto written = writeTo(arguments.json, bench::toJson(rows, machine)); !written) return written.error();
-    if (!arguments.csv.empty())
-        if (const auto written = writeTo(arguments.csv, bench::toCsv(rows, machine)); !written) return written.error();
     for (const bench::Row& row : rows)
         if (row.failure)
             fmt::print(stderr, "{} {} on {}:\n{}\n", row.contender.name(), row.contender.setting, row.scene, format(*row.failure));
     const bool quiet = arguments.json == "-" || arguments.csv == "-";
     if (!quiet) printRows(rows, machine);
-    return arguments.pick ? pickOne(arguments, rows) : 0;
+    if (!arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, bench::toJson(rows, machine)); !written) return written.error();
+    if (!arguments.csv.empty())
+        if (const auto written = writeTo(arguments.csv, bench::toCsv(rows, machine)); !written) return written.error();
+    return arguments.pick ? pickForEachScene(arguments, rows) : 0;
 }
 
 constexpr const char* kPlotScript = "host/bench/plot.py";

@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kHalf = 12;    // the patch reaches so many spacings to each side
-constexpr int kMapSize = 1280;  // 32 texels a spacing
+constexpr double kHalf = 12;   // the patch reaches so many spacings to each side
+constexpr int kMapSize = 1280; // 32 texels a spacing
 constexpr double kAway = 4000; // of the eye: rays go astray by a 2000th of their way down, 32-bit positions by a 1000th
-constexpr double kSkin = 0.05;  // what drawPatch draws, as albedo of the skin ...
-constexpr double kRoot = 0.15;  // ... and of strands, which the map's colour makes brighter than the skin
+constexpr double kSkin = 0.05; // what drawPatch draws, as albedo of the skin ...
+constexpr double kRoot = 0.15; // ... and of strands, which the map's colour makes brighter than the skin
 constexpr double kTip = 1;
 
 fs::path mapFile(const fs::path& folder) {

@@ -4,6 +4,7 @@
 #include "host/image/dds.h"
 #include "host/run/run.h"
 #include "host/verify/fur_scene.h"
+#include "tests/measure/flat_fur.h"
 #include "tests/verify/fixture.h"
 
 #include <algorithm>
@@ -224,4 +225,23 @@ TEST_F(Fur, every_slider_s_ends_leave_the_picture_finite) {
         }
     }
     EXPECT_GE(sliders, 12U);
+}
+
+using FullFur = Verify;
+
+TEST_F(FullFur, shells_of_the_effect_follow_the_law_where_it_gives_a_hundredth_to_a_tenth) {
+    auto flat = measure::FlatFur::create(*device_, {});
+    ASSERT_TRUE(flat) << format(flat.error());
+    int cases = 0;
+    for (const double degrees : {45.0, 70.0})
+        for (const int layers : {16, 32, 64}) {
+            const double law = 0.27 * 4 * std::tan(glm::radians(degrees)) / layers;
+            if (law < 0.012 || law > 0.1) continue;
+            const reference::FurView view{.tilt = glm::radians(degrees), .pixel = 0.25, .size = 16, .samples = 4};
+            const auto drawn = flat->draw(view, layers);
+            ASSERT_TRUE(drawn) << format(drawn.error());
+            EXPECT_NEAR(reference::furError(*drawn, flat->truth(view)).rms / law, 1, 0.3) << degrees << " degrees, " << layers << " layers";
+            ++cases;
+        }
+    EXPECT_GE(cases, 4);
 }

@@ -3,6 +3,7 @@
 #include "tests/fur/roots/meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 using namespace tegument;
@@ -38,6 +39,25 @@ RootOptions few(std::size_t count) {
 }
 
 } // namespace
+
+TEST(SurfacePoints, are_even_within_a_triangle) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {10, 0, 0}, {0, 30, 0}};
+    mesh.normals.assign(3, {0, 0, 1});
+    mesh.indices = {0, 1, 2};
+    const Mesh triangle = finished(std::move(mesh));
+    const FurSurface surface(triangle);
+    constexpr int kPoints = 10'000;
+    std::array<int, 3> corners{};
+    for (std::uint64_t i = 0; i < kPoints; ++i) {
+        const SurfacePoint point = surface.point(rootNoise(i, 3));
+        const glm::vec3 weights(1 - point.barycentric.x - point.barycentric.y, point.barycentric);
+        for (glm::length_t c = 0; c < 3; ++c)
+            corners[static_cast<std::size_t>(c)] += weights[c] > 0.5F;
+    }
+    for (const int count : corners) // a quarter of the area lies beyond the middle towards each corner; five sigma
+        EXPECT_NEAR(count, kPoints / 4, 5 * std::sqrt(kPoints * 0.25 * 0.75));
+}
 
 TEST(Roots, are_as_many_as_asked_for) {
     EXPECT_EQ(rootsOf(ball(50), few(3000)).roots.size(), 3000u);
@@ -110,6 +130,7 @@ TEST(Roots, stand_on_both_sides_of_a_thin_sheet) {
     const RootSet set = rootsOf(finished(std::move(mesh)), few(2000));
     ASSERT_EQ(set.roots.size(), 2000u);
     const auto up = std::ranges::count_if(set.roots, [](const Root& root) { return root.normal.z > 0; });
+    EXPECT_NEAR(set.distance, 0.72 * std::sqrt(set.area / 2000), 1e-6 * set.distance) << "the other side takes no room";
     EXPECT_NEAR(static_cast<double>(up), 1000, 60) << "each side has half of the area; 60 is what independent places stray by at most";
 }
 

@@ -47,6 +47,7 @@ bool StabilityReport::pass() const {
 const std::vector<std::string>& stabilityParts() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
+        all.reserve(kParts.size());
         for (const Part& part : kParts)
             all.emplace_back(part.name);
         return all;

@@ -132,15 +132,15 @@ Result<void> measureCharts(const Context& context) {
     for (const HardScene& scene : chartScenes()) {
         context.say(fmt::format("charts: {}", scene.name));
         if (context.wants("Stretch"))
-            if (const auto measured = measureStretch(context, scene); !measured) return measured;
+            if (const auto measured = measureStretch(context, scene); !measured) return measured.error();
         if (!context.wants("Convolution")) continue;
         for (const char* technique : {"White", "WhitePoisson"})
-            if (const auto measured = measureWhite(context, *effect, technique, scene); !measured) return measured;
+            if (const auto measured = measureWhite(context, *effect, technique, scene); !measured) return measured.error();
     }
     if (!context.wants("Convolution")) return {};
     for (const HardScene& scene : edgeScenes()) {
         context.say(fmt::format("charts: {}, an edge of light", scene.name));
-        if (const auto measured = measureEdge(context, *effect, scene); !measured) return measured;
+        if (const auto measured = measureEdge(context, *effect, scene); !measured) return measured.error();
     }
     return {};
 }

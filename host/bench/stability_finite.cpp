@@ -56,7 +56,7 @@ Result<void> drawScene(const Context& context, const Effect& effect, const std::
         else if (const auto scanned =
                      scan(context, session, *frame, fmt::format("{} [{}], {}", technique.name, setting, scene.name), tally);
                  !scanned)
-            return scanned;
+            return scanned.error();
     }
     return {};
 }
@@ -81,7 +81,7 @@ Result<void> measureFinite(const Context& context) {
             techniques = effect->techniques.size();
             for (const HardScene& scene : scenes) {
                 context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
-                if (const auto drawn = drawScene(context, *effect, setting, scene, tally); !drawn) return drawn;
+                if (const auto drawn = drawScene(context, *effect, setting, scene, tally); !drawn) return drawn.error();
             }
         }
         context.report.rows.push_back(

@@ -100,12 +100,12 @@ Result<void> measureLobe(const Context& context, const Effect& effect, View& vie
 /// In the wide views, and in narrow ones that the lobe fills.
 Result<void> measureLobe(const Context& context, const Effect& effect, std::deque<View>& wide, Lobe& lobe) {
     for (View& view : wide)
-        if (const auto measured = measureLobe(context, effect, view, lobe); !measured) return measured;
+        if (const auto measured = measureLobe(context, effect, view, lobe); !measured) return measured.error();
     // Four times m covers the lobe down to exp(-16).
     const double degrees = std::min(80.0, glm::degrees(4 * std::max(lobe.m, kSmallestRoughness)));
     for (const Directions& directions : kNarrow) {
         View view(context, directions, degrees);
-        if (const auto measured = measureLobe(context, effect, view, lobe); !measured) return measured;
+        if (const auto measured = measureLobe(context, effect, view, lobe); !measured) return measured.error();
     }
     return {};
 }
@@ -124,7 +124,7 @@ Result<void> measureLobes(const Context& context) {
         wide.emplace_back(context, directions, kWholeCap);
     for (const double m : {1.0, 0.3, 0.1, 0.05, 0.03, 0.01, 0.003, 0.001, 0.0}) {
         Lobe lobe{.m = m, .cause = {}};
-        if (const auto measured = measureLobe(context, *effect, wide, lobe); !measured) return measured;
+        if (const auto measured = measureLobe(context, *effect, wide, lobe); !measured) return measured.error();
         context.report.rows.push_back(
             {.part = {},
              .module = "Specular",
@@ -191,11 +191,11 @@ Result<void> measureTable(const Context& context, const Table& table) {
 
 Result<void> measureRoughness(const Context& context) {
     if (context.wants("Specular"))
-        if (const auto measured = measureLobes(context); !measured) return measured;
+        if (const auto measured = measureLobes(context); !measured) return measured.error();
     for (const Table& table : {Table{"Beckmann", "gBeckmannMap", 2.5e-3}, Table{"EnergyAttenuation", "gEnergyAttenuationMap", 0.1}}) {
         if (!context.wants(table.module)) continue;
         context.say(fmt::format("roughness: {}", table.module));
-        if (const auto measured = measureTable(context, table); !measured) return measured;
+        if (const auto measured = measureTable(context, table); !measured) return measured.error();
     }
     return {};
 }

@@ -82,15 +82,17 @@ std::vector<NamedChart> hardCharts() {
         const double within = std::min(1.0, (s * steps - whole) / 0.75);
         return glm::dvec2(0.05 + 0.9 * (whole + within) / steps, 0.05 + 0.9 * t);
     };
-    return {{"chart as large as the sheet", square(glm::dvec2(0.05), 0.9)},
-            {"stretched 16 : 1", rectangle({0.05, 0.45}, {0.9, 0.056})},
-            {"stretched 1 : 100", rectangle({0.45, 0.02}, {0.0096, 0.96})},
-            {"chart of a tenth of the map", square(glm::dvec2(0.45), 0.1)},
-            {"mirrored", rectangle({0.95, 0.05}, {-0.9, 0.9})},
-            {"sheared by 45 degrees", [](double s, double t) { return glm::dvec2(0.05 + 0.45 * (s + t), 0.275 + 0.45 * t); }},
-            {"stretch from 1 to 19 across the chart",
-             [](double s, double t) { return glm::dvec2(0.05 + 0.9 * (0.1 * s + 0.9 * s * s), 0.05 + 0.9 * t); }},
-            {"every fourth column without area", stepped}};
+    std::vector<NamedChart> charts;
+    charts.push_back({"chart as large as the sheet", square(glm::dvec2(0.05), 0.9)});
+    charts.push_back({"stretched 16 : 1", rectangle({0.05, 0.45}, {0.9, 0.056})});
+    charts.push_back({"stretched 1 : 100", rectangle({0.45, 0.02}, {0.0096, 0.96})});
+    charts.push_back({"chart of a tenth of the map", square(glm::dvec2(0.45), 0.1)});
+    charts.push_back({"mirrored", rectangle({0.95, 0.05}, {-0.9, 0.9})});
+    charts.push_back({"sheared by 45 degrees", [](double s, double t) { return glm::dvec2(0.05 + 0.45 * (s + t), 0.275 + 0.45 * t); }});
+    charts.push_back({"stretch from 1 to 19 across the chart",
+                      [](double s, double t) { return glm::dvec2(0.05 + 0.9 * (0.1 * s + 0.9 * s * s), 0.05 + 0.9 * t); }});
+    charts.push_back({"every fourth column without area", stepped});
+    return charts;
 }
 
 /// White right of the plane's middle, black left of it, wherever the chart puts them; the nearest covered texel fills the gaps.

@@ -155,7 +155,7 @@ Result<void> measureShadow(const Context& context) {
     for (const Tolerances& tolerances : all) {
         const auto effect = load(context, context.options.effects / "ShadowMap.fx", tolerances.setting);
         if (!effect) return effect.error();
-        if (const auto swept = sweep(context, *effect, tolerances); !swept) return swept;
+        if (const auto swept = sweep(context, *effect, tolerances); !swept) return swept.error();
     }
     return {};
 }

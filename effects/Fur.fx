@@ -14,7 +14,8 @@ float Script : STANDARDSGLOBAL <
     string ScriptClass = "object";
     string ScriptOrder = "standard";
     string ScriptOutput = "color";
-    string Script = "Technique=CubeCombined;";
+    string Workspace = "bunny.json";
+    string Script = "Technique=CubePosition;";
 > = 0.8;
 
 #ifdef FX_TECHNIQUES

@@ -32,6 +32,14 @@ std::vector<std::string> parameterNames(const Effect& effect) {
     return names;
 }
 
+/// The workspace that shows the effect when none is named.
+std::string usualWorkspace(const Effect& effect) {
+    for (const Parameter& parameter : effect.parameters)
+        if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL"))
+            return parameter.annotations.string("Workspace").value_or("human.json");
+    return "human.json";
+}
+
 /// NAME=VALUE: numbers for a numeric parameter, a file for a texture.
 Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run) {
     const std::size_t equals = set.find('=');
@@ -93,8 +101,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("effect", options.file, "Effect file (.fx)")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
     command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .ply, .obj); default: the workspace's");
-    command.add_option("-w,--workspace", options.scene.workspace,
-                       "Workspace file (docs/workspace.md); default: workspaces/human.json beside the effect");
+    command.add_option(
+        "-w,--workspace", options.scene.workspace,
+        "Workspace file (docs/workspace.md); default: the one that the effect names, else human.json, of workspaces/ beside it");
     command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
     command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated");
     command.add_option("--size", options.size, "Picture size in pixels")->capture_default_str();
@@ -123,6 +132,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
 
     SceneOptions sceneOptions = options.scene;
     sceneOptions.effect = file;
+    sceneOptions.usual = usualWorkspace(job.effect);
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);

@@ -11,16 +11,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// --workspace, else the human of the effects' own folder, else built-in defaults. With --mesh only its camera and light stay.
+/// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its camera and light stay.
 Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
     const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
     if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
-    const fs::path human = fs::path(options.effect).parent_path() / "workspaces" / "human.json";
+    const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
     std::error_code code;
-    if (!fs::exists(human, code)) return Workspace{};
-    Result<Workspace> workspace = loadWorkspace(human, load);
+    if (!fs::is_regular_file(usual, code)) return Workspace{};
+    Result<Workspace> workspace = loadWorkspace(usual, load);
     if (!workspace || options.mesh.empty()) return workspace;
-    workspace->attribution.clear(); // these spoke of the human
+    workspace->attribution.clear(); // these spoke of its mesh
     workspace->textures.clear();
     workspace->unitMm.reset();
     workspace->flipV = false;

@@ -12,7 +12,8 @@ namespace tegument::app {
 
 struct SceneOptions {
     std::string effect;    // the effect file: its folder has the default workspace
-    std::string workspace; // empty: the human of the effects' own folder, else built-in defaults
+    std::string workspace; // empty: the usual one of the effects' own folder, else built-in defaults
+    std::string usual;     // its name: human.json where the effect's annotation Workspace names no other
     std::string mesh;      // in place of the workspace's
     std::optional<double> unitMm;
 };

@@ -118,8 +118,8 @@ TEST_F(Fur, one_layer_is_drawn_at_the_coat_s_full_height) {
 }
 
 TEST_F(Fur, layers_add_up_to_a_picture_that_more_of_them_hardly_change) {
-    const Image many = draw({{"gFurLayers", {256}}});
-    const Image most = draw({{"gFurLayers", {512}}});
+    const Image many = draw({{"gFurLayers", {256}}}, 48);
+    const Image most = draw({{"gFurLayers", {512}}}, 48);
     EXPECT_NEAR(mean(many), mean(most), 0.01 * mean(most)) << "missed tips go with one over the layers";
 }
 

@@ -47,6 +47,7 @@ public:
         const double spacing = std::sqrt(area() / static_cast<double>(count));
         std::vector<Strand> strands;
         const ScatterOptions options{.wanted = count, .distance = static_cast<float>(defaults.spacing * spacing), .density = {}};
+        strands.reserve(count);
         for (const SurfacePoint& root : scatterRoots(surface_, options).points)
             strands.push_back({.place = glm::dvec3(root.position), .triangle = root.triangle});
         return strands;
@@ -97,7 +98,7 @@ private:
             for (int y = low.y; y <= high.y; ++y)
                 for (int x = low.x; x <= high.x; ++x) {
                     constexpr std::uint64_t kSide = 1 << 21;
-                    const auto word = [](int i) { return static_cast<std::uint64_t>(i + (1 << 20)); };
+                    const auto word = [](int i) { return static_cast<std::uint64_t>(std::int64_t{i} + (1 << 20)); };
                     visit((word(z) * kSide + word(y)) * kSide + word(x), (glm::dvec3(x, y, z) + glm::dvec3(unitRandom({x, y, z}, 1))) * h);
                 }
     }

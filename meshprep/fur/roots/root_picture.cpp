@@ -40,12 +40,13 @@ public:
         if (area == 0) return;
         const auto low = glm::floor(glm::min(glm::min(t[0], t[1]), t[2]));
         const auto high = glm::max(glm::max(t[0], t[1]), t[2]);
-        for (double y = std::max(low.y, 0.0) + 0.5; y < std::min(high.y, static_cast<double>(side_)); ++y)
-            for (double x = std::max(low.x, 0.0) + 0.5; x < std::min(high.x, static_cast<double>(side_)); ++x) {
-                const Shown p(x, y, 0);
+        const auto clamped = [this](double d) { return static_cast<int>(std::clamp(d, 0.0, static_cast<double>(side_))); };
+        for (int y = clamped(low.y); y < clamped(std::ceil(high.y)); ++y)
+            for (int x = clamped(low.x); x < clamped(std::ceil(high.x)); ++x) {
+                const Shown p(x + 0.5, y + 0.5, 0);
                 const double b = cross(p - t[0], t[2] - t[0]) / area;
                 const double c = cross(t[1] - t[0], p - t[0]) / area;
-                if (b >= 0 && c >= 0 && b + c <= 1) draw({x, y, t[0].z + b * (t[1].z - t[0].z) + c * (t[2].z - t[0].z)}, colour);
+                if (b >= 0 && c >= 0 && b + c <= 1) draw({p.x, p.y, t[0].z + b * (t[1].z - t[0].z) + c * (t[2].z - t[0].z)}, colour);
             }
     }
 

@@ -228,9 +228,9 @@ private:
 
     void writeLists() {
         float* pixels = texture_.image.pixels.data();
+        const std::size_t texelsOfBrick = grid_.cellsOfBrick() / 4;
         for (std::size_t i = 0; i < brickOf_.size(); ++i)
-            if (brickOf_[i] != kNone)
-                pixels[4 * (firstTop_ + i)] = static_cast<float>(firstBrick_ + brickOf_[i] * grid_.cellsOfBrick() / 4);
+            if (brickOf_[i] != kNone) pixels[4 * (firstTop_ + i)] = static_cast<float>(firstBrick_ + brickOf_[i] * texelsOfBrick);
         for (std::size_t i = 0; i < lists_.size(); ++i)
             if (lists_[i] != kNone) pixels[4 * firstBrick_ + i] = static_cast<float>(firstList_ + lists_[i]);
         std::vector<std::uint32_t> filled(lists_.size(), 0);
@@ -338,8 +338,8 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
     if (list == 0) return {};
     std::vector<std::size_t> found;
     const std::size_t firstRoot = static_cast<std::size_t>(reader.fetch(6).x);
-    for (float at = list; at < list + parts.w; ++at) {
-        const glm::vec4 texel = reader.fetch(at);
+    for (int step = 0; step < static_cast<int>(parts.w); ++step) {
+        const glm::vec4 texel = reader.fetch(list + static_cast<float>(step));
         for (glm::length_t i = 0; i < 4; ++i)
             if (texel[i] != 0) found.push_back(rootNumber(static_cast<std::size_t>(std::abs(texel[i])) - firstRoot));
         if (texel.x < 0) break;

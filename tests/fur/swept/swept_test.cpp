@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unistd.h>
@@ -193,6 +194,47 @@ TEST_F(Swept, as_many_layers_as_the_view_asks_for_show_what_all_do) {
         // a third of the radius.
         EXPECT_LT(error.rms, 0.02) << tilt << " degrees";
     }
+}
+
+/// The picture of a technique on the patch, seen aslant.
+std::vector<float> aslant(gpu::Device& device, const std::string& technique, const std::map<std::string, std::vector<double>>& parameters) {
+    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    EXPECT_TRUE(effect) << format(effect.error());
+    const Mesh mesh = plane();
+    const FurPatch patch{.coat = 2};
+    RootSet set = rootsOf(patch, mesh);
+    const auto texture = buildRootTexture(set);
+    EXPECT_TRUE(texture) << format(texture.error());
+    const RootFile file(texture->image);
+    Workspace workspace;
+    workspace.head = false;
+    workspace.camera.position = {1, 1, 3};
+    workspace.camera.target = glm::vec3(0);
+    RunOptions options{.technique = technique, .width = 32, .height = 32, .compiler = defaultCompiler(), .parameters = parameters};
+    options.parameters.try_emplace("gFurLayers", std::vector<double>{8});
+    options.textures["gFurRootsMap"] = file.path();
+    const auto run = runEffect(device, *effect, &mesh, workspace, options);
+    EXPECT_TRUE(run) << format(run.error());
+    return run ? run->image.pixels : std::vector<float>();
+}
+
+TEST_F(Swept, every_slider_s_ends_leave_the_picture_finite) {
+    const auto effect = loadEffect("effects/FurRoots.fx");
+    ASSERT_TRUE(effect) << format(effect.error());
+    std::size_t sliders = 0;
+    for (const Parameter& parameter : effect->parameters) {
+        const auto low = parameter.annotations.numbers("UIMin");
+        const auto high = parameter.annotations.numbers("UIMax");
+        if (!low || !high) continue;
+        ++sliders;
+        for (const char* technique : {"Cellular", "Roots"})
+            for (const double end : {low->front(), high->front()}) {
+                const auto pixels = aslant(*device_, technique, {{parameter.name, {end}}});
+                EXPECT_TRUE(std::ranges::all_of(pixels, [](float v) { return std::isfinite(v); }))
+                    << technique << ", " << parameter.name << " = " << end;
+            }
+    }
+    EXPECT_GE(sliders, 20U);
 }
 
 } // namespace

@@ -100,6 +100,23 @@ TEST(SceneFiles, a_mesh_beside_several_objects_is_a_question) {
     EXPECT_NE(ran.err.find("TG8017"), std::string::npos) << ran.err;
 }
 
+TEST(SceneFiles, an_effect_is_shown_on_the_workspace_that_it_names) {
+    const std::map<std::string, std::string> bare = {{"TEGUMENT_CACHE", (scratch() / "no-cache").string()}};
+    const Ran fur = tegument({"render", "effects/Fur.fx", "-o", (scratch() / "fur.exr").string()}, bare);
+    EXPECT_NE(fur.code, 0);
+    EXPECT_NE(fur.err.find("bunny.glb"), std::string::npos) << fur.err;
+    const Ran skin = tegument({"render", "effects/OriginalTexture.fx", "-o", (scratch() / "skin.exr").string()}, bare);
+    EXPECT_NE(skin.code, 0);
+    EXPECT_NE(skin.err.find("human.glb"), std::string::npos) << skin.err;
+}
+
+TEST(SceneFiles, a_mesh_for_fur_need_not_be_as_large_as_a_head) {
+    const std::string ball = write("small.obj", ballObj(24, 1.5));
+    const Ran ran = tegument({"render", "effects/Fur.fx", "--mesh", ball, "--size", "32x32", "--map-size", "64", "--set", "gFurLayers=2",
+                              "-o", (scratch() / "small.exr").string()});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+}
+
 // ---- Sheets
 
 std::string grey(const std::string& name, float value, int side = 100) {

@@ -8,9 +8,7 @@ static const float kFurCellDensity = 0.875; // strands per square of a cell: 2 r
 // The strands of all cells that hold points near enough to the piece.
 float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
 {
-    float reach = sweep.reach + 0.5 * length(piece.along);
-    // 1 - x^2 / 2 is at least the sine of the angle whose cosine is x.
-    float3 extent = kFurRho * abs(sweep.normal) + reach * (1.0 - 0.5 * sweep.normal * sweep.normal);
+    float3 extent = kFurRho * abs(sweep.normal) + piece.reach * sqrt(saturate(1.0 - sweep.normal * sweep.normal));
     float3 middle = piece.begin + 0.5 * piece.along;
     float3 low = floor(middle - extent);
     float3 high = floor(middle + extent);
@@ -25,11 +23,12 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
             float distance = dot(root, sweep.normal);
             root -= sweep.normal * distance;
             float3 away = root + 0.5 * piece.along;
-            [branch] if (abs(distance) < kFurRho && dot(away, away) < reach * reach)
+            [branch] if (abs(distance) < kFurRho && dot(away, away) < piece.reach * piece.reach)
             {
                 float3 random = furUnit(furMixed(residue));
                 float share = max(lerp(gFurShortest, 1.0, random.y) * furNearness(distance, kFurRho), 0.01);
-                met = furMeet(met, sweep, piece, root, share, gFurRadius, 1.0, random);
+                [branch] if (share > piece.low)
+                    met = furMeet(met, sweep, piece, root, share, gFurRadius, 1.0, random);
             }
         }
         cell.x += 1.0;
@@ -50,7 +49,7 @@ float4 CellularPS(StrandsVarying input) : SV_Target0
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // Each turn takes the next place on the way, and from the second on the piece between it and the last one.
-    [loop] for (int i = 0; i <= sweep.steps; i++)
+    [loop] for (int i = 0; i <= sweep.steps && met.x < kFurOpaque; i++)
     {
         piece = furNextPiece(piece, sweep, i * sweep.step);
         [branch] if (i > 0)

@@ -47,7 +47,6 @@ float4 furRootTexel(float2 texel, float number)
 // The strands of the list.
 float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, float list)
 {
-    float reach = sweep.reach + 0.5 * length(piece.along);
     float last = list > 0.0 ? kFurMostRoots : -1.0;
     [loop] for (float i = 0.0; i <= last; i += 1.0)
     {
@@ -58,7 +57,7 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
         float3 root = piece.begin - (place.xyz - grid.centre) / grid.spacing;
         root -= sweep.normal * dot(root, sweep.normal);
         float3 away = root + 0.5 * piece.along;
-        [branch] if (abs(entry) > 0.0 && dot(away, away) < reach * reach)
+        [branch] if (abs(entry) > 0.0 && dot(away, away) < piece.reach * piece.reach)
         {
             float4 up = furRootTexel(texel, 1.0);
             float4 lean = furRootTexel(texel, 2.0);

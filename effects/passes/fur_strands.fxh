@@ -5,6 +5,7 @@
 
 static const float kFurStep = 1.0;        // that one step of a sweep goes along the skin
 static const float kFurMostSteps = 8.0;   // of a sweep; what lies beyond is taken as covered as it is to be expected
+static const float kFurOpaque = 0.99;      // coverage beyond which nothing further down is looked for
 static const float kFurFarSegment = 64.0; // added to gFurSegment where only coverage is expected
 
 struct StrandsVarying
@@ -31,7 +32,6 @@ struct FurSweep
     float steps;   // below 0: other layers cover this one's part
     float width;   // of a pixel
     float fade;    // from strands to expected coverage
-    float reach;   // of strands from their roots
 };
 
 // A straight piece of it in (place, height), from begin to end.
@@ -44,6 +44,7 @@ struct FurPiece
     float low;
     float2 bend;   // of a strand's axis at the top: along its own side, and across it,
     float2 bendLow;
+    float reach; // how far from its middle roots may stand whose strands it meets
 };
 
 float3 furDown()
@@ -132,7 +133,6 @@ FurSweep furSweep(StrandsVarying input, float spacing)
     float pieces = sweep.fade < 1.0 ? clamp(ceil(way / kFurStep), 1.0, kFurMostSteps) : 0.0;
     sweep.step = (sweep.height - sweep.bottom) / max(max(pieces, 1.0), way / kFurStep);
     sweep.steps = frac(input.rest.w / stride.x) * stride.x < 1.0 ? pieces : -1.0;
-    sweep.reach = gFurRadius + gFurScatter + gFurCurls + 0.5 * sweep.width;
     return sweep;
 }
 
@@ -146,6 +146,7 @@ FurPiece furFirstPiece()
     piece.low = 0.0;
     piece.bend = 0.0;
     piece.bendLow = 0.0;
+    piece.reach = 0.0;
     return piece;
 }
 
@@ -162,6 +163,8 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float drop)
     piece.end = place + gFurTufts * piece.low * piece.low * furTuft(place / gFurTuftSize);
     piece.along = piece.end - piece.begin;
     piece.along -= sweep.normal * dot(piece.along, sweep.normal);
+    float stray = gFurRadius * (1.0 - piece.low) + piece.top * (gFurScatter * piece.top + gFurCurls);
+    piece.reach = stray + 0.5 * (sweep.width + length(piece.along));
     return piece;
 }
 

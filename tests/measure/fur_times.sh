@@ -24,7 +24,7 @@ draw() { # TECHNIQUE OUTPUT [--set ...]: milliseconds of the strands
 }
 
 printf '| technique | layers | drawn | ms | relative L2 |\n|---|---|---|---|---|\n'
-for technique in Cellular Roots; do
+for technique in ${TECHNIQUES:-Cellular Roots}; do
     all=$(draw "$technique" "$work/truth.exr" --set gFurLayers=64 --set gFurFewest=64)
     for layers in 8 16 32 64; do
         for fewest in 4 "$layers"; do

@@ -85,6 +85,7 @@ Result<void> addPrecomputed(gpu::Device& device, const BenchOptions& options, co
     const std::vector<Precomputed> maps = {{"Stretch in each frame", "Stretch", {"Charts", "Fill"}},
                                            {"energy attenuation in each frame", "EnergyAttenuation", {"Precompute"}}};
     std::vector<Contender> contenders;
+    contenders.reserve(maps.size());
     for (const Precomputed& map : maps)
         contenders.push_back(contenderOf({.group = {}, .what = {}, .technique = map.effect, .defines = {}, .parameters = {}}, options));
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -94,10 +95,7 @@ Result<void> addPrecomputed(gpu::Device& device, const BenchOptions& options, co
                           .height = options.height,
                           .mapSize = options.mapSizes.front(),
                           .compiler = options.compiler};
-    std::vector<Entry> entries;
-    for (const Contender& contender : contenders)
-        entries.push_back({contest, contender});
-    const auto drawn = drawInTurns(device, entries, options.frames, tools.say);
+    const auto drawn = drawInTurns(device, entriesOf(contest, contenders), options.frames, tools.say);
     for (std::size_t i = 0; i < maps.size(); ++i) {
         if (!drawn[i]) return drawn[i].error();
         double extra = 0;
@@ -119,6 +117,7 @@ Result<void> addPrecomputed(gpu::Device& device, const BenchOptions& options, co
 Result<std::vector<AblationRow>> measureAblation(gpu::Device& device, const BenchOptions& options, const BenchTools& tools) {
     const std::vector<Variation> list = variations();
     std::vector<Contender> contenders;
+    contenders.reserve(list.size());
     for (const Variation& variation : list)
         contenders.push_back(contenderOf(variation, options));
     BenchOptions one = options;

@@ -135,11 +135,8 @@ void addFlip(std::vector<Row>& rows, std::size_t first, const Stage& stage, cons
 void runContest(gpu::Device& device, const Stage& stage, const Contest& contest, const std::vector<Contender>& contenders,
                 const Frames& frames, const BenchTools& tools, std::vector<Row>& rows) {
     const std::string place = fmt::format("{}, maps of {}", stage.scene.name, contest.mapSize);
-    std::vector<Entry> entries;
-    for (const Contender& contender : contenders)
-        entries.push_back({contest, contender});
-    const auto drawn =
-        drawInTurns(device, entries, frames, [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
+    const auto drawn = drawInTurns(device, entriesOf(contest, contenders), frames,
+                                   [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
     const std::size_t first = rows.size();
     for (std::size_t i = 0; i < contenders.size(); ++i) {
         rows.push_back(rowOf(stage, contenders[i], contest));

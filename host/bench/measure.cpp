@@ -87,6 +87,14 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
 
 } // namespace
 
+std::vector<Entry> entriesOf(const Contest& contest, const std::vector<Contender>& contenders) {
+    std::vector<Entry> entries;
+    entries.reserve(contenders.size());
+    for (const Contender& contender : contenders)
+        entries.push_back({contest, contender});
+    return entries;
+}
+
 std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,
                                        const std::function<void(const std::string&)>& say) {
     std::vector<Result<Entrant>> entrants;

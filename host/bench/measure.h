@@ -46,6 +46,9 @@ struct Entry {
     Contender contender;
 };
 
+/// All of them on the same.
+[[nodiscard]] std::vector<Entry> entriesOf(const Contest& contest, const std::vector<Contender>& contenders);
+
 /// Each entry's outcome, in their order: one that cannot be drawn does not stop the others. All are alive at once and drawn in turns, frame
 /// by frame, so that a clock that changes changes for all. `say`: what is being done.
 [[nodiscard]] std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,

@@ -210,16 +210,17 @@ struct FreeSquare {
 FreeSquare largestFreeSquare(const Mesh& mesh) {
     constexpr int kCells = 128;
     const reference::Unwrapped cover = reference::unwrap(mesh, 4 * kCells);
-    std::vector<int> largest(kCells * kCells, 0); // side of the free square that ends in this cell
+    const auto index = [](int x, int y) { return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x); };
+    std::vector<int> largest(index(0, kCells), 0); // side of the free square that ends in this cell
     FreeSquare best;
     for (int y = 0; y < kCells; ++y)
         for (int x = 0; x < kCells; ++x) {
             bool free = true;
             for (int i = 0; i < 16 && free; ++i)
                 free = !cover.at(4 * x + i % 4, 4 * y + i / 4);
-            const auto at = [&](int i, int j) { return i < 0 || j < 0 ? 0 : largest[static_cast<std::size_t>(j * kCells + i)]; };
+            const auto at = [&](int i, int j) { return i < 0 || j < 0 ? 0 : largest[index(i, j)]; };
             const int side = free ? 1 + std::min({at(x - 1, y), at(x, y - 1), at(x - 1, y - 1)}) : 0;
-            largest[static_cast<std::size_t>(y * kCells + x)] = side;
+            largest[index(x, y)] = side;
             if (side <= best.side * kCells) continue;
             best = {.corner = glm::dvec2(x + 1 - side, y + 1 - side) / static_cast<double>(kCells),
                     .side = static_cast<double>(side) / kCells};

@@ -35,13 +35,22 @@ Progress progressOf(const Say& say, const std::string& what) {
     return [=](std::size_t done, std::size_t total) { say(fmt::format("{}: pixel {} of {}", what, done, total)); };
 }
 
-Result<std::unique_ptr<Stage>> stageOf(const std::string& name, const std::vector<Contender>& contenders, const BenchOptions& options,
-                                       const Say& say) {
-    say(fmt::format("scene {}", name));
-    auto scene =
-        loadScene(name, {.effects = options.effects, .folder = options.sceneFolder, .width = options.width, .height = options.height});
-    if (!scene) return scene.error();
-    auto stage = std::make_unique<Stage>(std::move(*scene), options);
+/// All of them before the first is measured: a mistake in the last must not cost what the others took.
+Result<std::vector<Scene>> loadScenes(const BenchOptions& options, const Say& say) {
+    std::vector<Scene> scenes;
+    for (const std::string& name : options.scenes) {
+        say(fmt::format("scene {}", name));
+        auto scene =
+            loadScene(name, {.effects = options.effects, .folder = options.sceneFolder, .width = options.width, .height = options.height});
+        if (!scene) return scene.error();
+        scenes.push_back(std::move(*scene));
+    }
+    return scenes;
+}
+
+Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>& contenders, const BenchOptions& options, const Say& say) {
+    const std::string name = scene.name;
+    auto stage = std::make_unique<Stage>(std::move(scene), options);
     if (stage->sample.points.empty())
         return inputError(8075, {.file = stage->scene.file.string(), .byte = {}}, "the camera sees no skin that could be compared",
                           "move the camera of the workspace, or choose a larger --size");
@@ -149,9 +158,11 @@ void runContest(gpu::Device& device, const Stage& stage, const Contest& contest,
 
 Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contender>& contenders, const BenchOptions& options,
                                   const BenchTools& tools) {
+    auto scenes = loadScenes(options, tools.say);
+    if (!scenes) return scenes.error();
     std::vector<Row> rows;
-    for (const std::string& name : options.scenes) {
-        const auto stage = stageOf(name, contenders, options, tools.say);
+    for (Scene& scene : *scenes) {
+        const auto stage = stageOf(std::move(scene), contenders, options, tools.say);
         if (!stage) return stage.error();
         for (const int mapSize : options.mapSizes) {
             const Contest contest{.scene = (*stage)->scene,

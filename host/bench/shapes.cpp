@@ -239,6 +239,7 @@ bool addBar(Mesh& mesh, const glm::dvec3& toLight) {
     const glm::dvec3 l = glm::normalize(toLight);
     const glm::dvec3 across = glm::normalize(glm::cross(std::abs(l.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), l));
     const glm::dmat3 axes(across, glm::cross(l, across), l);
+    mesh.tangents.clear(); // made anew when the file is read
     const std::size_t before = mesh.indices.size();
     const double inset = 0.15 * room.side;
     addBox(mesh, axes, glm::dvec3(mesh.bounds.centre) + l * (kAway * radius), glm::dvec3(kHalfThickness, 1, kHalfThickness) * radius,

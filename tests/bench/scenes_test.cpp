@@ -121,6 +121,16 @@ TEST(Shapes, a_bar_takes_free_texels_only) {
     }
 }
 
+TEST_F(Scenes, with_a_bar_and_tangents_of_its_own_can_be_read) {
+    Mesh mesh = sphere(5);
+    computeTangents(mesh);
+    ASSERT_TRUE(addBar(mesh, {1, 0, 1}));
+    ASSERT_TRUE(writeGlb(folder_ / "bar.glb", mesh));
+    const auto read = loadMesh(folder_ / "bar.glb", {.unitMm = 1000});
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(read->tangents.size(), read->positions.size());
+}
+
 TEST_F(Scenes, are_ordinary_workspace_files) {
     const auto made = loadScene("sphere-5@0+checker", options());
     ASSERT_TRUE(made) << format(made.error());

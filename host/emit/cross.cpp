@@ -95,9 +95,10 @@ CrossShader toGlsl(const Shader& shader, bool es, const Varyings& written) {
     options.version = es ? kGlslEsVersion : kGlslVersion;
     options.es = es;
     options.enable_420pack_extension = false;
-    options.relax_nan_checks = true;       // max(x, 0.0) as GLSL has it; without NaN in, the effects make none
-    options.vertex.fixup_clipspace = true; // Direct3D's depth 0..1 to -1..1
-    options.vertex.flip_vert_y = true;     // texel row 0 of a target is its top row, as in Direct3D
+    options.relax_nan_checks = true;                      // max(x, 0.0) as GLSL has it; without NaN in, the effects make none
+    options.vertex.fixup_clipspace = true;                // Direct3D's depth 0..1 to -1..1
+    options.vertex.flip_vert_y = true;                    // texel row 0 of a target is its top row, as in Direct3D
+    options.vertex.support_nonzero_base_instance = false; // layers are instances from 0; gl_BaseInstance would need an extension
     options.fragment.default_float_precision = spirv_cross::CompilerGLSL::Options::Highp;
     compiler.set_common_options(options);
     CrossShader result{.text = {}, .entry = "main", .globals = {}, .samplers = {}, .buffers = {}, .textures = {}, .samplerSlots = {}};

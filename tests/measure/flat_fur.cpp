@@ -2,6 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/reference/pinhole.h"
+#include "tests/measure/flat_view.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kHalf = 12;   // the patch reaches so many spacings to each side
 constexpr int kMapSize = 1280; // 32 texels a spacing
-constexpr double kAway = 4000; // of the eye: rays go astray by a 2000th of their way down, 32-bit positions by a 1000th
 constexpr double kSkin = 0.05; // what drawPatch draws, as albedo of the skin ...
 constexpr double kRoot = 0.15; // ... and of strands, which the map's colour makes brighter than the skin
 constexpr double kTip = 1;
@@ -32,7 +31,7 @@ Image face(const reference::FurPatch& patch, int size) {
     image.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, static_cast<float>(kRoot / kSkin));
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column) {
-            const auto place = [&](int i) { return kHalf * (2 * (i + 0.5) / size - 1); };
+            const auto place = [&](int i) { return kPatchHalf * (2 * (i + 0.5) / size - 1); };
             image.at(column, row, 3) = static_cast<float>(reference::heightOver(patch, place(column), -place(row)));
         }
     return image;
@@ -52,7 +51,7 @@ Result<void> writeMap(const fs::path& folder, const reference::FurPatch& patch) 
 }
 
 Mesh plane() {
-    constexpr float kEdge = static_cast<float>(kHalf);
+    constexpr float kEdge = static_cast<float>(kPatchHalf);
     Mesh mesh;
     mesh.name = "patch";
     mesh.positions = {{-kEdge, -kEdge, 0}, {kEdge, -kEdge, 0}, {kEdge, kEdge, 0}, {-kEdge, kEdge, 0}};
@@ -63,22 +62,6 @@ Mesh plane() {
     computeTangents(mesh);
     computeBounds(mesh);
     return mesh;
-}
-
-/// Seen from the side of -x, so that a ray moves towards +x on its way down (FurRay).
-Workspace workspaceOf(const reference::FurView& view, double coat) {
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
-    const glm::dvec3 middle(0, 0, coat / 2);
-    workspace.camera.position = glm::vec3(middle + kAway * glm::dvec3(-std::sin(view.tilt), 0, std::cos(view.tilt)));
-    workspace.camera.target = glm::vec3(middle);
-    workspace.camera.horizontalFov = static_cast<float>(glm::degrees(2 * std::atan(view.pixel * view.size / 2 / kAway)));
-    workspace.camera.nearPlane = static_cast<float>(kAway - 10 * kHalf);
-    workspace.camera.farPlane = static_cast<float>(kAway + 10 * kHalf);
-    workspace.light.position = {0, 0, static_cast<float>(kAway)};
-    return workspace;
 }
 
 /// Mean of samples x samples values.
@@ -126,12 +109,12 @@ Result<std::vector<double>> FlatFur::draw(const reference::FurView& view, int la
     if (!effect) return effect.error();
     const Mesh mesh = plane();
     const int side = view.size * view.samples;
-    const auto run = runEffect(*device_, *effect, &mesh, workspaceOf(view, patch_.coat),
+    const auto run = runEffect(*device_, *effect, &mesh, flatView(view, patch_.coat),
                                {.technique = "CubePosition",
                                 .width = side,
                                 .height = side,
                                 .compiler = defaultCompiler(),
-                                .parameters = {{"gBoundingCenter", {0, 0, -kHalf}},
+                                .parameters = {{"gBoundingCenter", {0, 0, -kPatchHalf}},
                                                {"gMeshRadius", {patch_.coat / kLength}},
                                                {"gFurLength", {kLength}},
                                                {"gFurLayers", {static_cast<double>(layers)}},
@@ -154,7 +137,7 @@ Result<std::vector<double>> FlatFur::draw(const reference::FurView& view, int la
 }
 
 std::vector<double> FlatFur::truth(const reference::FurView& view) const {
-    const Workspace workspace = workspaceOf(view, patch_.coat);
+    const Workspace workspace = flatView(view, patch_.coat);
     const int side = view.size * view.samples;
     const auto camera = reference::pinhole(glm::dvec3(workspace.camera.position), glm::dvec3(workspace.camera.target), {0, 1, 0},
                                            glm::radians(static_cast<double>(workspace.camera.horizontalFov)), side, side);

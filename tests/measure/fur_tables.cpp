@@ -6,6 +6,7 @@
 #include "host/support/file.h"
 #include "tests/measure/chart.h"
 #include "tests/measure/flat_fur.h"
+#include "tests/measure/need.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,17 +30,6 @@ struct Settings {
     int frames = 5;
     int referenceLayers = 1024;
 };
-
-[[noreturn]] void stop(const Error& error) {
-    fmt::print(stderr, "{}\n", format(error));
-    std::exit(static_cast<int>(error.blame));
-}
-
-template <class T>
-T need(Result<T> result) {
-    if (!result) stop(result.error());
-    return std::move(*result);
-}
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180;

@@ -4,6 +4,7 @@
 // Run from the root of the source tree, which holds effects/.
 
 #include "host/run/run.h"
+#include "tests/measure/need.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace tegument;
+using measure::stop;
 
 /// 50 times nearer in 10 s at 60 frames a second.
 const double kStep = std::pow(50.0, 1.0 / 600.0);
@@ -31,11 +33,6 @@ struct Settings {
     int samples = 4; // along each side of a pixel, of the truth
     std::vector<double> layers;
 };
-
-[[noreturn]] void stop(const Error& error) {
-    fmt::print(stderr, "{}\n", format(error));
-    std::exit(static_cast<int>(error.blame));
-}
 
 class Zoom {
 public:

@@ -2,6 +2,7 @@
 //   skin_tables culling|seams WORKSPACE... [--size N] [--map-size N] [--frames N]
 
 #include "host/run/run.h"
+#include "tests/measure/need.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,6 +15,9 @@
 namespace tegument {
 
 namespace {
+
+using measure::need;
+using measure::stop;
 
 namespace fs = std::filesystem;
 
@@ -33,17 +37,6 @@ struct Way {
 };
 
 constexpr std::array<const char*, 3> kSettingNames = {"seed", "deon2007", "corrected"};
-
-[[noreturn]] void stop(const Error& error) {
-    fmt::print(stderr, "{}\n", format(error));
-    std::exit(static_cast<int>(error.blame));
-}
-
-template <class T>
-T need(Result<T> result) {
-    if (!result) stop(result.error());
-    return std::move(*result);
-}
 
 struct Stage {
     gpu::Device& device;

@@ -7,6 +7,8 @@
 #include "host/run/run.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "tests/gpu/with_device.h"
+#include "tests/measure/flat_view.h"
+#include "tests/run/slider_ends.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,11 +26,8 @@ namespace fs = std::filesystem;
 using reference::FurPatch;
 using reference::FurView;
 
-constexpr int kHalf = 12;      // the patch reaches so many spacings to each side; a spacing is 1 mm
-constexpr double kAway = 4000; // of the eye: rays run nearly side by side
-
 Mesh plane() {
-    constexpr auto kEdge = static_cast<float>(kHalf);
+    constexpr auto kEdge = static_cast<float>(measure::kPatchHalf);
     Mesh mesh;
     mesh.positions = {{-kEdge, -kEdge, 0}, {kEdge, -kEdge, 0}, {kEdge, kEdge, 0}, {-kEdge, kEdge, 0}};
     mesh.normals.assign(4, {0, 0, 1});
@@ -40,8 +39,8 @@ Mesh plane() {
 
 RootSet rootsOf(const FurPatch& patch, const Mesh& mesh) {
     RootSet set;
-    for (int j = -kHalf; j < kHalf; ++j)
-        for (int i = -kHalf; i < kHalf; ++i) {
+    for (int j = -measure::kPatchHalf; j < measure::kPatchHalf; ++j)
+        for (int i = -measure::kPatchHalf; i < measure::kPatchHalf; ++i) {
             const reference::FurStrand strand = strandOf(patch, i, j);
             set.roots.push_back({.position = {static_cast<float>(strand.x), static_cast<float>(strand.y), 0},
                                  .radius = static_cast<float>(patch.baseRadius),
@@ -49,7 +48,7 @@ RootSet rootsOf(const FurPatch& patch, const Mesh& mesh) {
                                  .limit = 1000});
         }
     set.wanted = set.roots.size();
-    set.area = 4.0 * kHalf * kHalf;
+    set.area = 4.0 * measure::kPatchHalf * measure::kPatchHalf;
     set.density = 1;
     set.radius = patch.baseRadius;
     set.reach = 1.5;
@@ -81,18 +80,9 @@ private:
 };
 
 /// Seen from the side of -x.
+/// No light but the fill's.
 Workspace workspaceOf(const FurPatch& patch, const FurView& view) {
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
-    const glm::dvec3 middle(0, 0, patch.coat / 2);
-    workspace.camera.position = glm::vec3(middle + kAway * glm::dvec3(-std::sin(view.tilt), 0, std::cos(view.tilt)));
-    workspace.camera.target = glm::vec3(middle);
-    workspace.camera.horizontalFov = static_cast<float>(glm::degrees(2 * std::atan(view.pixel * view.size / 2 / kAway)));
-    workspace.camera.nearPlane = static_cast<float>(kAway - 10 * kHalf);
-    workspace.camera.farPlane = static_cast<float>(kAway + 10 * kHalf);
-    workspace.light.position = {0, 0, static_cast<float>(kAway)};
+    Workspace workspace = measure::flatView(view, patch.coat);
     workspace.light.color = glm::vec3(0);
     return workspace;
 }
@@ -221,20 +211,14 @@ std::vector<float> aslant(gpu::Device& device, const std::string& technique, con
 TEST_F(Swept, every_slider_s_ends_leave_the_picture_finite) {
     const auto effect = loadEffect("effects/FurRoots.fx");
     ASSERT_TRUE(effect) << format(effect.error());
-    std::size_t sliders = 0;
-    for (const Parameter& parameter : effect->parameters) {
-        const auto low = parameter.annotations.numbers("UIMin");
-        const auto high = parameter.annotations.numbers("UIMax");
-        if (!low || !high) continue;
-        ++sliders;
-        for (const char* technique : {"Cellular", "Roots"})
-            for (const double end : {low->front(), high->front()}) {
-                const auto pixels = aslant(*device_, technique, {{parameter.name, {end}}});
-                EXPECT_TRUE(std::ranges::all_of(pixels, [](float v) { return std::isfinite(v); }))
-                    << technique << ", " << parameter.name << " = " << end;
-            }
-    }
-    EXPECT_GE(sliders, 20U);
+    const std::vector<SliderEnd> ends = sliderEnds(*effect);
+    for (const SliderEnd& end : ends)
+        for (const char* technique : {"Cellular", "Roots"}) {
+            const auto pixels = aslant(*device_, technique, {{end.parameter, {end.value}}});
+            EXPECT_TRUE(std::ranges::all_of(pixels, [](float v) { return std::isfinite(v); }))
+                << technique << ", " << end.parameter << " = " << end.value;
+        }
+    EXPECT_GE(ends.size(), 40U);
 }
 
 } // namespace

@@ -1,0 +1,32 @@
+#pragma once
+// The view of the flat patch of host/reference/fur_patch.h, as a workspace: who draws the patch with an effect looks at it from here.
+
+#include "host/reference/fur_patch.h"
+#include "host/scene/workspace.h"
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+
+namespace tegument::measure {
+
+constexpr int kPatchHalf = 12;      // the patch reaches so many spacings to each side; a spacing is 1 mm
+constexpr double kPatchAway = 4000; // of the eye: rays go astray by a 2000th of their way down, 32-bit positions by a 1000th
+
+/// Seen from the side of -x, so that a ray moves towards +x on its way down (FurRay); light from above. coat: spacings.
+inline Workspace flatView(const reference::FurView& view, double coat) {
+    Workspace workspace;
+    workspace.head = false;
+    workspace.cameraRelative = false;
+    workspace.lightRelative = false;
+    const glm::dvec3 middle(0, 0, coat / 2);
+    workspace.camera.position = glm::vec3(middle + kPatchAway * glm::dvec3(-std::sin(view.tilt), 0, std::cos(view.tilt)));
+    workspace.camera.target = glm::vec3(middle);
+    workspace.camera.horizontalFov = static_cast<float>(glm::degrees(2 * std::atan(view.pixel * view.size / 2 / kPatchAway)));
+    workspace.camera.nearPlane = static_cast<float>(kPatchAway - 10 * kPatchHalf);
+    workspace.camera.farPlane = static_cast<float>(kPatchAway + 10 * kPatchHalf);
+    workspace.light.position = {0, 0, static_cast<float>(kPatchAway)};
+    return workspace;
+}
+
+} // namespace tegument::measure

@@ -1,7 +1,6 @@
 #include "tests/measure/flat_fur.h"
 
 #include "host/image/dds.h"
-#include "host/reference/pinhole.h"
 #include "tests/measure/flat_view.h"
 
 #include <fmt/format.h>
@@ -137,20 +136,9 @@ Result<std::vector<double>> FlatFur::draw(const reference::FurView& view, int la
 }
 
 std::vector<double> FlatFur::truth(const reference::FurView& view) const {
-    const Workspace workspace = flatView(view, patch_.coat);
-    const int side = view.size * view.samples;
-    const auto camera = reference::pinhole(glm::dvec3(workspace.camera.position), glm::dvec3(workspace.camera.target), {0, 1, 0},
-                                           glm::radians(static_cast<double>(workspace.camera.horizontalFov)), side, side);
-    std::vector<double> fine;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const glm::dvec3 way = camera.ray(x, y);
-            const glm::dvec3 down = way / -way.z; // for one spacing downwards
-            const glm::dvec3 top = camera.eye + (camera.eye.z - patch_.coat) * down;
-            const glm::dvec3 middle = camera.eye + (camera.eye.z - patch_.coat / 2) * down; // sideways it moves by a 2000th of that
-            const double hit = reference::exactHit(patch_, {.x = top.x, .y = middle.y, .run = patch_.coat * down.x});
-            fine.push_back(hit == reference::kNoHit ? kSkin : kRoot + (kTip - kRoot) * hit);
-        }
+    std::vector<double> fine = exactHits(patch_, view);
+    for (double& value : fine)
+        value = value == reference::kNoHit ? kSkin : kRoot + (kTip - kRoot) * value;
     return reduced(fine, view);
 }
 

@@ -2,11 +2,13 @@
 // The view of the flat patch of host/reference/fur_patch.h, as a workspace: who draws the patch with an effect looks at it from here.
 
 #include "host/reference/fur_patch.h"
+#include "host/reference/pinhole.h"
 #include "host/scene/workspace.h"
 
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <vector>
 
 namespace tegument::measure {
 
@@ -27,6 +29,25 @@ inline Workspace flatView(const reference::FurView& view, double coat) {
     workspace.camera.farPlane = static_cast<float>(kPatchAway + 10 * kPatchHalf);
     workspace.light.position = {0, 0, static_cast<float>(kPatchAway)};
     return workspace;
+}
+
+/// Height at which the exact ray through each sample meets a strand, kNoHit where none does: rows of view.size * view.samples, from the
+/// top.
+inline std::vector<double> exactHits(const reference::FurPatch& patch, const reference::FurView& view) {
+    const Workspace workspace = flatView(view, patch.coat);
+    const int side = view.size * view.samples;
+    const auto camera = reference::pinhole(glm::dvec3(workspace.camera.position), glm::dvec3(workspace.camera.target), {0, 1, 0},
+                                           glm::radians(static_cast<double>(workspace.camera.horizontalFov)), side, side);
+    std::vector<double> hits;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const glm::dvec3 way = camera.ray(x, y);
+            const glm::dvec3 down = way / -way.z; // for one spacing downwards
+            const glm::dvec3 top = camera.eye + (camera.eye.z - patch.coat) * down;
+            const glm::dvec3 middle = camera.eye + (camera.eye.z - patch.coat / 2) * down; // sideways it moves by a 2000th of that
+            hits.push_back(reference::exactHit(patch, {.x = top.x, .y = middle.y, .run = patch.coat * down.x}));
+        }
+    return hits;
 }
 
 } // namespace tegument::measure

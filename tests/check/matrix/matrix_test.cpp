@@ -2,6 +2,7 @@
 #include "host/check/resources.h"
 #include "host/emit/flatten.h"
 #include "host/support/file.h"
+#include "tests/check/describe.h"
 
 #include <gtest/gtest.h>
 
@@ -22,16 +23,6 @@ protected:
         if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     }
 };
-
-std::string describe(const FileReport& file) {
-    std::string text = file.file.string() + " " + file.variant + "\n";
-    for (const TargetCheck& target : file.targets) {
-        text += std::string(targetName(target.target)) + " " + target.reason + "\n";
-        for (const Diagnostic& diagnostic : target.diagnostics)
-            text += format(diagnostic) + "\n";
-    }
-    return text;
-}
 
 std::vector<fs::path> effectFiles() {
     std::vector<fs::path> files;

@@ -1,6 +1,7 @@
 #include "host/check/check.h"
 
 #include "host/support/file.h"
+#include "tests/check/describe.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<Target> kDirect3D = {Target::Fx2, Target::Fx4, Target::Fx5};
-
-std::string describe(const FileReport& file) {
-    std::string text = file.file.string() + " " + file.variant + "\n";
-    for (const TargetCheck& target : file.targets) {
-        text += std::string(targetName(target.target)) + " " + target.reason + "\n";
-        for (const Diagnostic& diagnostic : target.diagnostics)
-            text += format(diagnostic) + "\n";
-    }
-    return text;
-}
 
 class CheckMicrosoft : public testing::Test {
 protected:

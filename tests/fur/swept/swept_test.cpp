@@ -3,7 +3,6 @@
 
 #include "host/image/dds.h"
 #include "host/reference/fur_patch.h"
-#include "host/reference/pinhole.h"
 #include "host/run/run.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "tests/gpu/with_device.h"
@@ -135,18 +134,12 @@ std::vector<double> drawn(gpu::Device& device, const FurPatch& patch, const FurV
 
 /// By exact rays, samples x samples a pixel.
 std::vector<double> truth(const FurPatch& patch, const FurView& view, const Shades& shades) {
-    const Workspace workspace = workspaceOf(patch, view);
+    const std::vector<double> hits = measure::exactHits(patch, view);
     const int side = view.size * view.samples;
-    const auto camera = reference::pinhole(glm::dvec3(workspace.camera.position), glm::dvec3(workspace.camera.target), {0, 1, 0},
-                                           glm::radians(static_cast<double>(workspace.camera.horizontalFov)), side, side);
     std::vector<double> picture(static_cast<std::size_t>(view.size) * static_cast<std::size_t>(view.size), 0.0);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
-            const glm::dvec3 way = camera.ray(x, y);
-            const glm::dvec3 down = way / -way.z; // for one spacing downwards
-            const glm::dvec3 top = camera.eye + (camera.eye.z - patch.coat) * down;
-            const glm::dvec3 middle = camera.eye + (camera.eye.z - patch.coat / 2) * down; // sideways it moves by a 2000th of that
-            const double hit = exactHit(patch, {.x = top.x, .y = middle.y, .run = patch.coat * down.x});
+            const double hit = hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)];
             picture[static_cast<std::size_t>(y / view.samples * view.size + x / view.samples)] +=
                 (hit == reference::kNoHit ? shades.root : std::lerp(shades.root, shades.tip, hit)) / (view.samples * view.samples);
         }

@@ -9,7 +9,9 @@ target_compile_options(tegument_options INTERFACE
   "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-Werror;-Wno-missing-field-initializers>"
   "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>>")
 if(TEGUMENT_SANITIZE)
-  target_compile_options(tegument_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Asserts, ours and libstdc++'s, are on here and only here: every other build that runs the tests is a release.
+  target_compile_options(tegument_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -UNDEBUG -D_GLIBCXX_ASSERTIONS)
   target_link_options(tegument_options INTERFACE -fsanitize=address,undefined)
 endif()
 if(TEGUMENT_FUZZ)

@@ -92,6 +92,17 @@ Diagnostic withoutMessage(const MicrosoftJob& job, std::uint32_t code) {
     return failedJob(job, 3101, why).diagnostics.front();
 }
 
+/// Where what was compiled is kept: a folder for each version of the compiler (and of the files' form, the number). Empty where there can
+/// be none.
+fs::path storeFolder() {
+    const auto library = readFile(microsoftCompilerLibrary());
+    if (!library) return {};
+    fs::path folder = cacheFolder() / "microsoft" / ("1-" + contentHash(*library));
+    std::error_code code;
+    fs::create_directories(folder, code);
+    return code ? fs::path() : fs::absolute(folder, code);
+}
+
 /// The jobs of one call and the folder in which they exchange files with the processes that do them.
 class Jobs {
 public:
@@ -113,7 +124,9 @@ public:
             if (auto written = writeFile(file(i, "in"), jobs_[i].shader); !written) return written.error();
         }
         if (auto written = writeFile(folder / "jobs.txt", list); !written) return written.error();
-        return wineProcess(folder / "hlslc.exe", {windowsPath(folder / "jobs.txt"), windowsPath(folder / "claims")});
+        std::vector<std::string> arguments{windowsPath(folder / "jobs.txt"), windowsPath(folder / "claims")};
+        if (const fs::path store = storeFolder(); !store.empty()) arguments.push_back(windowsPath(store));
+        return wineProcess(folder / "hlslc.exe", arguments);
     }
 
     /// One process after the other until every job is claimed; a process that ends early takes one job with it.
@@ -199,6 +212,7 @@ private:
             return;
         MicrosoftResult result{
             .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};
+        result.kept = json.value("kept", false);
         Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source, job.includeFolders);
         if (!result.ok && messages.errors.empty()) messages.errors.push_back(withoutMessage(job, json["result"].get<std::uint32_t>()));
         result.diagnostics = shortened(std::move(messages.errors));

@@ -46,6 +46,7 @@ struct Sm5Reflection {
 
 struct MicrosoftResult {
     bool ok = false;
+    bool kept = false; // from an earlier run: nothing was compiled
     std::vector<Diagnostic> diagnostics;
     std::string binary;
     int techniqueCount = -1;          // inside the binary; -1: not an effect
@@ -64,7 +65,8 @@ struct MicrosoftResult {
 
 /// Runs all jobs in one Wine process, in order; a job that brings the process down fails (TG3103) and the rest goes on in a new one.
 /// Messages are TG3101 (errors, with Microsoft's X number in the text) and TG3102 (warnings). A path that cannot be
-/// handed over fails its job (TG3105). An Error means that nothing could be run: TG3104, Wine or its display.
+/// handed over fails its job (TG3105). What compiles is kept in <cache>/microsoft by the text that the compiler's preprocessor makes of it.
+/// An Error means that nothing could be run: TG3104, Wine or its display.
 [[nodiscard]] Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs,
                                                                         double jobSeconds = kMicrosoftJobSeconds);
 

@@ -1,5 +1,5 @@
-// hlslc JOBS CLAIMS: runs d3dcompiler_47.dll over a list of jobs, on Windows or in Wine. No effect is known here: the host reads what the
-// compiler wrote.
+// hlslc JOBS CLAIMS [STORE]: runs d3dcompiler_47.dll over a list of jobs, on Windows or in Wine. No effect is known here: the host reads
+// what the compiler wrote.
 //
 // JOBS holds one job a line, fields separated by tabs, paths in Windows form, UTF-8:
 //     profile  entry  source  output  listing  folders  [NAME=VALUE ...]
@@ -7,8 +7,13 @@
 // Several of these processes share the list: whoever creates the file CLAIMS\<number> does that job. On standard output, flushed after
 // each line: `begin <number>`, then one JSON object with what came of it, at last `end`. A missing object tells which job brought the
 // compiler down.
+//
+// What was compiled is kept in the folder STORE under the hash of all that the compiler reads: the text that its own preprocessor makes,
+// the profile, the entry point. That text is the same for the same code in other files, or with macros that it does not ask for.
 
+#include "files.h"
 #include "reflection.h"
+#include "store.h"
 #include "text.h"
 
 #include <fcntl.h>
@@ -21,8 +26,12 @@
 namespace {
 
 using hlslc::jsonString;
+using hlslc::readFile;
+using hlslc::save;
+using hlslc::wide;
 
 struct Api {
+    HRESULT(WINAPI* preprocess)(LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO*, ID3DInclude*, ID3DBlob**, ID3DBlob**);
     HRESULT(WINAPI* compileFromFile)(LPCWSTR, const D3D_SHADER_MACRO*, ID3DInclude*, LPCSTR, LPCSTR, UINT, UINT, ID3DBlob**, ID3DBlob**);
     HRESULT(WINAPI* disassemble)(LPCVOID, SIZE_T, UINT, LPCSTR, ID3DBlob**);
     hlslc::Reflect reflect;
@@ -37,13 +46,6 @@ struct Job {
     std::vector<std::string> folders;
     std::vector<std::pair<std::string, std::string>> defines;
 };
-
-std::wstring wide(const std::string& text) {
-    const int length = static_cast<int>(text.size());
-    std::wstring result(static_cast<std::size_t>(MultiByteToWideChar(CP_UTF8, 0, text.data(), length, nullptr, 0)), L'\0');
-    MultiByteToWideChar(CP_UTF8, 0, text.data(), length, result.data(), static_cast<int>(result.size()));
-    return result;
-}
 
 template <class Function>
 bool load(HMODULE module, const char* name, Function& function) {
@@ -76,20 +78,8 @@ std::string textOf(ID3DBlob* blob) {
     return text.substr(0, text.find('\0'));
 }
 
-bool save(const std::string& path, ID3DBlob* blob) {
-    FILE* file = _wfopen(wide(path).c_str(), L"wb");
-    if (file == nullptr) return false;
-    const bool written = std::fwrite(blob->GetBufferPointer(), 1, blob->GetBufferSize(), file) == blob->GetBufferSize();
-    return std::fclose(file) == 0 && written;
-}
-
-bool readFile(const std::string& path, std::string& bytes) {
-    FILE* file = _wfopen(wide(path).c_str(), L"rb");
-    if (file == nullptr) return false;
-    char block[4096];
-    for (std::size_t count = std::fread(block, 1, sizeof block, file); count > 0; count = std::fread(block, 1, sizeof block, file))
-        bytes.append(block, count);
-    return std::fclose(file) == 0;
+std::string bytesOf(ID3DBlob& blob) {
+    return {static_cast<const char*>(blob.GetBufferPointer()), blob.GetBufferSize()};
 }
 
 std::string folderOf(const std::string& path) {
@@ -147,19 +137,22 @@ double seconds() {
 struct Outcome {
     HRESULT result = E_FAIL;
     bool ok = false;
-    std::string text;
-    std::string reflection = "null";
+    bool found = false; // in the store
+    hlslc::Compiled compiled{{}, {}, "null", {}};
 };
 
-bool list(const Api& api, const Job& job, LPCVOID shader, SIZE_T size) {
-    ID3DBlob* listing = nullptr;
-    return SUCCEEDED(api.disassemble(shader, size, 0, nullptr, &listing)) && save(job.listing, listing);
+bool list(const Api& api, LPCVOID shader, SIZE_T size, std::string& listing) {
+    ID3DBlob* made = nullptr;
+    if (FAILED(api.disassemble(shader, size, 0, nullptr, &made))) return false;
+    listing = bytesOf(*made);
+    made->Release();
+    return true;
 }
 
 Outcome disassemble(const Api& api, const Job& job) {
     Outcome outcome;
     std::string shader;
-    outcome.ok = readFile(job.source, shader) && list(api, job, shader.data(), shader.size());
+    outcome.ok = readFile(job.source, shader) && list(api, shader.data(), shader.size(), outcome.compiled.listing);
     outcome.result = outcome.ok ? S_OK : E_FAIL;
     return outcome;
 }
@@ -172,37 +165,126 @@ bool hasReflection(const Job& job) {
     return !isEffect(job) && (job.profile.find("_4_") != std::string::npos || job.profile.find("_5_") != std::string::npos);
 }
 
-Outcome compile(const Api& api, const Job& job) {
+std::vector<D3D_SHADER_MACRO> macrosOf(const Job& job) {
     std::vector<D3D_SHADER_MACRO> macros;
     for (const auto& [name, value] : job.defines)
         macros.push_back({name.c_str(), value.c_str()});
     macros.push_back({nullptr, nullptr});
+    return macros;
+}
 
+void lose(Outcome& outcome, const char* why) {
+    outcome.ok = false;
+    outcome.compiled.messages += why;
+}
+
+Outcome compile(const Api& api, const Job& job) {
     Includes own(job);
     ID3DInclude* includes = job.folders.empty() ? D3D_COMPILE_STANDARD_FILE_INCLUDE : &own;
     ID3DBlob* binary = nullptr;
     ID3DBlob* messages = nullptr;
     Outcome outcome;
-    outcome.result = api.compileFromFile(wide(job.source).c_str(), macros.data(), includes, job.entry.empty() ? nullptr : job.entry.c_str(),
-                                         job.profile.c_str(), 0, 0, &binary, &messages);
-    outcome.text = textOf(messages);
+    outcome.result = api.compileFromFile(wide(job.source).c_str(), macrosOf(job).data(), includes,
+                                         job.entry.empty() ? nullptr : job.entry.c_str(), job.profile.c_str(), 0, 0, &binary, &messages);
+    outcome.compiled.messages = textOf(messages);
     outcome.ok = SUCCEEDED(outcome.result) && binary != nullptr;
-    if (outcome.ok && !save(job.output, binary)) outcome.ok = false, outcome.text += "\ncannot write the output file: error\n";
-    if (outcome.ok && !job.listing.empty() && !list(api, job, binary->GetBufferPointer(), binary->GetBufferSize()))
-        outcome.ok = false, outcome.text += "\ncannot disassemble: error\n";
-    if (outcome.ok && hasReflection(job)) outcome.reflection = hlslc::reflection(api.reflect, *binary);
+    if (outcome.ok) outcome.compiled.binary = bytesOf(*binary);
+    if (outcome.ok && !job.listing.empty() && !list(api, binary->GetBufferPointer(), binary->GetBufferSize(), outcome.compiled.listing))
+        lose(outcome, "\ncannot disassemble: error\n");
+    if (outcome.ok && hasReflection(job)) outcome.compiled.reflection = hlslc::reflection(api.reflect, *binary);
     if (binary != nullptr) binary->Release();
     if (messages != nullptr) messages->Release();
     return outcome;
 }
 
-std::string run(const Api& api, const Job& job) {
+/// The text behind the preprocessor, with the lines that say where it stands in files, and without them. Empty where there is none.
+struct Text {
+    std::string placed;
+    std::string bare;
+};
+
+std::string withoutPlaces(const std::string& text) {
+    std::string bare;
+    for (const std::string& line : split(text, '\n'))
+        if (line.rfind("#line", 0) != 0 && line.find_first_not_of(" \t\r") != std::string::npos) bare += line + '\n';
+    return bare;
+}
+
+Text preprocess(const Api& api, const Job& job) {
+    Includes own(job);
+    ID3DInclude* includes = job.folders.empty() ? D3D_COMPILE_STANDARD_FILE_INCLUDE : &own;
+    std::string source;
+    ID3DBlob* code = nullptr;
+    ID3DBlob* messages = nullptr;
+    Text text;
+    if (readFile(job.source, source) &&
+        SUCCEEDED(api.preprocess(source.data(), source.size(), job.source.c_str(), macrosOf(job).data(), includes, &code, &messages)))
+        text.placed = textOf(code), text.bare = withoutPlaces(text.placed);
+    if (code != nullptr) code->Release();
+    if (messages != nullptr) messages->Release();
+    return text;
+}
+
+/// Entry points of one file share its text.
+const Text& textFor(const Api& api, const Job& job) {
+    static std::map<std::string, Text> known;
+    std::string name = job.source;
+    for (const std::string& folder : job.folders)
+        name += '|' + folder;
+    for (const auto& [macro, value] : job.defines)
+        name += '\t' + macro + '=' + value;
+    const auto found = known.find(name);
+    return found != known.end() ? found->second : known.emplace(name, preprocess(api, job)).first->second;
+}
+
+std::string keyFor(const Job& job, const std::string& text) {
+    if (text.empty()) return {};
+    return hlslc::hash(job.profile + '\n' + job.entry + '\n' + (job.listing.empty() ? "" : "listing") + '\n' + text);
+}
+
+/// Without the one that every effect gets: effects are deprecated.
+std::string withoutDeprecation(const std::string& messages) {
+    std::string rest;
+    for (const std::string& line : split(messages, '\n'))
+        if (line.find("X4717") == std::string::npos && line.find_first_not_of(" \t\r") != std::string::npos) rest += line + '\n';
+    return rest;
+}
+
+/// A message names places: it holds for the text with its places only. What was refused is tried again: its text is about to change.
+Outcome compileOnce(const Api& api, const hlslc::Store& store, const Job& job) {
+    if (!store.open()) return compile(api, job);
+    const Text& text = textFor(api, job);
+    const std::string anywhere = keyFor(job, text.bare);
+    const std::string here = keyFor(job, text.placed);
+    for (const std::string& key : {anywhere, here})
+        if (auto found = store.find(key)) return {S_OK, true, true, std::move(*found)};
+    Outcome outcome = compile(api, job);
+    outcome.compiled.messages = withoutDeprecation(outcome.compiled.messages);
+    if (outcome.ok) store.keep(outcome.compiled.messages.empty() ? anywhere : here, outcome.compiled);
+    return outcome;
+}
+
+void write(const Job& job, Outcome& outcome) {
+    const bool binary = job.profile == "listing" || save(job.output, outcome.compiled.binary);
+    if (!binary || (!job.listing.empty() && !save(job.listing, outcome.compiled.listing)))
+        lose(outcome, "\ncannot write the output file: error\n");
+}
+
+std::string run(const Api& api, const hlslc::Store& store, const Job& job) {
     const double start = seconds();
-    const Outcome outcome = job.profile == "listing" ? disassemble(api, job) : compile(api, job);
+    Outcome outcome = job.profile == "listing" ? disassemble(api, job) : compileOnce(api, store, job);
+    if (outcome.ok) write(job, outcome);
     char numbers[96];
-    std::snprintf(numbers, sizeof numbers, "{\"ok\":%s,\"result\":%lu,\"ms\":%.3f,", outcome.ok ? "true" : "false",
-                  static_cast<unsigned long>(outcome.result), (seconds() - start) * 1000);
-    return numbers + ("\"messages\":" + jsonString(outcome.text)) + ",\"reflection\":" + outcome.reflection + "}";
+    std::snprintf(numbers, sizeof numbers, "{\"ok\":%s,\"kept\":%s,\"result\":%lu,\"ms\":%.3f,", outcome.ok ? "true" : "false",
+                  outcome.found ? "true" : "false", static_cast<unsigned long>(outcome.result), (seconds() - start) * 1000);
+    return numbers + ("\"messages\":" + jsonString(outcome.compiled.messages)) + ",\"reflection\":" + outcome.compiled.reflection + "}";
+}
+
+std::string narrow(const std::wstring& text) {
+    const int length = static_cast<int>(text.size());
+    std::string result(static_cast<std::size_t>(WideCharToMultiByte(CP_UTF8, 0, text.data(), length, nullptr, 0, nullptr, nullptr)), '\0');
+    WideCharToMultiByte(CP_UTF8, 0, text.data(), length, result.data(), static_cast<int>(result.size()), nullptr, nullptr);
+    return result;
 }
 
 void say(const std::string& line) {
@@ -223,11 +305,11 @@ bool claim(const std::wstring& folder, std::size_t job) {
 } // namespace
 
 int wmain(int count, wchar_t** arguments) {
-    if (count != 3) return 2;
+    if (count != 3 && count != 4) return 2;
     const HMODULE module = LoadLibraryW(L"d3dcompiler_47.dll");
     Api api{};
     if (module == nullptr || !load(module, "D3DCompileFromFile", api.compileFromFile) || !load(module, "D3DDisassemble", api.disassemble) ||
-        !load(module, "D3DReflect", api.reflect))
+        !load(module, "D3DReflect", api.reflect) || !load(module, "D3DPreprocess", api.preprocess))
         return 3;
     std::string list;
     FILE* jobs = _wfopen(arguments[1], L"rb");
@@ -237,11 +319,12 @@ int wmain(int count, wchar_t** arguments) {
     std::fclose(jobs);
 
     _setmode(_fileno(stdout), _O_BINARY);
+    const hlslc::Store store(count == 4 ? narrow(arguments[3]) : "");
     const std::vector<std::string> lines = split(list, '\n');
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!claim(arguments[2], i)) continue;
         say("begin " + std::to_string(i));
-        say(run(api, readJob(lines[i])));
+        say(run(api, store, readJob(lines[i])));
     }
     say("end");
     return 0;

@@ -7,7 +7,6 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kTexelVariance = 1.0 / 12; // a texel is the mean over its square
 constexpr double kLargestAlpha = 0.99;
 constexpr double kOpaque = 5000;   // mm
 constexpr double kDecay = 0.2;     // of the stored exp(-k t), per mm
@@ -25,24 +24,12 @@ double SkinPicture::decode(double alpha) const {
 }
 
 SkinPicture::SkinPicture(const SkinScene& light, int mapSize, double range) : light_(light), range_(range) {
-    const Unwrapped places = unwrap(light.mesh(), mapSize);
-    Map& first = maps_[0];
-    first.size = mapSize;
-    std::vector<glm::dvec2> density;
-    for (const auto& place : places.texels) {
-        const auto point = place ? std::optional(interpolate(light.mesh(), *place)) : std::nullopt;
-        first.valid.push_back(point ? 1 : 0);
-        first.texels.push_back(point ? glm::dvec4(light.entering(*point, light.lit(*point)), encode(*point)) : glm::dvec4(0));
-        const auto j = place ? jacobian(light.mesh(), place->triangle) : std::nullopt;
-        density.push_back(j ? glm::dvec2(mapSize / glm::length(j->alongU), mapSize / glm::length(j->alongV)) : glm::dvec2(0));
-    }
-    for (std::size_t i = 1; i < maps_.size(); ++i) {
-        const double variance = skinProfile()[i].variance;
-        maps_[i] = gaussian(first, [&](int x, int y) {
-            const glm::dvec2 d2 = density[first.index(x, y)] * density[first.index(x, y)];
-            return Spread{std::max(variance * d2.x - kTexelVariance, 0.0), std::max(variance * d2.y - kTexelVariance, 0.0)};
-        });
-    }
+    const ChartMap first = chartMap(light.mesh(), mapSize, [&](const SurfacePoint& point) {
+        return glm::dvec4(light.entering(point, light.lit(point)), encode(point));
+    });
+    maps_[0] = first.map;
+    for (std::size_t i = 1; i < maps_.size(); ++i)
+        maps_[i] = spread(first, skinProfile()[i].variance);
 }
 
 glm::dvec3 SkinPicture::through(const SurfacePoint& point, const std::array<glm::dvec4, 6>& here) const {
@@ -79,9 +66,41 @@ glm::dvec3 SkinPicture::radiance(const SurfacePoint& point, const glm::dvec3& ey
     return diffused(point) * light_.leaving(point, eye) + reflected;
 }
 
-glm::dvec3 SkinPicture::lambert(const SurfacePoint& point, const glm::dvec3& eye) const {
-    const bool lit = light_.lit(point);
-    return light_.entering(point, lit) * light_.leaving(point, eye) + light_.reflected(point, light_.mappedNormal(point), eye, lit);
+glm::dvec3 lambert(const SkinScene& light, const SurfacePoint& point, const glm::dvec3& eye) {
+    const bool lit = light.lit(point);
+    return light.entering(point, lit) * light.leaving(point, eye) + light.reflected(point, light.mappedNormal(point), eye, lit);
+}
+
+GosselinSettings gosselinSettings(const std::string& name) {
+    if (name == "corrected") return {};
+    return {.discs = {.size = 1.5, .turn = 0, .asPrinted = true}, .shadowedReflection = false};
+}
+
+GosselinPicture::GosselinPicture(const SkinScene& light, int mapSize, const GosselinSettings& settings)
+    : light_(light), settings_(settings) {
+    const ChartMap first = chartMap(light.mesh(), mapSize, [&](const SurfacePoint& point) {
+        return glm::dvec4(arriving(point), std::min(light.kernelSize(point), kLargestAlpha));
+    });
+    map_ = spread(first, settings.discs);
+}
+
+glm::dvec3 GosselinPicture::arriving(const SurfacePoint& point) const {
+    const double cosine = glm::dot(light_.mappedNormal(point), light_.toLight(point));
+    return light_.lit(point) ? light_.lightColour() * std::max(cosine, 0.0) : glm::dvec3(0);
+}
+
+glm::dvec3 GosselinPicture::diffused(const SurfacePoint& point) const {
+    glm::dvec4 blurred;
+    return map_.lookUp(point.uv, blurred) ? glm::dvec3(blurred) : arriving(point);
+}
+
+glm::dvec3 GosselinPicture::radiance(const SurfacePoint& point, const glm::dvec3& eye) const {
+    const glm::dvec4 colour = light_.colour(point);
+    // As printed, material that does not scatter has the kernel size 0 and takes its light from the map too (docs/modules/Main.md).
+    const double scatters = settings_.shadowedReflection ? colour.w : 1;
+    const glm::dvec3 diffuse = glm::mix(arriving(point), diffused(point), scatters);
+    const bool lit = !settings_.shadowedReflection || light_.lit(point);
+    return glm::dvec3(colour) * diffuse + light_.reflected(point, light_.mappedNormal(point), eye, lit);
 }
 
 } // namespace tegument::reference

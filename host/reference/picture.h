@@ -1,14 +1,17 @@
 #pragma once
-// The picture of d'Eon and Luebke's technique as docs/skin.md defines it, each part in double precision: light by rays, one Gaussian of the
-// whole width for each map, transmission by the thickness along the ray.
+// The pictures of both techniques as docs/skin.md defines them, each part in double precision: light by rays; d'Eon and Luebke's with one
+// Gaussian of the whole width for each map and transmission by the thickness along the ray, Gosselin's with its discs.
 
-#include "host/reference/convolution.h"
+#include "host/reference/chart_map.h"
 #include "host/reference/profile.h"
 #include "host/reference/skin.h"
 
 #include <array>
 
 namespace tegument::reference {
+
+/// Radiance towards the eye of skin in which light does not spread.
+[[nodiscard]] glm::dvec3 lambert(const SkinScene& light, const SurfacePoint& point, const glm::dvec3& eye);
 
 class SkinPicture {
 public:
@@ -20,8 +23,6 @@ public:
     [[nodiscard]] glm::dvec3 diffused(const SurfacePoint& point) const;
     /// Linear radiance towards the eye.
     [[nodiscard]] glm::dvec3 radiance(const SurfacePoint& point, const glm::dvec3& eye) const;
-    /// The same light without diffusion.
-    [[nodiscard]] glm::dvec3 lambert(const SurfacePoint& point, const glm::dvec3& eye) const;
 
 private:
     [[nodiscard]] double encode(const SurfacePoint& point) const;
@@ -31,6 +32,32 @@ private:
     const SkinScene& light_;
     double range_;
     std::array<Map, 6> maps_;
+};
+
+struct GosselinSettings {
+    Discs discs;
+    bool shadowedReflection = true; // the printed technique gives its last pass no shadow map
+};
+/// "seed", "deon2007" or "corrected".
+[[nodiscard]] GosselinSettings gosselinSettings(const std::string& name);
+
+class GosselinPicture {
+public:
+    /// Maps of `mapSize` texels a side; `light` must outlive the picture.
+    GosselinPicture(const SkinScene& light, int mapSize, const GosselinSettings& settings);
+
+    /// E of docs/skin.md after the last blur; where the map has nothing, the light without diffusion.
+    [[nodiscard]] glm::dvec3 diffused(const SurfacePoint& point) const;
+    /// Linear radiance towards the eye.
+    [[nodiscard]] glm::dvec3 radiance(const SurfacePoint& point, const glm::dvec3& eye) const;
+
+private:
+    /// What arrives at the surface: all of it enters, whatever the colour.
+    [[nodiscard]] glm::dvec3 arriving(const SurfacePoint& point) const;
+
+    const SkinScene& light_;
+    GosselinSettings settings_;
+    Map map_;
 };
 
 } // namespace tegument::reference

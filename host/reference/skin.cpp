@@ -66,6 +66,7 @@ SkinScene::SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& l
     : mesh_(mesh), light_(light), lightColour_(lightColour), settings_(settings), rays_(mesh) {
     if (const Image* image = textureOf(mesh, "color")) colour_ = Texture(*image, true);
     if (const Image* image = textureOf(mesh, "normal")) normals_ = Texture(*image, false);
+    if (const Image* image = textureOf(mesh, "kernelSize")) kernelSizes_ = Texture(*image, false);
     constexpr int kCosines = 1025; // rho_dt bends little: linear between these is exact to 1e-5
     constexpr double kFirst = 1e-3;
     for (int i = 0; i < kCosines; ++i) {

@@ -56,6 +56,8 @@ public:
     /// Unit normal of the normal map (+Y), in the interpolated tangent frame.
     [[nodiscard]] glm::dvec3 mappedNormal(const SurfacePoint& point) const;
     [[nodiscard]] glm::dvec4 colour(const SurfacePoint& point) const { return colour_.at(point.uv); }
+    /// Radius of Gosselin's blurs here, as a share of the largest.
+    [[nodiscard]] double kernelSize(const SurfacePoint& point) const { return kernelSizes_.at(point.uv).x; }
     [[nodiscard]] glm::dvec3 toLight(const SurfacePoint& point) const { return glm::normalize(light_.eye - point.position); }
 
     [[nodiscard]] bool lit(const SurfacePoint& point) const;
@@ -89,6 +91,7 @@ private:
     RayScene rays_;
     Texture colour_{glm::dvec4(0.8, 0.6, 0.5, 1)}; // what the effects fall back to
     Texture normals_{glm::dvec4(0.5, 0.5, 1, 1)};
+    Texture kernelSizes_{glm::dvec4(0.6, 0.6, 0.6, 1)};
     std::vector<double> albedo_; // rho_dt at cosines i / (size - 1)
 };
 

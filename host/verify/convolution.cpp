@@ -1,6 +1,6 @@
 // Module Convolution: the cascade of Gaussians and the Poisson blurs, fed with the light that they were given.
 
-#include "host/reference/convolution.h"
+#include "host/reference/chart_map.h"
 #include "host/reference/profile.h"
 #include "host/verify/truth.h"
 
@@ -14,9 +14,8 @@ namespace tegument::verify {
 
 namespace {
 
+using reference::ChartMap;
 using reference::Map;
-
-constexpr double kTexelVariance = 1.0 / 12; // of a texel's square: what every map of means already has
 
 Map mapFrom(const Image& image) {
     Map map{.size = image.width, .texels = {}, .valid = {}};
@@ -37,36 +36,18 @@ Image imageFrom(const Map& map, int channels) {
     return image;
 }
 
-/// Texels per mm along u and v, per texel; none outside the charts.
-std::vector<glm::dvec2> densities(const Mesh& mesh, int size) {
-    std::vector<glm::dvec2> result;
-    for (const auto& place : reference::unwrap(mesh, size).texels) {
-        const auto j = place ? reference::jacobian(mesh, place->triangle) : std::nullopt;
-        result.push_back(j ? glm::dvec2(size / glm::length(j->alongU), size / glm::length(j->alongV)) : glm::dvec2(0));
-    }
-    return result;
-}
-
-struct Given {
-    Map light;
-    std::vector<glm::dvec2> density;
-
-    [[nodiscard]] glm::dvec2 at(int x, int y) const { return density[light.index(x, y)]; }
-};
-
-/// Light that one Gaussian of the profile has spread, from the light itself, in one step.
-Map exactly(const Given& given, double variance) {
-    return reference::gaussian(given.light, [&](int x, int y) {
-        const glm::dvec2 d2 = given.at(x, y) * given.at(x, y);
-        return reference::Spread{std::max(variance * d2.x - kTexelVariance, 0.0), std::max(variance * d2.y - kTexelVariance, 0.0)};
-    });
+/// The light that the passes were given.
+ChartMap givenLight(const RunResult& run, const Mesh& mesh) {
+    Map light = mapFrom(run.dumped.at("gIrradianceMap"));
+    const int size = light.size;
+    return {std::move(light), reference::densities(mesh, reference::unwrap(mesh, size))};
 }
 
 /// The passes as printed: map k from map k - 1, U then V, spacing sigma; `increments`: the square root of what the variance lacks.
-Map asPrinted(const Given& given, const Map& before, double varianceBefore, double variance, bool increments) {
+Map asPrinted(const ChartMap& given, const Map& before, double varianceBefore, double variance, bool increments) {
     const double sigma = std::sqrt(increments ? variance - varianceBefore : variance);
-    const Map u = reference::sevenTaps(before, true, [&](int x, int y) { return sigma * given.at(x, y).x; });
-    return reference::sevenTaps(u, false, [&](int x, int y) { return sigma * given.at(x, y).y; });
+    const Map u = reference::sevenTaps(before, true, [&](int x, int y) { return sigma * given.densityAt(x, y).x; });
+    return reference::sevenTaps(u, false, [&](int x, int y) { return sigma * given.densityAt(x, y).y; });
 }
 
 /// 1 where nothing but valid texels lies within this many texels along rows and columns.
@@ -100,18 +81,19 @@ Limits cascadeLimits(const Context& context) {
         .relativeL2 = 0.08, .p99 = 0.6, .bias = 0.013, .why = "each pass blurs by its own sigma: the widest has 3.19 mm instead of 2.72"};
 }
 
-Result<void> compareCascade(ModuleReport& report, const Context& context, const Given& given, const RunResult& run) {
+Result<void> compareCascade(ModuleReport& report, const Context& context, const ChartMap& given, const RunResult& run) {
     const auto& profile = reference::skinProfile();
-    Map printed = given.light;
+    Map printed = given.map;
     for (std::size_t k = 0; k < kTargets.size(); ++k) {
         const Image& rendered = run.dumped.at(kTargets[k]);
         const double variance = profile[k + 1].variance;
         const double density =
             context.options.mapSize / 85.0; // of the built-in body; others are treated a little too kindly or too harshly
-        const auto counts = awayFromBorders(given.light, static_cast<int>(std::ceil(3 * std::sqrt(variance) * density)) + 2);
+        const auto counts = awayFromBorders(given.map, static_cast<int>(std::ceil(3 * std::sqrt(variance) * density)) + 2);
         const auto compared =
-            compare(report, context, {kTargets[k], rgb(rendered), imageFrom(exactly(given, variance), 3), counts}, cascadeLimits(context));
-        if (!compared) return compared;
+            compare(report, context, {kTargets[k], rgb(rendered), imageFrom(reference::spread(given, variance), 3), counts},
+                    cascadeLimits(context));
+        if (!compared) return compared.error();
         if (context.options.setting == "corrected") continue;
         printed =
             asPrinted(given, printed, k == 0 ? profile[0].variance : profile[k].variance, variance, context.options.setting == "deon2007");
@@ -121,7 +103,7 @@ Result<void> compareCascade(ModuleReport& report, const Context& context, const 
                      .p99 = 5e-3,
                      .bias = 1e-3,
                      .why = "the same seven taps in double precision; the Stretch map holds halves"});
-        if (!same) return same;
+        if (!same) return same.error();
     }
     report.notes.emplace_back(
         "texels nearer than three sigma to the border of a chart are left out: what the kernel finds outside is the business of the seams");
@@ -141,40 +123,35 @@ Result<void> verifyCascade(ModuleReport& report, const Context& context, const S
     job.dump.emplace_back("gIrradianceMap");
     const auto run = render(context, job);
     if (!run) return run.error();
-    const Given given{mapFrom(run->dumped.at("gIrradianceMap")), densities(scene.mesh, size)};
+    const ChartMap given = givenLight(*run, scene.mesh);
     return compareCascade(report, context, given, *run);
 }
 
 Result<void> verifyPoisson(ModuleReport& report, const Context& context, const Scene& scene) {
     const bool corrected = context.options.setting == "corrected";
     const int size = context.options.mapSize;
-    const double blurSize = corrected ? 2.4 : 4; // mm; pairs of texels
-    const double turn = corrected ? 2.39996 : 0;
-    constexpr int kBlurs = 3;
-    const auto run = render(context, {.effect = "Convolution.fx",
-                                      .technique = "Poisson",
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .dump = {"gIrradianceMap", "gBlurOddMap"},
-                                      .parameters = {{"gBlurSize", {blurSize}}, {"gBlurTurn", {turn}}, {"gBlurCount", {kBlurs}}},
-                                      .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
+    const reference::Discs discs = corrected ? reference::Discs{.size = 2.4} : reference::Discs{.size = 4, .turn = 0, .asPrinted = true};
+    const auto run = render(
+        context,
+        {.effect = "Convolution.fx",
+         .technique = "Poisson",
+         .width = size,
+         .height = size,
+         .mesh = &scene.mesh,
+         .workspace = scene.workspace,
+         .dump = {"gIrradianceMap", "gBlurOddMap"},
+         .parameters = {{"gBlurSize", {discs.size}}, {"gBlurTurn", {discs.turn}}, {"gBlurCount", {static_cast<double>(discs.count)}}},
+         .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
     if (!run) return run.error();
-    const Given given{mapFrom(run->dumped.at("gIrradianceMap")), densities(scene.mesh, size)};
-    Map blurred = given.light;
-    for (int blur = 0; blur < kBlurs; ++blur)
-        blurred = reference::poisson(blurred, [&](int x, int y) {
-            const double kernel = blurred.texels[blurred.index(x, y)].w;
-            const glm::dvec2 radius = blurSize * kernel * (corrected ? given.at(x, y) : glm::dvec2(2));
-            return reference::Disc{.radius = radius, .turn = blur * turn, .centred = corrected, .repair = !corrected};
-        });
-    const auto counts = awayFromBorders(given.light, 12);
-    return compare(report, context, {"gBlurOddMap, three Poisson blurs", rgb(run->dumped.at("gBlurOddMap")), imageFrom(blurred, 3), counts},
-                   {.relativeL2 = 5e-3,
-                    .p99 = 1e-2,
-                    .bias = 1e-3,
-                    .why = "taps that fall on the border of two texels may take either; the Stretch map holds halves"});
+    const ChartMap given = givenLight(*run, scene.mesh);
+    const auto counts = awayFromBorders(given.map, 12);
+    return compare(
+        report, context,
+        {"gBlurOddMap, three Poisson blurs", rgb(run->dumped.at("gBlurOddMap")), imageFrom(reference::spread(given, discs), 3), counts},
+        {.relativeL2 = 5e-3,
+         .p99 = 1e-2,
+         .bias = 1e-3,
+         .why = "taps that fall on the border of two texels may take either; the Stretch map holds halves"});
 }
 
 /// White light over the charts: what comes out is the sum of the weights, nothing above what went in.

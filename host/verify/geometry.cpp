@@ -205,9 +205,7 @@ Result<ModuleReport> verifyShadowMap(const Context& context) {
                                          .workspace = scene.workspace});
     if (!shaded) return shaded.error();
     const Seen seen = look(truth.skin, truth.camera);
-    auto counts = interior(seen);
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] != 0 && truth.skin.nearShadowEdge(*seen.pixels[i], kShadowEdge)) counts[i] = 0;
+    const auto counts = awayFromShadowEdges(truth, seen);
     const Image exact =
         paint(seen, 1, [&](const reference::SurfacePoint& point, std::size_t) { return glm::dvec4(truth.skin.lit(point) ? 1 : 0); });
     const auto compared =

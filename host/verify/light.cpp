@@ -44,9 +44,7 @@ Result<void> compareSpecular(ModuleReport& report, const Context& context, const
                                       .mesh = &scene.mesh,
                                       .workspace = scene.workspace});
     if (!run) return run.error();
-    auto counts = interior(seen);
-    for (std::size_t i = 0; which.shadowed && i < counts.size(); ++i)
-        if (counts[i] != 0 && truth.skin.nearShadowEdge(*seen.pixels[i], kShadowEdge)) counts[i] = 0;
+    const auto counts = which.shadowed ? awayFromShadowEdges(truth, seen) : interior(seen);
     const Image exact = paint(seen, 3, [&](const reference::SurfacePoint& point, std::size_t) {
         const glm::dvec3 normal = which.mapped ? truth.skin.mappedNormal(point) : glm::normalize(point.normal);
         const bool lit = !which.shadowed || truth.skin.lit(point);
@@ -103,18 +101,7 @@ double encoded(const Truth& truth, const reference::SurfacePoint& point) {
     return std::min(kLargest, straight * *t / std::max(found->path, 1e-9));
 }
 
-Result<void> compareThickness(ModuleReport& report, const Context& context, const Scene& scene) {
-    const Truth truth = truthOf(scene, context.options);
-    const int size = context.options.mapSize;
-    const auto run = render(context, {.effect = "Irradiance.fx",
-                                      .technique = "Irradiance",
-                                      .width = size,
-                                      .height = size,
-                                      .mesh = &scene.mesh,
-                                      .workspace = scene.workspace,
-                                      .dump = {"gIrradianceMap"}});
-    if (!run) return run.error();
-    const Seen seen = lookUnwrapped(scene.mesh, size);
+Result<void> compareThickness(ModuleReport& report, const Context& context, const Truth& truth, const Seen& seen, const Image& drawn) {
     auto counts = interior(seen);
     auto turned = counts;
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -125,7 +112,7 @@ Result<void> compareThickness(ModuleReport& report, const Context& context, cons
     const Image exact =
         paint(seen, 1, [&](const reference::SurfacePoint& point, std::size_t) { return glm::dvec4(encoded(truth, point)); });
     const auto compared = compare(
-        report, context, {"thickness in alpha", channel(run->dumped.at("gIrradianceMap"), 3), exact, counts},
+        report, context, {"thickness in alpha", channel(drawn, 3), exact, counts},
         {.relativeL2 = 2e-2,
          .p99 = 6e-2,
          .bias = 5e-3,
@@ -153,16 +140,15 @@ Result<ModuleReport> verifyIrradiance(const Context& context) {
                                       .workspace = scene.workspace,
                                       .dump = {"gIrradianceMap"}});
     if (!run) return run.error();
+    const Image& drawn = run->dumped.at("gIrradianceMap");
     const Seen seen = lookUnwrapped(scene.mesh, size);
-    auto counts = interior(seen);
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] != 0 && truth.skin.nearShadowEdge(*seen.pixels[i], kShadowEdge)) counts[i] = 0;
+    const auto counts = awayFromShadowEdges(truth, seen);
     const Image exact = paint(seen, 3, [&](const reference::SurfacePoint& point, std::size_t) {
         return glm::dvec4(truth.skin.entering(point, truth.skin.lit(point)), 1);
     });
     const bool corrected = context.options.setting == "corrected";
     const auto compared = compare(
-        report, context, {"gIrradianceMap", rgb(run->dumped.at("gIrradianceMap")), exact, counts, interior(seen)},
+        report, context, {"gIrradianceMap", rgb(drawn), exact, counts, interior(seen)},
         corrected
             ? Limits{.relativeL2 = 5e-3,
                      .p99 = 1e-2,
@@ -172,7 +158,7 @@ Result<ModuleReport> verifyIrradiance(const Context& context) {
             : Limits{.relativeL2 = 0.3, .bias = 0.06, .apart = 1, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"});
     if (!compared) return compared.error();
     noteApart(report, "gIrradianceMap", counts, covered(seen), kShadowApart);
-    if (const auto thick = compareThickness(report, context, scene); !thick) return thick.error();
+    if (const auto thick = compareThickness(report, context, truth, seen, drawn); !thick) return thick.error();
     return report;
 }
 

@@ -72,6 +72,13 @@ std::vector<std::uint8_t> interior(const Seen& seen) {
     return mask;
 }
 
+std::vector<std::uint8_t> awayFromShadowEdges(const Truth& truth, const Seen& seen) {
+    auto mask = interior(seen);
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        if (mask[i] != 0 && truth.skin.nearShadowEdge(*seen.pixels[i], kShadowEdge)) mask[i] = 0;
+    return mask;
+}
+
 /// Points turned away from the light whose way through the body the map can tell: its neighbours three texels away are crossed by nearly
 /// the same length.
 bool thicknessIsKnown(const Truth& truth, const reference::SurfacePoint& point) {

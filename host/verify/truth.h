@@ -40,6 +40,9 @@ struct Seen {
 /// of an outline, for it snaps vertices to 1/256 pixel.
 [[nodiscard]] std::vector<std::uint8_t> interior(const Seen& seen);
 
+/// Those of them whose shadow the map can tell: lit or not, and no shadow's edge within the reach of its filter.
+[[nodiscard]] std::vector<std::uint8_t> awayFromShadowEdges(const Truth& truth, const Seen& seen);
+
 /// value(point, pixel) for every pixel that sees something and counts; others stay 0.
 template <class Value>
 Image paint(const Seen& seen, int channels, Value value) {

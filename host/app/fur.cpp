@@ -119,15 +119,15 @@ Result<Maps> makeMaps(const TextureArguments& arguments, Progress& progress) {
 }
 
 Result<void> writeBoth(const fs::path& folder, const std::string& name, const Image& picture, const DdsTexture& texture) {
-    if (const auto written = writePng(folder / (name + ".png"), picture, PngEncoding::Raw); !written) return written;
+    if (const auto written = writePng(folder / (name + ".png"), picture, PngEncoding::Raw); !written) return written.error();
     return writeDds(folder / (name + ".dds"), texture);
 }
 
 Result<void> writeMaps(const fs::path& folder, const Maps& maps) {
     if (const auto written = writeBoth(folder, "fur", maps.texture, makeDds(maps.texture, DdsFormat::Rgba8, true)); !written)
-        return written;
+        return written.error();
     if (const auto written = writeBoth(folder, "fur_sphere", maps.sphereMap, makeDds(maps.sphereMap, DdsFormat::Rgba8, true)); !written)
-        return written;
+        return written.error();
     return writeBoth(folder, "fur_cube", unfoldCube(maps.cubeMap), cubeDds(maps.cubeMap));
 }
 

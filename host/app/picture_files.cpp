@@ -19,7 +19,7 @@ DdsFormat ddsFormat(const Image& image, const std::string& format) {
     const bool halves = format.find("16F") != std::string::npos;
     if (image.channels == 1) return halves ? DdsFormat::R16F : DdsFormat::R32F;
     if (image.channels == 2) return halves ? DdsFormat::Rg16F : DdsFormat::Rg32F;
-    if (format.find("8") != std::string::npos && format.find("F") == std::string::npos) return DdsFormat::Rgba8;
+    if (format.find('8') != std::string::npos && format.find('F') == std::string::npos) return DdsFormat::Rgba8;
     return halves ? DdsFormat::Rgba16F : DdsFormat::Rgba32F;
 }
 

@@ -44,8 +44,9 @@ namespace {
 double besselTail(double x) {
     constexpr double kStep = 0.05;
     double sum = 0.5 * std::exp(-x);
-    for (double u = kStep; u < 40; u += kStep)
-        sum += std::exp(-x * std::cosh(u)) / std::cosh(u);
+    constexpr int kSteps = 800; // to u = 40
+    for (int i = 1; i < kSteps; ++i)
+        sum += std::exp(-x * std::cosh(i * kStep)) / std::cosh(i * kStep);
     return sum * kStep;
 }
 

@@ -32,8 +32,9 @@ Mesh plane(double texel, int size) {
 /// the colour is taken before diffusion. Floats, which are taken as linear.
 Image edgeColour(int size, double phase) {
     Image image = blank(size, 1, 4);
+    const int middle = size / 2;
     for (int x = 0; x < size; ++x) {
-        const double share = std::clamp(x - size / 2 + phase + 0.5, 0.0, 1.0);
+        const double share = std::clamp(x - middle + phase + 0.5, 0.0, 1.0);
         for (int c = 0; c < 3; ++c)
             image.at(x, 0, c) = static_cast<float>(share);
         image.at(x, 0, 3) = 1;
@@ -94,6 +95,7 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
     DrawnEdge edge{.texel = texel, .phase = phase, .maps = {}};
     for (const char* map : kMaps) {
         std::vector<double> row;
+        row.reserve(static_cast<std::size_t>(size));
         for (int x = 0; x < size; ++x)
             row.push_back(run->dumped.at(map).at(x, size / 2, 0) / light);
         edge.maps.push_back(std::move(row));

@@ -56,8 +56,8 @@ StrandStatistics statistics(const StrandSet& set, const Space& space, double tex
     result.nearestMean = gaps.mean / texel;
     result.nearestCv = gaps.cv;
 
-    constexpr std::size_t patches = kPatchesAcross * kPatchesAcross;
-    std::vector<std::size_t> counts(patches, 0);
+    constexpr std::size_t kPatches = std::size_t{kPatchesAcross} * kPatchesAcross;
+    std::vector<std::size_t> counts(kPatches, 0);
     for (const Strand& strand : set.strands) {
         const glm::dvec2 at = glm::clamp(patchOf(strand.root), glm::dvec2(0), glm::dvec2(1)) * static_cast<double>(kPatchesAcross);
         const auto column = static_cast<std::size_t>(std::min(static_cast<int>(at.x), kPatchesAcross - 1));
@@ -65,7 +65,7 @@ StrandStatistics statistics(const StrandSet& set, const Space& space, double tex
         ++counts[row * kPatchesAcross + column];
     }
     result.patchCv = momentsOf(counts).cv;
-    result.poissonCv = std::sqrt(static_cast<double>(patches) / static_cast<double>(set.strands.size()));
+    result.poissonCv = std::sqrt(static_cast<double>(kPatches) / static_cast<double>(set.strands.size()));
     return result;
 }
 

@@ -40,7 +40,7 @@ Result<void> write(const Arguments& arguments, const prep::Prepared& prepared) {
         const auto extension = toLower(std::filesystem::path(arguments.output).extension().string());
         const auto written =
             extension == ".ply" ? writePly(arguments.output, prepared.mesh) : writeGlb(arguments.output, prepared.mesh, prepared.glb);
-        if (!written) return written;
+        if (!written) return written.error();
     }
     if (arguments.report.empty()) return {};
     return writeFile(arguments.report, reportOf(arguments, prepared.report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -84,8 +84,8 @@ Result<void> checkLabels(const SheetArguments& arguments, const Grid& grid) {
         if (labels.empty() || static_cast<int>(labels.size()) == count) return {};
         return usageError(8031, fmt::format("{} labels for {} {}", labels.size(), count, what), "give one for each, separated by commas");
     };
-    if (const auto columns = check(arguments.columnLabels, grid.columns, "columns"); !columns) return columns;
-    if (const auto rows = check(arguments.rowLabels, grid.rows, "rows"); !rows) return rows;
+    if (const auto columns = check(arguments.columnLabels, grid.columns, "columns"); !columns) return columns.error();
+    if (const auto rows = check(arguments.rowLabels, grid.rows, "rows"); !rows) return rows.error();
     for (const std::string& label : arguments.columnLabels)
         if (textWidth(label, kDot) > grid.width)
             return usageError(8031, fmt::format("'{}' is wider than a picture of {} pixels", label, grid.width),
@@ -145,7 +145,7 @@ Result<void> makeSheet(const SheetArguments& arguments) {
     const auto images = loadAll(arguments.pictures);
     if (!images) return images.error();
     const Grid grid = layOut(arguments, *images);
-    if (const auto checked = checkLabels(arguments, grid); !checked) return checked;
+    if (const auto checked = checkLabels(arguments, grid); !checked) return checked.error();
     Image sheet = arrange(*images, grid);
     drawLabels(arguments, grid, sheet);
     return write(arguments.output, sheet);

@@ -95,7 +95,6 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
     DrawnEdge edge{.texel = texel, .phase = phase, .maps = {}};
     for (const char* map : kMaps) {
         std::vector<double> row;
-        row.reserve(static_cast<std::size_t>(size));
         for (int x = 0; x < size; ++x)
             row.push_back(run->dumped.at(map).at(x, size / 2, 0) / light);
         edge.maps.push_back(std::move(row));

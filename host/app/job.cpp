@@ -107,6 +107,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
     command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated");
     command.add_option("--size", options.size, "Picture size in pixels")->capture_default_str();
+    command.add_option("--samples", options.samples, "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean")
+        ->check(CLI::IsMember({1, 2, 4, 8}))
+        ->capture_default_str();
     command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
         ->check(CLI::IsMember({"dxc", "glslang"}));
     command.add_option("--device", options.device, "Part of the Vulkan device's name");
@@ -124,6 +127,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     job.run.technique = options.technique;
     job.run.width = size->first;
     job.run.height = size->second;
+    job.run.samples = options.samples;
     const auto compiler = chosenCompiler(options.compiler);
     if (!compiler) return compiler.error();
     job.run.compiler = *compiler;

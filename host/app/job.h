@@ -15,6 +15,7 @@ struct JobOptions {
     SceneOptions scene;
     std::vector<std::string> sets;
     std::string size = "1024x1024";
+    int samples = 1;
     std::string compiler;
     std::string device;
     bool validate = false;

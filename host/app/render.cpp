@@ -71,6 +71,7 @@ Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device&
               {"device", device.info().name},
               {"driver", device.info().driver},
               {"resolution", {job.run.width, job.run.height}},
+              {"samples", job.run.samples},
               {"map_size", mapSize(options, result)},
               {"passes", passesJson(result, several)},
               {"targets", targets},

@@ -63,7 +63,7 @@ struct TextureState {
     std::uint64_t allocatedBytes = 0;
     vk::raii::DeviceMemory memory{nullptr};
     vk::raii::Image image{nullptr};
-    vk::raii::ImageView sampledView{nullptr}; // all mips; colour or depth
+    vk::raii::ImageView sampledView{nullptr}; // all mips; colour or depth; not of multisampled ones
     vk::raii::ImageView targetView{nullptr};  // mip 0, layer 0, all aspects; only of render targets
     Track track;
 
@@ -97,6 +97,7 @@ struct PipelineHandle {
     std::uint32_t vertexStride = 0; // 0: no vertex input
     std::vector<Format> colorFormats;
     std::optional<Format> depthFormat;
+    std::uint32_t samples = 1;
     std::vector<vk::raii::DescriptorSetLayout> setLayouts;
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::Pipeline pipeline{nullptr};

@@ -34,6 +34,8 @@ Result<void> checkValue(const PipelineHandle& pipeline, const Binding& binding, 
     if (isNull(resource)) return wrong(6030, "was given nothing");
     if (binding.kind == BindingKind::StorageBuffer && std::get<Buffer*>(resource.resource)->state->usage != BufferUsage::Storage)
         return wrong(6033, "was given a vertex or index buffer");
+    if (binding.kind == BindingKind::Texture && std::get<Texture*>(resource.resource)->desc().samples != 1)
+        return wrong(6017, "was given a multisampled texture, which must be resolved first");
     if (binding.kind != BindingKind::UniformBuffer) return {};
     const std::size_t size = std::get<std::span<const std::byte>>(resource.resource).size();
     const std::uint32_t limit = pipeline.device->limits.maxUniformBufferRange;
@@ -52,6 +54,9 @@ Result<void> checkTarget(const PipelineHandle& pipeline, const TextureState* tar
     if (target->desc.format != format)
         return requestError(6035, fmt::format("pipeline '{}': {}, '{}', is {}, and the pipeline writes {}", pipeline.name, what,
                                               target->desc.name, name(target->desc.format), name(format)));
+    if (target->desc.samples != pipeline.samples)
+        return requestError(6035, fmt::format("pipeline '{}': {}, '{}', has {} samples a pixel, and the pipeline draws {}", pipeline.name,
+                                              what, target->desc.name, target->desc.samples, pipeline.samples));
     return {};
 }
 

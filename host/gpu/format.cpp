@@ -94,6 +94,13 @@ std::vector<std::byte> depthAsFloats(Format format, std::span<const std::byte> t
     return {bytes.begin(), bytes.end()};
 }
 
+std::string listedSamples(std::uint32_t flags) {
+    std::string list;
+    for (std::uint32_t samples = 1; samples <= 64; samples *= 2)
+        if ((flags & samples) != 0) list += (list.empty() ? "" : ", ") + std::to_string(samples);
+    return list;
+}
+
 } // namespace detail
 
 } // namespace tegument::gpu

@@ -14,5 +14,7 @@ namespace tegument::gpu::detail {
 [[nodiscard]] std::uint32_t copiedBytesPerPixel(Format format);
 /// Copied depth texels as 32-bit floats.
 [[nodiscard]] std::vector<std::byte> depthAsFloats(Format format, std::span<const std::byte> texels);
+/// Vulkan's flags, each of which has its number of samples as value: "1, 4".
+[[nodiscard]] std::string listedSamples(std::uint32_t flags);
 
 } // namespace tegument::gpu::detail

@@ -81,6 +81,7 @@ struct TextureDesc {
     std::uint32_t mips = 1;    // 0: full chain
     bool cube = false;         // six layers, in Direct3D's order +X -X +Y -Y +Z -Z
     bool renderTarget = false; // not with cube
+    std::uint32_t samples = 1; // above 1: a render target of one mip that is cleared, drawn to and resolved, and nothing else
 };
 
 class Texture {
@@ -155,6 +156,7 @@ struct PipelineDesc {
     Topology topology = Topology::TriangleList;
     std::vector<Format> colorFormats;
     std::optional<Format> depthFormat;
+    std::uint32_t samples = 1; // of every target; the pixel shader runs once for those of one pixel that a triangle covers
     /// depthBias counts smallest steps of the depth format, as in Direct3D 10 and 11. A scissor rectangle is never set: scissorTest passes.
     PipelineState state;
 };
@@ -197,6 +199,8 @@ public:
     Result<void> draw(const Targets& targets, const Draw& draw);
     Result<void> dispatch(const Pipeline& pipeline, const std::vector<BoundResource>& resources, std::array<std::uint32_t, 3> groups);
     Result<void> generateMips(Texture& texture);
+    /// Each pixel of `to` becomes the mean of its samples in `from`, which has more of them, one size and one colour format with it.
+    Result<void> resolve(Texture& from, Texture& to);
     /// Named sections, not nested; repeated names are separate entries.
     void beginTimer(std::string name);
     void endTimer();

@@ -172,7 +172,8 @@ vk::raii::Pipeline makeGraphicsPipeline(const PipelineHandle& handle, const Pipe
                                                                             : vk::PrimitiveTopology::eTriangleList};
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
     const vk::PipelineRasterizationStateCreateInfo raster = rasterization(desc.state);
-    const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = vk::SampleCountFlagBits::e1,
+    const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples =
+                                                                 static_cast<vk::SampleCountFlagBits>(desc.samples), // the same numbers
                                                              .alphaToCoverageEnable = desc.state.alphaToCoverage};
     const vk::PipelineDepthStencilStateCreateInfo depth = depthStencil(desc);
     std::vector<vk::PipelineColorBlendAttachmentState> blends;
@@ -220,6 +221,7 @@ Result<std::unique_ptr<PipelineHandle>> makeGraphics(const std::shared_ptr<Devic
     handle->vertexStride = desc.attributes.empty() ? 0 : desc.vertexStride;
     handle->colorFormats = desc.colorFormats;
     handle->depthFormat = desc.depthFormat;
+    handle->samples = desc.samples;
     const auto layout = makeLayout(*handle, desc.bindings, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment);
     if (!layout) return layout.error();
     handle->pipeline = makeGraphicsPipeline(*handle, desc);

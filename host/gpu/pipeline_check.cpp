@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace tegument::gpu::detail {
 
@@ -31,6 +32,17 @@ Result<void> checkAttachments(const DeviceState& device, const PipelineDesc& des
         return requestError(6026,
                             fmt::format("pipeline '{}' has depth target format {}, a colour format", desc.name, name(*desc.depthFormat)));
     return {};
+}
+
+/// Of both kinds of target: what is drawn with several samples has a depth target beside the colours, as a rule.
+Result<void> checkSamples(const DeviceState& device, const PipelineDesc& desc) {
+    const auto offered =
+        static_cast<std::uint32_t>(device.limits.framebufferColorSampleCounts & device.limits.framebufferDepthSampleCounts);
+    if (std::has_single_bit(desc.samples) && (offered & desc.samples) != 0) return {};
+    return machineError(6016,
+                        fmt::format("pipeline '{}' draws {} samples a pixel, and {} offers {}", desc.name, desc.samples, device.info.name,
+                                    listedSamples(offered)),
+                        "ask for one of these");
 }
 
 bool readsSecondSource(const TargetBlend& blend) {
@@ -65,6 +77,7 @@ Result<void> checkBlendable(const DeviceState& device, const PipelineDesc& desc)
 Result<void> checkPipeline(const DeviceState& device, const PipelineDesc& desc) {
     if (auto shaders = checkShaders(desc); !shaders) return shaders;
     if (auto attachments = checkAttachments(device, desc); !attachments) return attachments;
+    if (auto samples = checkSamples(device, desc); !samples) return samples;
     if (const auto missing = missingFeature(device, desc); !missing.empty())
         return machineError(6024, fmt::format("pipeline '{}': {} has no {}", desc.name, device.info.name, missing));
     return checkBlendable(device, desc);

@@ -21,7 +21,8 @@ TextureState::~TextureState() {
 namespace {
 
 std::string described(const TextureDesc& desc) {
-    return fmt::format("texture '{}' ({}x{} {})", desc.name, desc.width, desc.height, name(desc.format));
+    const std::string samples = desc.samples == 1 ? "" : fmt::format(" of {} samples", desc.samples);
+    return fmt::format("texture '{}' ({}x{} {}{})", desc.name, desc.width, desc.height, name(desc.format), samples);
 }
 
 std::uint32_t fullChain(const TextureDesc& desc) {
@@ -39,12 +40,14 @@ Result<void> checkShape(const DeviceState& device, const TextureDesc& desc) {
     if (desc.mips > fullChain(desc))
         return requestError(
             6012, fmt::format("{} asks for {} mip levels, and {} is its full chain", described(desc), desc.mips, fullChain(desc)));
+    if (desc.samples != 1 && (!desc.renderTarget || desc.mips != 1))
+        return requestError(6012, described(desc) + " is multisampled and no render target of one mip level");
     return {};
 }
 
 vk::ImageUsageFlags usage(const TextureDesc& desc) {
-    vk::ImageUsageFlags flags =
-        vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst;
+    vk::ImageUsageFlags flags = vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst;
+    if (desc.samples == 1) flags |= vk::ImageUsageFlagBits::eSampled;
     if (desc.renderTarget)
         flags |= isDepth(desc.format) ? vk::ImageUsageFlagBits::eDepthStencilAttachment : vk::ImageUsageFlagBits::eColorAttachment;
     return flags;
@@ -58,7 +61,7 @@ vk::ImageCreateInfo imageInfo(const TextureDesc& desc) {
         .extent = {desc.width, desc.height, 1},
         .mipLevels = desc.mips,
         .arrayLayers = desc.cube ? 6u : 1u,
-        .samples = vk::SampleCountFlagBits::e1,
+        .samples = static_cast<vk::SampleCountFlagBits>(desc.samples), // the same numbers
         .tiling = vk::ImageTiling::eOptimal,
         .usage = usage(desc),
         .sharingMode = vk::SharingMode::eExclusive,
@@ -66,7 +69,7 @@ vk::ImageCreateInfo imageInfo(const TextureDesc& desc) {
     };
 }
 
-/// The format with its usage: Vulkan answers for both at once.
+/// Format, usage and samples: Vulkan answers for all at once.
 Result<void> checkFormat(const DeviceState& device, const TextureDesc& desc) {
     const vk::ImageCreateInfo info = imageInfo(desc);
     vk::ImageFormatProperties properties;
@@ -76,7 +79,12 @@ Result<void> checkFormat(const DeviceState& device, const TextureDesc& desc) {
         return machineError(6011, fmt::format("{}: {} cannot use this format {}", described(desc), device.info.name,
                                               desc.renderTarget ? "as a render target that is sampled" : "as a texture"));
     }
-    const std::uint64_t bytes = std::uint64_t{desc.width} * desc.height * bytesPerPixel(desc.format);
+    const auto offered = static_cast<std::uint32_t>(properties.sampleCounts);
+    if (!std::has_single_bit(desc.samples) || (offered & desc.samples) == 0)
+        return machineError(6016,
+                            fmt::format("{}: {} offers {} samples a pixel", described(desc), device.info.name, listedSamples(offered)),
+                            "ask for one of these");
+    const std::uint64_t bytes = std::uint64_t{desc.width} * desc.height * bytesPerPixel(desc.format) * desc.samples;
     if (bytes > properties.maxResourceSize)
         return requestError(
             6010, fmt::format("{} is too large: {} allows {} bytes", described(desc), device.info.name, properties.maxResourceSize));
@@ -126,8 +134,9 @@ Result<std::unique_ptr<TextureState>> makeTexture(const std::shared_ptr<DeviceSt
     device->allocatedBytes += needs.size;
     texture->image = std::move(image);
     texture->image.bindMemory(*texture->memory, 0);
-    texture->sampledView =
-        makeView(*texture, isDepth(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, false);
+    if (desc.samples == 1)
+        texture->sampledView =
+            makeView(*texture, isDepth(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, false);
     if (desc.renderTarget) texture->targetView = makeView(*texture, aspects(desc.format), true);
     fillWithZeros(*texture);
     return texture;
@@ -151,7 +160,7 @@ std::uint64_t Texture::bytes() const {
     std::uint64_t pixels = 0;
     for (std::uint32_t mip = 0; mip < state->desc.mips; ++mip)
         pixels += std::uint64_t{std::max(state->desc.width >> mip, 1u)} * std::max(state->desc.height >> mip, 1u);
-    return pixels * bytesPerPixel(state->desc.format) * state->layers();
+    return pixels * bytesPerPixel(state->desc.format) * state->layers() * state->desc.samples;
 }
 
 Result<Texture> Device::createTexture(const TextureDesc& asked) {

@@ -35,6 +35,9 @@ Result<void> checkCopy(const DeviceState& device, const TextureState& texture, s
     if (mip >= texture.desc.mips || layer >= texture.layers())
         return requestError(6014, fmt::format("texture '{}' has no mip {} of layer {}: it has {} mips and {} layers", texture.desc.name,
                                               mip, layer, texture.desc.mips, texture.layers()));
+    if (texture.desc.samples != 1)
+        return requestError(6017, fmt::format("texture '{}' is multisampled and cannot be copied to or from the host", texture.desc.name),
+                            "resolve it into a texture of one sample");
     return checkIdle(device, texture.track, fmt::format("texture '{}'", texture.desc.name));
 }
 

@@ -15,16 +15,12 @@ namespace {
 
 using Sections = std::vector<gpu::TimedSection>;
 
-bool isPicture(const std::string& name) {
-    return name == kPicture || name == kPictureDepth;
-}
-
 /// The named targets, or all of the effect's own.
 Result<std::vector<std::string>> targetsToDump(const RunInput& input, const Prepared& prepared) {
     std::set<std::string> names;
     std::vector<std::string> own;
     for (const auto& target : prepared.targets)
-        if (!isPicture(target.first)) own.push_back(target.first);
+        if (!isCallers(target.first)) own.push_back(target.first);
     for (const std::string& name : input.options.dump) {
         if (equalsIgnoreCase(name, "all")) {
             names.insert(own.begin(), own.end());
@@ -117,7 +113,7 @@ void reportTargets(const Resources& resources, RunResult& result) {
 }
 
 Result<void> readTargets(const RunInput& input, const std::vector<std::string>& dump, Resources& resources, RunResult& result) {
-    auto image = readBack(input.device, resources.targets.at(kPicture));
+    auto image = readBack(input.device, *resources.picture());
     if (!image) return image.error();
     result.image = std::move(*image);
     for (const std::string& name : dump) {
@@ -141,6 +137,7 @@ std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects) 
                                                {"device", input.device.info().name},
                                                {"driver", input.device.info().driver}};
     if (const Numbers* seed = prepared.values.find("gSeed"); seed && !seed->empty()) entries["seed"] = fmt::format("{}", seed->front());
+    if (input.options.samples > 1) entries["samples"] = fmt::format("{}", input.options.samples);
     if (!input.mesh || !prepared.drawsMesh) return entries;
     entries["mesh"] = ofMeshes(objects, [](const Mesh& mesh) { return mesh.name; });
     entries["unit_mm"] = ofMeshes(objects, [](const Mesh& mesh) { return fmt::format("{}", mesh.unitMm); });

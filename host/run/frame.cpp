@@ -34,12 +34,20 @@ gpu::ShaderCode codeOf(const Shader& shader) {
     return {.spirv = shader.spirv, .entry = shader.entry};
 }
 
+/// All have one size and one number of samples: completePlan() has seen to it.
+const gpu::Texture& anyOf(const gpu::Targets& targets) {
+    const gpu::Texture* any = targets.colors.empty() ? targets.depth : targets.colors.front();
+    assert(any);
+    return *any;
+}
+
 Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step, const gpu::Targets& targets) {
     std::vector<gpu::Format> formats;
     for (const gpu::Texture* color : targets.colors)
         formats.push_back(color->desc().format);
     const std::optional<gpu::Format> depth = targets.depth ? std::optional(targets.depth->desc().format) : std::nullopt;
-    const PipelineKey key{step.pass, formats, depth};
+    const std::uint32_t samples = anyOf(targets).desc().samples;
+    const PipelineKey key{step.pass, formats, depth, samples};
     if (const auto found = builder.resources.pipelines.find(key); found != builder.resources.pipelines.end())
         return static_cast<const gpu::Pipeline*>(&found->second);
     const PassProgram& program = builder.prepared.programs.at(step.pass);
@@ -52,6 +60,7 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
                                                          .topology = gpu::Topology::TriangleList,
                                                          .colorFormats = std::move(formats),
                                                          .depthFormat = depth,
+                                                         .samples = samples,
                                                          .state = maskUnwritten(*step.pass, program)});
     if (!pipeline) return pipeline.error();
     return static_cast<const gpu::Pipeline*>(&builder.resources.pipelines.emplace(key, std::move(*pipeline)).first->second);
@@ -125,9 +134,8 @@ Result<std::uint32_t> instancesOf(const Builder& builder, const DrawStep& step) 
 }
 
 Extent extentOf(const gpu::Targets& targets) {
-    const gpu::Texture* any = targets.colors.empty() ? targets.depth : targets.colors.front();
-    assert(any);
-    return {any->desc().width, any->desc().height};
+    const gpu::TextureDesc& desc = anyOf(targets).desc();
+    return {desc.width, desc.height};
 }
 
 Result<void> addDraw(Builder& builder, const DrawStep& step) {
@@ -149,10 +157,6 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
         if (const auto bound = bindStage(builder, step, *program.pixel, viewport, item); !bound) return bound;
     if (*instances > 0) builder.frame.items.emplace_back(std::move(item));
     return {};
-}
-
-bool isCallers(const std::string& target) {
-    return target == kPicture || target == kPictureDepth;
 }
 
 Result<void> addStep(Builder& builder, const Step& step) {
@@ -185,6 +189,13 @@ Result<void> recordDraw(const FrameDraw& item, gpu::Recorder& recorder) {
     return drawn;
 }
 
+Result<void> recordResolve(const FrameResolve& item, gpu::Recorder& recorder) {
+    recorder.beginTimer(kResolve);
+    auto resolved = recorder.resolve(*item.from, *item.to);
+    recorder.endTimer();
+    return resolved;
+}
+
 } // namespace
 
 Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources) {
@@ -205,6 +216,8 @@ Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resource
             for (std::size_t mesh = everyMesh ? 0 : script; mesh < (everyMesh ? objects.size() : script + 1); ++mesh)
                 if (const auto added = add(mesh, step); !added) return added.error();
         }
+    if (const auto resolved = resources.targets.find(kPictureResolved); resolved != resources.targets.end())
+        frame.resolve = FrameResolve{&resources.targets.at(kPicture), &resolved->second};
     return frame;
 }
 
@@ -216,7 +229,7 @@ Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t ite
         if (const auto* mips = std::get_if<FrameMips>(&item)) done = recorder.generateMips(*mips->target);
         if (!done) return done;
     }
-    return {};
+    return frame.resolve ? recordResolve(*frame.resolve, recorder) : Result<void>();
 }
 
 } // namespace tegument::run

@@ -21,6 +21,8 @@ struct ObjectRun {
     const Prepared& prepared;
 };
 
+inline constexpr const char* kResolve = "resolve";
+
 struct FrameDraw {
     std::string name;
     int object = 0;
@@ -38,15 +40,22 @@ struct FrameMips {
     gpu::Texture* target = nullptr;
 };
 
+/// Samples of the caller's colour target into the picture.
+struct FrameResolve {
+    gpu::Texture* from = nullptr;
+    gpu::Texture* to = nullptr;
+};
+
 struct Frame {
     std::vector<std::variant<FrameDraw, FrameClear, FrameMips>> items;
+    std::optional<FrameResolve> resolve; // after the items that are recorded; where the caller's targets have several samples a pixel
 };
 
 /// The scripts of all objects one after the other, the caller's targets cleared in the first only. An effect of script class "scene" runs
 /// its script once and draws all meshes where it draws geometry. TG4006 the annotation Instances asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
-/// Records the frame, or its first `items`; each draw is a timed section with its pass's name.
+/// Records the frame, or its first `items`; each draw is a timed section with its pass's name, and so is the resolve, kResolve.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 
 } // namespace tegument::run

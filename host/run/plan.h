@@ -19,6 +19,12 @@ namespace tegument::run {
 /// Names of the caller's targets in a plan; no effect can declare them.
 inline constexpr const char* kPicture = "<picture>";
 inline constexpr const char* kPictureDepth = "<picture depth>";
+/// With several samples a pixel: what the picture's are resolved into. No pass draws to it.
+inline constexpr const char* kPictureResolved = "<picture resolved>";
+
+[[nodiscard]] inline bool isCallers(const std::string& target) {
+    return target == kPicture || target == kPictureDepth || target == kPictureResolved;
+}
 
 struct ClearStep {
     std::string target;
@@ -65,9 +71,9 @@ struct PassUse {
 };
 
 /// Completes the plan with what the shaders use:
-///  * the depth target of a pass that tests neither depth nor stencil is dropped, and so are colour targets of another size that the pass
-///    does not write,
-///  * TG4024 when a pass samples a target that it has bound; TG4025 when two of its targets differ in size,
+///  * the depth target of a pass that tests neither depth nor stencil is dropped, and so are colour targets of another size or number of
+///    samples that the pass does not write,
+///  * TG4024 when a pass samples a target that it has bound; TG4025 when two of its targets differ in size, TG4039 in samples a pixel,
 ///  * targets that the frame uses before clearing them are cleared first (0, depth 1), so that a frame never depends on the one before;
 ///    warning TG4026 when the first use is sampling,
 ///  * mip chains are made before they are sampled.
@@ -76,6 +82,7 @@ struct TargetShape {
     std::uint32_t height = 0;
     std::uint32_t mips = 1;
     bool depth = false;
+    std::uint32_t samples = 1;
 };
 [[nodiscard]] Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses,
                                         const std::map<std::string, TargetShape>& shapes, const std::array<float, 4>& background,

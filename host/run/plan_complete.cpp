@@ -21,8 +21,8 @@ bool writesColor(const Pass& pass, const PassUse& use, std::size_t slot) {
     return (use.writtenColors >> slot & 1U) != 0 && pass.state.targets[slot].writeMask != 0;
 }
 
-bool sameSize(const TargetShape& a, const TargetShape& b) {
-    return a.width == b.width && a.height == b.height;
+bool fit(const TargetShape& a, const TargetShape& b) {
+    return a.width == b.width && a.height == b.height && a.samples == b.samples;
 }
 
 /// The target whose size the pass draws at: the first colour it writes, else its depth, else whatever is bound.
@@ -35,14 +35,20 @@ const std::string* leadingTarget(const DrawStep& draw, const PassUse& use) {
     return draw.depth ? &*draw.depth : nullptr;
 }
 
-Error differentSizes(const Pass& pass, const std::string& a, const TargetShape& sizeA, const std::string& b, const TargetShape& sizeB) {
+Error doNotFit(const Pass& pass, const std::string& a, const TargetShape& sizeA, const std::string& b, const TargetShape& sizeB) {
+    if (sizeA.samples != sizeB.samples)
+        return inputError(4039, pass.at,
+                          fmt::format("pass {} has targets of different samples a pixel: {} has {}, {} has {}", pass.name, a, sizeA.samples,
+                                      b, sizeB.samples),
+                          "draw with one sample a pixel, or bind a depth target of the effect's own beside its colour target");
     return inputError(4025, pass.at,
                       fmt::format("pass {} has targets of different sizes: {} is {} x {}, {} is {} x {}", pass.name, a, sizeA.width,
                                   sizeA.height, b, sizeB.width, sizeB.height),
                       "bind targets of one size, or switch the depth test off if the pass needs no depth");
 }
 
-/// Drops the depth target of a pass that tests nothing, and colour targets that do not fit and cannot change; what is left has one size.
+/// Drops the depth target of a pass that tests nothing, and colour targets that do not fit and cannot change; what is left has one size and
+/// one number of samples.
 Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
     const PassUse& use = with.uses.at(draw.pass);
     const std::string* leading = leadingTarget(draw, use);
@@ -51,8 +57,8 @@ Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
     const TargetShape& size = with.shapes.at(name);
     for (std::size_t slot = 0; slot < draw.colors.size(); ++slot) {
         auto& color = draw.colors[slot];
-        if (!color || sameSize(with.shapes.at(*color), size)) continue;
-        if (writesColor(*draw.pass, use, slot)) return differentSizes(*draw.pass, name, size, *color, with.shapes.at(*color));
+        if (!color || fit(with.shapes.at(*color), size)) continue;
+        if (writesColor(*draw.pass, use, slot)) return doNotFit(*draw.pass, name, size, *color, with.shapes.at(*color));
         color.reset();
     }
     while (!draw.colors.empty() && !draw.colors.back())
@@ -62,8 +68,8 @@ Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
             return inputError(4028, draw.pass->at, fmt::format("pass {} leaves a gap between its colour targets", draw.pass->name),
                               "bind them from 0 upwards");
     if (!usesDepth(draw.pass->state)) draw.depth.reset();
-    if (!draw.depth || sameSize(with.shapes.at(*draw.depth), size)) return {};
-    return differentSizes(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
+    if (!draw.depth || fit(with.shapes.at(*draw.depth), size)) return {};
+    return doNotFit(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
 }
 
 Result<void> refuseFeedback(const DrawStep& draw, const PassUse& use) {

@@ -18,6 +18,9 @@ Result<void> checkSize(const RunInput& input) {
             return inputError(4004, {.file = input.effect.file.string(), .byte = {}},
                               fmt::format("a picture of {} x {} pixels cannot be drawn", options.width, options.height),
                               fmt::format("each side is 1 to {}", kMaxExtent));
+    if (options.samples != 1 && options.samples != 2 && options.samples != 4 && options.samples != 8)
+        return inputError(4007, {.file = input.effect.file.string(), .byte = {}},
+                          fmt::format("a picture of {} samples a pixel cannot be drawn", options.samples), "1, 2, 4 or 8");
     return {};
 }
 
@@ -67,8 +70,10 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
         if (!target) return target.error();
         prepared.targets.emplace(name, *target);
     }
-    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = gpu::Format::RGBA32F});
-    prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = gpu::Format::D24S8});
+    const auto samples = static_cast<std::uint32_t>(input.options.samples);
+    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = gpu::Format::RGBA32F, .samples = samples});
+    prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = gpu::Format::D24S8, .samples = samples});
+    if (samples > 1) prepared.targets.emplace(kPictureResolved, TargetDesc{.extent = picture, .format = gpu::Format::RGBA32F});
     return {};
 }
 
@@ -78,10 +83,15 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
         uses.emplace(pass, program.use);
     std::map<std::string, TargetShape> shapes;
     for (const auto& [name, target] : prepared.targets)
-        shapes.emplace(name, TargetShape{target.extent.width, target.extent.height, target.mips, gpu::isDepth(target.format)});
+        shapes.emplace(name, TargetShape{.width = target.extent.width,
+                                         .height = target.extent.height,
+                                         .mips = target.mips,
+                                         .depth = gpu::isDepth(target.format),
+                                         .samples = target.samples});
     if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings); !done) return done;
     std::set<std::string> needed = prepared.plan.targets();
     needed.insert(kPicture);
+    needed.insert(kPictureResolved);
     for (const auto& use : uses)
         needed.insert(use.second.sampled.begin(), use.second.sampled.end());
     std::erase_if(prepared.targets, [&](const auto& target) { return !needed.contains(target.first); });

@@ -21,7 +21,8 @@ Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Re
                                                    .height = target.extent.height,
                                                    .mips = target.mips,
                                                    .cube = false,
-                                                   .renderTarget = true});
+                                                   .renderTarget = true,
+                                                   .samples = target.samples});
         if (!texture) return texture.error();
         resources.targets.emplace(name, std::move(*texture));
     }
@@ -111,6 +112,12 @@ gpu::Texture* Resources::texture(const Prepared& prepared, const std::string& na
     if (data == prepared.textures.end()) return nullptr;
     const auto found = textures.find(data->second.key);
     return found == textures.end() ? nullptr : &found->second;
+}
+
+gpu::Texture* Resources::picture() {
+    for (const char* name : {kPictureResolved, kPicture})
+        if (const auto found = targets.find(name); found != targets.end()) return &found->second;
+    return nullptr;
 }
 
 Result<void> allocate(const RunInput& input, const Prepared& prepared, Resources& resources) {

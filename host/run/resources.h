@@ -13,8 +13,8 @@
 
 namespace tegument::run {
 
-/// Pipelines depend on the pass and on the formats that it draws into.
-using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>>;
+/// Pipelines depend on the pass and on the formats and samples that it draws into.
+using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>, std::uint32_t>;
 
 struct Resources {
     std::map<std::string, gpu::Texture> targets;
@@ -26,6 +26,8 @@ struct Resources {
 
     /// What a parameter's name means to an object.
     [[nodiscard]] gpu::Texture* texture(const Prepared& prepared, const std::string& name);
+    /// The caller's colour target as a frame leaves it, of one sample a pixel; null before anything is allocated.
+    [[nodiscard]] gpu::Texture* picture();
 };
 
 /// Everything in `prepared.targets`, `prepared.textures` and what the passes sample with, as far as it is not there yet; the mesh only if a

@@ -21,6 +21,7 @@ struct RunOptions {
     std::string technique; // empty: the effect's default
     int width = 1024;      // the final target, 1..16384
     int height = 1024;
+    int samples = 1; // of a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean. The effect's own targets have one
     Compiler compiler = Compiler::Dxc;
     std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
     std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder

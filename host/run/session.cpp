@@ -30,7 +30,7 @@ TextureRequest textureRequest(const Workspace& workspace, const RunOptions& opti
 }
 
 std::string callersName(const std::string& target) {
-    return target == run::kPicture || target == run::kPictureDepth ? std::string() : target;
+    return run::isCallers(target) ? std::string() : target;
 }
 
 SessionPass describe(const run::FrameDraw& draw) {
@@ -105,7 +105,7 @@ Scene inputsOf(const State& state, const Workspace& workspace, const RunOptions&
 }
 
 bool same(const run::TargetDesc& a, const run::TargetDesc& b) {
-    return a.extent == b.extent && a.format == b.format && a.mips == b.mips;
+    return a.extent == b.extent && a.format == b.format && a.mips == b.mips && a.samples == b.samples;
 }
 
 /// Targets of the last frame that this one does not have, or has in another size, make room.
@@ -147,7 +147,7 @@ Result<void> prepareScene(State& state, Scene& scene, TextureRequest request) {
 }
 
 void readTimes(const std::vector<gpu::TimedSection>& sections, SessionFrame& frame) {
-    for (std::size_t i = 0; i < sections.size(); ++i)
+    for (std::size_t i = 0; i < sections.size() && i < frame.passes.size(); ++i) // a resolve is no pass
         frame.passes[i].milliseconds = sections[i].milliseconds;
 }
 
@@ -194,7 +194,8 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
 }
 
 gpu::Texture* EffectSession::target(const std::string& name) {
-    const auto found = state_->resources.targets.find(name.empty() ? run::kPicture : name);
+    if (name.empty()) return state_->resources.picture();
+    const auto found = state_->resources.targets.find(name);
     return found == state_->resources.targets.end() ? nullptr : &found->second;
 }
 

@@ -26,6 +26,7 @@ struct TargetDesc {
     gpu::Format format = gpu::Format::RGBA8;
     std::uint32_t mips = 1; // 0: full chain
     bool ownSize = false;   // does not depend on the picture's size
+    std::uint32_t samples = 1;
 };
 
 /// A D3DFORMAT name in any of the spellings that host/effect accepts.

@@ -68,6 +68,25 @@ TEST_F(Completing, two_written_targets_of_different_sizes_are_an_error) {
     EXPECT_EQ(test::code(complete()), 4025);
 }
 
+TEST_F(Completing, the_caller_s_depth_of_several_samples_beside_a_target_of_one_is_an_error_that_names_both) {
+    shapes_[kPictureDepth].samples = 4;
+    shapes_["gFull"] = {64, 64, 1, false};
+    pass_.state.depthTest = true;
+    draw({"gFull"}, kPictureDepth);
+    const auto completed = complete();
+    ASSERT_EQ(test::code(completed), 4039);
+    EXPECT_EQ(completed.error().diagnostics.front().text,
+              "pass P has targets of different samples a pixel: gFull has 1, <picture depth> has 4");
+}
+
+TEST_F(Completing, the_caller_s_depth_of_several_samples_is_dropped_when_the_pass_tests_nothing) {
+    shapes_[kPictureDepth].samples = 4;
+    shapes_["gFull"] = {64, 64, 1, false};
+    draw({"gFull"}, kPictureDepth);
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_FALSE(steps<DrawStep>().front().depth);
+}
+
 TEST_F(Completing, sampling_a_bound_target_is_an_error_that_names_pass_and_texture) {
     uses_[&pass_].sampled = {"gSmall"};
     draw({"gSmall"});

@@ -14,14 +14,15 @@ struct FurInput
     float2 uv : TEXCOORD0; // read with kFurColorMap only
 };
 
+// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far outside of it.
 struct FurVarying
 {
     float4 position : SV_Position;
-    float3 rest : TEXCOORD0;   // of the skin below, mesh space, from the bounding sphere's centre
-    float3 normal : TEXCOORD1; // mesh space
-    float3 world : TEXCOORD2;  // in the coat
-    float4 lightClip : TEXCOORD3;
-    float3 coat : TEXCOORD4; // height in the coat, uv
+    centroid float3 rest : TEXCOORD0;   // of the skin below, mesh space, from the bounding sphere's centre
+    centroid float3 normal : TEXCOORD1; // mesh space
+    centroid float3 world : TEXCOORD2;  // in the coat
+    centroid float4 lightClip : TEXCOORD3;
+    centroid float4 coat : TEXCOORD4; // height in the coat, uv, height of the layer above
 };
 
 FurVarying furVarying(FurInput input, float height)
@@ -32,7 +33,7 @@ FurVarying furVarying(FurInput input, float height)
     // Back into the mesh's own axes: with a rotation and one scale the transpose is the inverse, but for a length that does not matter.
     output.rest = mul((float3x3)gWorld, skin - gBoundingCenter);
     output.normal = input.normal;
-    output.coat = float3(height, kFurColorMap ? input.uv : float2(0.0, 0.0));
+    output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
     output.world = skin + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);

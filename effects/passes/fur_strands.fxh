@@ -11,12 +11,12 @@ static const float kFurFarSegment = 64.0; // added to gFurSegment where only cov
 struct StrandsVarying
 {
     float4 position : SV_Position;
-    float4 rest : TEXCOORD0;   // as in FurVarying; layers above this one, and a half
-    float4 normal : TEXCOORD1; // height in the coat
-    float3 fromEye : TEXCOORD2;
-    float3 toLight : TEXCOORD3;
-    float4 lightClip : TEXCOORD4;
-    float4 lean : TEXCOORD5; // of the tips, share of the coat; share of the full density of strands
+    centroid float4 rest : TEXCOORD0;   // as in FurVarying; layers above this one, and a half
+    centroid float4 normal : TEXCOORD1; // height in the coat
+    centroid float3 fromEye : TEXCOORD2;
+    centroid float3 toLight : TEXCOORD3;
+    centroid float4 lightClip : TEXCOORD4;
+    centroid float4 lean : TEXCOORD5; // of the tips, share of the coat; share of the full density of strands
 };
 
 // The ray's way from a layer to the next, and how it is walked.

@@ -1,34 +1,20 @@
 // hlsl/scatter/poisson.fxh against seed equations 36 and 40, Table 7, and the printed disc.
 
+#include "host/reference/convolution.h"
 #include "tests/hlsl/maps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace tegument::test {
 
 namespace {
 
-/// The 12 points as published with the technique.
-constexpr std::array<std::array<double, 2>, 12> kDisc = {{{-.326212, -.40581},
-                                                          {-.840144, -.07358},
-                                                          {-.695914, .457137},
-                                                          {-.203345, .620716},
-                                                          {.96234, -.194983},
-                                                          {.473434, -.480026},
-                                                          {.519456, .767022},
-                                                          {.185461, -.893124},
-                                                          {.507431, .064425},
-                                                          {.89642, .412458},
-                                                          {-.32194, -.932615},
-                                                          {-.791559, -.59771}}};
-
 glm::dvec2 point(std::size_t i, bool centred, glm::dvec2 rotation) {
     glm::dvec2 mean(0);
-    for (const auto& p : kDisc)
+    for (const auto& p : reference::kPrintedDisc)
         mean += glm::dvec2(p[0], p[1]) / 12.0;
-    const glm::dvec2 p = glm::dvec2(kDisc[i][0], kDisc[i][1]) - (centred ? mean : glm::dvec2(0));
+    const glm::dvec2 p = glm::dvec2(reference::kPrintedDisc[i][0], reference::kPrintedDisc[i][1]) - (centred ? mean : glm::dvec2(0));
     return {p.x * rotation.x - p.y * rotation.y, p.x * rotation.y + p.y * rotation.x};
 }
 
@@ -60,7 +46,7 @@ glm::dvec4 overValid(const Disc& disc) {
         count += 1;
     };
     add(disc.centre);
-    for (std::size_t i = 0; i < kDisc.size(); ++i)
+    for (std::size_t i = 0; i < reference::kPrintedDisc.size(); ++i)
         add(disc.tap(i));
     if (count == 0) return {0, 0, 0, 1};
     return {glm::dvec3(sum) / count, valid(disc.centre) ? disc.centre.w : sum.w / count};
@@ -69,11 +55,11 @@ glm::dvec4 overValid(const Disc& disc) {
 /// Table 7: the first valid tap in the printed order stands in for an invalid centre, the centre for invalid taps.
 glm::dvec4 repaired(const Disc& disc) {
     glm::dvec4 centre = disc.centre;
-    for (std::size_t i = 0; i < kDisc.size() && !valid(centre); ++i)
+    for (std::size_t i = 0; i < reference::kPrintedDisc.size() && !valid(centre); ++i)
         centre = disc.tap(i);
     if (!valid(centre)) centre = disc.centre;
     glm::dvec3 sum(centre);
-    for (std::size_t i = 0; i < kDisc.size(); ++i)
+    for (std::size_t i = 0; i < reference::kPrintedDisc.size(); ++i)
         sum += glm::dvec3(valid(disc.tap(i)) ? disc.tap(i) : centre);
     return {sum / 13.0, centre.w};
 }

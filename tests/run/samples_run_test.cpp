@@ -4,6 +4,7 @@
 #include "tests/run/fixture.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace tegument::test {
 namespace {

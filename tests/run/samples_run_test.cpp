@@ -152,7 +152,7 @@ TEST_F(Sampled, a_session_changes_its_number_of_samples) {
 TEST_F(Sampled, targets_of_the_effect_stay_as_they_are) {
     const auto dumped = [this](int samples) {
         RunOptions options{.technique = {}, .width = 24, .height = 24, .samples = samples, .compiler = defaultCompiler(), .dump = {"all"}};
-        const auto effect = loadEffect("effects/OriginalTexture.fx");
+        const auto effect = loadEffect("effects/ShadowMap.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
         EXPECT_TRUE(succeeded(effect));
         const Mesh mesh = slanted();
         return runEffect(*device_, *effect, &mesh, closeUp(), options);

@@ -45,10 +45,12 @@ std::uint32_t FurSurface::triangleAt(double area) const {
 }
 
 SurfacePoint FurSurface::point(const glm::dvec3& uniform) const {
-    SurfacePoint point;
-    point.triangle = triangleAt(uniform.x * area());
     const double root = std::sqrt(uniform.y); // R. Osada et al., Shape Distributions, 2002, eq. 1
-    point.barycentric = glm::vec2(root * (1 - uniform.z), root * uniform.z);
+    return at(triangleAt(uniform.x * area()), glm::vec2(root * (1 - uniform.z), root * uniform.z));
+}
+
+SurfacePoint FurSurface::at(std::uint32_t triangle, const glm::vec2& barycentric) const {
+    SurfacePoint point{.triangle = triangle, .barycentric = barycentric};
     const std::uint32_t* t = &mesh_.indices[3 * std::size_t{point.triangle}];
     const glm::vec3 weights(1 - point.barycentric.x - point.barycentric.y, point.barycentric);
     point.position = weights.x * positions_[t[0]] + weights.y * positions_[t[1]] + weights.z * positions_[t[2]];

@@ -31,6 +31,8 @@ public:
     /// Direction from the ball's centre, in units of its radius.
     [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
 
+    /// barycentric: weights of the second and the third corner.
+    [[nodiscard]] SurfacePoint at(std::uint32_t triangle, const glm::vec2& barycentric) const;
     /// Three numbers in [0, 1) to a point, evenly by area.
     [[nodiscard]] SurfacePoint point(const glm::dvec3& uniform) const;
 

@@ -164,6 +164,7 @@ Result<RootSet> makeRoots(const Mesh& mesh, const RootOptions& options) {
     set.seconds.surface = watch.lap();
     ScatterOptions scatter{.wanted = set.wanted,
                            .distance = static_cast<float>(set.distance / surface.radius()),
+                           .stratum = static_cast<float>(kStratum / std::sqrt(set.density) / surface.radius()),
                            .seed = options.seed,
                            .threads = options.threads,
                            .density = {}};

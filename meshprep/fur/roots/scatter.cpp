@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace tegument {
 
@@ -16,58 +17,105 @@ constexpr float kShrinking = 0.95F;               // of the distance from one ro
 constexpr std::uint32_t kOfDensity = 0x5bd1e995U; // streams of the noise of their own
 constexpr std::uint32_t kOfTurns = 0x6c8e9cf5U;
 
+/// Which cubes take roots in a round, and how many darts are thrown for each root that they miss.
+struct Round {
+    unsigned level = 0; // cubes of 2^level strata's sides
+    double darts = 1;
+    bool shrinks = false;
+};
+
+/// Few darts while there is much room, for those of one round are compared with each other by one processor; many when few roots are
+/// missing. What a stratum has no room for goes to cubes of 2, then of 4 times its side.
+constexpr Round kRounds[] = {{0, 0.5}, {0, 1}, {0, 2}, {0, 4}, {0, 8}, {0, 16}, {1, 24}, {1, 32}, {1, 64}, {2, 64}, {2, 64}};
+constexpr std::size_t kMostRounds = 64;
+
+/// After those. One root in a few hundred may stand anywhere; where more are missing, the surface is rougher than they are apart.
+Round later(std::size_t missing, std::size_t wanted, bool firstAnywhere) {
+    constexpr unsigned kAnywhere = 21;
+    if (missing <= std::max<std::size_t>(8, wanted / 400)) return {kAnywhere, 64, !firstAnywhere};
+    return {1, 12, true};
+}
+
+/// A cube that still misses roots.
+struct Open {
+    Strata::Run run;
+    std::size_t missing = 0;
+    std::size_t darts = 0;
+    std::uint64_t firstDart = 0;
+};
+
 struct Candidate {
     SurfacePoint point;
+    std::uint32_t stratum = 0;
+    std::uint32_t cube = 0; // of those open in this round
     float distance = 0;
     double turn = 0; // when it is its turn
 };
 
-/// Darts numbered from `first`, one into each of `count` parts of equal area: in the order of the triangles, so that what is read for one
-/// is still at hand for the next.
-struct Round {
-    std::uint64_t first = 0;
-    std::uint64_t count = 0;
-};
-
 class Darts {
 public:
-    Darts(const FurSurface& surface, const ScatterOptions& options)
-        : surface_(surface), options_(options), distance_(options.distance), taken_(std::max(2 * options.distance, 1e-6F), options.wanted) {
+    Darts(const ScatterOptions& options, const Strata& strata)
+        : options_(options), strata_(strata), distance_(options.distance), taken_(std::max(2 * options.distance, 1e-6F), options.wanted),
+          rootsOfStratum_(strata.count(), 0) {
         points_.reserve(options.wanted);
     }
 
     void play(const Round& round) {
-        std::vector<std::vector<Candidate>> left(threadCount(options_.threads));
-        inChunks(round.count, options_.threads, [&](std::size_t from, std::size_t to, std::size_t chunk) {
-            for (std::size_t i = from; i < to; ++i)
-                if (auto candidate = at(round, i); candidate && isFree(*candidate)) {
-                    candidate->turn = rootNoise(round.first + i, options_.seed ^ kOfTurns).x;
-                    left[chunk].push_back(*candidate);
-                }
-        });
+        if (round.shrinks) distance_ *= kShrinking;
+        findOpen(round);
+        std::vector<Candidate> candidates = throwDarts();
         // What is left has room among the roots of earlier rounds; among each other they are taken in a random order.
-        std::vector<Candidate> candidates;
-        for (const auto& chunk : left)
-            candidates.insert(candidates.end(), chunk.begin(), chunk.end());
         std::ranges::stable_sort(candidates, {}, &Candidate::turn);
         for (const Candidate& candidate : candidates)
-            if (points_.size() < options_.wanted && isFree(candidate)) take(candidate);
+            if (missing() > 0 && open_[candidate.cube].missing > 0 && isFree(candidate)) take(candidate);
     }
 
-    /// Roots to come may stand this much closer.
-    void shrink(float share) { distance_ *= share; }
-
-    [[nodiscard]] bool done() const { return points_.size() >= options_.wanted; }
+    [[nodiscard]] std::size_t missing() const { return options_.wanted - points_.size(); }
     ScatteredRoots roots() && { return {.points = std::move(points_), .distance = distance_}; }
 
 private:
-    [[nodiscard]] std::optional<Candidate> at(const Round& round, std::uint64_t number) const {
-        glm::dvec3 place = rootNoise(round.first + number, options_.seed);
-        place.x = (static_cast<double>(number) + place.x) / static_cast<double>(round.count);
-        Candidate candidate{.point = surface_.point(place), .distance = distance_};
+    void findOpen(const Round& round) {
+        open_.clear();
+        strata_.forRuns(round.level, [&](const Strata::Run& run) {
+            std::size_t roots = 0;
+            for (std::uint32_t i = run.first; i < run.last; ++i)
+                roots += rootsOfStratum_[i];
+            const std::size_t quota = strata_.quota(run);
+            if (roots >= quota) return;
+            constexpr double kSparsest = 1.0 / 64; // where nearly all darts meet bald skin, the surroundings take the root
+            const double darts = round.darts / std::max(strata_.density(run), kSparsest);
+            const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(quota - roots) * darts));
+            open_.push_back({.run = run, .missing = quota - roots, .darts = count, .firstDart = thrown_});
+            thrown_ += count;
+        });
+    }
+
+    [[nodiscard]] std::vector<Candidate> throwDarts() const {
+        std::vector<std::vector<Candidate>> left(threadCount(options_.threads));
+        inChunks(open_.size(), options_.threads, [&](std::size_t from, std::size_t to, std::size_t chunk) {
+            for (std::size_t i = from; i < to; ++i)
+                for (std::size_t dart = 0; dart < open_[i].darts; ++dart)
+                    if (auto candidate = at(static_cast<std::uint32_t>(i), dart); candidate && isFree(*candidate))
+                        left[chunk].push_back(*candidate);
+        });
+        std::vector<Candidate> candidates;
+        for (const auto& chunk : left)
+            candidates.insert(candidates.end(), chunk.begin(), chunk.end());
+        return candidates;
+    }
+
+    /// One into each of as many parts of equal area as there are darts.
+    [[nodiscard]] std::optional<Candidate> at(std::uint32_t cube, std::size_t dart) const {
+        const Open& open = open_[cube];
+        const std::uint64_t number = open.firstDart + dart;
+        glm::dvec3 place = rootNoise(number, options_.seed);
+        place.x = (static_cast<double>(dart) + place.x) / static_cast<double>(open.darts);
+        const Strata::Place found = strata_.point(open.run, place);
+        Candidate candidate{.point = found.point, .stratum = found.stratum, .cube = cube, .distance = distance_};
+        candidate.turn = rootNoise(number, options_.seed ^ kOfTurns).x;
         if (!options_.density) return candidate;
         const double density = options_.density(candidate.point);
-        if (!(rootNoise(round.first + number, options_.seed ^ kOfDensity).x < density)) return std::nullopt;
+        if (!(rootNoise(number, options_.seed ^ kOfDensity).x < density)) return std::nullopt;
         candidate.distance = static_cast<float>(distance_ / std::sqrt(std::clamp(density, kLeastDensity, 1.0)));
         return candidate;
     }
@@ -81,14 +129,19 @@ private:
     }
 
     void take(const Candidate& candidate) {
+        --open_[candidate.cube].missing;
+        ++rootsOfStratum_[candidate.stratum];
         taken_.add(candidate.point.position, candidate.point.normal, candidate.distance);
         points_.push_back(candidate.point);
     }
 
-    const FurSurface& surface_;
     const ScatterOptions& options_;
+    const Strata& strata_;
     float distance_;
     PointGrid taken_;
+    std::vector<std::uint32_t> rootsOfStratum_;
+    std::vector<Open> open_;
+    std::uint64_t thrown_ = 0;
     std::vector<SurfacePoint> points_;
 };
 
@@ -96,14 +149,15 @@ private:
 
 ScatteredRoots scatterRoots(const FurSurface& surface, const ScatterOptions& options) {
     if (options.wanted == 0 || !(surface.area() > 0)) return {};
-    Darts darts(surface, options);
-    const std::uint64_t wanted = options.wanted;
-    // Darts of one round are compared with those of earlier rounds by all processors, with each other by one: rounds start small.
-    std::uint64_t size = std::max<std::uint64_t>(wanted / 4, 1024);
-    for (std::uint64_t first = 0; first < wanted * kTriesPerRoot && !darts.done();
-         first += size, size = std::clamp<std::uint64_t>(2 * size, 1024, 2 * wanted + 1024)) {
-        if (first > wanted * kTriesAtFullDistance) darts.shrink(kShrinking);
-        darts.play({.first = first, .count = size});
+    const double side = options.stratum > 0 ? static_cast<double>(options.stratum)
+                                            : kStratum * std::sqrt(surface.area() / static_cast<double>(options.wanted));
+    const Strata strata(surface, side, options.wanted, options.density);
+    Darts darts(options, strata);
+    bool anywhere = false;
+    for (std::size_t i = 0; i < kMostRounds && darts.missing() > 0; ++i) {
+        const Round round = i < std::size(kRounds) ? kRounds[i] : later(darts.missing(), options.wanted, !anywhere);
+        anywhere = anywhere || round.level > kRounds[std::size(kRounds) - 1].level;
+        darts.play(round);
     }
     ScatteredRoots roots = std::move(darts).roots();
     std::ranges::stable_sort(roots.points, {}, &SurfacePoint::triangle);

@@ -85,6 +85,24 @@ TEST(Roots, move_closer_where_the_surface_is_rougher_than_they_are_apart) {
     EXPECT_GE(leastDistance(set), set.distance * (1 - 1e-5));
 }
 
+TEST(Roots, are_as_dense_where_the_surface_is_rough_as_where_it_is_smooth) {
+    Mesh mesh = ball(50, 400);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) // as above, on one half
+        if (mesh.positions[i].y > 0) mesh.positions[i] *= 1 + 0.01F * static_cast<float>(i % 801 % 2);
+    const Mesh half = finished(std::move(mesh));
+    double area = 0;
+    double rough = 0;
+    for (std::size_t i = 0; i < half.indices.size(); i += 3) {
+        const auto at = [&](std::size_t c) { return glm::dvec3(half.positions[half.indices[i + c]]); };
+        const double own = glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
+        area += own;
+        rough += at(0).y + at(1).y + at(2).y > 0 ? own : 0;
+    }
+    const RootSet set = rootsOf(half, few(20'000));
+    const auto there = std::ranges::count_if(set.roots, [](const Root& root) { return root.position.y > 0; });
+    EXPECT_NEAR(static_cast<double>(there) / (20'000 * rough / area), 1, 0.02) << "random discs alone put 23 % fewer there";
+}
+
 TEST(Roots, lie_on_the_surface) {
     for (const Root& root : rootsOf(plate(), few(500)).roots) {
         EXPECT_NEAR(root.position.z, 0, 1e-4);

@@ -2,8 +2,7 @@
 // numeric annotation is read.
 
 #include "backends.h"
-#include "com.h"
-#include "dxgi.h"
+#include "canvas.h"
 
 #include <d3d10.h>
 #include <d3d10effect.h>
@@ -16,80 +15,50 @@ namespace client {
 
 namespace {
 
-struct Target {
-    TargetShape shape;
-    Com<ID3D10Texture2D> texture;
-    Com<ID3D10RenderTargetView> color;
-    Com<ID3D10DepthStencilView> depth;
-    Com<ID3D10ShaderResourceView> resource;
-};
-
-struct Mesh {
-    Com<ID3D10Buffer> vertices;
-    Com<ID3D10Buffer> indices;
-    unsigned indexCount = 0;
-};
-
 ID3D10Device* device() {
     static Com<ID3D10Device> made;
     if (!made) must(D3D10CreateDevice(nullptr, D3D10_DRIVER_TYPE_HARDWARE, nullptr, 0, D3D10_SDK_VERSION, made.put()), "D3D10CreateDevice");
     return made.get();
 }
 
-D3D10_TEXTURE2D_DESC describe(unsigned width, unsigned height, unsigned levels, DXGI_FORMAT format, UINT bind) {
-    D3D10_TEXTURE2D_DESC desc{};
-    desc.Width = width;
-    desc.Height = height;
-    desc.MipLevels = levels;
-    desc.ArraySize = 1;
-    desc.Format = format;
-    desc.SampleDesc.Count = 1;
-    desc.BindFlags = bind;
-    return desc;
-}
+struct Api {
+    using Texture = ID3D10Texture2D;
+    using ColorView = ID3D10RenderTargetView;
+    using DepthView = ID3D10DepthStencilView;
+    using ResourceView = ID3D10ShaderResourceView;
+    using Buffer = ID3D10Buffer;
+    using Layout = ID3D10InputLayout;
+    using TextureDesc = D3D10_TEXTURE2D_DESC;
+    using BufferDesc = D3D10_BUFFER_DESC;
+    using Data = D3D10_SUBRESOURCE_DATA;
+    using Mapped = D3D10_MAPPED_TEXTURE2D;
+    using Viewport = D3D10_VIEWPORT;
+    using Element = D3D10_INPUT_ELEMENT_DESC;
 
-Target makeTarget(const TargetShape& shape) {
-    Target target{shape, {}, {}, {}, {}};
-    const UINT bind = shape.depth ? D3D10_BIND_DEPTH_STENCIL : D3D10_BIND_RENDER_TARGET | D3D10_BIND_SHADER_RESOURCE;
-    D3D10_TEXTURE2D_DESC desc = describe(shape.width, shape.height, shape.levels, targetFormat(shape).format, bind);
-    if (shape.levels != 1) desc.MiscFlags = D3D10_RESOURCE_MISC_GENERATE_MIPS;
-    must(device()->CreateTexture2D(&desc, nullptr, target.texture.put()), "CreateTexture2D");
-    if (shape.depth) {
-        must(device()->CreateDepthStencilView(target.texture.get(), nullptr, target.depth.put()), "CreateDepthStencilView");
-        return target;
+    static constexpr UINT kColor = D3D10_BIND_RENDER_TARGET;
+    static constexpr UINT kDepth = D3D10_BIND_DEPTH_STENCIL;
+    static constexpr UINT kResource = D3D10_BIND_SHADER_RESOURCE;
+    static constexpr UINT kVertices = D3D10_BIND_VERTEX_BUFFER;
+    static constexpr UINT kIndices = D3D10_BIND_INDEX_BUFFER;
+    static constexpr UINT kMakeMips = D3D10_RESOURCE_MISC_GENERATE_MIPS;
+    static constexpr UINT kCube = D3D10_RESOURCE_MISC_TEXTURECUBE;
+    static constexpr auto kPerVertex = D3D10_INPUT_PER_VERTEX_DATA;
+    static constexpr auto kTriangles = D3D10_PRIMITIVE_TOPOLOGY_TRIANGLELIST;
+    static constexpr UINT kClearDepth = D3D10_CLEAR_DEPTH;
+    static constexpr UINT kClearStencil = D3D10_CLEAR_STENCIL;
+    static constexpr auto kDefault = D3D10_USAGE_DEFAULT;
+    static constexpr auto kStaging = D3D10_USAGE_STAGING;
+    static constexpr UINT kRead = D3D10_CPU_ACCESS_READ;
+
+    static ID3D10Device* device() { return client::device(); }
+    static ID3D10Device* context() { return client::device(); }
+    static Mapped map(Texture* texture) {
+        Mapped mapped{};
+        must(texture->Map(0, D3D10_MAP_READ, 0, &mapped), "Map");
+        return mapped;
     }
-    must(device()->CreateRenderTargetView(target.texture.get(), nullptr, target.color.put()), "CreateRenderTargetView");
-    must(device()->CreateShaderResourceView(target.texture.get(), nullptr, target.resource.put()), "CreateShaderResourceView");
-    return target;
-}
-
-Com<ID3D10ShaderResourceView> upload(const TextureFile& file) {
-    D3D10_TEXTURE2D_DESC desc = describe(file.width, file.height, file.levels, textureFormat(file.format), D3D10_BIND_SHADER_RESOURCE);
-    desc.ArraySize = file.faces;
-    if (file.faces == 6) desc.MiscFlags = D3D10_RESOURCE_MISC_TEXTURECUBE;
-    std::vector<D3D10_SUBRESOURCE_DATA> data;
-    for (unsigned i = 0; i < file.faces * file.levels; ++i)
-        data.push_back({file.images[i].data(), file.pitchOf(i % file.levels), 0});
-    Com<ID3D10Texture2D> texture;
-    Com<ID3D10ShaderResourceView> view;
-    must(device()->CreateTexture2D(&desc, data.data(), texture.put()), "CreateTexture2D");
-    must(device()->CreateShaderResourceView(texture.get(), nullptr, view.put()), "CreateShaderResourceView");
-    return view;
-}
-
-Com<ID3D10Buffer> makeBuffer(const void* data, std::size_t bytes, UINT bind) {
-    const D3D10_BUFFER_DESC desc{static_cast<UINT>(bytes), D3D10_USAGE_DEFAULT, bind, 0, 0};
-    const D3D10_SUBRESOURCE_DATA initial{data, 0, 0};
-    Com<ID3D10Buffer> buffer;
-    must(device()->CreateBuffer(&desc, &initial, buffer.put()), "CreateBuffer");
-    return buffer;
-}
-
-Mesh upload(const MeshFile& file) {
-    return {makeBuffer(file.vertices.data(), file.vertices.size() * sizeof(float), D3D10_BIND_VERTEX_BUFFER),
-            makeBuffer(file.indices.data(), file.indices.size() * sizeof(std::uint32_t), D3D10_BIND_INDEX_BUFFER),
-            static_cast<unsigned>(file.indices.size())};
-}
+    static void unmap(Texture* texture) { texture->Unmap(0); }
+};
 
 template <class Owner>
 std::string text(Owner* owner, const char* annotation) {
@@ -100,20 +69,13 @@ std::string text(Owner* owner, const char* annotation) {
 
 class Direct3D10 final : public Engine {
 public:
-    explicit Direct3D10(const Job& job) : job_(job) {
+    explicit Direct3D10(const Job& job) : job_(job), canvas_(job) {
         loadEffect();
-        targets_.emplace("", makeTarget({false, job.width, job.height, "A32B32G32R32F", 1}));
-        pictureDepth_ = makeTarget({true, job.width, job.height, "D24S8", 1});
-        for (const auto& [name, shape] : job.targets) {
-            const Target& target = targets_.emplace(name, makeTarget(shape)).first->second;
-            if (!shape.depth) setTexture(name, target.resource.get());
-        }
+        for (const auto& [name, target] : canvas_.targets())
+            if (!name.empty() && target.resource) setTexture(name, target.resource.get());
         for (const auto& [name, file] : job.textures)
-            setTexture(name, textures_.emplace_back(upload(readTexture(job.path(file)))).get());
+            setTexture(name, textures_.emplace_back(uploadTexture<Api>(readTexture(job.path(file)))).get());
         setValues();
-        quad_ = upload(fullScreenQuad());
-        if (!job.mesh.empty()) mesh_ = upload(readMesh(job.path(job.mesh)));
-        clearAll();
     }
 
     std::string techniqueScript() override { return text(technique_, "Script"); }
@@ -145,30 +107,24 @@ public:
     }
 
     void bind(const Bound& bound) override;
-    void clear(Clear what, const Numbers& value) override;
+    void clear(Clear what, const Numbers& value) override { canvas_.clear(what, value); }
     void draw(const std::string& pass, Drawing drawing) override;
-    std::vector<std::string> targets() override;
-    Pixels read(const std::string& target) override;
+    std::vector<std::string> targets() override { return canvas_.names(); }
+    Pixels read(const std::string& target) override { return canvas_.read(target); }
 
 private:
     void loadEffect();
     void setValues();
-    void setValue(ID3D10EffectVariable* variable, const std::string& name, Numbers value);
+    void setValue(ID3D10EffectVariable* variable);
     void setTexture(const std::string& name, ID3D10ShaderResourceView* view);
-    void clearAll();
     ID3D10InputLayout* layout(const std::string& pass, const D3D10_PASS_DESC& desc);
 
     const Job& job_;
+    Canvas<Api> canvas_;
     Com<ID3D10Effect> effect_;
     ID3D10EffectTechnique* technique_ = nullptr;
-    std::map<std::string, Target> targets_;
-    Target pictureDepth_;
     std::vector<Com<ID3D10ShaderResourceView>> textures_;
     std::map<std::string, Com<ID3D10InputLayout>> layouts_;
-    Mesh mesh_;
-    Mesh quad_;
-    std::vector<Target*> boundColors_;
-    Target* boundDepth_ = nullptr;
 };
 
 void Direct3D10::loadEffect() {
@@ -183,81 +139,38 @@ void Direct3D10::setTexture(const std::string& name, ID3D10ShaderResourceView* v
     must(effect_->GetVariableByName(name.c_str())->AsShaderResource()->SetResource(view), "SetResource " + name);
 }
 
-void Direct3D10::setValue(ID3D10EffectVariable* variable, const std::string& name, Numbers value) {
+void Direct3D10::setValue(ID3D10EffectVariable* variable) {
+    D3D10_EFFECT_VARIABLE_DESC desc{};
     D3D10_EFFECT_TYPE_DESC type{};
+    must(variable->GetDesc(&desc), "GetDesc");
+    const std::string name = desc.Name;
     must(variable->GetType()->GetDesc(&type), "GetDesc " + name);
-    if (type.Class == D3D10_SVC_SCALAR && type.Elements == 0) return must(variable->AsScalar()->SetFloat(value[0]), "SetFloat " + name);
-    if (type.Rows == 4) return must(variable->AsMatrix()->SetMatrix(value.data()), "SetMatrix " + name);
-    if (value.size() == 3 && type.Columns == 4) value.push_back(1); // a position's w, a colour's alpha
-    must(variable->SetRawValue(value.data(), 0, static_cast<UINT>(value.size() * sizeof(float))), "SetRawValue " + name);
+    auto value = job_.valueOf(name, desc.Semantic ? desc.Semantic : "", text(variable, "Object"), type.Columns);
+    if (!value) return;
+    if (type.Class == D3D10_SVC_SCALAR && type.Elements == 0) return must(variable->AsScalar()->SetFloat(value->at(0)), "SetFloat " + name);
+    if (type.Rows == 4) return must(variable->AsMatrix()->SetMatrix(value->data()), "SetMatrix " + name);
+    must(variable->SetRawValue(value->data(), 0, static_cast<UINT>(value->size() * sizeof(float))), "SetRawValue " + name);
 }
 
 void Direct3D10::setValues() {
     D3D10_EFFECT_DESC effect{};
     must(effect_->GetDesc(&effect), "GetDesc");
-    for (UINT i = 0; i < effect.GlobalVariables; ++i) {
-        ID3D10EffectVariable* variable = effect_->GetVariableByIndex(i);
-        D3D10_EFFECT_VARIABLE_DESC desc{};
-        must(variable->GetDesc(&desc), "GetDesc");
-        const Numbers* value = desc.Semantic ? job_.findScene(desc.Semantic, text(variable, "Object")) : nullptr;
-        if (value) setValue(variable, desc.Name, *value);
-        if (const auto own = job_.values.find(desc.Name); own != job_.values.end()) setValue(variable, desc.Name, own->second);
-    }
+    for (UINT i = 0; i < effect.GlobalVariables; ++i)
+        setValue(effect_->GetVariableByIndex(i));
 }
 
-/// A frame depends on nothing that was there before.
-void Direct3D10::clearAll() {
-    const auto& rgb = job_.background;
-    const float background[] = {rgb[0], rgb[1], rgb[2], 0};
-    const float zeros[] = {0, 0, 0, 0};
-    for (const auto& [name, target] : targets_)
-        if (target.color)
-            device()->ClearRenderTargetView(target.color.get(), name.empty() ? background : zeros);
-        else
-            device()->ClearDepthStencilView(target.depth.get(), D3D10_CLEAR_DEPTH | D3D10_CLEAR_STENCIL, 1, 0);
-    device()->ClearDepthStencilView(pictureDepth_.depth.get(), D3D10_CLEAR_DEPTH | D3D10_CLEAR_STENCIL, 1, 0);
-}
-
-/// Views of different sizes cannot be bound together: a depth target of another size is left out.
 void Direct3D10::bind(const Bound& bound) {
     ID3D10ShaderResourceView* none[16] = {};
     device()->VSSetShaderResources(0, 16, none);
     device()->PSSetShaderResources(0, 16, none);
-    boundColors_.clear();
-    std::vector<ID3D10RenderTargetView*> views;
-    for (const auto& name : bound.colors) {
-        if (!name) break;
-        boundColors_.push_back(&targets_.at(*name));
-        views.push_back(boundColors_.back()->color.get());
-    }
-    const TargetShape& first = boundColors_.at(0)->shape;
-    boundDepth_ = !bound.depth ? nullptr : bound.depth->empty() ? &pictureDepth_ : &targets_.at(*bound.depth);
-    if (boundDepth_ && (boundDepth_->shape.width != first.width || boundDepth_->shape.height != first.height)) boundDepth_ = nullptr;
-    device()->OMSetRenderTargets(static_cast<UINT>(views.size()), views.data(), boundDepth_ ? boundDepth_->depth.get() : nullptr);
-    const D3D10_VIEWPORT viewport{0, 0, first.width, first.height, 0, 1};
-    device()->RSSetViewports(1, &viewport);
-    ID3D10EffectVariable* size = effect_->GetVariableBySemantic("VIEWPORTPIXELSIZE");
-    if (size->IsValid()) setValue(size, "VIEWPORTPIXELSIZE", {static_cast<float>(first.width), static_cast<float>(first.height)});
-}
-
-void Direct3D10::clear(Clear what, const Numbers& value) {
-    if (what == Clear::Color) {
-        for (const Target* target : boundColors_)
-            device()->ClearRenderTargetView(target->color.get(), value.data());
-    } else if (boundDepth_) {
-        const UINT flags = what == Clear::Depth ? D3D10_CLEAR_DEPTH : D3D10_CLEAR_STENCIL;
-        device()->ClearDepthStencilView(boundDepth_->depth.get(), flags, value[0], static_cast<UINT8>(value[0]));
-    }
+    Numbers viewport = canvas_.bind(bound);
+    if (ID3D10EffectVariable* size = effect_->GetVariableBySemantic("VIEWPORTPIXELSIZE"); size->IsValid())
+        must(size->SetRawValue(viewport.data(), 0, 2 * sizeof(float)), "SetRawValue VIEWPORTPIXELSIZE");
 }
 
 ID3D10InputLayout* Direct3D10::layout(const std::string& pass, const D3D10_PASS_DESC& desc) {
-    const D3D10_INPUT_ELEMENT_DESC elements[] = {{"POSITION", 0, DXGI_FORMAT_R32G32B32_FLOAT, 0, 0, D3D10_INPUT_PER_VERTEX_DATA, 0},
-                                                 {"NORMAL", 0, DXGI_FORMAT_R32G32B32_FLOAT, 0, 12, D3D10_INPUT_PER_VERTEX_DATA, 0},
-                                                 {"TANGENT", 0, DXGI_FORMAT_R32G32B32A32_FLOAT, 0, 24, D3D10_INPUT_PER_VERTEX_DATA, 0},
-                                                 {"TEXCOORD", 0, DXGI_FORMAT_R32G32_FLOAT, 0, 40, D3D10_INPUT_PER_VERTEX_DATA, 0}};
     Com<ID3D10InputLayout>& made = layouts_[pass];
-    if (!made)
-        must(device()->CreateInputLayout(elements, 4, desc.pIAInputSignature, desc.IAInputSignatureSize, made.put()), "CreateInputLayout");
+    if (!made) made = vertexLayout<Api>(desc.pIAInputSignature, desc.IAInputSignatureSize, pass);
     return made.get();
 }
 
@@ -265,43 +178,9 @@ void Direct3D10::draw(const std::string& name, Drawing drawing) {
     ID3D10EffectPass* pass = technique_->GetPassByName(name.c_str());
     D3D10_PASS_DESC desc{};
     must(pass->GetDesc(&desc), "GetDesc " + name);
-    const Mesh& mesh = drawing == Drawing::Quad ? quad_ : mesh_;
-    ID3D10Buffer* vertices = mesh.vertices.get();
-    const UINT stride = kVertexBytes;
-    const UINT offset = 0;
-    device()->IASetInputLayout(layout(name, desc));
-    device()->IASetVertexBuffers(0, 1, &vertices, &stride, &offset);
-    device()->IASetIndexBuffer(mesh.indices.get(), DXGI_FORMAT_R32_UINT, 0);
-    device()->IASetPrimitiveTopology(D3D10_PRIMITIVE_TOPOLOGY_TRIANGLELIST);
     must(pass->Apply(0), "Apply " + name);
     const std::string instances = text(pass, "Instances");
-    const auto count = instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0));
-    device()->DrawIndexedInstanced(mesh.indexCount, count, 0, 0, 0);
-    for (const Target* target : boundColors_)
-        if (target->shape.levels != 1) device()->GenerateMips(target->resource.get());
-}
-
-std::vector<std::string> Direct3D10::targets() {
-    std::vector<std::string> names;
-    for (const auto& [name, target] : targets_)
-        names.push_back(name);
-    return names;
-}
-
-Pixels Direct3D10::read(const std::string& name) {
-    const Target& target = targets_.at(name);
-    D3D10_TEXTURE2D_DESC desc =
-        describe(target.shape.width, target.shape.height, target.shape.levels, targetFormat(target.shape).format, 0);
-    desc.Usage = D3D10_USAGE_STAGING;
-    desc.CPUAccessFlags = D3D10_CPU_ACCESS_READ;
-    Com<ID3D10Texture2D> copy;
-    must(device()->CreateTexture2D(&desc, nullptr, copy.put()), "CreateTexture2D");
-    device()->CopyResource(copy.get(), target.texture.get());
-    D3D10_MAPPED_TEXTURE2D mapped{};
-    must(copy->Map(0, D3D10_MAP_READ, 0, &mapped), "Map");
-    Pixels pixels = readRows(target.shape, mapped.pData, mapped.RowPitch);
-    copy->Unmap(0);
-    return pixels;
+    canvas_.draw(drawing, layout(name, desc), instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0)));
 }
 
 } // namespace

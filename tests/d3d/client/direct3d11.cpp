@@ -2,8 +2,7 @@
 // a compiled shader has lost them.
 
 #include "backends.h"
-#include "com.h"
-#include "dxgi.h"
+#include "canvas.h"
 
 #include <d3d11.h>
 #include <d3d11shader.h>
@@ -18,20 +17,6 @@
 namespace client {
 
 namespace {
-
-struct Target {
-    TargetShape shape;
-    Com<ID3D11Texture2D> texture;
-    Com<ID3D11RenderTargetView> color;
-    Com<ID3D11DepthStencilView> depth;
-    Com<ID3D11ShaderResourceView> resource;
-};
-
-struct Mesh {
-    Com<ID3D11Buffer> vertices;
-    Com<ID3D11Buffer> indices;
-    unsigned indexCount = 0;
-};
 
 struct Code {
     std::vector<char> bytes;
@@ -72,60 +57,44 @@ ID3D11DeviceContext* context() {
     return made().context.get();
 }
 
-D3D11_TEXTURE2D_DESC describe(unsigned width, unsigned height, unsigned levels, DXGI_FORMAT format, UINT bind) {
-    D3D11_TEXTURE2D_DESC desc{};
-    desc.Width = width;
-    desc.Height = height;
-    desc.MipLevels = levels;
-    desc.ArraySize = 1;
-    desc.Format = format;
-    desc.SampleDesc.Count = 1;
-    desc.BindFlags = bind;
-    return desc;
-}
+struct Api {
+    using Texture = ID3D11Texture2D;
+    using ColorView = ID3D11RenderTargetView;
+    using DepthView = ID3D11DepthStencilView;
+    using ResourceView = ID3D11ShaderResourceView;
+    using Buffer = ID3D11Buffer;
+    using Layout = ID3D11InputLayout;
+    using TextureDesc = D3D11_TEXTURE2D_DESC;
+    using BufferDesc = D3D11_BUFFER_DESC;
+    using Data = D3D11_SUBRESOURCE_DATA;
+    using Mapped = D3D11_MAPPED_SUBRESOURCE;
+    using Viewport = D3D11_VIEWPORT;
+    using Element = D3D11_INPUT_ELEMENT_DESC;
 
-Target makeTarget(const TargetShape& shape) {
-    Target target{shape, {}, {}, {}, {}};
-    const UINT bind = shape.depth ? D3D11_BIND_DEPTH_STENCIL : D3D11_BIND_RENDER_TARGET | D3D11_BIND_SHADER_RESOURCE;
-    D3D11_TEXTURE2D_DESC desc = describe(shape.width, shape.height, shape.levels, targetFormat(shape).format, bind);
-    if (shape.levels != 1) desc.MiscFlags = D3D11_RESOURCE_MISC_GENERATE_MIPS;
-    must(device()->CreateTexture2D(&desc, nullptr, target.texture.put()), "CreateTexture2D");
-    if (shape.depth) {
-        must(device()->CreateDepthStencilView(target.texture.get(), nullptr, target.depth.put()), "CreateDepthStencilView");
-        return target;
+    static constexpr UINT kColor = D3D11_BIND_RENDER_TARGET;
+    static constexpr UINT kDepth = D3D11_BIND_DEPTH_STENCIL;
+    static constexpr UINT kResource = D3D11_BIND_SHADER_RESOURCE;
+    static constexpr UINT kVertices = D3D11_BIND_VERTEX_BUFFER;
+    static constexpr UINT kIndices = D3D11_BIND_INDEX_BUFFER;
+    static constexpr UINT kMakeMips = D3D11_RESOURCE_MISC_GENERATE_MIPS;
+    static constexpr UINT kCube = D3D11_RESOURCE_MISC_TEXTURECUBE;
+    static constexpr auto kPerVertex = D3D11_INPUT_PER_VERTEX_DATA;
+    static constexpr auto kTriangles = D3D11_PRIMITIVE_TOPOLOGY_TRIANGLELIST;
+    static constexpr UINT kClearDepth = D3D11_CLEAR_DEPTH;
+    static constexpr UINT kClearStencil = D3D11_CLEAR_STENCIL;
+    static constexpr auto kDefault = D3D11_USAGE_DEFAULT;
+    static constexpr auto kStaging = D3D11_USAGE_STAGING;
+    static constexpr UINT kRead = D3D11_CPU_ACCESS_READ;
+
+    static ID3D11Device* device() { return client::device(); }
+    static ID3D11DeviceContext* context() { return client::context(); }
+    static Mapped map(Texture* texture) {
+        Mapped mapped{};
+        must(context()->Map(texture, 0, D3D11_MAP_READ, 0, &mapped), "Map");
+        return mapped;
     }
-    must(device()->CreateRenderTargetView(target.texture.get(), nullptr, target.color.put()), "CreateRenderTargetView");
-    must(device()->CreateShaderResourceView(target.texture.get(), nullptr, target.resource.put()), "CreateShaderResourceView");
-    return target;
-}
-
-Com<ID3D11ShaderResourceView> upload(const TextureFile& file) {
-    D3D11_TEXTURE2D_DESC desc = describe(file.width, file.height, file.levels, textureFormat(file.format), D3D11_BIND_SHADER_RESOURCE);
-    desc.ArraySize = file.faces;
-    if (file.faces == 6) desc.MiscFlags = D3D11_RESOURCE_MISC_TEXTURECUBE;
-    std::vector<D3D11_SUBRESOURCE_DATA> data;
-    for (unsigned i = 0; i < file.faces * file.levels; ++i)
-        data.push_back({file.images[i].data(), file.pitchOf(i % file.levels), 0});
-    Com<ID3D11Texture2D> texture;
-    Com<ID3D11ShaderResourceView> view;
-    must(device()->CreateTexture2D(&desc, data.data(), texture.put()), "CreateTexture2D");
-    must(device()->CreateShaderResourceView(texture.get(), nullptr, view.put()), "CreateShaderResourceView");
-    return view;
-}
-
-Com<ID3D11Buffer> makeBuffer(const void* data, std::size_t bytes, UINT bind) {
-    const D3D11_BUFFER_DESC desc{static_cast<UINT>(bytes), D3D11_USAGE_DEFAULT, bind, 0, 0, 0};
-    const D3D11_SUBRESOURCE_DATA initial{data, 0, 0};
-    Com<ID3D11Buffer> buffer;
-    must(device()->CreateBuffer(&desc, &initial, buffer.put()), "CreateBuffer");
-    return buffer;
-}
-
-Mesh upload(const MeshFile& file) {
-    return {makeBuffer(file.vertices.data(), file.vertices.size() * sizeof(float), D3D11_BIND_VERTEX_BUFFER),
-            makeBuffer(file.indices.data(), file.indices.size() * sizeof(std::uint32_t), D3D11_BIND_INDEX_BUFFER),
-            static_cast<unsigned>(file.indices.size())};
-}
+    static void unmap(Texture* texture) { context()->Unmap(texture, 0); }
+};
 
 Code readCode(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
@@ -209,11 +178,7 @@ Com<ID3D11SamplerState> samplerState(const SamplerInfo& info) {
 // ---- Constants
 
 /// A float4x4 lies column after column; elements of arrays start 16 bytes apart; int and bool are 32 bits.
-void writeVariable(ID3D11ShaderReflectionVariable* variable, const Numbers& value, char* block) {
-    D3D11_SHADER_VARIABLE_DESC desc{};
-    D3D11_SHADER_TYPE_DESC type{};
-    variable->GetDesc(&desc);
-    variable->GetType()->GetDesc(&type);
+void writeVariable(const D3D11_SHADER_VARIABLE_DESC& desc, const D3D11_SHADER_TYPE_DESC& type, const Numbers& value, char* block) {
     const unsigned rows = type.Rows;
     const unsigned columns = type.Columns;
     const unsigned elements = std::max(type.Elements, 1U);
@@ -233,18 +198,11 @@ void writeVariable(ID3D11ShaderReflectionVariable* variable, const Numbers& valu
 
 class Direct3D11 final : public Engine {
 public:
-    explicit Direct3D11(const Job& job) : job_(job), numbers_(job.numbers) {
-        targets_.emplace("", makeTarget({false, job.width, job.height, "A32B32G32R32F", 1}));
-        pictureDepth_ = makeTarget({true, job.width, job.height, "D24S8", 1});
-        for (const auto& [name, shape] : job.targets)
-            targets_.emplace(name, makeTarget(shape));
+    explicit Direct3D11(const Job& job) : job_(job), canvas_(job), numbers_(job.numbers) {
         for (const auto& [name, file] : job.textures)
-            textures_.emplace(name, upload(readTexture(job.path(file))));
+            textures_.emplace(name, uploadTexture<Api>(readTexture(job.path(file))));
         for (const auto& [name, info] : job.samplers)
             samplers_.emplace(name, samplerState(info));
-        quad_ = upload(fullScreenQuad());
-        if (!job.mesh.empty()) mesh_ = upload(readMesh(job.path(job.mesh)));
-        clearAll();
     }
 
     std::string techniqueScript() override { return job_.script; }
@@ -263,10 +221,10 @@ public:
     void setNumber(const std::string& parameter, float value) override { numbers_[parameter] = {value}; }
 
     void bind(const Bound& bound) override;
-    void clear(Clear what, const Numbers& value) override;
+    void clear(Clear what, const Numbers& value) override { canvas_.clear(what, value); }
     void draw(const std::string& pass, Drawing drawing) override;
-    std::vector<std::string> targets() override;
-    Pixels read(const std::string& target) override;
+    std::vector<std::string> targets() override { return canvas_.names(); }
+    Pixels read(const std::string& target) override { return canvas_.read(target); }
 
 private:
     const PassInfo& find(const std::string& pass) {
@@ -275,53 +233,42 @@ private:
         fail("the technique has no pass " + pass);
     }
     Program& program(const PassInfo& pass);
-    const Numbers* valueOf(const std::string& name);
+    std::optional<Numbers> valueOf(const std::string& name, unsigned columns);
     Com<ID3D11Buffer> constants(ID3D11ShaderReflectionConstantBuffer* buffer);
     ID3D11ShaderResourceView* resource(const std::string& name);
     void bindStage(const Code& code, bool pixel);
-    void clearAll();
 
     const Job& job_;
+    Canvas<Api> canvas_;
     std::map<std::string, Numbers> numbers_;
-    std::map<std::string, Target> targets_;
-    Target pictureDepth_;
     std::map<std::string, Com<ID3D11ShaderResourceView>> textures_;
     std::map<std::string, Com<ID3D11SamplerState>> samplers_;
     std::map<std::string, Program> programs_;
-    Mesh mesh_;
-    Mesh quad_;
-    std::vector<Target*> boundColors_;
-    Target* boundDepth_ = nullptr;
     Numbers viewport_;
 };
 
 Program& Direct3D11::program(const PassInfo& pass) {
     Program& result = programs_[pass.name];
     if (result.vertex) return result;
-    const D3D11_INPUT_ELEMENT_DESC elements[] = {{"POSITION", 0, DXGI_FORMAT_R32G32B32_FLOAT, 0, 0, D3D11_INPUT_PER_VERTEX_DATA, 0},
-                                                 {"NORMAL", 0, DXGI_FORMAT_R32G32B32_FLOAT, 0, 12, D3D11_INPUT_PER_VERTEX_DATA, 0},
-                                                 {"TANGENT", 0, DXGI_FORMAT_R32G32B32A32_FLOAT, 0, 24, D3D11_INPUT_PER_VERTEX_DATA, 0},
-                                                 {"TEXCOORD", 0, DXGI_FORMAT_R32G32_FLOAT, 0, 40, D3D11_INPUT_PER_VERTEX_DATA, 0}};
     result.vertexCode = readCode(job_.path(pass.vertexFile));
     result.pixelCode = readCode(job_.path(pass.pixelFile));
     const std::vector<char>& vertex = result.vertexCode.bytes;
     const std::vector<char>& pixel = result.pixelCode.bytes;
     must(device()->CreateVertexShader(vertex.data(), vertex.size(), nullptr, result.vertex.put()), "CreateVertexShader " + pass.name);
     must(device()->CreatePixelShader(pixel.data(), pixel.size(), nullptr, result.pixel.put()), "CreatePixelShader " + pass.name);
-    must(device()->CreateInputLayout(elements, 4, vertex.data(), vertex.size(), result.layout.put()), "CreateInputLayout " + pass.name);
+    result.layout = vertexLayout<Api>(vertex.data(), vertex.size(), pass.name);
     result.depth = depthState(pass.state.at("depth"));
     result.raster = rasterState(pass.state.at("raster"));
     result.blend = blendState(pass);
     return result;
 }
 
-/// A number of the user's, then the scene's, then none: the default of the effect, which is in the compiled shader.
-const Numbers* Direct3D11::valueOf(const std::string& name) {
-    if (const auto own = job_.values.find(name); own != job_.values.end()) return &own->second;
+/// None: the effect's default, which is in the compiled shader.
+std::optional<Numbers> Direct3D11::valueOf(const std::string& name, unsigned columns) {
     const auto declared = job_.parameters.find(name);
-    if (declared == job_.parameters.end()) return nullptr;
-    if (declared->second.semantic == "VIEWPORTPIXELSIZE") return &viewport_;
-    return job_.findScene(declared->second.semantic, declared->second.object);
+    if (declared == job_.parameters.end()) return job_.valueOf(name, "", "", columns);
+    if (declared->second.semantic == "VIEWPORTPIXELSIZE") return viewport_;
+    return job_.valueOf(name, declared->second.semantic, declared->second.object, columns);
 }
 
 Com<ID3D11Buffer> Direct3D11::constants(ID3D11ShaderReflectionConstantBuffer* buffer) {
@@ -331,17 +278,19 @@ Com<ID3D11Buffer> Direct3D11::constants(ID3D11ShaderReflectionConstantBuffer* bu
     for (UINT i = 0; i < desc.Variables; ++i) {
         ID3D11ShaderReflectionVariable* variable = buffer->GetVariableByIndex(i);
         D3D11_SHADER_VARIABLE_DESC variableDesc{};
+        D3D11_SHADER_TYPE_DESC type{};
         must(variable->GetDesc(&variableDesc), "GetDesc of a variable");
-        if (const Numbers* value = valueOf(variableDesc.Name))
-            writeVariable(variable, *value, block.data());
+        must(variable->GetType()->GetDesc(&type), "GetDesc of a type");
+        if (const auto value = valueOf(variableDesc.Name, type.Columns))
+            writeVariable(variableDesc, type, *value, block.data());
         else if (variableDesc.DefaultValue)
             std::memcpy(block.data() + variableDesc.StartOffset, variableDesc.DefaultValue, variableDesc.Size);
     }
-    return makeBuffer(block.data(), block.size(), D3D11_BIND_CONSTANT_BUFFER);
+    return makeBuffer<Api>(block.data(), block.size(), D3D11_BIND_CONSTANT_BUFFER);
 }
 
 ID3D11ShaderResourceView* Direct3D11::resource(const std::string& name) {
-    if (const auto target = targets_.find(name); target != targets_.end()) return target->second.resource.get();
+    if (const auto target = canvas_.targets().find(name); target != canvas_.targets().end()) return target->second.resource.get();
     const auto texture = textures_.find(name);
     if (texture == textures_.end()) fail("a shader samples " + name + ", which the scene does not have");
     return texture->second.get();
@@ -367,58 +316,14 @@ void Direct3D11::bindStage(const Code& code, bool pixel) {
     }
 }
 
-/// A frame depends on nothing that was there before.
-void Direct3D11::clearAll() {
-    const auto& rgb = job_.background;
-    const float background[] = {rgb[0], rgb[1], rgb[2], 0};
-    const float zeros[] = {0, 0, 0, 0};
-    for (const auto& [name, target] : targets_)
-        if (target.color)
-            context()->ClearRenderTargetView(target.color.get(), name.empty() ? background : zeros);
-        else
-            context()->ClearDepthStencilView(target.depth.get(), D3D11_CLEAR_DEPTH | D3D11_CLEAR_STENCIL, 1, 0);
-    context()->ClearDepthStencilView(pictureDepth_.depth.get(), D3D11_CLEAR_DEPTH | D3D11_CLEAR_STENCIL, 1, 0);
-}
-
-/// Views of different sizes cannot be bound together: a depth target of another size is left out.
 void Direct3D11::bind(const Bound& bound) {
     context()->ClearState(); // no texture stays bound while it is a target
-    boundColors_.clear();
-    std::vector<ID3D11RenderTargetView*> views;
-    for (const auto& name : bound.colors) {
-        if (!name) break;
-        boundColors_.push_back(&targets_.at(*name));
-        views.push_back(boundColors_.back()->color.get());
-    }
-    const TargetShape& first = boundColors_.at(0)->shape;
-    boundDepth_ = !bound.depth ? nullptr : bound.depth->empty() ? &pictureDepth_ : &targets_.at(*bound.depth);
-    if (boundDepth_ && (boundDepth_->shape.width != first.width || boundDepth_->shape.height != first.height)) boundDepth_ = nullptr;
-    context()->OMSetRenderTargets(static_cast<UINT>(views.size()), views.data(), boundDepth_ ? boundDepth_->depth.get() : nullptr);
-    viewport_ = {static_cast<float>(first.width), static_cast<float>(first.height)};
-    const D3D11_VIEWPORT viewport{0, 0, viewport_[0], viewport_[1], 0, 1};
-    context()->RSSetViewports(1, &viewport);
-}
-
-void Direct3D11::clear(Clear what, const Numbers& value) {
-    if (what == Clear::Color) {
-        for (const Target* target : boundColors_)
-            context()->ClearRenderTargetView(target->color.get(), value.data());
-    } else if (boundDepth_) {
-        const UINT flags = what == Clear::Depth ? D3D11_CLEAR_DEPTH : D3D11_CLEAR_STENCIL;
-        context()->ClearDepthStencilView(boundDepth_->depth.get(), flags, value[0], static_cast<UINT8>(value[0]));
-    }
+    viewport_ = canvas_.bind(bound);
 }
 
 void Direct3D11::draw(const std::string& name, Drawing drawing) {
-    const Program& program = this->program(find(name));
-    const Mesh& mesh = drawing == Drawing::Quad ? quad_ : mesh_;
-    ID3D11Buffer* const vertices = mesh.vertices.get();
-    const UINT stride = kVertexBytes;
-    const UINT offset = 0;
-    context()->IASetInputLayout(program.layout.get());
-    context()->IASetVertexBuffers(0, 1, &vertices, &stride, &offset);
-    context()->IASetIndexBuffer(mesh.indices.get(), DXGI_FORMAT_R32_UINT, 0);
-    context()->IASetPrimitiveTopology(D3D11_PRIMITIVE_TOPOLOGY_TRIANGLELIST);
+    const PassInfo& pass = find(name);
+    const Program& program = this->program(pass);
     context()->VSSetShader(program.vertex.get(), nullptr, 0);
     context()->PSSetShader(program.pixel.get(), nullptr, 0);
     context()->OMSetDepthStencilState(program.depth.get(), 0);
@@ -426,34 +331,7 @@ void Direct3D11::draw(const std::string& name, Drawing drawing) {
     context()->RSSetState(program.raster.get());
     bindStage(program.vertexCode, false);
     bindStage(program.pixelCode, true);
-    const std::string& instances = find(name).instances;
-    const auto count = instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0));
-    context()->DrawIndexedInstanced(mesh.indexCount, count, 0, 0, 0);
-    for (const Target* target : boundColors_)
-        if (target->shape.levels != 1) context()->GenerateMips(target->resource.get());
-}
-
-std::vector<std::string> Direct3D11::targets() {
-    std::vector<std::string> names;
-    for (const auto& [name, target] : targets_)
-        names.push_back(name);
-    return names;
-}
-
-Pixels Direct3D11::read(const std::string& name) {
-    const Target& target = targets_.at(name);
-    D3D11_TEXTURE2D_DESC desc =
-        describe(target.shape.width, target.shape.height, target.shape.levels, targetFormat(target.shape).format, 0);
-    desc.Usage = D3D11_USAGE_STAGING;
-    desc.CPUAccessFlags = D3D11_CPU_ACCESS_READ;
-    Com<ID3D11Texture2D> copy;
-    must(device()->CreateTexture2D(&desc, nullptr, copy.put()), "CreateTexture2D");
-    context()->CopyResource(copy.get(), target.texture.get());
-    D3D11_MAPPED_SUBRESOURCE mapped{};
-    must(context()->Map(copy.get(), 0, D3D11_MAP_READ, 0, &mapped), "Map");
-    Pixels pixels = readRows(target.shape, mapped.pData, mapped.RowPitch);
-    context()->Unmap(copy.get(), 0);
-    return pixels;
+    canvas_.draw(drawing, program.layout.get(), pass.instances.empty() ? 1U : static_cast<UINT>(numbers(pass.instances).at(0)));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "backends.h"
 #include "com.h"
+#include "formats.h"
 
 #include <d3d9.h>
 #include <d3dx9.h>
@@ -17,10 +18,12 @@ namespace {
 struct Target {
     Com<IDirect3DTexture9> texture;
     Com<IDirect3DSurface9> surface;
-    unsigned width = 0;
-    unsigned height = 0;
-    D3DFORMAT format = D3DFMT_UNKNOWN;
+    TargetShape shape;
 };
+
+bool sameSize(const Target& a, const Target& b) {
+    return a.shape.width == b.shape.width && a.shape.height == b.shape.height;
+}
 
 struct Mesh {
     Com<IDirect3DVertexBuffer9> vertices;
@@ -28,28 +31,6 @@ struct Mesh {
     unsigned vertexCount = 0;
     unsigned triangleCount = 0;
 };
-
-struct NamedFormat {
-    const char* name;
-    D3DFORMAT format;
-    unsigned channels;
-    bool halves;
-};
-
-constexpr NamedFormat kFormats[] = {
-    {"R16F", D3DFMT_R16F, 1, true},  {"G16R16F", D3DFMT_G16R16F, 2, true},  {"A16B16G16R16F", D3DFMT_A16B16G16R16F, 4, true},
-    {"R32F", D3DFMT_R32F, 1, false}, {"G32R32F", D3DFMT_G32R32F, 2, false}, {"A32B32G32R32F", D3DFMT_A32B32G32R32F, 4, false},
-};
-
-const NamedFormat& formatNamed(const std::string& name) {
-    for (const NamedFormat& format : kFormats)
-        if (upper(name) == format.name) return format;
-    fail("no target of format '" + name + "' in Direct3D 9");
-}
-
-const NamedFormat& describe(D3DFORMAT format) {
-    return *std::find_if(std::begin(kFormats), std::end(kFormats), [&](const NamedFormat& known) { return known.format == format; });
-}
 
 IDirect3DDevice9* device() {
     static Com<IDirect3DDevice9> made;
@@ -68,19 +49,6 @@ IDirect3DDevice9* device() {
     return made.get();
 }
 
-D3DFORMAT formatOf(TexelFormat format) {
-    switch (format) {
-    case TexelFormat::Rgba16: return D3DFMT_A16B16G16R16;
-    case TexelFormat::R16Float: return D3DFMT_R16F;
-    case TexelFormat::Rg16Float: return D3DFMT_G16R16F;
-    case TexelFormat::Rgba16Float: return D3DFMT_A16B16G16R16F;
-    case TexelFormat::R32Float: return D3DFMT_R32F;
-    case TexelFormat::Rg32Float: return D3DFMT_G32R32F;
-    case TexelFormat::Rgba32Float: return D3DFMT_A32B32G32R32F;
-    default: return D3DFMT_A8R8G8B8; // its sampler says whether it is sRGB
-    }
-}
-
 /// Direct3D 9 keeps blue first.
 void copyRow(const std::uint8_t* from, std::uint8_t* to, std::size_t bytes, bool swap) {
     std::memcpy(to, from, bytes);
@@ -93,12 +61,12 @@ void copyLevel(const TextureFile& file, unsigned face, unsigned level, const D3D
     const std::size_t bytes = file.pitchOf(level);
     for (unsigned y = 0; y < file.heightOf(level); ++y)
         copyRow(file.image(face, level) + y * bytes, static_cast<std::uint8_t*>(to.pBits) + y * static_cast<std::size_t>(to.Pitch), bytes,
-                formatOf(file.format) == D3DFMT_A8R8G8B8);
+                textureFormat(file.format).d3d == D3DFMT_A8R8G8B8);
 }
 
 Com<IDirect3DBaseTexture9> uploadCube(const TextureFile& file) {
     IDirect3DCubeTexture9* texture = nullptr;
-    must(device()->CreateCubeTexture(file.width, file.levels, 0, formatOf(file.format), D3DPOOL_MANAGED, &texture, nullptr),
+    must(device()->CreateCubeTexture(file.width, file.levels, 0, textureFormat(file.format).d3d, D3DPOOL_MANAGED, &texture, nullptr),
          "CreateCubeTexture");
     for (unsigned i = 0; i < 6 * file.levels; ++i) {
         const auto face = static_cast<D3DCUBEMAP_FACES>(i / file.levels);
@@ -113,7 +81,8 @@ Com<IDirect3DBaseTexture9> uploadCube(const TextureFile& file) {
 Com<IDirect3DBaseTexture9> upload(const TextureFile& file) {
     if (file.faces == 6) return uploadCube(file);
     IDirect3DTexture9* texture = nullptr;
-    must(device()->CreateTexture(file.width, file.height, file.levels, 0, formatOf(file.format), D3DPOOL_MANAGED, &texture, nullptr),
+    must(device()->CreateTexture(file.width, file.height, file.levels, 0, textureFormat(file.format).d3d, D3DPOOL_MANAGED, &texture,
+                                 nullptr),
          "CreateTexture");
     for (unsigned level = 0; level < file.levels; ++level) {
         D3DLOCKED_RECT locked{};
@@ -147,18 +116,19 @@ Mesh upload(const MeshFile& file) {
     return mesh;
 }
 
-Target colorTarget(unsigned width, unsigned height, D3DFORMAT format, unsigned levels) {
-    Target target{{}, {}, width, height, format};
-    const DWORD usage = D3DUSAGE_RENDERTARGET | (levels == 1 ? 0 : D3DUSAGE_AUTOGENMIPMAP);
-    must(device()->CreateTexture(width, height, levels, usage, format, D3DPOOL_DEFAULT, target.texture.put(), nullptr), "CreateTexture");
+Target makeTarget(const TargetShape& shape) {
+    Target target{{}, {}, shape};
+    const D3DFORMAT format = targetFormat(shape).d3d;
+    if (shape.depth) {
+        must(device()->CreateDepthStencilSurface(shape.width, shape.height, format, D3DMULTISAMPLE_NONE, 0, FALSE, target.surface.put(),
+                                                 nullptr),
+             "CreateDepthStencilSurface");
+        return target;
+    }
+    const DWORD usage = D3DUSAGE_RENDERTARGET | (shape.levels == 1 ? 0 : D3DUSAGE_AUTOGENMIPMAP);
+    must(device()->CreateTexture(shape.width, shape.height, shape.levels, usage, format, D3DPOOL_DEFAULT, target.texture.put(), nullptr),
+         "CreateTexture");
     must(target.texture->GetSurfaceLevel(0, target.surface.put()), "GetSurfaceLevel");
-    return target;
-}
-
-Target depthTarget(unsigned width, unsigned height) {
-    Target target{{}, {}, width, height, D3DFMT_D24S8};
-    must(device()->CreateDepthStencilSurface(width, height, D3DFMT_D24S8, D3DMULTISAMPLE_NONE, 0, FALSE, target.surface.put(), nullptr),
-         "CreateDepthStencilSurface");
     return target;
 }
 
@@ -166,10 +136,11 @@ class Direct3D9 final : public Engine {
 public:
     explicit Direct3D9(const Job& job) : job_(job) {
         loadEffect();
-        makeTargets();
+        colors_[""] = makeTarget({false, job.width, job.height, "A32B32G32R32F", 1});
+        depths_[""] = makeTarget({true, job.width, job.height, "D24S8", 1});
+        readParameters();
         for (const auto& [name, file] : job.textures)
             setTexture(name, textures_.emplace_back(upload(readTexture(job.path(file)))).get());
-        setValues();
         quad_ = upload(fullScreenQuad());
         if (!job.mesh.empty()) mesh_ = upload(readMesh(job.path(job.mesh)));
         declareVertices();
@@ -210,10 +181,9 @@ public:
 
 private:
     void loadEffect();
-    void makeTargets();
-    void makeTarget(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc);
-    void setValues();
-    void setValue(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc, Numbers value);
+    void readParameters();
+    void makeTargets(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc);
+    void setValue(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc);
     void declareVertices();
     void clearAll();
 
@@ -229,17 +199,6 @@ private:
     }
     void setTexture(const std::string& name, IDirect3DBaseTexture9* texture) {
         must(effect_->SetTexture(name.c_str(), texture), "SetTexture " + name);
-    }
-    template <class Visit>
-    void forEachParameter(Visit&& visit) {
-        D3DXEFFECT_DESC effect{};
-        must(effect_->GetDesc(&effect), "GetDesc");
-        for (UINT i = 0; i < effect.Parameters; ++i) {
-            const D3DXHANDLE parameter = effect_->GetParameter(nullptr, i);
-            D3DXPARAMETER_DESC desc{};
-            must(effect_->GetParameterDesc(parameter, &desc), "GetParameterDesc");
-            visit(parameter, desc);
-        }
     }
 
     const Job& job_;
@@ -266,42 +225,38 @@ void Direct3D9::loadEffect() {
     must(effect_->SetTechnique(technique_), "SetTechnique");
 }
 
-void Direct3D9::makeTarget(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
+void Direct3D9::makeTargets(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
     const std::string semantic = upper(desc.Semantic ? desc.Semantic : "");
-    const unsigned width = number(parameter, "Width", job_.width);
-    const unsigned height = number(parameter, "Height", job_.height);
-    if (semantic == "RENDERDEPTHSTENCILTARGET") depths_[desc.Name] = depthTarget(width, height);
-    if (semantic != "RENDERCOLORTARGET") return;
-    const D3DFORMAT format = formatNamed(text(parameter, "Format")).format;
-    Target& target = colors_[desc.Name] = colorTarget(width, height, format, number(parameter, "MipLevels", 1));
-    setTexture(desc.Name, target.texture.get());
+    const bool depth = semantic == "RENDERDEPTHSTENCILTARGET";
+    if (!depth && semantic != "RENDERCOLORTARGET") return;
+    Target target = makeTarget({depth, number(parameter, "Width", job_.width), number(parameter, "Height", job_.height),
+                                text(parameter, "Format"), number(parameter, "MipLevels", 1)});
+    if (!depth) setTexture(desc.Name, target.texture.get());
+    (depth ? depths_ : colors_)[desc.Name] = std::move(target);
 }
 
-void Direct3D9::makeTargets() {
-    colors_[""] = colorTarget(job_.width, job_.height, D3DFMT_A32B32G32R32F, 1);
-    depths_[""] = depthTarget(job_.width, job_.height);
-    forEachParameter([&](D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
-        if (desc.Class == D3DXPC_OBJECT) makeTarget(parameter, desc);
-    });
-}
-
-void Direct3D9::setValue(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc, Numbers value) {
+void Direct3D9::setValue(D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
     const std::string name = desc.Name;
-    if (value.size() == 16 && desc.Elements == 0) {
-        must(effect_->SetMatrix(parameter, reinterpret_cast<const D3DXMATRIX*>(value.data())), "SetMatrix " + name);
-        return;
-    }
-    if (value.size() == 3 && desc.Columns == 4) value.push_back(1); // a position's w, a colour's alpha
-    must(effect_->SetFloatArray(parameter, value.data(), static_cast<UINT>(value.size())), "SetFloatArray " + name);
+    const auto value = job_.valueOf(name, desc.Semantic ? desc.Semantic : "", text(parameter, "Object"), desc.Columns);
+    if (!value) return;
+    if (value->size() == 16 && desc.Elements == 0)
+        must(effect_->SetMatrix(parameter, reinterpret_cast<const D3DXMATRIX*>(value->data())), "SetMatrix " + name);
+    else
+        must(effect_->SetFloatArray(parameter, value->data(), static_cast<UINT>(value->size())), "SetFloatArray " + name);
 }
 
-void Direct3D9::setValues() {
-    forEachParameter([&](D3DXHANDLE parameter, const D3DXPARAMETER_DESC& desc) {
-        if (desc.Class == D3DXPC_OBJECT) return;
-        const Numbers* value = desc.Semantic ? job_.findScene(desc.Semantic, text(parameter, "Object")) : nullptr;
-        if (value) setValue(parameter, desc, *value);
-        if (const auto own = job_.values.find(desc.Name); own != job_.values.end()) setValue(parameter, desc, own->second);
-    });
+void Direct3D9::readParameters() {
+    D3DXEFFECT_DESC effect{};
+    must(effect_->GetDesc(&effect), "GetDesc");
+    for (UINT i = 0; i < effect.Parameters; ++i) {
+        const D3DXHANDLE parameter = effect_->GetParameter(nullptr, i);
+        D3DXPARAMETER_DESC desc{};
+        must(effect_->GetParameterDesc(parameter, &desc), "GetParameterDesc");
+        if (desc.Class == D3DXPC_OBJECT)
+            makeTargets(parameter, desc);
+        else
+            setValue(parameter, desc);
+    }
 }
 
 void Direct3D9::declareVertices() {
@@ -317,12 +272,11 @@ void Direct3D9::declareVertices() {
 void Direct3D9::clearAll() {
     for (const auto& [name, target] : colors_) {
         bind({.colors = {name}, .depth = std::nullopt});
-        const auto& rgb = job_.background;
-        clear(Clear::Color, name.empty() ? Numbers{rgb[0], rgb[1], rgb[2], 0} : Numbers{0, 0, 0, 0});
+        clear(Clear::Color, job_.emptyColor(name));
     }
     for (const auto& [depthName, depth] : depths_)
         for (const auto& [name, color] : colors_) {
-            if (color.width != depth.width || color.height != depth.height) continue; // the viewport limits what is cleared
+            if (!sameSize(color, depth)) continue; // the viewport limits what is cleared
             bind({.colors = {name}, .depth = depthName});
             clear(Clear::Depth, {1});
             clear(Clear::Stencil, {0});
@@ -338,9 +292,9 @@ void Direct3D9::bind(const Bound& bound) {
         if (name || slot > 0) must(device()->SetRenderTarget(slot, name ? colors_.at(*name).surface.get() : nullptr), "SetRenderTarget");
     }
     const Target* depth = bound.depth ? &depths_.at(*bound.depth) : nullptr;
-    depthBound_ = depth && depth->width == first.width && depth->height == first.height;
+    depthBound_ = depth && sameSize(*depth, first);
     must(device()->SetDepthStencilSurface(depthBound_ ? depth->surface.get() : nullptr), "SetDepthStencilSurface");
-    const float size[] = {static_cast<float>(first.width), static_cast<float>(first.height)};
+    const float size[] = {static_cast<float>(first.shape.width), static_cast<float>(first.shape.height)};
     if (const D3DXHANDLE parameter = effect_->GetParameterBySemantic(nullptr, "VIEWPORTPIXELSIZE"))
         must(effect_->SetFloatArray(parameter, size, 2), "SetFloatArray VIEWPORTPIXELSIZE");
 }
@@ -384,15 +338,14 @@ std::vector<std::string> Direct3D9::targets() {
 
 Pixels Direct3D9::read(const std::string& name) {
     const Target& target = colors_.at(name);
-    const NamedFormat& format = describe(target.format);
     Com<IDirect3DSurface9> copy;
-    must(device()->CreateOffscreenPlainSurface(target.width, target.height, target.format, D3DPOOL_SYSTEMMEM, copy.put(), nullptr),
+    must(device()->CreateOffscreenPlainSurface(target.shape.width, target.shape.height, targetFormat(target.shape).d3d, D3DPOOL_SYSTEMMEM,
+                                               copy.put(), nullptr),
          "CreateOffscreenPlainSurface");
     must(device()->GetRenderTargetData(target.surface.get(), copy.get()), "GetRenderTargetData");
     D3DLOCKED_RECT locked{};
     must(copy->LockRect(&locked, nullptr, D3DLOCK_READONLY), "LockRect");
-    Pixels pixels{target.width, target.height, format.channels, {}};
-    appendRows(pixels, locked.pBits, static_cast<unsigned>(locked.Pitch), format.halves);
+    Pixels pixels = readRows(target.shape, locked.pBits, static_cast<unsigned>(locked.Pitch));
     copy->UnlockRect();
     return pixels;
 }

@@ -116,10 +116,20 @@ std::string upper(std::string text) {
     return text;
 }
 
-const Numbers* Job::findScene(const std::string& semantic, const std::string& object) const {
-    for (const SceneValue& value : scene)
-        if (value.semantic == upper(semantic) && value.object == upper(object)) return &value.numbers;
-    return nullptr;
+std::optional<Numbers> Job::valueOf(const std::string& parameter, const std::string& semantic, const std::string& object,
+                                    unsigned columns) const {
+    const auto own = values.find(parameter);
+    const auto found = std::find_if(scene.begin(), scene.end(), [&](const SceneValue& value) {
+        return value.semantic == upper(semantic) && value.object == upper(object);
+    });
+    if (own == values.end() && found == scene.end()) return std::nullopt;
+    Numbers value = own != values.end() ? own->second : found->numbers;
+    if (value.size() == 3 && columns == 4) value.push_back(1); // a position's w, a colour's alpha
+    return value;
+}
+
+Numbers Job::emptyColor(const std::string& target) const {
+    return target.empty() ? Numbers{background[0], background[1], background[2], 0} : Numbers{0, 0, 0, 0};
 }
 
 Job readJob(const std::string& folder, const std::string& file) {

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,8 +80,12 @@ struct Job {
     std::map<std::string, SamplerInfo> samplers;
 
     [[nodiscard]] std::string path(const std::string& file) const { return folder + "\\" + file; }
-    /// Null: the scene has no such value.
-    [[nodiscard]] const Numbers* findScene(const std::string& semantic, const std::string& object) const;
+    /// A number of the user's, then the scene's; none: the effect's default holds. A position or a colour gets the fourth number that a
+    /// vector of four columns asks for.
+    [[nodiscard]] std::optional<Numbers> valueOf(const std::string& parameter, const std::string& semantic, const std::string& object,
+                                                 unsigned columns) const;
+    /// What a colour target holds before the first pass; the application's has the empty name.
+    [[nodiscard]] Numbers emptyColor(const std::string& target) const;
 };
 
 /// `folder\file`.

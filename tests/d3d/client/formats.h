@@ -1,22 +1,32 @@
 #pragma once
-// Formats of Direct3D 10 and 11.
+// Formats of targets and textures, as each Direct3D calls them.
 
 #include "job.h"
 #include "pixels.h"
 
+#include <d3d9.h>
 #include <dxgiformat.h>
 
 namespace client {
 
 struct TargetFormat {
     const char* name; // D3DFORMAT, as annotations spell it
-    DXGI_FORMAT format;
+    D3DFORMAT d3d;
+    DXGI_FORMAT dxgi;
     unsigned channels;
     bool halves;
 };
 
+/// Of a colour target.
+const TargetFormat& colorFormat(const std::string& name);
 const TargetFormat& targetFormat(const TargetShape& shape);
-DXGI_FORMAT textureFormat(TexelFormat format);
+
+struct TextureFormat {
+    D3DFORMAT d3d; // of eight bits: its sampler says whether they are sRGB
+    DXGI_FORMAT dxgi;
+};
+
+TextureFormat textureFormat(TexelFormat format);
 
 /// Rows of a mapped target. Depth becomes one float of 0..1: Wine hands it out as OpenGL keeps it, above the stencil.
 Pixels readRows(const TargetShape& shape, const void* rows, unsigned pitch);

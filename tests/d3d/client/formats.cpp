@@ -1,0 +1,62 @@
+#include "formats.h"
+
+#include "com.h"
+
+#include <cstring>
+
+namespace client {
+
+namespace {
+
+constexpr TargetFormat kFormats[] = {
+    {"R16F", D3DFMT_R16F, DXGI_FORMAT_R16_FLOAT, 1, true},
+    {"G16R16F", D3DFMT_G16R16F, DXGI_FORMAT_R16G16_FLOAT, 2, true},
+    {"A16B16G16R16F", D3DFMT_A16B16G16R16F, DXGI_FORMAT_R16G16B16A16_FLOAT, 4, true},
+    {"R32F", D3DFMT_R32F, DXGI_FORMAT_R32_FLOAT, 1, false},
+    {"G32R32F", D3DFMT_G32R32F, DXGI_FORMAT_R32G32_FLOAT, 2, false},
+    {"A32B32G32R32F", D3DFMT_A32B32G32R32F, DXGI_FORMAT_R32G32B32A32_FLOAT, 4, false},
+};
+
+constexpr TargetFormat kDepth = {"D24S8", D3DFMT_D24S8, DXGI_FORMAT_D24_UNORM_S8_UINT, 1, false};
+
+} // namespace
+
+const TargetFormat& colorFormat(const std::string& name) {
+    for (const TargetFormat& format : kFormats)
+        if (upper(name) == format.name) return format;
+    fail("no target of format '" + name + "'");
+}
+
+const TargetFormat& targetFormat(const TargetShape& shape) {
+    return shape.depth ? kDepth : colorFormat(shape.format);
+}
+
+TextureFormat textureFormat(TexelFormat format) {
+    switch (format) {
+    case TexelFormat::Rgba8: return {D3DFMT_A8R8G8B8, DXGI_FORMAT_R8G8B8A8_UNORM};
+    case TexelFormat::Rgba8Srgb: return {D3DFMT_A8R8G8B8, DXGI_FORMAT_R8G8B8A8_UNORM_SRGB};
+    case TexelFormat::Rgba16: return {D3DFMT_A16B16G16R16, DXGI_FORMAT_R16G16B16A16_UNORM};
+    case TexelFormat::R16Float: return {D3DFMT_R16F, DXGI_FORMAT_R16_FLOAT};
+    case TexelFormat::Rg16Float: return {D3DFMT_G16R16F, DXGI_FORMAT_R16G16_FLOAT};
+    case TexelFormat::Rgba16Float: return {D3DFMT_A16B16G16R16F, DXGI_FORMAT_R16G16B16A16_FLOAT};
+    case TexelFormat::R32Float: return {D3DFMT_R32F, DXGI_FORMAT_R32_FLOAT};
+    case TexelFormat::Rg32Float: return {D3DFMT_G32R32F, DXGI_FORMAT_R32G32_FLOAT};
+    case TexelFormat::Rgba32Float: return {D3DFMT_A32B32G32R32F, DXGI_FORMAT_R32G32B32A32_FLOAT};
+    }
+    fail("a texture has an unknown format");
+}
+
+Pixels readRows(const TargetShape& shape, const void* rows, unsigned pitch) {
+    const TargetFormat& format = targetFormat(shape);
+    Pixels pixels{shape.width, shape.height, format.channels, {}};
+    appendRows(pixels, rows, pitch, format.halves);
+    if (!shape.depth) return pixels;
+    for (float& value : pixels.values) {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &value, sizeof bits);
+        value = static_cast<float>(bits >> 8) / static_cast<float>(0xffffff);
+    }
+    return pixels;
+}
+
+} // namespace client

@@ -82,62 +82,73 @@ Result<Growth> measure(gpu::Device& device, const GrowthOptions& options, const 
     return growth;
 }
 
+/// point(value) of each.
+template <class ToPoint>
+std::vector<Point> points(std::initializer_list<int> values, ToPoint point) {
+    std::vector<Point> result;
+    for (const int value : values)
+        result.push_back(point(value));
+    return result;
+}
+
+/// Of four sizes, each twice the one before.
+template <class ToPoint>
+std::vector<Point> doubled(int first, ToPoint point) {
+    return points({first, 2 * first, 4 * first, 8 * first}, point);
+}
+
+double squared(int size) {
+    return static_cast<double>(size) * size;
+}
+
 Sweep texels(int first) {
-    Sweep sweep{.quantity = "texels of a map",
-                .what = "ten convolutions of DEonLuebke",
-                .effect = "Main.fx",
-                .technique = "DEonLuebke",
-                .pass = "Convolution",
-                .points = {}};
-    for (int size = first; size <= 8 * first; size *= 2)
-        sweep.points.push_back({.x = static_cast<double>(size) * size, .mapSize = size, .parameters = {}});
-    return sweep;
+    return {.quantity = "texels of a map",
+            .what = "ten convolutions of DEonLuebke",
+            .effect = "Main.fx",
+            .technique = "DEonLuebke",
+            .pass = "Convolution",
+            .points = doubled(first, [](int size) { return Point{.x = squared(size), .mapSize = size, .parameters = {}}; })};
 }
 
 Sweep pixels(int first) {
-    Sweep sweep{.quantity = "pixels of the picture",
-                .what = "last pass of DEonLuebke",
-                .effect = "Main.fx",
-                .technique = "DEonLuebke",
-                .pass = "Final",
-                .points = {}};
-    for (int size = first; size <= 8 * first; size *= 2)
-        sweep.points.push_back({.x = static_cast<double>(size) * size, .picture = size, .mapSize = 256, .quads = 16, .parameters = {}});
-    return sweep;
+    return {.quantity = "pixels of the picture",
+            .what = "last pass of DEonLuebke",
+            .effect = "Main.fx",
+            .technique = "DEonLuebke",
+            .pass = "Final",
+            .points = doubled(
+                first, [](int size) { return Point{.x = squared(size), .picture = size, .mapSize = 256, .quads = 16, .parameters = {}}; })};
 }
 
 Sweep blurs(int mapSize) {
-    Sweep sweep{
-        .quantity = "passes", .what = "blurs of Gosselin", .effect = "Main.fx", .technique = "Gosselin", .pass = "Blur", .points = {}};
-    for (const int count : {1, 2, 4, 6})
-        sweep.points.push_back(
-            {.x = static_cast<double>(count), .mapSize = mapSize, .parameters = {{"gBlurCount", {static_cast<double>(count)}}}});
-    return sweep;
+    return {.quantity = "passes",
+            .what = "blurs of Gosselin",
+            .effect = "Main.fx",
+            .technique = "Gosselin",
+            .pass = "Blur",
+            .points = points({1, 2, 4, 6}, [&](double count) {
+                return Point{.x = count, .mapSize = mapSize, .parameters = {{"gBlurCount", {count}}}};
+            })};
 }
 
 Sweep layers(int picture) {
-    Sweep sweep{.quantity = "layers of fur",
-                .what = "shells of Fur",
-                .effect = "Fur.fx",
-                .technique = "CubePosition",
-                .pass = "Shells",
-                .points = {}};
-    for (const int count : {8, 16, 32, 64})
-        sweep.points.push_back(
-            {.x = static_cast<double>(count), .picture = picture, .parameters = {{"gFurLayers", {static_cast<double>(count)}}}});
-    return sweep;
+    return {.quantity = "layers of fur",
+            .what = "shells of Fur",
+            .effect = "Fur.fx",
+            .technique = "CubePosition",
+            .pass = "Shells",
+            .points = points({8, 16, 32, 64}, [&](double count) {
+                return Point{.x = count, .picture = picture, .parameters = {{"gFurLayers", {count}}}};
+            })};
 }
 
 Sweep faces(int first) {
-    Sweep sweep{.quantity = "faces of the mesh",
-                .what = "shadow map of Gosselin, 64 x 64 texels",
-                .effect = "Main.fx",
-                .technique = "Gosselin",
-                .pass = "ShadowMap",
-                .points = {}};
-    for (int quads = first; quads <= 8 * first; quads *= 2)
-        sweep.points.push_back({.x = 4.0 * quads * quads, .quads = quads, .parameters = {}});
-    return sweep;
+    return {.quantity = "faces of the mesh",
+            .what = "shadow map of Gosselin, 64 x 64 texels",
+            .effect = "Main.fx",
+            .technique = "Gosselin",
+            .pass = "ShadowMap",
+            .points = doubled(first, [](int quads) { return Point{.x = 4 * squared(quads), .quads = quads, .parameters = {}}; })};
 }
 
 } // namespace

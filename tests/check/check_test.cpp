@@ -2,11 +2,11 @@
 
 #include "host/compile/compile.h"
 #include "host/support/file.h"
+#include "tests/check/effect_files.h"
 #include "tests/compile/missing.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <unistd.h>
 
@@ -60,19 +60,6 @@ technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compi
 #endif
 )";
 
-std::vector<Target> spirvTargets() {
-    if (compilerAvailable(Compiler::Dxc)) return {Target::SpirvDxc, Target::SpirvGlslang};
-    return {Target::SpirvGlslang};
-}
-
-std::vector<fs::path> allEffects() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator("effects"))
-        if (entry.path().extension() == ".fx") files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
-
 TEST(Targets, have_the_names_of_the_command_line) {
     EXPECT_EQ(targetsByName("all").size(), kAllTargets.size());
     for (const Target target : kAllTargets)
@@ -81,7 +68,7 @@ TEST(Targets, have_the_names_of_the_command_line) {
 }
 
 TEST(Effects, compile_to_spirv_by_both_compilers_which_see_the_same_parameters_in_every_setting) {
-    const auto files = allEffects();
+    const auto files = effectFiles();
     ASSERT_FALSE(files.empty());
     const CheckReport report = checkEffects(files, spirvTargets(), {.variants = settingVariants(), .includeFolders = {}});
     EXPECT_EQ(report.files.size(), 3 * files.size());

@@ -6,6 +6,7 @@
 #include "host/emit/cross.h"
 #include "host/emit/widen.h"
 #include "host/support/file.h"
+#include "tests/check/effect_files.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,19 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::vector<Target> spirvTargets() {
-    if (compilerAvailable(Compiler::Dxc)) return {Target::SpirvDxc, Target::SpirvGlslang};
-    return {Target::SpirvGlslang};
-}
-
-std::vector<fs::path> allEffects() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator("effects"))
-        if (entry.path().extension() == ".fx") files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
 
 /// Name, relative to the folder, and bytes of every file.
 std::map<std::string, std::string> filesIn(const fs::path& folder) {
@@ -72,7 +60,7 @@ TEST(EmitKinds, have_the_names_of_the_command_line) {
 }
 
 TEST(Translation, of_every_shader_of_both_compilers_in_every_setting_is_glsl_and_msl) {
-    const CheckReport report = checkEffects(allEffects(), spirvTargets(), {.variants = settingVariants(), .includeFolders = {}});
+    const CheckReport report = checkEffects(effectFiles(), spirvTargets(), {.variants = settingVariants(), .includeFolders = {}});
     int shaders = 0;
     for (const FileReport& file : report.files)
         for (const EntryPoint& entry : file.entries)

@@ -3,6 +3,7 @@
 #include "host/emit/flatten.h"
 #include "host/support/file.h"
 #include "tests/check/describe.h"
+#include "tests/check/effect_files.h"
 
 #include <gtest/gtest.h>
 
@@ -23,14 +24,6 @@ protected:
         if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     }
 };
-
-std::vector<fs::path> effectFiles() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator("effects"))
-        if (entry.path().extension() == ".fx") files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
 
 /// Every effect in every setting, compiled once for all tests.
 const CheckReport& allEffects() {

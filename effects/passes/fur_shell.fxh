@@ -7,27 +7,49 @@ TextureCube gFurCubeMap < float4 Fallback = { 1.0, 1.0, 1.0, 0.0 }; string UINam
 SAMPLER2D(gFurSphere, LINEAR, CLAMP);
 SAMPLERCUBE(gFurCube, LINEAR);
 
+static const float kFurFaint = 0.002; // coverage that a layer seen from afar may leave out: 32 of them add up
+static const float kFurKernel = 1.7;   // bilinear texels of the fitting level are a mean over sqrt(3) times a pixel's width
+
 FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
 {
-    return furVarying(input, furSpread(furLayerHeight(LAYER_INDEX(gFurLayer), gFurLayers, gFurOuterFirst), gFurSpread));
+    float layer = LAYER_INDEX(gFurLayer);
+    FurVarying output = furVarying(input, furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
+    output.coat.w = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
+    return output;
 }
 
-// texel: of a fur map, colour and coverage (or height) of its strands.
-float4 shell(FurVarying input, float4 texel)
+// Slope of the map's heights against which the ray falls: how much they rise on its way over the skin while it falls by the coat's height.
+float shellSlope(FurVarying input, float footprint)
 {
+    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float3 view = safeNormalize(input.world - gCameraPosition);
+    float3 strand = normal + float3(0.0, -2.0 * gFurLean * input.coat.x, 0.0);
+    float way = length(furTravel(view, normal, strand)) * gFurLength * gMeshRadius;
+    float pixel = max(length(ddx(input.rest)), length(ddy(input.rest)));
+    return furHeightSlope(gFurDeviation, gFurGrain) * footprint * way / max(pixel, 1e-20);
+}
+
+// texel: of a fur map looked up at v, colour and coverage (or height) of its strands.
+float4 shell(FurVarying input, float3 v, float4 texel)
+{
+    float footprint = max(length(ddx(v)), length(ddy(v)));
+    float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * footprint, texel.a);
+    float afar = furAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
+    float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, footprint));
     float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
-    clip(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5));
-    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0), max(furLayerCoverage(coverage, gFurLayers), gFurOuterFirst));
+    clip(lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar));
+    float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
+    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0), max(drawn, gFurOuterFirst));
 }
 
 float4 cubeShell(FurVarying input, float3 v)
 {
-    return shell(input, texCUBE(gFurCube, furCurled(v, input.coat.x, gFurCurl)));
+    return shell(input, v, texCUBE(gFurCube, furCurled(v, input.coat.x, gFurCurl)));
 }
 
 float4 sphereShell(FurVarying input, float3 v)
 {
-    return shell(input, tex2D(gFurSphere, furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl))));
+    return shell(input, v, tex2D(gFurSphere, furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl))));
 }
 
 float4 CubePositionPS(FurVarying input) : SV_Target0

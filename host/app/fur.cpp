@@ -150,13 +150,21 @@ int one(const TextureArguments& arguments) {
     const auto plane = statisticsOnTexture(maps->plane, arguments.size, arguments.size);
     const auto sphere = statisticsOnSphere(maps->sphere, sphereMapTexels(arguments.size));
     const auto cube = statisticsOnSphere(maps->cube, cubeMapTexels(cubeSide(arguments.size)));
+    const HeightStatistics heights = statisticsOfHeights(maps->texture);
+    const double grain = heights.grain * texelAngle(cubeMapTexels(cubeSide(arguments.size)));
     if (arguments.json) {
-        print({{"seed", arguments.fur.seed}, {"texture", toJson(plane)}, {"sphere", toJson(sphere)}, {"cube", toJson(cube)}});
+        print({{"seed", arguments.fur.seed},
+               {"texture", toJson(plane)},
+               {"sphere", toJson(sphere)},
+               {"cube", toJson(cube)},
+               {"height_deviation", heights.deviation},
+               {"height_grain", grain}});
         return 0;
     }
     fmt::print("{}",
                table(kHeader, {row("texture", plane, coverage(maps->texture)), row("sphere map", sphere, sphereCoverage(maps->sphereMap)),
                                row("cube map", cube, cubeCoverage(maps->cubeMap))}));
+    if (arguments.fur.taper) fmt::print("with gFurTaper = 1: gFurDeviation = {:.3f}, gFurGrain = {:.5f}\n", heights.deviation, grain);
     for (const char* name : {"fur", "fur_sphere", "fur_cube"})
         fmt::print("wrote {0}.png and {0}.dds\n", (fs::path(arguments.output) / name).string());
     return 0;

@@ -69,6 +69,22 @@ StrandStatistics statistics(const StrandSet& set, const Space& space, double tex
     return result;
 }
 
+struct Heights {
+    double mean = 0;
+    double square = 0;
+};
+
+Heights heightsIn(const Image& map, int left, int top, int side) {
+    Heights heights;
+    for (int y = top; y < top + side; ++y)
+        for (int x = left; x < left + side; ++x) {
+            const auto height = static_cast<double>(map.at(x, y, 3));
+            heights.mean += height;
+            heights.square += height * height;
+        }
+    return {heights.mean / (side * side), heights.square / (side * side)};
+}
+
 } // namespace
 
 StrandStatistics statisticsOnTexture(const StrandSet& set, int width, int height) {
@@ -91,6 +107,32 @@ std::size_t evenest(const std::vector<StrandStatistics>& candidates) {
         if (more || (asMany && candidates[i].patchCv < candidates[best].patchCv)) best = i;
     }
     return best;
+}
+
+HeightStatistics statisticsOfHeights(const Image& map) {
+    constexpr int kBox = 4; // texels: near the scale at which strands as usually drawn differ
+    double sum = 0;
+    double squares = 0;
+    double within = 0; // variance in boxes
+    const int columns = map.width / kBox;
+    const int rows = map.height / kBox;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const auto [mean, square] = heightsIn(map, column * kBox, row * kBox, kBox);
+            sum += mean;
+            squares += square;
+            within += square - mean * mean;
+        }
+    const double count = static_cast<double>(rows) * columns;
+    if (count < 1) return {};
+    HeightStatistics figures{.mean = sum / count};
+    const double variance = squares / count - figures.mean * figures.mean;
+    const double share = within / count / variance;
+    if (variance < 1e-9 || share >= 1) return figures;
+    figures.deviation = std::sqrt(variance);
+    // Boxes of n texels hold the share (n^2 - 1) / (n^2 - 1 + grain^2): a texel by itself holds none.
+    figures.grain = std::sqrt((kBox * kBox - 1) * (1 - share) / share);
+    return figures;
 }
 
 } // namespace tegument

@@ -1,6 +1,7 @@
 #pragma once
 // Figures that tell good fur from bad without a person's eye: are all strands there, how evenly do they stand, how much do they cover.
 
+#include "host/image/image.h"
 #include "meshprep/fur/strands.h"
 
 namespace tegument {
@@ -20,5 +21,13 @@ struct StrandStatistics {
 
 /// The index of the evenest set among those with the most strands: the least patchCv.
 [[nodiscard]] std::size_t evenest(const std::vector<StrandStatistics>& candidates);
+
+/// How the heights (alpha) of a map differ: what a shader needs where its texels are finer than pixels (docs/fur.md, "Seen from afar").
+struct HeightStatistics {
+    double mean = 0;
+    double deviation = 0;
+    double grain = 0; // texels: footprints that wide hold half of the variance; 0 where nothing differs
+};
+[[nodiscard]] HeightStatistics statisticsOfHeights(const Image& map);
 
 } // namespace tegument

@@ -1,5 +1,6 @@
 // Where strands stand.
 
+#include "meshprep/fur/fur_map.h"
 #include "meshprep/fur/strand_statistics.h"
 #include "meshprep/fur/strands.h"
 
@@ -151,6 +152,61 @@ TEST(StrandStatistics, tell_independent_points_from_spaced_ones) {
 
 TEST(StrandStatistics, prefer_more_strands_then_evener_ones) {
     EXPECT_EQ(evenest({{.count = 10, .patchCv = 0.1}, {.count = 12, .patchCv = 0.3}, {.count = 12, .patchCv = 0.2}}), 2u);
+}
+
+/// Alpha of squares, `side` texels wide, each 0 or 1 by a coin.
+Image coins(int size, int side) {
+    Image map{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
+    map.pixels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            map.at(x, y, 3) = (static_cast<unsigned>(x / side * 7919 + y / side * 104729) * 2654435761U) >> 31U ? 1.0F : 0.0F;
+    return map;
+}
+
+TEST(HeightStatistics, of_coins_are_a_half_on_average_and_that_far_from_it) {
+    const HeightStatistics heights = statisticsOfHeights(coins(512, 4));
+    EXPECT_NEAR(heights.mean, 0.5, 0.03); // 16,384 coins by a hash
+    EXPECT_NEAR(heights.deviation, 0.5, 0.01);
+}
+
+TEST(HeightStatistics, wider_strands_have_a_coarser_grain) {
+    const double fine = statisticsOfHeights(coins(512, 3)).grain;
+    const double coarse = statisticsOfHeights(coins(512, 6)).grain;
+    EXPECT_GT(fine, 1);
+    EXPECT_NEAR(coarse / fine, 2, 0.4); // a box of 4 sees squares of 3 and of 6 differently
+}
+
+TEST(HeightStatistics, of_a_cone_in_each_square_follow_the_law_at_other_scales) {
+    FurOptions options{.density = 0.05, .spacing = 2.8, .radius = 3.4, .shortest = 0.45, .taper = true};
+    const auto set = strandsOnTexture(256, 256, options);
+    ASSERT_TRUE(set);
+    const Image map = drawFurTexture(*set, 256, 256, options);
+    const HeightStatistics heights = statisticsOfHeights(map);
+    for (const int side : {2, 8}) { // the estimate comes from boxes of 4
+        double within = 0;
+        for (int y = 0; y < 256; y += side)
+            for (int x = 0; x < 256; x += side) {
+                double sum = 0;
+                double squares = 0;
+                for (int i = 0; i < side * side; ++i) {
+                    const auto height = static_cast<double>(map.at(x + i % side, y + i / side, 3));
+                    sum += height / (side * side);
+                    squares += height * height / (side * side);
+                }
+                within += (squares - sum * sum) * side * side / (256.0 * 256.0);
+            }
+        const double law = (side * side - 1) / (side * side - 1 + heights.grain * heights.grain);
+        EXPECT_NEAR(within / (heights.deviation * heights.deviation), law, 0.03) << side;
+    }
+}
+
+TEST(HeightStatistics, where_all_is_alike_nothing_deviates) {
+    Image map = coins(16, 1);
+    for (std::size_t i = 3; i < map.pixels.size(); i += 4)
+        map.pixels[i] = 0.5F;
+    EXPECT_EQ(statisticsOfHeights(map).deviation, 0);
+    EXPECT_EQ(statisticsOfHeights(map).grain, 0);
 }
 
 } // namespace

@@ -126,6 +126,57 @@ std::vector<FunctionCase> shells() {
     return cases;
 }
 
+/// docs/fur.md, "Seen from afar", as its formulas stand there.
+double meanCoverage(double mean, double height, double above, double variance, double softness, double slope) {
+    const double scale = std::sqrt(3 * variance) / kPi;
+    const double tip = mean + softness * (0.5 - std::min(0.2 / std::sqrt(softness), 1.0));
+    const auto taller = [&](double h) { return 1 / (1 + std::exp((h - tip) / scale)); };
+    const double rate = 0.5 + std::hypot(0.5, slope / kPi);
+    const double share = taller(height);
+    const double entered = 1 - std::pow((1 - share) / (1 - taller(above)), rate);
+    return std::pow(std::pow(entered, -3) + std::pow(share, -3), -1.0 / 3);
+}
+
+std::vector<FunctionCase> afar() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "furHeightVariance",
+                     .body = "return float4(furHeightVariance(a0, a1, a2, a3), 0, 0, 0);",
+                     .arguments = {linear(0, 0.5), logarithmic(1e-4, 0.2), logarithmic(1e-4, 1), linear(0, 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double share = 1 / (1 + std::pow(x.scalar(1) / x.scalar(2), 2));
+                             return values(std::min(std::pow(x.scalar(0), 2) * share, std::pow(x.scalar(3), 2)));
+                         },
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-35, .why = "products and a quotient"},
+                     .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-4 && x.scalar(2) >= 1e-4; }});
+    cases.push_back({.function = "furHeightSlope",
+                     .body = "return float4(furHeightSlope(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(0, 0.5), logarithmic(1e-4, 0.2)},
+                     .expected = [](const Inputs& x) { return values(2.8 * x.scalar(0) / x.scalar(1)); },
+                     .tolerance = {.forward = 4, .backward = 0, .absolute = 1e-35, .why = "a product and a quotient"},
+                     .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-4; }});
+    cases.push_back({.function = "furAfar",
+                     .body = "return float4(furAfar(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(0, 0.25), linear(0.01, 1)},
+                     .expected = [](const Inputs& x) { return values(1 / (1 + 0.03 * std::pow(x.scalar(1), 2) / x.scalar(0))); },
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 5e-3, .why = "1e-8 beside the square of a softness of 0.01"},
+                     .domain = [](const Inputs& x) { return x.scalar(0) > 1e-6 && x.scalar(1) >= 0.01; }});
+    cases.push_back({.function = "furMeanCoverage",
+                     .body = "return float4(furMeanCoverage(a0, float2(a1, a1 + a2), a3, a4, a5), 0, 0, 0);",
+                     .arguments = {linear(0, 1), linear(0, 1), linear(0.01, 0.5), linear(0.01, 0.2), linear(0.01, 1), linear(0, 50)},
+                     .expected =
+                         [](const Inputs& x) {
+                             return values(
+                                 meanCoverage(x.scalar(0), x.scalar(1), x.scalar(1) + x.scalar(2), x.scalar(3), x.scalar(4), x.scalar(5)));
+                         },
+                     .tolerance = {.forward = 200,
+                                   .backward = 4,
+                                   .absolute = 3e-3,
+                                   .why = "1e-4 is added to a scale of 0.055 and more; 1 less powers of what is near 1"},
+                     .domain = [](const Inputs& x) { return x.scalar(2) >= 0.01 && x.scalar(3) >= 0.01 && x.scalar(4) >= 0.01; }});
+    return cases;
+}
+
 std::vector<FunctionCase> vectors() {
     std::vector<FunctionCase> cases;
     cases.push_back(
@@ -218,7 +269,7 @@ std::vector<FunctionCase> lights() {
 
 std::vector<FunctionCase> furCases() {
     std::vector<FunctionCase> cases = shells();
-    for (auto make : {vectors, lights})
+    for (auto make : {afar, vectors, lights})
         for (FunctionCase& one : make())
             cases.push_back(std::move(one));
     return cases;

@@ -94,7 +94,7 @@ Result<void> createSurface(DeviceState& state, const WindowSurface& window) {
     const auto surface = window.create(static_cast<VkInstance>(*state.instance));
     if (!surface) return surface.error();
     // A pointer or a 64-bit number, as the platform has it; a C cast serves both.
-    state.surface = vk::raii::SurfaceKHR(state.instance, (VkSurfaceKHR)*surface);
+    state.surface = vk::raii::SurfaceKHR(state.instance, (VkSurfaceKHR)*surface); // NOLINT(performance-no-int-to-ptr)
     return {};
 }
 

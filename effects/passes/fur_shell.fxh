@@ -24,7 +24,7 @@ float shellSlope(FurVarying input, float footprint)
     float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
     float3 view = safeNormalize(input.world - gCameraPosition);
     float3 strand = normal + float3(0.0, -2.0 * gFurLean * input.coat.x, 0.0);
-    float way = length(furTravel(view, normal, strand)) * gFurLength * gMeshRadius;
+    float way = furWayOver(view, normal, strand) * gFurLength * gMeshRadius;
     float pixel = max(length(ddx(input.rest)), length(ddy(input.rest)));
     return furHeightSlope(gFurDeviation, gFurGrain) * footprint * way / max(pixel, 1e-20);
 }

@@ -18,6 +18,16 @@ float furHeightSlope(float deviation, float grain)
     return 2.8 * deviation / max(grain, 1e-6);
 }
 
+// Way over the skin on which a ray falls by 1. view: unit, towards the skin. strand: how the coat's point moves while its height rises by 1. Rays that rise
+// along the skin, which interpolated normals bring about at silhouettes, are taken as falling with this cosine.
+static const float kFurLeastFall = 0.02;
+float furWayOver(float3 view, float3 normal, float3 strand)
+{
+    float cosine = dot(view, normal);
+    float rise = dot(strand, normal);
+    return length((view - normal * cosine) * (rise / max(-cosine, kFurLeastFall)) + strand - normal * rise);
+}
+
 // 0: heights differ less than the soft ends of strands are long, and each texel is drawn by itself; 1: they are told by their mean and variance only.
 float furAfar(float variance, float softness)
 {

@@ -155,6 +155,23 @@ std::vector<FunctionCase> afar() {
                      .expected = [](const Inputs& x) { return values(2.8 * x.scalar(0) / x.scalar(1)); },
                      .tolerance = {.forward = 4, .backward = 0, .absolute = 1e-35, .why = "a product and a quotient"},
                      .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-4; }});
+    cases.push_back({.function = "furWayOver",
+                     .body = "return float4(furWayOver(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {unit(), unit(), vector(3, 0.1, 2)},
+                     .expected =
+                         [](const Inputs& x) {
+                             // From a point of the layer to where the ray meets the one that is 1 lower, seen from the strand's point
+                             // there.
+                             const glm::dvec3 normal = x.vec3(1);
+                             const double far = glm::dot(x.vec3(2), normal) / -glm::dot(x.vec3(0), normal);
+                             return values(glm::length(far * x.vec3(0) + x.vec3(2)));
+                         },
+                     .tolerance = {.forward = 64, .backward = 4, .absolute = 1e-4, .why = "a quotient by a cosine of 0.1 and more"},
+                     .domain =
+                         [](const Inputs& x) {
+                             return isUnit(x.vec3(0)) && isUnit(x.vec3(1)) && glm::dot(x.vec3(0), x.vec3(1)) < -0.1 &&
+                                    glm::length(x.vec3(2)) < 10;
+                         }});
     cases.push_back({.function = "furAfar",
                      .body = "return float4(furAfar(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 0.25), linear(0.01, 1)},

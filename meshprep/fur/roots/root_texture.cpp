@@ -37,10 +37,14 @@ public:
     explicit Grid(const RootSet& set) : cell_(static_cast<float>(set.cell)), reach_(static_cast<float>(set.reach)) {
         glm::dvec3 low(std::numeric_limits<double>::infinity());
         glm::dvec3 high(-low);
-        for (const Root& root : set.roots) {
-            low = glm::min(low, glm::dvec3(root.position));
-            high = glm::max(high, glm::dvec3(root.position));
-        }
+        const auto enclose = [&](const glm::vec3& place) {
+            low = glm::min(low, glm::dvec3(place));
+            high = glm::max(high, glm::dvec3(place));
+        };
+        for (const Root& root : set.roots)
+            enclose(root.position);
+        for (const CoatSample& sample : set.coat)
+            enclose(sample.position);
         // Half a cell of air: places beside the outermost roots lie inside in spite of rounding.
         origin_ = glm::vec3(low - set.reach - 0.5 * set.cell);
         size_ = (high - low + 2.0 * set.reach + set.cell) / set.cell;
@@ -66,6 +70,10 @@ public:
     [[nodiscard]] glm::vec3 origin() const { return origin_; }
     [[nodiscard]] float cell() const { return cell_; }
 
+    [[nodiscard]] std::size_t texelsOfBrick() const { return cellsOfBrick() / 4 + nodesOfBrick(); }
+    [[nodiscard]] std::size_t nodesOfBrick() const { return nodesAlong() * nodesAlong() * nodesAlong(); }
+    [[nodiscard]] std::size_t nodesAlong() const { return static_cast<std::size_t>(brick() / kNodeCells + 1); }
+
     [[nodiscard]] glm::ivec3 cellOf(const glm::vec3& point) const { return glm::ivec3(glm::floor((point - origin_) / cell_)); }
     /// Number of a cell, counted brick after brick, empty ones too.
     [[nodiscard]] std::uint64_t placeOf(const glm::ivec3& cell) const {
@@ -74,6 +82,13 @@ public:
         const glm::ivec3 l = cell & (brick() - 1);
         const std::uint64_t brickNumber = n(k.x) + n(bricks_.x) * (n(k.y) + n(bricks_.y) * n(k.z));
         return (brickNumber << (3 * shift_)) + n(l.x + ((l.y + (l.z << shift_)) << shift_));
+    }
+
+    /// Its place by number in the top level.
+    [[nodiscard]] glm::ivec3 brickAt(std::size_t number) const {
+        const glm::uvec3 n(bricks_);
+        const auto i = static_cast<std::uint32_t>(number);
+        return {i % n.x, i / n.x % n.y, i / n.x / n.y};
     }
 
     /// Calls visit(cell) for every cell that the root's reach touches.
@@ -110,11 +125,13 @@ public:
         sortRoots();
         findCells();
         numberBricks();
+        addBricksOfCoat();
         countLists();
         if (const auto checked = layOut(); !checked) return checked.error();
         writeHeader();
         writeLists();
         writeRoots();
+        writeNodes();
         return std::move(texture_);
     }
 
@@ -169,6 +186,15 @@ private:
         texture_.brick = grid_.brick();
     }
 
+    /// Bald skin has a lean and a density, too: of 0.
+    void addBricksOfCoat() {
+        for (const CoatSample& sample : set_.coat) {
+            const glm::ivec3 cell = grid_.cellOf(sample.position);
+            std::uint32_t& brick = brickOf_[grid_.placeOf(cell) / grid_.cellsOfBrick()];
+            if (brick == kNone) brick = static_cast<std::uint32_t>(texture_.usedBricks++);
+        }
+    }
+
     void countLists() {
         lists_.assign(texture_.usedBricks * grid_.cellsOfBrick(), 0);
         for (const Touched& run : touched_)
@@ -190,7 +216,7 @@ private:
     Result<void> layOut() {
         firstTop_ = kHeaderTexels;
         firstBrick_ = firstTop_ + grid_.topCount();
-        firstList_ = firstBrick_ + lists_.size() / 4;
+        firstList_ = firstBrick_ + texture_.usedBricks * grid_.texelsOfBrick();
         firstRoot_ = (firstList_ + listTexels_ + kRootColumns - 1) / kRootColumns * kRootColumns;
         texture_.texels = rootAddress(firstRoot_, set_.roots.size());
         if (texture_.texels > kMostTexels) return tooLarge(set_.roots.size(), static_cast<double>(texture_.texels));
@@ -223,16 +249,16 @@ private:
             lean = std::max(lean, glm::length(root.lean));
         }
         put(5, glm::vec3(least, sum / static_cast<double>(set_.roots.size()), lean), 0);
-        put(6, glm::vec3(firstRoot_, 0, 0), 0);
+        put(6, glm::vec3(firstRoot_, kNodeCells, 0), 0);
     }
 
     void writeLists() {
         float* pixels = texture_.image.pixels.data();
-        const std::size_t texelsOfBrick = grid_.cellsOfBrick() / 4;
         for (std::size_t i = 0; i < brickOf_.size(); ++i)
-            if (brickOf_[i] != kNone) pixels[4 * (firstTop_ + i)] = static_cast<float>(firstBrick_ + brickOf_[i] * texelsOfBrick);
+            if (brickOf_[i] != kNone) pixels[4 * (firstTop_ + i)] = static_cast<float>(brickAddress(brickOf_[i]));
         for (std::size_t i = 0; i < lists_.size(); ++i)
-            if (lists_[i] != kNone) pixels[4 * firstBrick_ + i] = static_cast<float>(firstList_ + lists_[i]);
+            if (lists_[i] != kNone)
+                pixels[4 * brickAddress(i / grid_.cellsOfBrick()) + i % grid_.cellsOfBrick()] = static_cast<float>(firstList_ + lists_[i]);
         std::vector<std::uint32_t> filled(lists_.size(), 0);
         std::size_t root = 0;
         for (const Touched& run : touched_) {
@@ -248,6 +274,58 @@ private:
                 float& last = pixels[4 * (firstList_ + lists_[i] + (filled[i] - 1) / 4)];
                 last = -last; // marks a list's last texel
             }
+    }
+
+    [[nodiscard]] std::size_t brickAddress(std::size_t brick) const { return firstBrick_ + brick * grid_.texelsOfBrick(); }
+
+    /// A node of one brick: where it is in the lattice of all, and where its texel. Nodes at the sides of bricks have several.
+    struct Node {
+        std::uint64_t place = 0;
+        std::size_t texel = 0;
+        auto operator<=>(const Node&) const = default;
+    };
+
+    [[nodiscard]] std::vector<Node> listNodes() const {
+        std::vector<Node> nodes;
+        nodes.reserve(texture_.usedBricks * grid_.nodesOfBrick());
+        const auto along = static_cast<int>(grid_.nodesAlong());
+        for (std::size_t i = 0; i < brickOf_.size(); ++i) {
+            if (brickOf_[i] == kNone) continue;
+            std::size_t texel = brickAddress(brickOf_[i]) + grid_.cellsOfBrick() / 4;
+            const glm::ivec3 low = grid_.brickAt(i) * (along - 1);
+            for (int z = 0; z < along; ++z)
+                for (int y = 0; y < along; ++y)
+                    for (int x = 0; x < along; ++x)
+                        nodes.push_back({.place = packed(low + glm::ivec3(x, y, z)), .texel = texel++});
+        }
+        std::ranges::sort(nodes);
+        return nodes;
+    }
+
+    static constexpr unsigned kBitsOfPlace = 21; // kMostCells and one
+    static std::uint64_t packed(const glm::ivec3& place) {
+        const auto word = [](int i) { return static_cast<std::uint64_t>(i); };
+        return word(place.x) | word(place.y) << kBitsOfPlace | word(place.z) << (2 * kBitsOfPlace);
+    }
+    [[nodiscard]] glm::vec3 positionOf(std::uint64_t place) const {
+        const auto part = [&](unsigned i) { return static_cast<float>(place >> (i * kBitsOfPlace) & ((1U << kBitsOfPlace) - 1)); };
+        return grid_.origin() + glm::vec3(part(0), part(1), part(2)) * (kNodeCells * grid_.cell());
+    }
+
+    void writeNodes() {
+        const std::vector<Node> nodes = listNodes();
+        const float spacing = static_cast<float>(1 / std::sqrt(set_.density));
+        // A place in a brick may be as far as the diagonal from a node that it reads, sqrt(3) of their distance.
+        constexpr float kRadius = 1.8F;
+        const CoatField field(set_.coat, std::max(kRadius * kNodeCells * grid_.cell(), 2 * spacing));
+        inChunks(nodes.size(), threads_, [&](std::size_t first, std::size_t last, std::size_t) {
+            glm::vec4 value(0, 0, 0, 1);
+            for (std::size_t i = first; i < last; ++i) {
+                const bool isNew = i == first || nodes[i].place != nodes[i - 1].place;
+                if (isNew && !set_.coat.empty()) value = field.at(positionOf(nodes[i].place));
+                put(nodes[i].texel, glm::vec3(value), static_cast<double>(value.w));
+            }
+        });
     }
 
     void writeRoots() {
@@ -321,24 +399,61 @@ Result<RootTexture> buildRootTexture(RootSet& set, unsigned threads) {
     return texture;
 }
 
+namespace {
+
+/// The brick of a point, as a shader finds it.
+struct FoundBrick {
+    float address = 0;  // 0: none
+    glm::vec3 place{0}; // in the brick, in cells
+    float side = 0;     // cells
+};
+
+FoundBrick brickAround(const Reader& reader, const glm::vec3& point) {
+    const glm::vec4 grid = reader.fetch(0);
+    const glm::vec4 size = reader.fetch(1);
+    const glm::vec3 bricks(size);
+    const glm::vec3 place = (point - glm::vec3(grid)) / grid.w;
+    const glm::vec3 cell = glm::floor(place);
+    if (glm::any(glm::lessThan(cell, glm::vec3(0))) || glm::any(glm::greaterThanEqual(cell, size.w * bricks))) return {};
+    const glm::vec3 k = glm::floor(cell / size.w);
+    return {.address = reader.fetch(reader.fetch(2).y + k.x + bricks.x * (k.y + bricks.y * k.z)).x,
+            .place = place - size.w * k,
+            .side = size.w};
+}
+
+} // namespace
+
+glm::vec4 coatAround(const Image& image, const glm::vec3& point) {
+    const Reader reader(image);
+    const FoundBrick brick = brickAround(reader, point);
+    if (brick.address == 0) return glm::vec4(0);
+    const float b = brick.side;
+    const float between = reader.fetch(6).y;
+    const float along = b / between + 1;
+    const float first = brick.address + b * b * b / 4;
+    const glm::vec3 place = brick.place / between;
+    const glm::vec3 low = glm::min(glm::floor(place), along - 2);
+    glm::vec4 sum(0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+        const glm::vec3 node = low + side;
+        const glm::vec3 weight = 1.0F - glm::abs(place - node);
+        sum += weight.x * weight.y * weight.z * reader.fetch(first + node.x + along * (node.y + along * node.z));
+    }
+    return sum;
+}
+
 std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point) {
     const Reader reader(image);
-    const glm::vec4 place = reader.fetch(0);
-    const glm::vec4 size = reader.fetch(1);
-    const glm::vec4 parts = reader.fetch(2);
-    const glm::vec3 bricks(size);
-    const float b = size.w;
-    const glm::vec3 cell = glm::floor((point - glm::vec3(place)) / place.w);
-    if (glm::any(glm::lessThan(cell, glm::vec3(0))) || glm::any(glm::greaterThanEqual(cell, b * bricks))) return {};
-    const glm::vec3 k = glm::floor(cell / b);
-    const float brick = reader.fetch(parts.y + k.x + bricks.x * (k.y + bricks.y * k.z)).x;
-    if (brick == 0) return {};
-    const glm::vec3 l = cell - b * k;
-    const float list = reader.entry(brick, l.x + b * (l.y + b * l.z));
+    const FoundBrick brick = brickAround(reader, point);
+    if (brick.address == 0) return {};
+    const glm::vec3 l = glm::floor(brick.place);
+    const float list = reader.entry(brick.address, l.x + brick.side * (l.y + brick.side * l.z));
     if (list == 0) return {};
+    const float longest = reader.fetch(2).w;
     std::vector<std::size_t> found;
     const std::size_t firstRoot = static_cast<std::size_t>(reader.fetch(6).x);
-    for (int step = 0; step < static_cast<int>(parts.w); ++step) {
+    for (int step = 0; step < static_cast<int>(longest); ++step) {
         const glm::vec4 texel = reader.fetch(list + static_cast<float>(step));
         for (glm::length_t i = 0; i < 4; ++i)
             if (texel[i] != 0) found.push_back(rootNumber(static_cast<std::size_t>(std::abs(texel[i])) - firstRoot));

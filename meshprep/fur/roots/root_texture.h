@@ -11,6 +11,7 @@ namespace tegument {
 
 inline constexpr int kRootColumns = 4096;     // of the texture, always
 inline constexpr std::size_t kRootTexels = 3; // of one root
+inline constexpr int kNodeCells = 4;          // from one node of the coat's lean and density to the next
 
 struct RootTexture {
     Image image; // RGBA
@@ -30,6 +31,8 @@ struct RootTexture {
 
 /// The reader that docs/fur.md describes, in the shader's arithmetic: numbers of the roots that the cell around a point lists.
 [[nodiscard]] std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point);
+/// Lean and density of the coat at a point, between the nodes of its brick; 0 where there is no brick.
+[[nodiscard]] glm::vec4 coatAround(const Image& image, const glm::vec3& point);
 /// The root with this number, as its texels say.
 [[nodiscard]] Root rootAt(const Image& image, std::size_t number);
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint32_t kOfLooks = 0x2545f491U; // streams of the noise of their own
 constexpr std::uint32_t kOfShape = 0x9e3779b9U;
 constexpr std::uint32_t kOfDensity = 0x7f4a7c15U;
-constexpr float kBald = 1e-3F; // shares of the length below which no strand stands
+constexpr std::uint32_t kOfCoat = 0x1b873593U;
+constexpr double kBald = 1e-3; // shares of the length below which no strand stands
 
 class Watch {
 public:
@@ -119,6 +120,15 @@ public:
         return std::min({1.0F, kShareOfCurvature / std::max(limits.curvature, 1e-6F), limits.opposite / 2});
     }
 
+    [[nodiscard]] CoatSample coatAt(const SurfacePoint& point) const {
+        double density = options_.densityMap ? shareAt(*options_.densityMap, surface_, point) : 1;
+        if (options_.lengthMap && shareAt(*options_.lengthMap, surface_, point) < kBald) density = 0;
+        return {.position = surface_.toMesh(point.position),
+                .normal = point.normal,
+                .lean = glm::vec3(leanAt(point)),
+                .density = static_cast<float>(density)};
+    }
+
 private:
     [[nodiscard]] glm::dvec3 leanAt(const SurfacePoint& point) const {
         if (!(options_.lean > 0)) return glm::dvec3(0);
@@ -134,6 +144,21 @@ private:
     const RootOptions& options_;
     const RootSet& set_;
 };
+
+/// Lean and density between the roots, where they differ from place to place.
+void sampleCoat(RootSet& set, const FurSurface& surface, const RootOptions& options) {
+    if (!options.densityMap && !options.lengthMap && !(options.lean > 0)) return;
+    const Strands strands(surface, options, set);
+    const auto count = static_cast<std::size_t>(std::ceil(set.area * set.density));
+    set.coat.resize(count);
+    inChunks(count, options.threads, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i) {
+            glm::dvec3 place = rootNoise(i, options.seed ^ kOfCoat);
+            place.x = (static_cast<double>(i) + place.x) / static_cast<double>(count);
+            set.coat[i] = strands.coatAt(surface.point(place));
+        }
+    });
+}
 
 void growStrands(RootSet& set, const FurSurface& surface, const RootOptions& options, const std::vector<SurfacePoint>& points,
                  const std::vector<LengthLimits>& limits) {
@@ -177,6 +202,7 @@ Result<RootSet> makeRoots(const Mesh& mesh, const RootOptions& options) {
     const std::vector<LengthLimits> limits = lengthLimits(surface, points, reach, options.threads);
     set.seconds.limits = watch.lap();
     growStrands(set, surface, options, points, limits);
+    sampleCoat(set, surface, options);
     set.seconds.strands = watch.lap();
     return set;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Everything about the roots of fur on a mesh: where they stand, and how each strand is long, thick, inclined. docs/fur.md, "Roots".
 
+#include "meshprep/fur/roots/coat_field.h"
 #include "meshprep/fur/roots/root_maps.h"
 
 #include <optional>
@@ -43,6 +44,8 @@ struct Root {
 
 struct RootSet {
     std::vector<Root> roots;
+    std::vector<CoatSample>
+        coat;               // about one to a root of the full density, bald parts too; none where lean and density are the same everywhere
     std::size_t wanted = 0; // fewer stand where the spacing leaves no room, or where the length map is 0
     double area = 0;        // mm^2
     double density = 0;     // full density, roots per mm^2

@@ -1,5 +1,7 @@
 #include "host/scene/glb.h"
 
+#include "host/scene/extent.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,16 +14,9 @@ constexpr double kSteps = 65535;
 } // namespace
 
 PositionGrid::PositionGrid(const std::vector<glm::vec3>& positions) {
-    if (positions.empty()) return;
-    glm::dvec3 low(positions.front());
-    glm::dvec3 high = low;
-    for (const glm::vec3& p : positions) {
-        low = glm::min(low, glm::dvec3(p));
-        high = glm::max(high, glm::dvec3(p));
-    }
-    const glm::dvec3 size = high - low;
-    origin = low;
-    step = std::max({size.x, size.y, size.z}) / kSteps;
+    const Extent extent = extentOf(positions);
+    origin = extent.low;
+    step = extent.longest / kSteps;
 }
 
 std::array<std::uint16_t, 3> PositionGrid::encode(const glm::vec3& position) const {

@@ -4,6 +4,7 @@
 #include "host/app/fur_roots.h"
 #include "host/app/output.h"
 #include "host/image/dds.h"
+#include "meshprep/fur/cube_texture.h"
 #include "meshprep/fur/fur_map.h"
 #include "meshprep/fur/strand_statistics.h"
 
@@ -48,19 +49,6 @@ Result<SeedRange> parseSeeds(const std::string& text) {
 /// The cube map's side whose six faces have about as many texels as the sphere map: both are compared at equal memory.
 int cubeSide(int size) {
     return std::max(1, static_cast<int>(std::lround(size / std::sqrt(6.0) / 4)) * 4);
-}
-
-DdsTexture cubeDds(const std::array<Image, 6>& faces) {
-    DdsTexture cube;
-    for (const Image& face : faces) {
-        DdsTexture one = makeDds(face, DdsFormat::Rgba8, true);
-        cube.format = one.format;
-        cube.mips = one.mips;
-        for (Image& level : one.images)
-            cube.images.push_back(std::move(level));
-    }
-    cube.faces = 6;
-    return cube;
 }
 
 Json toJson(const StrandStatistics& figures) {
@@ -128,7 +116,7 @@ Result<void> writeMaps(const fs::path& folder, const Maps& maps) {
         return written.error();
     if (const auto written = writeBoth(folder, "fur_sphere", maps.sphereMap, makeDds(maps.sphereMap, DdsFormat::Rgba8, true)); !written)
         return written.error();
-    return writeBoth(folder, "fur_cube", unfoldCube(maps.cubeMap), cubeDds(maps.cubeMap));
+    return writeBoth(folder, "fur_cube", unfoldCube(maps.cubeMap), cubeTexture(maps.cubeMap, DdsFormat::Rgba8));
 }
 
 void describe(Image& image, const TextureArguments& arguments) {

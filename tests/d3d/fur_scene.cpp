@@ -1,6 +1,7 @@
 #include "tests/d3d/fur_scene.h"
 
 #include "host/image/dds.h"
+#include "meshprep/fur/cube_texture.h"
 #include "meshprep/fur/fur_map.h"
 #include "meshprep/fur/roots/root_texture.h"
 
@@ -61,13 +62,9 @@ Result<void> writeFurMaps() {
     if (!onCube) return onCube.error();
     const Image sphere = drawSphereMap(*onSphere, kSphereMapSize, cones);
     if (auto written = writeDds(mapFile("fur_sphere"), makeDds(sphere, DdsFormat::Rgba8, true)); !written) return written;
-    DdsTexture cube{.format = DdsFormat::Rgba8, .faces = 6, .mips = 1, .images = {}};
-    for (const Image& face : drawCubeMap(*onCube, kCubeMapSize, cones)) {
-        DdsTexture one = makeDds(face, DdsFormat::Rgba8, true);
-        cube.mips = one.mips;
-        cube.images.insert(cube.images.end(), one.images.begin(), one.images.end());
-    }
-    return writeDds(mapFile("fur_cube"), cube);
+    // llvmpipe filters eight bits of a cube map with weights of eight bits where it filters each face by itself, as Direct3D 9 does, and
+    // with floats where it filters across edges: a map of floats is filtered alike.
+    return writeDds(mapFile("fur_cube"), cubeTexture(drawCubeMap(*onCube, kCubeMapSize, cones), DdsFormat::Rgba32F));
 }
 
 Result<void> writeFurRoots() {

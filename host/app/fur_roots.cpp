@@ -7,6 +7,7 @@
 #include "host/support/file.h"
 #include "meshprep/fur/roots/root_picture.h"
 #include "meshprep/fur/roots/root_texture.h"
+#include "meshprep/fur/roots/vertex_maps.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,6 +30,9 @@ struct RootArguments {
     std::string densityMap;
     std::string lengthMap;
     std::string directionMap;
+    std::string densityAttribute;
+    std::string lengthAttribute;
+    std::string directionAttribute;
     std::string picture;
     bool json = false;
 };
@@ -53,6 +57,25 @@ Result<void> loadMaps(RootArguments& arguments) {
     return {};
 }
 
+/// Maps that travel at the vertices of the mesh file.
+Result<void> readAttributes(RootArguments& arguments, const Mesh& mesh) {
+    struct Wanted {
+        const std::string* name;
+        std::optional<FurMap>* map;
+        Result<FurMap> (*read)(const fs::path&, const std::string&, const Mesh&);
+    };
+    const Wanted all[] = {{&arguments.densityAttribute, &arguments.roots.densityMap, readVertexShares},
+                          {&arguments.lengthAttribute, &arguments.roots.lengthMap, readVertexShares},
+                          {&arguments.directionAttribute, &arguments.roots.directionMap, readVertexDirections}};
+    for (const Wanted& wanted : all) {
+        if (wanted.name->empty()) continue;
+        auto map = wanted.read(arguments.input, *wanted.name, mesh);
+        if (!map) return map.error();
+        *wanted.map = *std::move(map);
+    }
+    return {};
+}
+
 Result<Built> build(RootArguments& arguments, Progress& progress) {
     if (const auto loaded = loadMaps(arguments); !loaded) return loaded.error();
     Built built;
@@ -62,6 +85,7 @@ Result<Built> build(RootArguments& arguments, Progress& progress) {
     if (!mesh) return mesh.error();
     built.mesh = *std::move(mesh);
     built.readSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (const auto read = readAttributes(arguments, built.mesh); !read) return read.error();
     progress.say("placing roots");
     auto set = makeRoots(built.mesh, arguments.roots);
     if (!set) return set.error();
@@ -170,8 +194,7 @@ void addPlaces(CLI::App& command, RootOptions& roots) {
     command.add_option("--threads", roots.threads, "Threads; 0: one a processor")->capture_default_str();
 }
 
-void addLooks(CLI::App& command, RootArguments& arguments) {
-    RootOptions& roots = arguments.roots;
+void addLooks(CLI::App& command, RootOptions& roots) {
     command.add_option("--radius", roots.radius, "Radius of a strand at its root, in mean spacings")->capture_default_str();
     command.add_option("--thinnest", roots.thinnest, "Thinnest strand as a share of that radius")->capture_default_str();
     command.add_option("--shortest", roots.shortest, "Shortest strand as a share of the longest")->capture_default_str();
@@ -187,9 +210,21 @@ void addLooks(CLI::App& command, RootArguments& arguments) {
     command.add_option("--curl", roots.curl, "Most curled strand, 0 to 1 of the effect's curl")->capture_default_str();
     command.add_option("--length", roots.furLength, "Coat length for which shortened strands are counted, a share of the mesh's radius")
         ->capture_default_str();
-    command.add_option("--density-map", arguments.densityMap, "Picture or cube map: share of the density");
-    command.add_option("--length-map", arguments.lengthMap, "Picture or cube map: share of the length");
-    command.add_option("--direction-map", arguments.directionMap, "Picture (tangent space) or cube map (mesh space): direction, 0.5 is 0");
+}
+
+void addMaps(CLI::App& command, RootArguments& arguments) {
+    auto* density = command.add_option("--density-map", arguments.densityMap, "Picture or cube map: share of the density");
+    auto* length = command.add_option("--length-map", arguments.lengthMap, "Picture or cube map: share of the length");
+    auto* direction = command.add_option("--direction-map", arguments.directionMap,
+                                         "Picture (tangent space) or cube map (mesh space): direction, 0.5 is 0");
+    command.add_option("--density-attribute", arguments.densityAttribute, "Property of the vertices of a PLY file: share of the density")
+        ->excludes(density);
+    command.add_option("--length-attribute", arguments.lengthAttribute, "Property of the vertices of a PLY file: share of the length")
+        ->excludes(length);
+    command
+        .add_option("--direction-attribute", arguments.directionAttribute,
+                    "Three properties of the vertices of a PLY file, X,Y,Z: direction in mesh space")
+        ->excludes(direction);
 }
 
 } // namespace
@@ -203,7 +238,8 @@ void addFurRoots(CLI::App& fur, Action& action) {
     command->add_option("--picture", arguments->picture, "PNG to draw the strands into, from the front, the right and above");
     command->add_option("--unit-mm", arguments->mesh.unitMm, "Millimetres per unit of the mesh file");
     addPlaces(*command, arguments->roots);
-    addLooks(*command, *arguments);
+    addLooks(*command, arguments->roots);
+    addMaps(*command, *arguments);
     command->add_flag("--json", arguments->json, "Print JSON");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }

@@ -59,6 +59,29 @@ std::optional<Error> PlyValues::checkEnd() const {
                      "a list may be longer than the type of its length can say, or a count is wrong: export the file again");
 }
 
+void PlyValues::skipList(const PlyProperty& property) {
+    for (std::size_t left = nextCount(property); left > 0 && !error_; --left)
+        next(property.type);
+}
+
+void PlyValues::nextRow(const PlyElement& element, std::vector<double>& row) {
+    row.assign(element.properties.size(), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (property.listCount)
+            skipList(property);
+        else
+            row[i] = next(property.type);
+    }
+}
+
+void PlyValues::skip(const PlyElement& element) {
+    std::vector<double> row;
+    if (element.properties.empty()) return;
+    for (std::uint64_t i = 0; i < element.count && !error_; ++i)
+        nextRow(element, row);
+}
+
 double PlyValues::nextText(PlyType type) {
     const std::string_view bytes = source_.bytes;
     while (offset_ < bytes.size() && isSpace(bytes[offset_]))

@@ -18,6 +18,11 @@ public:
 
     /// A list's length, already held against what is left of the file.
     std::size_t nextCount(const PlyProperty& property);
+    void skipList(const PlyProperty& property);
+    /// One of an element's items; lists are read over, and count as 0.
+    void nextRow(const PlyElement& element, std::vector<double>& row);
+    /// Reads over all items of an element.
+    void skip(const PlyElement& element);
     /// Bytes behind the last element: a list was longer than the type of its length can say, or the header counts too few.
     [[nodiscard]] std::optional<Error> checkEnd() const;
 

@@ -34,7 +34,7 @@ public:
             else if (element.name == "face")
                 readFaces(element);
             else
-                skip(element);
+                values_.skip(element);
             if (values_.error()) return *values_.error();
         }
         if (const auto wrong = values_.checkEnd()) return *wrong;
@@ -48,29 +48,6 @@ public:
 private:
     Mesh& mesh() { return result_.mesh; }
 
-    void readRow(const PlyElement& element, std::vector<double>& row) {
-        row.resize(element.properties.size());
-        for (std::size_t i = 0; i < element.properties.size(); ++i) {
-            const PlyProperty& property = element.properties[i];
-            if (!property.listCount)
-                row[i] = values_.next(property.type);
-            else
-                skipList(property);
-        }
-    }
-
-    void skipList(const PlyProperty& property) {
-        for (std::size_t left = values_.nextCount(property); left > 0 && !values_.error(); --left)
-            values_.next(property.type);
-    }
-
-    void skip(const PlyElement& element) {
-        std::vector<double> row;
-        if (element.properties.empty()) return;
-        for (std::uint64_t i = 0; i < element.count && !values_.error(); ++i)
-            readRow(element, row);
-    }
-
     void readVertices(const PlyElement& element) {
         const VertexLayout layout(element);
         verticesRead_ = true;
@@ -81,7 +58,7 @@ private:
         reserve(element.count, layout); // the header's counts were held against the file's size
         std::vector<double> row;
         for (std::uint64_t i = 0; i < element.count; ++i) {
-            readRow(element, row);
+            values_.nextRow(element, row);
             const glm::vec3 position = scaled({row[*layout.x], row[*layout.y], row[*layout.z]}, source_.unitMm);
             if (!source_.keepNotFinite && !isFinite(position))
                 values_.fail(notFinite(values_.at(), fmt::format("vertex {} has a coordinate that is not finite", i)));
@@ -111,7 +88,7 @@ private:
                 if (i == *list)
                     usable = readCorners(property, face, corners);
                 else if (property.listCount)
-                    skipList(property);
+                    values_.skipList(property);
                 else
                     values_.next(property.type);
             }

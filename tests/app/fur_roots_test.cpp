@@ -77,3 +77,22 @@ TEST(FurRoots, of_a_cloud_of_points_or_a_missing_map_are_refused) {
     EXPECT_EQ(ran.code, 1);
     EXPECT_NE(ran.err.find("no such file.png"), std::string::npos) << ran.err;
 }
+
+TEST(FurRoots, take_their_density_from_a_property_of_the_vertices) {
+    const fs::path mesh = scratch() / "painted.ply";
+    std::ofstream(mesh) << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                           "property float quality\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                           "0 0 0 0.25\n100 0 0 0.25\n100 100 0 0.25\n0 100 0 0.25\n4 0 1 2 3\n";
+    const fs::path file = scratch() / "painted.dds";
+    const Ran ran = tegument::test::tegument(
+        {"fur", "roots", mesh.string(), "-o", file.string(), "--count", "2000", "--density-attribute", "quality", "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.json()["roots"], 500);
+
+    const fs::path other = scratch() / "unknown.dds";
+    const Ran unknown = tegument::test::tegument({"fur", "roots", mesh.string(), "-o", other.string(), "--length-attribute", "length"});
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_NE(unknown.err.find("TG5313"), std::string::npos) << unknown.err;
+    EXPECT_NE(unknown.err.find("x, y, z, quality"), std::string::npos) << unknown.err;
+    EXPECT_FALSE(fs::exists(other));
+}

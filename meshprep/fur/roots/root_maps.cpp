@@ -49,8 +49,9 @@ glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv, bool repeats) {
 template <class Vector>
 Vector interpolated(const FurSurface& surface, const SurfacePoint& point, const std::vector<Vector>& values) {
     const std::uint32_t* t = &surface.mesh().indices[3 * std::size_t{point.triangle}];
-    const float first = 1 - point.barycentric.x - point.barycentric.y;
-    return first * values[t[0]] + point.barycentric.x * values[t[1]] + point.barycentric.y * values[t[2]];
+    using Number = typename Vector::value_type;
+    const glm::vec<2, Number> weights(point.barycentric);
+    return (1 - weights.x - weights.y) * values[t[0]] + weights.x * values[t[1]] + weights.y * values[t[2]];
 }
 
 } // namespace
@@ -70,7 +71,8 @@ Result<FurMap> FurMap::load(const std::filesystem::path& path) {
 }
 
 glm::dvec3 FurMap::at(const FurSurface& surface, const SurfacePoint& point) const {
-    if (isCube()) {
+    if (!ofVertices_.empty()) return interpolated(surface, point, ofVertices_);
+    if (texture_.isCube()) {
         const FacePoint on = onCube(glm::dvec3(point.position));
         return bilinear(texture_.at(on.face, 0), on.uv, false);
     }
@@ -86,7 +88,7 @@ glm::dvec3 directionAt(const FurMap& map, const FurSurface& surface, const Surfa
     const glm::dvec3 coded = 2.0 * map.at(surface, point) - 1.0;
     const glm::dvec3 normal(point.normal);
     glm::dvec3 direction = coded;
-    if (!map.isCube()) {
+    if (map.needsUvs()) {
         const glm::dvec4 tangent(interpolated(surface, point, surface.mesh().tangents));
         const glm::dvec3 across = glm::cross(normal, glm::dvec3(tangent)) * (tangent.w < 0 ? -1.0 : 1.0);
         direction = coded.x * glm::dvec3(tangent) + coded.y * across;

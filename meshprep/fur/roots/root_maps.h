@@ -1,6 +1,7 @@
 #pragma once
 // Pictures that shape fur: density, length, direction. On meshes with texture coordinates they lie as every texture does; on others a cube
-// map (DDS) is looked up by the direction from the middle of the mesh's ball, which needs no coordinates and has no seam.
+// map (DDS) is looked up by the direction from the middle of the mesh's ball, which needs no coordinates and has no seam. Or values at the
+// vertices.
 
 #include "host/image/dds.h"
 #include "meshprep/fur/roots/fur_surface.h"
@@ -14,20 +15,24 @@ public:
     /// DDS with six faces, or any picture.
     [[nodiscard]] static Result<FurMap> load(const std::filesystem::path& path);
     explicit FurMap(DdsTexture texture) : texture_(std::move(texture)) {}
+    /// One value for each vertex of the mesh.
+    explicit FurMap(std::vector<glm::dvec3> ofVertices) : ofVertices_(std::move(ofVertices)) {}
 
-    [[nodiscard]] bool isCube() const { return texture_.isCube(); }
+    /// A picture lies in texture coordinates; all others are the same in mesh space.
+    [[nodiscard]] bool needsUvs() const { return ofVertices_.empty() && !texture_.isCube(); }
     /// Bilinear; repeats beyond the unit square, clamps at the edges of a cube's faces. Grey counts as red, green and blue.
     [[nodiscard]] glm::dvec3 at(const FurSurface& surface, const SurfacePoint& point) const;
 
 private:
     DdsTexture texture_; // one mip
+    std::vector<glm::dvec3> ofVertices_;
 };
 
 /// The length's or the density's map: red, held to 0..1.
 [[nodiscard]] double shareAt(const FurMap& map, const FurSurface& surface, const SurfacePoint& point);
 
-/// The direction's map, 0.5 is 0: in tangent space (x along the tangent, y along the bitangent), or, from a cube map, in mesh space. Made
-/// perpendicular to the normal; at most 1 long.
+/// The direction's map, 0.5 is 0: in tangent space (x along the tangent, y along the bitangent), or, from a cube map or vertices, in mesh
+/// space. Made perpendicular to the normal; at most 1 long.
 [[nodiscard]] glm::dvec3 directionAt(const FurMap& map, const FurSurface& surface, const SurfacePoint& point);
 
 } // namespace tegument

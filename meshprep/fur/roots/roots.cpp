@@ -56,9 +56,10 @@ Result<void> checkMaps(const Mesh& mesh, const RootOptions& options) {
     const std::pair<const char*, const std::optional<FurMap>*> maps[] = {
         {"density", &options.densityMap}, {"length", &options.lengthMap}, {"direction", &options.directionMap}};
     for (const auto& [name, map] : maps)
-        if (*map && !(*map)->isCube() && mesh.uvs.empty())
-            return usageError(7106, fmt::format("the {} map is a flat picture, but the mesh has no texture coordinates", name),
-                              "give a cube map (DDS with six faces), looked up by the direction from the mesh's centre");
+        if (*map && (*map)->needsUvs() && mesh.uvs.empty())
+            return usageError(
+                7106, fmt::format("the {} map is a flat picture, but the mesh has no texture coordinates", name),
+                "give a cube map (DDS with six faces), looked up by the direction from the mesh's centre, or values at the vertices");
     return {};
 }
 

@@ -76,7 +76,7 @@ void makeSwapchain(PresenterState& state, const vk::SurfaceCapabilitiesKHR& wind
     });
     state.extent = extent;
     state.images.clear();
-    for (const VkImage image : state.swapchain.getImages())
+    for (VkImage image : state.swapchain.getImages())
         state.images.emplace_back(image);
     state.drawn.clear();
     for (std::size_t i = 0; i < state.images.size(); ++i)

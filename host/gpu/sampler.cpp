@@ -104,7 +104,7 @@ Result<Sampler> Device::createSampler(const SamplerState& state) {
     if (const auto possible = detail::checkSampler(*state_, state); !possible) return possible.error();
     return detail::guarded("creating a sampler", [&]() -> Result<Sampler> {
         Sampler sampler;
-        sampler.state = std::make_unique<detail::SamplerHandle>(state_, detail::makeSampler(*state_, state));
+        sampler.state = std::make_unique<detail::SamplerHandle>(detail::SamplerHandle{state_, detail::makeSampler(*state_, state)});
         return sampler;
     });
 }

@@ -1,12 +1,13 @@
 // Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a sphere map
 // (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each technique draws the shadow
-// map, the skin, then gFurLayers shells: in one instanced draw, or, for Direct3D 9, in a loop of the script.
+// map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells: in one instanced draw, or, for Direct3D 9, in a loop of the script.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_coat.fxh"
+#include "passes/fur_shadow.fxh"
 #include "passes/fur_shell.fxh"
 
 float Script : STANDARDSGLOBAL <
@@ -23,11 +24,12 @@ float Script : STANDARDSGLOBAL <
 #define FUR_TECHNIQUE(name, shellPS) \
 technique name < string Script = \
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" HULL_SCRIPT \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Shells"); > \
 { \
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
-    MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
+    HULL_PASSES \
+    MESH_PASS(Skin, SkinVS, CoatedSkinPS, STATE_SOLID) \
     LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, STATE_LAYER) \
 }
 

@@ -75,8 +75,8 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
     return diffuse + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
 }
 
-// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface.
-float3 furRadiance(FurVarying input, float3 albedo, float strandsShare)
+// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats let through.
+float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
     float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
     float3 strand = furTangent(normal, gFurLean, input.coat.x);
@@ -86,13 +86,14 @@ float3 furRadiance(FurVarying input, float3 albedo, float strandsShare)
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
     float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
-    float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * gLightColor * open * furShadow(input, normal, toLight);
+    float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
+    float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
     return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0
 {
-    return float4(furRadiance(input, furAlbedo(input), 0.0), 1.0);
+    return float4(furRadiance(input, furAlbedo(input), 0.0, 1.0), 1.0);
 }
 
 #endif

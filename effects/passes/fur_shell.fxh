@@ -39,7 +39,7 @@ float4 shell(FurVarying input, float3 v, float4 texel)
     float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
     clip(lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar));
     float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
-    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0), max(drawn, gFurOuterFirst));
+    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0, furHullShadow(input)), max(drawn, gFurOuterFirst));
 }
 
 float4 cubeShell(FurVarying input, float3 v)

@@ -26,19 +26,23 @@ float furSpecular(float3 strand, float3 toLight, float3 toEye, float exponent)
     return furSine(light) * pow(max(cosine, 1e-6), exponent) * 0.5 * sqrt((exponent + 0.6666667) / (2.0 * kPi));
 }
 
-// Share of the light that reaches this height in the coat of a ball of radius 1 whose coat is `thickness` thick. The way out of a ball of radius 1 + thickness
-// from the radius b = 1 + height * thickness, against the light, is sqrt((1 + thickness)^2 - b^2 sine^2) - b cosine; of it the part `sine` runs across the strands.
-// Flat (thickness 0) that is (1 - height) / cosine; on the ball nothing jumps where light grazes, and tips beyond the horizon still see it.
-// cosine: of the coat's normal and the light. density: optical depth of a flat coat for light at 45 degrees.
-float furTransmittance(float height, float cosine, float density, float thickness)
+// Way of the light through a coat to this height, in its thicknesses. The coat is that of a ball of radius 1, `thickness` thick. The way out of a ball of radius
+// 1 + thickness from the radius b = 1 + height * thickness, against the light, is sqrt((1 + thickness)^2 - b^2 sine^2) - b cosine. Flat (thickness 0) that is
+// (1 - height) / cosine; on the ball nothing jumps where light grazes, and tips beyond the horizon still see it. cosine: of the coat's normal and the light.
+float furWay(float height, float cosine, float thickness)
 {
     float k = max(thickness, 1e-3);
     float b = 1.0 + height * k;
     float above = (1.0 - height) * (2.0 + k + height * k); // ((1 + k)^2 - b^2) / k
     float across = sqrt(b * b * cosine * cosine + k * above);
     // The two forms are equal; each is exact where the other cancels.
-    float way = cosine > 0.0 ? above / max(across + b * cosine, 1e-6) : (across - b * cosine) / k;
-    return exp(-density * way * furSine(cosine));
+    return cosine > 0.0 ? above / max(across + b * cosine, 1e-6) : (across - b * cosine) / k;
+}
+
+// Share of the light that reaches this height; of its way the part `sine` runs across the strands. density: optical depth of a flat coat for light at 45 degrees.
+float furTransmittance(float height, float cosine, float density, float thickness)
+{
+    return exp(-density * furWay(height, cosine, thickness) * furSine(cosine));
 }
 
 // What light from all sides, of this colour, leaves of white at this height: one half of the directions, through the coat above as for light at 45 degrees.
@@ -46,6 +50,17 @@ float furTransmittance(float height, float cosine, float density, float thicknes
 float furFill(float height, float density, float multiple)
 {
     return exp(-density * (1.0 - height)) * lerp(0.5, 1.0, multiple);
+}
+
+// How much of the coat of other parts light has passed before it comes to a point, in thicknesses of the coat. It has entered the nearest coat at `front` and come out
+// of it at `back`, distances from the light as all of these. Before the back the point is in that coat itself: what goes beyond its own way (furWay) is due to others
+// that touch it, but for a margin, since surfaces are not balls. The change from one case to the other takes a quarter of a thickness.
+static const float2 kFurOwn = float2(1.25, 0.25);
+float furForeignCoat(float place, float front, float back, float own, float thickness)
+{
+    float coat = max(thickness, 1e-6);
+    float inside = (place - front) / coat - kFurOwn.x * own - kFurOwn.y;
+    return max(lerp(inside, (back - front) / coat, saturate(4.0 * (place - back) / coat)), 0.0);
 }
 
 #endif

@@ -33,13 +33,26 @@ double specular(const glm::dvec3& strand, const glm::dvec3& toLight, const glm::
 }
 
 /// Along a ray from a point in the coat of a ball of radius 1, by the ray's two crossings with the coat's outside.
-double transmittance(double height, double cosine, double density, double thickness) {
+double wayOut(double height, double cosine, double thickness) {
     const double coat = std::max(thickness, 1e-3);
     const glm::dvec2 from(0, 1 + height * coat);
     const glm::dvec2 direction(sineFrom(cosine), cosine);
     const double middle = -glm::dot(from, direction); // of the two crossings
     const double half = std::sqrt(middle * middle + (1 + coat) * (1 + coat) - glm::dot(from, from));
-    return std::exp(-density * (middle + half) / coat * sineFrom(cosine));
+    return (middle + half) / coat;
+}
+
+double transmittance(double height, double cosine, double density, double thickness) {
+    return std::exp(-density * wayOut(height, cosine, thickness) * sineFrom(cosine));
+}
+
+/// Piece by piece: still in the nearest coat, well behind it, or on the quarter of a thickness between.
+double foreignCoat(double place, double front, double back, double own, double coat) {
+    const double inside = (place - front) / coat - 1.25 * own - 0.25;
+    const double through = (back - front) / coat;
+    if (place <= back) return std::max(inside, 0.0);
+    if (place >= back + coat / 4) return std::max(through, 0.0);
+    return std::max(std::lerp(inside, through, 4 * (place - back) / coat), 0.0);
 }
 
 glm::dvec3 combined(const glm::dvec3& position, const glm::dvec3& normal) {
@@ -263,6 +276,23 @@ std::vector<FunctionCase> lights() {
                                    .backward = 4,
                                    .absolute = 1e-4,
                                    .why = "a power of up to 200: 3 + 2|x| ULP with |x| up to 126, and 200 times those of its base"}});
+    cases.push_back({.function = "furWay",
+                     .body = "return float4(furWay(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {linear(0, 1), cosine(), linear(0, 0.5)},
+                     .expected = [](const Inputs& x) { return values(wayOut(x.scalar(0), x.scalar(1), x.scalar(2))); },
+                     .tolerance = {.forward = 64,
+                                   .backward = 4,
+                                   .absolute = 2e-3,
+                                   .why = "a way of up to 2,000 coats; the root near the horizon, where its argument cancels"}});
+    cases.push_back({.function = "furForeignCoat",
+                     .body = "return float4(furForeignCoat(a0, a1, a1 + a2, a3, a4), 0, 0, 0);",
+                     .arguments = {linear(0, 200), linear(0, 100), linear(0, 50), linear(0, 10), logarithmic(0.5, 20)},
+                     .expected =
+                         [](const Inputs& x) {
+                             return values(foreignCoat(x.scalar(0), x.scalar(1), x.scalar(1) + x.scalar(2), x.scalar(3), x.scalar(4)));
+                         },
+                     .tolerance = {.forward = 32, .backward = 4, .absolute = 1e-3, .why = "differences of places up to 200, over 0.5"},
+                     .domain = [](const Inputs& x) { return x.scalar(4) >= 0.5; }});
     cases.push_back(
         {.function = "furTransmittance",
          .body = "return float4(furTransmittance(a0, a1, a2, a3), 0, 0, 0);",

@@ -1,0 +1,68 @@
+// Passes HullFront, HullBack: the shadow that a coat throws on other parts of the mesh. The coat counts as full up to gFurShadowHeight; this hull is drawn from the
+// light, its nearest side that faces the light and its nearest side that turns away. Between them light passes so much of the coat before it comes out behind. A
+// point that it has not come out before is in this coat, whose own shadow is furTransmittance: only what is more than that counts.
+#ifndef TEGUMENT_PASSES_FUR_SHADOW_FXH
+#define TEGUMENT_PASSES_FUR_SHADOW_FXH
+
+Texture2D gHullFrontMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R32F"; >;
+Texture2D gHullMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "G32R32F"; >;
+SAMPLER2D(gHullFront, POINT, CLAMP);
+SAMPLER2D(gHull, POINT, CLAMP);
+
+// Runs the passes if gFurShadow is 1. The map they fill is cleared in any case: 0 is no hull.
+#define HULL_SCRIPT \
+    "RenderColorTarget0=gHullMap; RenderDepthStencilTarget=gShadowDepthMap; ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color;" \
+    "LoopByCount=gFurShadow; RenderColorTarget0=gHullFrontMap; Clear=Color; Clear=Depth; Pass=HullFront;" \
+    "RenderColorTarget0=gHullMap; Clear=Depth; Pass=HullBack; LoopEnd;"
+#define HULL_PASSES \
+    MESH_PASS(HullFront, HullVS, HullFrontPS, STATE_TWOSIDED) \
+    MESH_PASS(HullBack, HullVS, HullBackPS, STATE_TWOSIDED)
+
+FurVarying HullVS(FurInput input)
+{
+    FurVarying output = furVarying(input, gFurShadowHeight);
+    float4 position = output.lightClip;
+    position.z = furNearDepth(position.z, position.w);
+    output.position = HALF_PIXEL(position, gViewportSize);
+    return output;
+}
+
+// mm
+float hullDistance(FurVarying input)
+{
+    return length(input.world - gLightPosition);
+}
+
+float4 HullFrontPS(FurVarying input) : SV_Target0
+{
+    return float4(hullDistance(input), 0.0, 0.0, 1.0);
+}
+
+// Distance from the light, and mm of coat before it.
+float4 HullBackPS(FurVarying input) : SV_Target0
+{
+    float3 normal = mul(input.normal, (float3x3)gWorldInverseTranspose);
+    clip(dot(normal, input.world - gLightPosition));
+    float distance = hullDistance(input);
+    float front = tex2Dlod(gHullFront, float4(shadowCoordinate(input.lightClip), 0.0, 0.0)).x;
+    return float4(distance, max(distance - front, 0.0), 0.0, 1.0);
+}
+
+// Share of the light that comes through the coat of other parts. What stands above the hull may be behind its own.
+float furHullShadow(FurVarying input)
+{
+    float2 hull = tex2Dlod(gHull, float4(shadowCoordinate(input.lightClip), 0.0, 0.0)).xy;
+    float thickness = gFurLength * gMeshRadius;
+    float place = hullDistance(input) - max(input.coat.x - gFurShadowHeight, 0.0) * thickness;
+    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float own = furWay(input.coat.x, dot(normal, safeNormalize(gLightPosition - input.world)), gFurLength);
+    float foreign = furForeignCoat(place, hull.x - hull.y, hull.x, own, thickness);
+    return hull.x > 0.0 ? exp(-gFurDensity * gFurShadow * foreign) : 1.0;
+}
+
+float4 CoatedSkinPS(FurVarying input) : SV_Target0
+{
+    return float4(furRadiance(input, furAlbedo(input), 0.0, furHullShadow(input)), 1.0);
+}
+
+#endif

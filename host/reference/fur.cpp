@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace tegument::reference {
 
@@ -28,6 +29,22 @@ double angle(const glm::dvec3& a, const glm::dvec3& b) {
 
 const glm::dvec3 kDown(0, -1, 0);
 
+constexpr double kAsideBy = 1.0 / 128; // pixels
+constexpr double kKernel = 1.7;        // a trilinear look-up is a mean over that many pixels
+constexpr double kFaint = 0.002;       // coverage that is left out where only the mean is drawn
+constexpr double kLeastFall = 0.02;    // cosine of rays that graze, or rise by an interpolated normal
+
+/// Of a triangle in either order.
+bool isInside(const std::array<glm::dvec2, 3>& points, const glm::dvec2& at) {
+    int positive = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec2 along = points[(i + 1) % 3] - points[i];
+        const glm::dvec2 to = at - points[i];
+        positive += along.x * to.y - along.y * to.x > 0 ? 1 : 0;
+    }
+    return positive == 0 || positive == 3;
+}
+
 /// A white strand without reflection, lit by light of colour 1.
 double diffuse(const FurCoat& coat, const glm::dvec3& strand, const glm::dvec3& toLight) {
     const double once = 1 / kPi;
@@ -43,8 +60,10 @@ double mirrored(const FurCoat& coat, const glm::dvec3& strand, const glm::dvec3&
 
 } // namespace
 
-FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view) : mesh_(mesh), coat_(coat), view_(view) {
+FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec3> leans)
+    : mesh_(mesh), coat_(coat), view_(view), leans_(std::move(leans)) {
     pixels_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+    aside_.resize(pixels_.size());
     draw(0, 0);
     for (int i = 1; i <= coat.layers; ++i) {
         const int layer = coat.outerFirst ? coat.layers + 1 - i : i;
@@ -53,7 +72,8 @@ FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view)
 }
 
 glm::dvec3 FurShells::extruded(std::uint32_t vertex, double height) const {
-    const glm::dvec3 up = unit(glm::dvec3(mesh_.normals[vertex])) + coat_.lean * height * kDown;
+    const glm::dvec3 lean = coat_.lean * kDown + (leans_.empty() ? glm::dvec3(0) : leans_[vertex]);
+    const glm::dvec3 up = unit(glm::dvec3(mesh_.normals[vertex])) + height * lean;
     return glm::dvec3(mesh_.positions[vertex]) + up * (coat_.length * static_cast<double>(mesh_.bounds.radius) * height);
 }
 
@@ -74,13 +94,17 @@ FurFragment FurShells::meet(int layer, std::uint32_t triangle, double height, co
     weights.z = glm::dot(glm::cross(b - a, within), normal) / square;
     weights.x = 1 - weights.y - weights.z;
     const SurfacePoint skin = interpolate(mesh_, {triangle, weights});
+    glm::dvec3 lean(0);
+    for (int i = 0; i < 3 && !leans_.empty(); ++i)
+        lean += weights[i] * leans_[mesh_.indices[3 * std::size_t{triangle} + static_cast<std::size_t>(i)]];
     return {.layer = layer,
             .triangle = triangle,
             .height = height,
             .depth = distance * glm::dot(direction, view_.forward),
             .rest = skin.position - glm::dvec3(mesh_.bounds.centre),
             .normal = skin.normal,
-            .position = weights.x * a + weights.y * b + weights.z * c};
+            .position = weights.x * a + weights.y * b + weights.z * c,
+            .lean = lean};
 }
 
 void FurShells::draw(int layer, double height) {
@@ -92,22 +116,48 @@ void FurShells::draw(int layer, std::uint32_t triangle, double height) {
     const auto [a, b, c] = corners(triangle, height);
     if (glm::dot(glm::cross(b - a, c - a), a - view_.eye) >= 0) return; // turned away
     const glm::dvec2 size(view_.width, view_.height);
-    const glm::dvec2 pa = view_.project(a) * size - 0.5;
-    const glm::dvec2 pb = view_.project(b) * size - 0.5;
-    const glm::dvec2 pc = view_.project(c) * size - 0.5;
-    const glm::dvec2 low = glm::ceil(glm::max(glm::min(pa, glm::min(pb, pc)), glm::dvec2(0)));
-    const glm::dvec2 high = glm::floor(glm::min(glm::max(pa, glm::max(pb, pc)), size - 1.0));
+    const std::array<glm::dvec2, 3> points{view_.project(a) * size - 0.5, view_.project(b) * size - 0.5, view_.project(c) * size - 0.5};
+    const glm::dvec2 low = glm::ceil(glm::max(glm::min(points[0], glm::min(points[1], points[2])) - kAsideBy, glm::dvec2(0)));
+    const glm::dvec2 high = glm::floor(glm::min(glm::max(points[0], glm::max(points[1], points[2])) + kAsideBy, size - 1.0));
     for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
         for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
             glm::dvec3 weights;
             const FurFragment fragment = meet(layer, triangle, height, view_.ray(x, y), weights);
             if (std::min({weights.x, weights.y, weights.z}) >= 0) pixels_[index(x, y)].push_back(fragment);
+            for (std::size_t i = 0; i < kAside.size(); ++i)
+                if (isInside(points, glm::dvec2(x, y) + kAsideBy * kAside[i])) ++aside_[index(x, y)][i];
         }
+}
+
+bool FurShells::isClear(int x, int y) const {
+    const std::size_t pixel = index(x, y);
+    return std::ranges::all_of(aside_[pixel], [&](std::uint16_t count) { return count == pixels_[pixel].size(); });
 }
 
 FurFragment FurShells::onItsPlane(const FurFragment& fragment, int x, int y) const {
     glm::dvec3 weights;
     return meet(fragment.layer, fragment.triangle, fragment.height, view_.ray(x, y), weights);
+}
+
+FurFootprint FurShells::footprint(FurVector kind, const FurFragment& fragment, int x, int y) const {
+    const auto apart = [&](const FurFragment& from, const FurFragment& to) {
+        return glm::dvec2(glm::length(furVector(kind, to) - furVector(kind, from)), glm::length(to.rest - from.rest));
+    };
+    const int left = x & ~1;
+    const int top = y & ~1;
+    const glm::dvec2 aside = apart(onItsPlane(fragment, left, y), onItsPlane(fragment, left + 1, y));
+    const glm::dvec2 below = apart(onItsPlane(fragment, x, top), onItsPlane(fragment, x, top + 1));
+    const glm::dvec2 pixel = glm::max(aside, below);
+
+    // While the ray goes its way, the point of the coat that it is at moves along the strand there and, over the skin, along the surface.
+    const glm::dvec3 normal = unit(fragment.normal);
+    const glm::dvec3 view = unit(fragment.position - view_.eye);
+    const glm::dvec3 strand = normal + 2 * coat_.lean * fragment.height * kDown;
+    const double fall = std::max(-glm::dot(view, normal), kLeastFall);
+    const glm::dvec3 across = view - normal * glm::dot(view, normal);
+    const glm::dvec3 way = across * (glm::dot(strand, normal) / fall) + (strand - normal * glm::dot(strand, normal));
+    const double mm = glm::length(way) * coat_.length * static_cast<double>(mesh_.bounds.radius);
+    return {.angle = pixel.x, .sweep = pixel.y > 0 ? mm * pixel.x / pixel.y : 0};
 }
 
 glm::dvec3 furVector(FurVector kind, const FurFragment& fragment) {
@@ -125,20 +175,35 @@ glm::dvec2 onSphereMap(const glm::dvec3& direction) {
     return {(1 + normal.x) / 2, (1 - normal.y) / 2};
 }
 
+namespace {
+
+struct Face {
+    glm::dvec3 ahead, right, down;
+};
+constexpr std::array<Face, 6> kFaces = {{{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+                                         {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+                                         {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                         {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                         {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
+                                         {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}}};
+
+} // namespace
+
 OnCube onCubeMap(const glm::dvec3& direction) {
-    struct Face {
-        glm::dvec3 ahead, right, down;
-    };
-    static const std::array<Face, 6> kFaces = {{{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
-                                                {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
-                                                {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                                {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
-                                                {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
-                                                {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}}};
     const auto nearest = std::ranges::max_element(kFaces, {}, [&](const Face& face) { return glm::dot(face.ahead, direction); });
-    const glm::dvec3 onFace = direction / glm::dot(nearest->ahead, direction);
-    return {static_cast<int>(nearest - kFaces.begin()),
-            {(1 + glm::dot(nearest->right, onFace)) / 2, (1 + glm::dot(nearest->down, onFace)) / 2}};
+    const int face = static_cast<int>(nearest - kFaces.begin());
+    return {face, onCubeFace(face, direction)};
+}
+
+glm::dvec2 onCubeFace(int face, const glm::dvec3& direction) {
+    const Face& on = kFaces.at(static_cast<std::size_t>(face));
+    const glm::dvec3 onPlane = direction / glm::dot(on.ahead, direction);
+    return {(1 + glm::dot(on.right, onPlane)) / 2, (1 + glm::dot(on.down, onPlane)) / 2};
+}
+
+glm::dvec3 fromCubeMap(const OnCube& place) {
+    const Face& on = kFaces.at(static_cast<std::size_t>(place.face));
+    return on.ahead + (2 * place.uv.x - 1) * on.right + (2 * place.uv.y - 1) * on.down;
 }
 
 double furCovered(const FurCoat& coat, double alpha, double height) {
@@ -156,13 +221,21 @@ double furOpen(const FurCoat& coat, double height, double cosine) {
     return std::exp(-coat.density * across * way / thickness);
 }
 
+glm::dvec3 furAlbedo(const FurCoat& coat, double height) {
+    return coat.root + height * (coat.tip - coat.root);
+}
+
 glm::dvec3 furRadiance(const FurCoat& coat, const FurFragment& fragment, const FurLight& light, const glm::dvec3& eye, bool lit) {
+    return furRadiance(coat, fragment, furAlbedo(coat, fragment.height), light, eye, lit);
+}
+
+glm::dvec3 furRadiance(const FurCoat& coat, const FurFragment& fragment, const glm::dvec3& albedo, const FurLight& light,
+                       const glm::dvec3& eye, bool lit) {
     const glm::dvec3 normal = unit(fragment.normal);
     const glm::dvec3 toLight = unit(light.position - fragment.position);
     const glm::dvec3 toEye = unit(eye - fragment.position);
-    const glm::dvec3 strand = unit(normal + 2 * coat.lean * fragment.height * kDown);
+    const glm::dvec3 strand = unit(normal + 2 * fragment.height * (coat.lean * kDown + fragment.lean));
     const double cosine = std::clamp(glm::dot(normal, toLight), -1.0, 1.0);
-    const glm::dvec3 albedo = coat.root + fragment.height * (coat.tip - coat.root);
     const glm::dvec3 dull = albedo * std::max(cosine, 0.0);
     const glm::dvec3 hair =
         albedo * (1 - coat.specular) * diffuse(coat, strand, toLight) + coat.specular * mirrored(coat, strand, toLight, toEye);
@@ -173,23 +246,51 @@ glm::dvec3 furRadiance(const FurCoat& coat, const FurFragment& fragment, const F
     return direct + albedo * coat.fill * sky;
 }
 
+FurMean furMean(const FurCoat& coat, const FurTexel& texel, int layer) {
+    const double share = 1 / (1 + std::pow(coat.grain / (kKernel * texel.footprint.angle), 2));
+    const double deviation = std::min(coat.deviation * std::sqrt(share), texel.alpha);
+    if (deviation <= 0) return {};
+    // Half of the light has gone where strands whose ends are soft have sunk this far below the layer.
+    const double tip = texel.alpha + coat.softness / 2 - std::min(0.2 * std::sqrt(coat.softness), coat.softness);
+    const auto taller = [&](int at) {
+        const double height = std::pow(static_cast<double>(at) / coat.layers, coat.spread);
+        return 1 / (1 + std::exp((height - tip) * kPi / (std::sqrt(3.0) * deviation)));
+    };
+    const double slope = 2.8 * coat.deviation / coat.grain * texel.footprint.sweep;
+    const double passed = (1 - taller(layer)) / (1 - taller(layer + 1));
+    const double entered = 1 - std::pow(passed, 0.5 + std::hypot(0.5, slope / kPi));
+    const double end = 0.6 * coat.softness / (std::sqrt(12.0) * deviation);
+    return {.covered = 1 / std::cbrt(std::pow(entered, -3) + std::pow(taller(layer), -3)), .afar = coat.taper / (1 + end * end)};
+}
+
+namespace {
+
+/// Share of what is behind that a layer hides; none where it writes nothing.
+std::optional<double> drawnCoverage(const FurCoat& coat, const FurTexel& texel, const FurFragment& fragment) {
+    if (fragment.layer == 0) return 1;
+    const double covered = furCovered(coat, texel.alpha, fragment.height);
+    const FurMean mean = coat.outerFirst ? FurMean{} : furMean(coat, texel, fragment.layer);
+    const double least = std::max(coat.alphaTest, coat.outerFirst ? 0.5 : 0.0);
+    if (std::lerp(covered - least, mean.covered - kFaint, mean.afar) < 0) return {};
+    if (coat.outerFirst) return 1;
+    // n layers let through what 32 layers would.
+    const double one = 1 - std::exp(32.0 / coat.layers * std::log1p(-std::min(covered, 1.0)));
+    return std::lerp(one, mean.covered, mean.afar);
+}
+
+} // namespace
+
 std::vector<FurShare> blendFur(const FurCoat& coat, const std::vector<FurFragment>& fragments,
-                               const std::function<double(const FurFragment&)>& alpha) {
+                               const std::function<FurTexel(const FurFragment&)>& lookUp) {
     std::vector<FurShare> shares;
     double nearest = std::numeric_limits<double>::infinity();
-    const double least = std::max(coat.alphaTest, coat.outerFirst ? 0.5 : 0.0);
     for (const FurFragment& fragment : fragments) {
         if (fragment.depth > nearest) continue;
-        double covered = 1;
-        if (fragment.layer > 0) {
-            covered = furCovered(coat, alpha(fragment), fragment.height);
-            if (covered < least) continue;
-            // n layers let through what 32 layers would.
-            covered = coat.outerFirst ? 1 : 1 - std::exp(32.0 / coat.layers * std::log1p(-std::min(covered, 1.0)));
-        }
+        const auto covered = drawnCoverage(coat, fragment.layer > 0 ? lookUp(fragment) : FurTexel{}, fragment);
+        if (!covered) continue;
         for (FurShare& share : shares)
-            share.weight *= 1 - covered;
-        shares.push_back({&fragment, covered});
+            share.weight *= 1 - *covered;
+        shares.push_back({&fragment, *covered});
         nearest = fragment.depth;
     }
     return shares;

@@ -29,6 +29,8 @@ struct FurCoat {
     double exponent = 40;
     double density = 1.2;
     glm::dvec3 fill{0};
+    double deviation = 0; // of the heights in the fur map, and the footprint, radians, that holds half of their variance
+    double grain = 0.006;
 };
 
 /// A place on a layer, 0 the skin.
@@ -40,17 +42,33 @@ struct FurFragment {
     glm::dvec3 rest{0};   // of the skin below, from the centre of the mesh's bounding sphere
     glm::dvec3 normal{0}; // interpolated, not normalised
     glm::dvec3 position{0};
+    glm::dvec3 lean{0}; // of the tips, besides the coat's
+};
+
+enum class FurVector { Position, Normal, Combined };
+/// Unit vector by which a fur map is looked up.
+[[nodiscard]] glm::dvec3 furVector(FurVector kind, const FurFragment& fragment);
+
+/// What of a fur map a pixel sees at once.
+struct FurFootprint {
+    double angle = 0; // radians of the map
+    double sweep = 0; // that the ray crosses while it falls by the coat's height
 };
 
 class FurShells {
 public:
-    /// `mesh` must outlive the shells; the eye must be outside of the coat.
-    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view);
+    /// `mesh` must outlive the shells; the eye must be outside of the coat. `leans`: of each vertex, besides the coat's; empty: none.
+    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec3> leans = {});
 
     /// Front faces that a pixel's ray meets, in the order in which they are drawn.
     [[nodiscard]] const std::vector<FurFragment>& at(int x, int y) const { return pixels_[index(x, y)]; }
     /// Where the ray of another pixel meets the plane of a fragment's triangle.
     [[nodiscard]] FurFragment onItsPlane(const FurFragment& fragment, int x, int y) const;
+    /// As devices take it: between the pixels of an aligned square of four.
+    [[nodiscard]] FurFootprint footprint(FurVector kind, const FurFragment& fragment, int x, int y) const;
+    /// No outline of any layer passes so near the pixel's centre that a device, which rounds corners to 1/256 pixel, may see its other
+    /// side.
+    [[nodiscard]] bool isClear(int x, int y) const;
     [[nodiscard]] const FurCoat& coat() const { return coat_; }
 
 private:
@@ -67,12 +85,11 @@ private:
     const Mesh& mesh_;
     FurCoat coat_;
     Pinhole view_;
+    std::vector<glm::dvec3> leans_;
     std::vector<std::vector<FurFragment>> pixels_;
+    static constexpr std::array<glm::dvec2, 4> kAside = {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+    std::vector<std::array<std::uint16_t, 4>> aside_; // front faces a little aside of each pixel's centre
 };
-
-enum class FurVector { Position, Normal, Combined };
-/// Unit vector by which a fur map is looked up.
-[[nodiscard]] glm::dvec3 furVector(FurVector kind, const FurFragment& fragment);
 
 /// In the mirror ball of a sphere map.
 [[nodiscard]] glm::dvec2 onSphereMap(const glm::dvec3& direction);
@@ -81,9 +98,23 @@ struct OnCube {
     glm::dvec2 uv{0};
 };
 [[nodiscard]] OnCube onCubeMap(const glm::dvec3& direction);
+/// The same on the plane of a given face, also beyond its edges; and back, not normalised.
+[[nodiscard]] glm::dvec2 onCubeFace(int face, const glm::dvec3& direction);
+[[nodiscard]] glm::dvec3 fromCubeMap(const OnCube& place);
 
 /// What a texel's alpha covers at this height.
 [[nodiscard]] double furCovered(const FurCoat& coat, double alpha, double height);
+/// A texel that stands for many: their mean alpha, and what is seen of them.
+struct FurTexel {
+    double alpha = 0;
+    FurFootprint footprint;
+};
+/// The share of a layer that is drawn over them, and how far (0..1) that, and not each texel's own coverage, is what is drawn.
+struct FurMean {
+    double covered = 0;
+    double afar = 0;
+};
+[[nodiscard]] FurMean furMean(const FurCoat& coat, const FurTexel& texel, int layer);
 
 /// Share of the light that the coat lets through to this height.
 [[nodiscard]] double furOpen(const FurCoat& coat, double height, double cosine);
@@ -92,7 +123,12 @@ struct FurLight {
     glm::dvec3 position{0};
     glm::dvec3 colour{1};
 };
+/// The colour at a height, from root to tip.
+[[nodiscard]] glm::dvec3 furAlbedo(const FurCoat& coat, double height);
 /// Towards the eye; `lit`: the skin hides no light.
+[[nodiscard]] glm::dvec3 furRadiance(const FurCoat& coat, const FurFragment& fragment, const glm::dvec3& albedo, const FurLight& light,
+                                     const glm::dvec3& eye, bool lit);
+/// With the albedo of the fragment's height.
 [[nodiscard]] glm::dvec3 furRadiance(const FurCoat& coat, const FurFragment& fragment, const FurLight& light, const glm::dvec3& eye,
                                      bool lit);
 
@@ -103,6 +139,6 @@ struct FurShare {
 };
 /// Depth test, alpha test and blending of a pixel's fragments. What the weights lack to 1 is background.
 [[nodiscard]] std::vector<FurShare> blendFur(const FurCoat& coat, const std::vector<FurFragment>& fragments,
-                                             const std::function<double(const FurFragment&)>& alpha);
+                                             const std::function<FurTexel(const FurFragment&)>& lookUp);
 
 } // namespace tegument::reference

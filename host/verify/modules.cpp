@@ -27,6 +27,7 @@ constexpr std::array kModules = {
     Module{"Convolution", verify::verifyConvolution},
     Module{"Main", verify::verifyMain},
     Module{"Fur", verify::verifyFur},
+    Module{"FurRoots", verify::verifyFurRoots},
 };
 
 std::vector<std::string> names() {

@@ -1,0 +1,86 @@
+#pragma once
+// What a layer of effects/FurRoots.fx shows at a point: what its ray meets of the strands between this layer and the next, as
+// docs/fur-layers.md and docs/modules/FurRoots.md define it. Places by intersecting rays with planes, strands by searching along the ray,
+// sums by quadrature.
+
+#include "host/reference/fur.h"
+#include "host/reference/fur_strands.h"
+
+namespace tegument::reference {
+
+/// The parameters of effects/FurRoots.fx that Fur.fx does not have. Lengths in spacings.
+struct FurSwept {
+    double spacing = 1;   // mm
+    double thickness = 1; // of the coat, mm
+    int layers = 32;
+    double segment = 3;
+    double fewest = 4;
+    double scatter = 0.4;
+    double curls = 0.15;
+    double turns = 1;
+    double tufts = 1.5;
+    double tuftSize = 4;
+    double variation = 0.4;
+    double density = 1;     // strands per square spacing, for coverage to expect
+    double radius = 0.3;    // of strands at their roots, and
+    double shortest = 0.55; // least length, share of the longest: likewise
+    glm::dvec3 lean{0};     // of all tips, share of the coat
+};
+
+/// Who looks: `pixel` is the width of one at a distance of 1.
+struct FurEye {
+    glm::dvec3 position{0};
+    double pixel = 0;
+};
+
+/// What is covered, and where along the strands: means by coverage.
+struct FurMet {
+    double covered = 0;
+    double height = 0; // in the coat
+    double along = 0;  // the strand, 0 root, 1 tip
+    double tint = 1;
+};
+
+/// The layer's share of the coat below a place, and whether it is this layer that shows it.
+struct FurSpan {
+    bool drawn = false;
+    bool decided = true; // not by rounding
+    double bottom = 0;   // height
+};
+/// `across`: way that a ray takes over the skin while it crosses an upright coat, spacings. `far`: 0 strands, 1 only coverage to expect.
+[[nodiscard]] FurSpan furSpan(const FurSwept& fur, int layer, double across, double far);
+
+/// A strand's axis from where it stands, at this height: along the side to which it strays, and across it.
+[[nodiscard]] glm::dvec2 furAxis(const FurSwept& fur, double height);
+
+/// Where strands are looked up for a place at this height, so that neighbours lean together.
+[[nodiscard]] glm::dvec3 furTufted(const FurSwept& fur, const glm::dvec3& place, double height);
+
+struct FurPieceMet {
+    double covered = 0;
+    double entry = 0; // 0 begin, 1 end
+};
+/// What a cone covers of a piece of a ray beyond what it covers where the piece begins, and where the ray enters it. `begin`, `end`: from
+/// the cone's axis; `width`: of a pixel.
+[[nodiscard]] FurPieceMet meetCone(const glm::dvec3& begin, const glm::dvec3& end, double radiusAtBegin, double radiusAtEnd, double width);
+
+/// Coverage to expect between two heights, on a way of so many spacings, and the mean height of what covers.
+struct FurExpected {
+    double covered = 0;
+    double height = 0;
+};
+[[nodiscard]] FurExpected expectedCover(const FurSwept& fur, double top, double bottom, double way);
+
+/// None of the layer where `met.covered` is 0.
+struct FurSeen {
+    FurMet met;
+    bool drawn = false;
+    bool decided = true;
+};
+[[nodiscard]] FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFragment& fragment, const FurEye& eye);
+
+/// Radiance of what the sweep has met.
+[[nodiscard]] glm::dvec3 sweptRadiance(const FurCoat& coat, const FurFragment& fragment, const FurMet& met, const FurLight& light,
+                                       const glm::dvec3& eye, bool lit);
+
+} // namespace tegument::reference

@@ -1,0 +1,123 @@
+#include "host/verify/fur_roots_scene.h"
+
+#include "host/verify/fur_scene.h"
+#include "host/verify/truth.h"
+#include "meshprep/fur/roots/root_texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::verify {
+
+namespace {
+
+/// From technique Cellular's lattice: 2 rho = 1 point per square, of which those near the slab's faces grow shorter strands
+/// (docs/modules/FurRoots.md).
+constexpr double kLatticeDensity = 0.875;
+constexpr double kReach = 3.5; // of a root: tufts move the look-up, strands stray, a step and a pixel are wide
+
+/// Width of a pixel at the mesh, mm.
+double pixelAt(const Scene& scene, const VerifyOptions& options) {
+    const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
+    const double distance = static_cast<double>(glm::length(placed.camera.position - scene.mesh.bounds.centre));
+    return 2 * distance * std::tan(glm::radians(static_cast<double>(placed.camera.horizontalFov)) / 2) / options.pictureSize;
+}
+
+/// The random number of a root is three, with 24, 16 and 8 bits.
+glm::dvec3 spread(double random) {
+    const glm::dvec3 v = random * glm::dvec3(1, 256, 65536);
+    return v - glm::floor(v);
+}
+
+reference::FurRoot rootOf(const Root& root, const StrandsScene& scene, const RootSet& set) {
+    const glm::dvec3 place = (glm::dvec3(root.position) - glm::dvec3(scene.scene.mesh.bounds.centre)) / scene.fur.spacing;
+    return {.strand = {.root = place,
+                       .length = static_cast<double>(root.share),
+                       .radius = scene.fur.radius * static_cast<double>(root.radius) / set.radius,
+                       .stray = static_cast<double>(root.curl),
+                       .random = spread(static_cast<double>(root.random))},
+            .normal = glm::dvec3(root.normal),
+            .limit = static_cast<double>(root.limit) / scene.fur.thickness};
+}
+
+/// Of each vertex: that of the first root in the list of its place.
+std::vector<glm::dvec3> leansOf(const Mesh& mesh, const Image& roots) {
+    std::vector<glm::dvec3> leans;
+    for (const glm::vec3& position : mesh.positions) {
+        const auto around = rootsAround(roots, position);
+        leans.push_back(around.empty() ? glm::dvec3(0) : glm::dvec3(rootAt(roots, around.front()).lean));
+    }
+    return leans;
+}
+
+Result<void> growRoots(StrandsScene& scene) {
+    const Mesh& mesh = scene.scene.mesh;
+    const RootOptions options{.density = 1 / (scene.fur.spacing * scene.fur.spacing), .reach = kReach, .curl = 0};
+    auto set = makeRoots(mesh, options);
+    if (!set) return set.error();
+    auto texture = buildRootTexture(*set); // sorts the roots
+    if (!texture) return texture.error();
+    scene.fur.density = 1;
+    scene.fur.shortest = 1;
+    std::vector<reference::FurRoot> roots;
+    for (const Root& root : set->roots) {
+        roots.push_back(rootOf(root, scene, *set));
+        scene.fur.shortest = std::min(scene.fur.shortest, static_cast<double>(root.share));
+    }
+    scene.strands = reference::rootedStrands(std::move(roots));
+    scene.leans = leansOf(mesh, texture->image);
+    scene.roots = std::move(texture->image);
+    return {};
+}
+
+/// `pixels`: spacing of the strands in pixels.
+Result<StrandsScene> sceneOn(FurScene fur, const VerifyOptions& options, const std::string& technique, double pixels) {
+    StrandsScene scene{.name = std::move(fur.name), .technique = technique, .scene = std::move(fur.scene), .coat = fur.coat};
+    const double radius = static_cast<double>(scene.scene.mesh.bounds.radius);
+    scene.coat.layers = 8;
+    scene.coat.spread = 1;
+    scene.coat.lean = 0.3;
+    scene.coat.outerFirst = false;
+    scene.fur.layers = scene.coat.layers;
+    scene.fur.spacing = pixels * pixelAt(scene.scene, options);
+    scene.coat.length = std::min(0.2, 4 * scene.fur.spacing / radius);
+    scene.fur.thickness = scene.coat.length * radius;
+    scene.fur.lean = scene.coat.lean * glm::dvec3(0, -1, 0);
+    scene.fur.density = kLatticeDensity;
+    if (technique == "Cellular")
+        scene.strands = reference::latticeStrands(scene.fur.radius, scene.fur.shortest);
+    else if (const auto grown = growRoots(scene); !grown)
+        return grown.error();
+    return scene;
+}
+
+} // namespace
+
+Result<StrandsScene> strandsNearBy(const VerifyOptions& options, const std::string& technique) {
+    return sceneOn(furTorus(options), options, technique, 3);
+}
+
+Result<StrandsScene> strandsFarAway(const VerifyOptions& options, const std::string& technique) {
+    FurScene ball = furBall(options);
+    if (!options.mesh) ball.name = "ball from afar";
+    return sceneOn(std::move(ball), options, technique, 1 / 1.5);
+}
+
+std::map<std::string, std::vector<double>> parametersOf(const StrandsScene& scene) {
+    auto parameters = parametersOf(scene.coat);
+    const reference::FurSwept& fur = scene.fur;
+    parameters["gFurSpacing"] = {fur.spacing / static_cast<double>(scene.scene.mesh.bounds.radius)};
+    parameters["gFurRadius"] = {fur.radius};
+    parameters["gFurShortest"] = {fur.shortest};
+    parameters["gFurScatter"] = {fur.scatter};
+    parameters["gFurCurls"] = {fur.curls};
+    parameters["gFurTurns"] = {fur.turns};
+    parameters["gFurTufts"] = {fur.tufts};
+    parameters["gFurTuftSize"] = {fur.tuftSize};
+    parameters["gFurVariation"] = {fur.variation};
+    parameters["gFurSegment"] = {fur.segment};
+    parameters["gFurFewest"] = {fur.fewest};
+    return parameters;
+}
+
+} // namespace tegument::verify

@@ -1,0 +1,32 @@
+#pragma once
+// Inside host/verify: coats whose strands grow on the surface, made from formulas, as the effect and as the reference see them.
+
+#include "host/reference/fur_swept.h"
+#include "host/verify/scene.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tegument::verify {
+
+struct StrandsScene {
+    std::string name;
+    std::string technique;
+    Scene scene;
+    reference::FurCoat coat;
+    reference::FurSwept fur;
+    reference::FurStrandsAt strands;
+    std::vector<glm::dvec3> leans; // of the vertices' tips; empty: none
+    Image roots;                   // the texture of technique Roots
+};
+
+/// Strands wider than pixels, technique Cellular or Roots, on a torus whose parts shadow each other; or on the options' mesh.
+[[nodiscard]] Result<StrandsScene> strandsNearBy(const VerifyOptions& options, const std::string& technique);
+/// Strands thinner than pixels, half of them given way to the coverage to expect, on a ball; or on the options' mesh.
+[[nodiscard]] Result<StrandsScene> strandsFarAway(const VerifyOptions& options, const std::string& technique);
+
+/// The coat as parameters of FurRoots.fx.
+[[nodiscard]] std::map<std::string, std::vector<double>> parametersOf(const StrandsScene& scene);
+
+} // namespace tegument::verify

@@ -100,6 +100,14 @@ FurScene furTorus(const VerifyOptions& options) {
     return sceneWith(options, torus, "torus");
 }
 
+FurScene furAfar(const VerifyOptions& options) {
+    FurScene scene = furTorus(options);
+    scene.name += ", from afar";
+    scene.coat.deviation = 0.15;
+    scene.coat.grain = 0.02;
+    return scene;
+}
+
 FurScene furBall(const VerifyOptions& options) {
     FurScene scene = sceneWith(options, ball, "ball");
     scene.name += ", outer layers first";
@@ -115,6 +123,8 @@ std::map<std::string, std::vector<double>> parametersOf(const reference::FurCoat
             {"gFurTaper", {coat.taper}},
             {"gFurSoftness", {coat.softness}},
             {"gFurAlphaTest", {coat.alphaTest}},
+            {"gFurDeviation", {coat.deviation}},
+            {"gFurGrain", {coat.grain}},
             {"gFurOuterFirst", {coat.outerFirst ? 1.0 : 0.0}},
             {"gFurFill", {coat.fill.x, coat.fill.y, coat.fill.z}}};
 }

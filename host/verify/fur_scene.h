@@ -18,6 +18,8 @@ struct FurScene {
 
 /// A torus whose parts shadow each other, layers blended from the skin outwards; or the options' mesh.
 [[nodiscard]] FurScene furTorus(const VerifyOptions& options);
+/// The torus, where a pixel holds about half of the variance of the map's heights.
+[[nodiscard]] FurScene furAfar(const VerifyOptions& options);
 /// A ball, opaque layers from the outermost inwards; or the options' mesh.
 [[nodiscard]] FurScene furBall(const VerifyOptions& options);
 

@@ -107,9 +107,9 @@ std::array<vk::RenderingAttachmentInfo, 2> depthAttachments(RecorderState& recor
 }
 
 vk::Extent2D extent(const Scope& scope) {
-    assert(scope.depth || !scope.colors.empty()); // a pipeline has at least one target
-    const TextureDesc& desc = scope.colors.empty() ? scope.depth->desc : scope.colors.front()->desc;
-    return {desc.width, desc.height};
+    const TextureState* target = scope.colors.empty() ? scope.depth : scope.colors.front();
+    assert(target); // a pipeline has at least one
+    return {target->desc.width, target->desc.height};
 }
 
 /// Direct3D's viewport: y up, which Vulkan spells with a negative height from the bottom edge.

@@ -58,7 +58,8 @@ private:
         std::uint32_t best = vertex;
         double bestDistance = epsilon_;
         for (int n = 0; n < 27; ++n) {
-            const Cell cell = {centre[0] + n % 3 - 1, centre[1] + n / 3 % 3 - 1, centre[2] + n / 9 - 1};
+            const glm::ivec3 step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+            const Cell cell = {centre[0] + step.x, centre[1] + step.y, centre[2] + step.z};
             const auto head = cells_.find(hashWords(words<3>(cell)), [&](std::uint32_t other) { return cellOf(other) == cell; });
             for (std::uint32_t place = head.value_or(kNone); place != kNone; place = next_[place]) {
                 const double distance = glm::distance(glm::dvec3(positions_[place]), glm::dvec3(positions_[vertex]));

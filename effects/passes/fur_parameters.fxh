@@ -31,6 +31,6 @@ float gFurSpread < string UIName = "Spread of the layers"; string UIWidget = "Sl
 float gFurDeviation < string UIName = "Deviation of the heights"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 0.5; float UIStep = 0.001; string UIHelp = "of a tapered fur map; tegument fur texture prints it; 0: seen from afar the coat is as high as the map's mean"; > = 0.0;
 float gFurGrain < string UIName = "Grain of the heights"; string UIWidget = "Slider"; float UIMin = 0.0001; float UIMax = 0.2; float UIStep = 0.0001; string UIHelp = "radians of the map across which they vary; printed likewise"; > = 0.006;
 float gFurShadow < string UIName = "Shadow of the coat"; string UIWidget = "CheckBox"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "on other parts of the mesh"; > = 0.0;
-float gFurShadowHeight < string UIName = "Height of its shadow"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "share of the coat that counts as full"; > = 0.6;
+float gFurShadowHeight < string UIName = "Height of its shadow"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "share of the coat that counts as full"; > = 0.65;
 
 #endif

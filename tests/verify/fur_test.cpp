@@ -206,6 +206,26 @@ TEST_F(Fur, opaque_layers_give_the_same_picture_in_both_orders) {
     EXPECT_EQ(covered(inner), covered(outer));
 }
 
+TEST_F(Fur, its_coat_throws_shadows_on_other_parts_and_lights_none) {
+    workspace().light.position = {-6, 1.5F, 0};
+    const Image without = draw();
+    const Image with = draw({{"gFurShadow", {1}}});
+    EXPECT_LT(mean(with), 0.99 * mean(without)) << "the far side of the hole is behind the near one";
+    for (std::size_t i = 0; i < with.pixels.size(); ++i)
+        ASSERT_LE(with.pixels[i], without.pixels[i] + 1e-6F);
+}
+
+TEST_F(Fur, a_ball_s_coat_throws_no_shadow_on_itself) {
+    scene_.scene.mesh = verify::furBall({}).scene.mesh;
+    const Image without = draw();
+    EXPECT_NEAR(mean(draw({{"gFurShadow", {1}}})), mean(without), 1e-3 * mean(without)); // single strands near the terminator
+}
+
+TEST_F(Fur, a_grain_that_no_pixel_reaches_changes_nothing) {
+    const Image plain = draw();
+    EXPECT_LT(distance(plain, draw({{"gFurDeviation", {0.3}}, {"gFurGrain", {1e4}}})), 0.02 * static_cast<double>(brightest(plain)));
+}
+
 TEST_F(Fur, is_the_same_in_every_run) {
     EXPECT_EQ(distance(draw(), draw()), 0);
 }

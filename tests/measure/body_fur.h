@@ -17,13 +17,13 @@ struct BodyView {
     double tilt = 0;
     double around = 0;
     double pixel = 0.125; // spacings
-    int size = 64;
+    int size = 32;
     int samples = 6; // of the truth, along each side of a pixel
 };
 
 struct BodyCoat {
-    double spacing = 0.02; // mm: bodies have a radius of 1
-    double length = 0.1;   // mm
+    double spacing = 0.01; // mm: bodies have a radius of 1
+    double length = 0.06;  // mm
     double radius = 0.3;   // spacings
     double shortest = 0.7; // share of the longest
 };

@@ -74,14 +74,14 @@ struct Precomputed {
     std::vector<std::string> passes;
 };
 
-Result<void> addPrecomputed(gpu::Device& device, const BenchOptions& options, const BenchTools& tools, const AblationRow& whole,
-                            std::vector<AblationRow>& rows) {
+Result<std::vector<AblationRow>> precomputed(gpu::Device& device, const BenchOptions& options, const BenchTools& tools,
+                                             const AblationRow& whole) {
     const auto scene =
         loadScene(options.scenes.front(),
                   {.effects = options.effects, .folder = options.sceneFolder, .width = options.width, .height = options.height});
     if (!scene) return scene.error();
-    rows.push_back(
-        {.group = kMaps, .what = "both kept", .milliseconds = whole.milliseconds, .noise = whole.noise, .relativeL2 = whole.relativeL2});
+    std::vector<AblationRow> rows = {
+        {.group = kMaps, .what = "both kept", .milliseconds = whole.milliseconds, .noise = whole.noise, .relativeL2 = whole.relativeL2}};
     const std::vector<Precomputed> maps = {{"Stretch in each frame", "Stretch", {"Charts", "Fill"}},
                                            {"energy attenuation in each frame", "EnergyAttenuation", {"Precompute"}}};
     std::vector<Contender> contenders;
@@ -109,7 +109,7 @@ Result<void> addPrecomputed(gpu::Device& device, const BenchOptions& options, co
                         .change = extra,
                         .relativeL2 = std::nullopt});
     }
-    return {};
+    return rows;
 }
 
 } // namespace
@@ -138,8 +138,10 @@ Result<std::vector<AblationRow>> measureAblation(gpu::Device& device, const Benc
                         .noise = ms.noise,
                         .change = ms.median - first,
                         .relativeL2 = row.errors.relativeL2});
-        if (list[i].group == kShadow && list[i + 1].group != kShadow)
-            if (const auto added = addPrecomputed(device, one, tools, rows[rows.size() - 2], rows); !added) return added.error();
+        if (list[i].group != kShadow || i + 1 == list.size() || list[i + 1].group == kShadow) continue;
+        const auto maps = precomputed(device, one, tools, rows[rows.size() - 2]);
+        if (!maps) return maps.error();
+        rows.insert(rows.end(), maps->begin(), maps->end());
     }
     return rows;
 }

@@ -142,8 +142,12 @@ TEST_F(Comparison, culling_leaves_the_picture_within_what_it_costs) {
     const auto rows = measureAblation(*device_, options_, {.say = [](const std::string&) {}, .flip = nullptr});
     ASSERT_TRUE(rows) << format(rows.error());
     ASSERT_EQ((*rows)[0].what, "none");
-    for (const AblationRow& row : *rows) {
+    double first = 0;
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+        const AblationRow& row = (*rows)[i];
         EXPECT_GT(row.milliseconds, 0) << row.what;
+        if (i == 0 || row.group != (*rows)[i - 1].group) first = row.milliseconds;
+        EXPECT_NEAR(row.milliseconds, first + row.change, 1e-9) << row.what << ": a change is to the line that its group begins with";
         if (row.group != (*rows)[0].group) continue;
         EXPECT_NEAR(*row.relativeL2, *(*rows)[0].relativeL2, 0.02) << row.what;
     }

@@ -86,8 +86,9 @@ Workspace furWorkspace() {
     workspace.textures = {{"gFurCubeMap", mapFile("fur_cube").string()},
                           {"gFurSphereMap", mapFile("fur_sphere").string()},
                           {"gFurRootsMap", mapFile("fur_roots").string()}};
-    workspace.parameters = {
-        {"gFurLayers", {16}}, {"gFurTaper", {1}}, {"gFurFill", {0.1, 0.2, 0.3}}, {"gFurCurl", {0.01}}, {"gFurSpacing", {0.03}}};
+    workspace.parameters = {{"gFurLayers", {16}},  {"gFurTaper", {1}},      {"gFurFill", {0.1, 0.2, 0.3}},
+                            {"gFurCurl", {0.01}},  {"gFurSpacing", {0.03}}, {"gFurDeviation", {0.19}}, // outlines are seen as from afar
+                            {"gFurGrain", {0.03}}, {"gFurShadow", {1}}};
     return workspace;
 }
 

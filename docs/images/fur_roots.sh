@@ -61,12 +61,12 @@ turn head "$head" gFurLength=0.1 gFurLean=0.5 gFurRadius=0.2 gFurRootColor=0.45,
 "$tegument" sheet "${pictures[@]}" --columns 6 --gap 2 -o docs/images/fur_turntable.jpg
 
 zoom=()
-for away in 2.2 3.2 4.5 6.5 9 13 20 40; do # radii; with lattice and roots
-    draw "cells_$away" "$out/bunny.glb" 30 "$away" "$size" -t Cellular
+for away in 2.2 3.2 4.5 6.5 9 13 20 40; do # radii; with lattice and roots, 4 samples a pixel
+    draw "cells_$away" "$out/bunny.glb" 30 "$away" "$size" -t Cellular --samples 4
     zoom+=("$out/cells_$away.png")
 done
 for away in 2.2 3.2 4.5 6.5 9 13 20 40; do
-    draw "roots_$away" "$out/bunny.glb" 30 "$away" "$size" -t Roots --set "gFurRootsMap=$out/bunny.dds"
+    draw "roots_$away" "$out/bunny.glb" 30 "$away" "$size" -t Roots --set "gFurRootsMap=$out/bunny.dds" --samples 4
     zoom+=("$out/roots_$away.png")
 done
 "$tegument" sheet "${zoom[@]}" --columns 8 --gap 2 -o docs/images/fur_zoom.jpg

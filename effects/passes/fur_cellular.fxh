@@ -40,22 +40,29 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
 
 StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
 {
-    return strandsVarying(input, LAYER_INDEX(gFurLayer), float3(0.0, 0.0, 0.0), 1.0);
+    FurGrowth growth;
+    growth.place = mul((float3x3)gWorld, worldPosition(input.position) - gBoundingCenter); // near 0, where cells are numbered exactly
+    growth.lean = 0.0;
+    growth.density = 1.0;
+    growth.spacing = gFurSpacing * gMeshRadius;
+    growth.shortest = gFurShortest;
+    growth.radius = gFurRadius;
+    return strandsVarying(input, LAYER_INDEX(gFurLayer), growth);
 }
 
 float4 CellularPS(StrandsVarying input) : SV_Target0
 {
-    FurSweep sweep = furSweep(input, gFurSpacing * gMeshRadius);
+    FurSweep sweep = furSweep(input);
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // Each turn takes the next place on the way, and from the second on the piece between it and the last one.
     [loop] for (int i = 0; i <= sweep.steps && met.x < kFurOpaque; i++)
     {
-        piece = furNextPiece(piece, sweep, i * sweep.step);
+        piece = furNextPiece(piece, sweep, i);
         [branch] if (i > 0)
             met = furCells(met, sweep, piece);
     }
-    return furStrandColor(input, sweep, piece, met, kFurCellDensity, gFurShortest);
+    return furStrandColor(input, sweep, piece, met, kFurCellDensity);
 }
 
 #endif

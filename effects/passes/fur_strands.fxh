@@ -11,27 +11,41 @@ static const float kFurFarSegment = 64.0; // added to gFurSegment where only cov
 struct StrandsVarying
 {
     float4 position : SV_Position;
-    centroid float4 rest : TEXCOORD0;   // as in FurVarying; layers above this one, and a half
-    centroid float4 normal : TEXCOORD1; // height in the coat
-    centroid float3 fromEye : TEXCOORD2;
-    centroid float3 toLight : TEXCOORD3;
+    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings, mesh space; layers above this one, and a half
+    centroid float4 normal : TEXCOORD1;  // height in the coat
+    centroid float4 fromEye : TEXCOORD2; // spacings; width of a pixel, spacings
+    centroid float4 toLight : TEXCOORD3; // how often layers may be halved here (furSpare)
     centroid float4 lightClip : TEXCOORD4;
-    centroid float4 lean : TEXCOORD5; // of the tips, share of the coat; share of the full density of strands
+    centroid float4 lean : TEXCOORD5;   // of the tips, share of the coat; share of the full density of strands
+    centroid float4 growth : TEXCOORD6; // 1 / spacing, 1/mm; coat, spacings; shortest strand, share of the longest; radius of a strand, spacings, over that of the data
+};
+
+// What grows at a vertex.
+struct FurGrowth
+{
+    float3 place;    // of the vertex, mm: in the axes of the strands' data
+    float3 lean;     // besides their weight, mesh space
+    float density;   // share of the full one
+    float spacing;   // mm
+    float shortest;  // strand, share of the longest
+    float radius;    // of a strand, spacings, over that of the data
 };
 
 // The ray's way from a layer to the next, and how it is walked.
 struct FurSweep
 {
-    float3 place;     // over the skin
-    float3 travel;    // of the place while the height falls by 1
+    FurPath path;
+    float3 place;  // over the skin
     float3 normal;
     float3 view;   // unit
     float height;  // of the layer,
     float bottom;  // and of the one below
-    float step;    // height
-    float steps;   // below 0: other layers cover this one's part
+    float end;     // of the path,
+    float step;    // how far along it one goes at once,
+    float steps;   // and how often, rounded down; below 0: other layers cover this one's part
     float width;   // of a pixel
     float fade;    // from strands to expected coverage
+    float beyond;  // what the steps leave of the way
 };
 
 // A straight piece of it in (place, height), from begin to end.
@@ -47,28 +61,41 @@ struct FurPiece
     float reach; // how far from its middle roots may stand whose strands it meets
 };
 
+// From strands to expected coverage. width: of a pixel, spacings.
+float furFade(float width)
+{
+    return saturate(width - 1.0);
+}
+
 float3 furDown()
 {
     return mul((float3x3)gWorld, float3(0.0, -1.0, 0.0));
 }
 
-// lean: of the strands at this vertex, besides their weight, mesh space; density: share of the full one. Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
-StrandsVarying strandsVarying(FurInput input, float layer, float3 lean, float density)
+// Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
+StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, height);
-    float3 leaning = mul(lean, (float3x3)gWorld) * furDistance(gFurLength, gMeshRadius, height) * height;
+    float3 leaning = mul(growth.lean, (float3x3)gWorld) * furDistance(gFurLength, gMeshRadius, height) * height;
     float3 world = coat.world + leaning;
     float4 position = mul(float4(world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
+    float thickness = max(gFurLength * gMeshRadius / growth.spacing, 1.0);
+    float3 fromEye = mul((float3x3)gWorld, world - gCameraPosition) / growth.spacing;
+    float width = 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x * length(fromEye);
+    // By the upright coat, for that alone is the same for all layers.
+    float cosine = dot(safeNormalize(fromEye), safeNormalize(input.normal));
+    float upright = thickness * furSine(cosine) / max(-cosine, kFurLeastCosine);
     StrandsVarying output;
     output.position = HALF_PIXEL(position, gViewportSize);
-    output.rest = float4(coat.rest, gFurLayers - 0.5 - layer);
+    output.rest = float4(growth.place / growth.spacing, gFurLayers - 0.5 - layer);
     output.normal = float4(coat.normal, height);
-    output.fromEye = mul((float3x3)gWorld, world - gCameraPosition);
-    output.toLight = mul((float3x3)gWorld, gLightPosition - world);
+    output.fromEye = float4(fromEye, width);
+    output.toLight = float4(mul((float3x3)gWorld, gLightPosition - world), furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.lean = float4(lean + gFurLean * furDown(), density);
+    output.lean = float4(growth.lean + gFurLean * furDown(), growth.density);
+    output.growth = float4(1.0 / growth.spacing, thickness, min(growth.shortest, 0.999), growth.radius);
     return output;
 }
 
@@ -94,45 +121,48 @@ float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float sh
     float2 covered = furCone(from, along, radius * (1.0 - piece.top / share), radius * drop / share, sweep.width);
     float height = piece.top - drop * covered.y;
     float tint = 1.0 + gFurVariation * (random.z - 0.5);
-    return met + (1.0 - met.x) * covered.x * float4(1.0, height, saturate(height / share), tint);
+    return met + (covered.x - met.x * covered.x) * float4(1.0, height, saturate(height / share), tint);
 }
 
 // Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square
 // spacing; shortest: strand, share of the longest.
-float4 furExpect(float4 met, float fade, float density, float shortest, float3 heights, float way)
+float4 furExpect(float4 met, float fade, float density, float shortest, float2 heights, float way)
 {
-    float3 radius = gFurRadius * furMeanRadius(heights, shortest);
-    float3 share = radius * float3(1.0, 4.0, 1.0);
-    float height = dot(share, heights) / max(dot(share, 1.0), 1e-4); // strands are met as often as they are wide
+    float2 radius = gFurRadius * furMeanRadius(heights, shortest);
+    float height = dot(radius, heights) / max(radius.x + radius.y, 1e-4); // strands are met as often as they are wide
     float along = saturate(height * 2.0 / (1.0 + shortest));
     met *= 1.0 - fade;
     return met + (1.0 - met.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
 }
 
-FurSweep furSweep(StrandsVarying input, float spacing)
+FurSweep furSweep(StrandsVarying input)
 {
     FurSweep sweep;
-    float coat = max(gFurLength * gMeshRadius / spacing, 1.0);
     sweep.normal = safeNormalize(input.normal.xyz);
-    sweep.view = safeNormalize(input.fromEye);
-    sweep.place = input.rest.xyz / spacing;
+    sweep.view = safeNormalize(input.fromEye.xyz);
+    sweep.place = input.rest.xyz;
     sweep.height = input.normal.w;
-    sweep.width = 2.0 * tan(0.5 * gCameraFov) / (gViewportSize.x * spacing) * length(input.fromEye);
-    sweep.fade = saturate(sweep.width - 1.0);
+    sweep.width = input.fromEye.w;
+    sweep.fade = furFade(sweep.width);
+    float stride = furStride(input.toLight.w);
+    sweep.bottom = max(sweep.height - stride / gFurLayers, 0.0);
 
-    // By the upright coat, for that alone is the same for all layers.
-    float cosine = dot(sweep.view, sweep.normal);
-    float upright = coat * furSine(cosine) / max(-cosine, kFurLeastCosine);
-    float2 stride = furStride(gFurLayers, upright, gFurSegment + sweep.fade * kFurFarSegment, gFurFewest);
-    sweep.bottom = max(sweep.height - (sweep.fade > 0.0 ? stride.x : stride.y) / gFurLayers, 0.0);
+    float depth = sweep.height - sweep.bottom;
+    FurSlopes slopes;
+    slopes.normalAcross = ddx(input.normal.xyz);
+    slopes.normalDown = ddy(input.normal.xyz);
+    slopes.across = ddx(input.fromEye.xyz);
+    slopes.down = ddy(input.fromEye.xyz);
+    slopes.placeAcross = ddx(input.rest.xyz);
+    slopes.placeDown = ddy(input.rest.xyz);
+    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.growth.y, slopes);
 
-    float3 strand = coat * (sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz);
-    sweep.travel = furTravel(sweep.view, sweep.normal, strand);
-    float way = length(sweep.travel) * (sweep.height - sweep.bottom);
-
-    float pieces = sweep.fade < 1.0 ? clamp(ceil(way / kFurStep), 1.0, kFurMostSteps) : 0.0;
-    sweep.step = (sweep.height - sweep.bottom) / max(max(pieces, 1.0), way / kFurStep);
-    sweep.steps = frac(input.rest.w / stride.x) * stride.x < 1.0 ? pieces : -1.0;
+    sweep.end = furFall(sweep.path.bow, depth);
+    float way = length(sweep.path.travel) * sweep.end;
+    float pieces = min(way / kFurStep, kFurMostSteps - 1.0) + 1.0;
+    sweep.step = sweep.end / max(way / kFurStep, 1.0);
+    sweep.beyond = max(way - (1.0 - sweep.fade) * kFurMostSteps * kFurStep, 0.0);
+    sweep.steps = frac(input.rest.w / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
     return sweep;
 }
 
@@ -143,28 +173,31 @@ FurPiece furFirstPiece()
     piece.end = 0.0;
     piece.along = 0.0;
     piece.top = 0.0;
-    piece.low = 0.0;
+    piece.low = 1.0;
     piece.bend = 0.0;
     piece.bendLow = 0.0;
     piece.reach = 0.0;
     return piece;
 }
 
-// The piece from where the last one ends down to `drop` below the layer. Places are those in the strands' own lattice, in which tufts lean together.
-FurPiece furNextPiece(FurPiece last, FurSweep sweep, float drop)
+// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in which tufts lean together.
+FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
 {
+    float drop = min(steps * sweep.step, sweep.end);
     FurPiece piece;
     piece.begin = last.end;
     piece.top = last.low;
     piece.bend = last.bendLow;
-    piece.low = sweep.height - drop;
+    piece.low = sweep.height - furFallen(sweep.path.bow, drop);
     piece.bendLow = furBend(piece.low);
-    float3 place = sweep.place + sweep.travel * drop;
-    piece.end = place + gFurTufts * piece.low * piece.low * furTuft(place / gFurTuftSize);
+    float3 place = sweep.place + sweep.path.travel * drop;
+    float3 tuft = gFurTufts * piece.low * piece.low * furTuft(place / gFurTuftSize);
+    float sink = 0.5 * drop * drop * dot(sweep.path.travel, sweep.path.turn); // as the skin bends away
+    piece.end = place + tuft - sweep.normal * (dot(tuft, sweep.normal) + sink);
     piece.along = piece.end - piece.begin;
     piece.along -= sweep.normal * dot(piece.along, sweep.normal);
     float stray = gFurRadius * (1.0 - piece.low) + piece.top * (gFurScatter * piece.top + gFurCurls);
-    piece.reach = stray + 0.5 * (sweep.width + length(piece.along));
+    piece.reach = stray + sweep.width + 0.5 * length(piece.along);
     return piece;
 }
 
@@ -175,18 +208,17 @@ float furSkinShadow(float4 lightClip, float3 toLight)
     return shadowLit(SAMPLER2D_ARG(gShadow), shadowCoordinate(lightClip), shadowDepth(lightClip, toLight) - kShadowTolerance * gMeshRadius * range);
 }
 
-// The layer's colour and coverage. met: as furMeet; last: the last piece. density, shortest: as furExpect.
-float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density, float shortest)
+// The layer's colour and coverage. met: as furMeet; last: the last piece. density: as furExpect.
+float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
-    float beyond = length(sweep.travel) * (top - sweep.bottom);
-    met = furExpect(met, sweep.fade, density * input.lean.w, shortest, float3(top, 0.5 * (top + sweep.bottom), sweep.bottom), beyond);
+    met = furExpect(met, sweep.fade, density * input.lean.w, input.growth.z, float2(top, sweep.bottom), sweep.beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
     float3 strand = safeNormalize(sweep.normal + 2.0 * mean.x * input.lean.xyz);
-    float3 toLight = safeNormalize(input.toLight);
-    float open = furSkinShadow(input.lightClip, input.toLight) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
+    float3 toLight = safeNormalize(input.toLight.xyz);
+    float open = furSkinShadow(input.lightClip, input.toLight.xyz) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
     return float4(direct + albedo * gFurFill * furFill(mean.x, gFurDensity, gFurMultiple), met.x);
 }

@@ -11,7 +11,7 @@
 float2 furSection(float2 radius, float2 distance, float width)
 {
     float2 wide = max(radius, 0.5 * width);
-    return saturate((wide - distance) / width + 0.5) * saturate(radius / wide);
+    return saturate((wide - distance) / width + 0.5) * saturate(2.0 * radius / width);
 }
 
 // x: how much of what is still free the strand covers along the piece; what it covers where the piece begins was drawn by the layer above.

@@ -31,15 +31,52 @@ float furTable(SAMPLER2D_PARAM(roots), float rows, float first, float index)
     return furPick(tex2Dlod(roots, float4(furTexel(first + texel, rows), 0.0, 0.0)), index - 4.0 * texel);
 }
 
-// Address of the list of roots near a place; beyond the grid that of its nearest cell. origin: of the grid, and its cells' side; bricks: along each axis, and cells
-// along a brick's side; rows: of the texture, and address of the table of bricks.
+// A brick of cells, and where in it a place lies.
+struct FurBrick
+{
+    float address; // of its table in the texture, 0: none
+    float3 cell;   // whole numbers
+    float3 place;  // cells from its corner
+};
+
+// The brick around a place; beyond the grid that of its nearest cell. origin: of the grid, and its cells' side; bricks: along each axis, and cells along a brick's side;
+// rows: of the texture, and address of the table of bricks.
+FurBrick furBrick(SAMPLER2D_PARAM(roots), float3 place, float4 origin, float4 bricks, float2 rows)
+{
+    FurBrick brick;
+    float3 cells = clamp((place - origin.xyz) / origin.w, 0.0, bricks.w * bricks.xyz - 0.5);
+    brick.cell = floor(cells);
+    float3 number = floor((brick.cell + 0.5) / bricks.w);
+    brick.address = tex2Dlod(roots, float4(furTexel(rows.y + furCellNumber(number, bricks.xyz), rows.x), 0.0, 0.0)).x;
+    brick.cell -= bricks.w * number;
+    brick.place = cells - bricks.w * number;
+    return brick;
+}
+
+// Address of the list of roots near a place.
 float furRootList(SAMPLER2D_PARAM(roots), float3 place, float4 origin, float4 bricks, float2 rows)
 {
-    float3 cell = clamp(floor((place - origin.xyz) / origin.w), 0.0, bricks.w * bricks.xyz - 1.0);
-    float3 brick = floor((cell + 0.5) / bricks.w);
-    float table = tex2Dlod(roots, float4(furTexel(rows.y + furCellNumber(brick, bricks.xyz), rows.x), 0.0, 0.0)).x;
-    float list = furTable(SAMPLER2D_ARG(roots), rows.x, table, furCellNumber(cell - bricks.w * brick, bricks.www));
-    return table > 0.0 ? list : 0.0;
+    FurBrick brick = furBrick(SAMPLER2D_ARG(roots), place, origin, bricks, rows);
+    float list = furTable(SAMPLER2D_ARG(roots), rows.x, brick.address, furCellNumber(brick.cell, bricks.www));
+    return brick.address > 0.0 ? list : 0.0;
+}
+
+// Lean of the coat around a place and its share of the full density of strands: between the nodes of the brick, `between` cells apart, which follow its table of cells.
+float4 furRootCoat(SAMPLER2D_PARAM(roots), float3 place, float4 origin, float4 bricks, float2 rows, float between)
+{
+    FurBrick brick = furBrick(SAMPLER2D_ARG(roots), place, origin, bricks, rows);
+    float nodes = bricks.w / between + 1.0;
+    float first = brick.address + 0.25 * bricks.w * bricks.w * bricks.w;
+    float3 within = brick.place / between;
+    float3 low = min(floor(within), nodes - 2.0);
+    float4 sum = 0.0;
+    [loop] for (float corner = 0.0; corner < 8.0; corner += 1.0)
+    {
+        float3 node = low + step(0.5, frac(corner * float3(0.5, 0.25, 0.125))); // its three bits
+        float3 weight = 1.0 - abs(within - node);
+        sum += weight.x * weight.y * weight.z * tex2Dlod(roots, float4(furTexel(first + furCellNumber(node, float3(nodes, nodes, nodes)), rows.x), 0.0, 0.0));
+    }
+    return brick.address > 0.0 ? sum : float4(0.0, 0.0, 0.0, 0.0);
 }
 
 #endif

@@ -1,42 +1,92 @@
-// The way of a ray through the coat. From layer to layer its place over the skin (where the strands that it passes have their roots) moves by the tangential part of
-// the view while its height falls: a straight line in (place, height), for the skin is taken as flat between two layers.
+// The way of a ray through the coat. As it falls, its place over the skin (where the strands that it passes have their roots) moves along: a curve in (place, height),
+// followed from layer to layer.
 #ifndef TEGUMENT_FUR_SWEEP_FXH
 #define TEGUMENT_FUR_SWEEP_FXH
 
-// Where the place goes while the height falls by 1: mm, tangential. view: unit, towards the skin. strand: how the coat's point moves while the height
-// rises by 1, mm. Rays that rise along the skin, which interpolated normals bring about at silhouettes, are taken as falling with this cosine.
-static const float kFurLeastCosine = 0.02;
-float3 furTravel(float3 view, float3 normal, float3 strand)
+// How a ray goes on from a layer. After the height s by which a flat skin would have made it fall, its place has moved by travel s, and its normal has turned by turn s.
+// All lengths in spacings of the strands.
+struct FurPath
 {
-    float cosine = max(-dot(view, normal), kFurLeastCosine);
-    float rise = dot(strand, normal);
-    float3 along = view + normal * -dot(view, normal);
-    return along * (rise / cosine) + (strand - normal * rise);
+    float3 travel;
+    float3 turn;
+    float bow; // the height has fallen by s - bow s^2 / 2: on a ball the ray flattens as it goes, and rises again
+};
+
+// What changes from pixel to pixel of a layer, along x and y.
+struct FurSlopes
+{
+    float3 across; // of the coat's point
+    float3 down;
+    float3 placeAcross; // of the skin below it
+    float3 placeDown;
+    float3 normalAcross;
+    float3 normalDown;
+};
+
+// The layer is a triangle here, on which place and normal change evenly: the ray's way along it, in pixels, gives both. Its own plane counts, not the interpolated
+// normal, for it is on the next layer's plane that the ray will be found. view: unit, towards the skin. strand: how the coat's point moves while the height
+// rises by 1, in coats; coat: the length of one. Rays along the plane are kept from going on for ever.
+static const float kFurLeastCosine = 0.01;
+FurPath furPath(float3 view, float3 strand, float coat, FurSlopes slopes)
+{
+    float3 plane = cross(slopes.across, slopes.down);
+    float square = dot(plane, plane) + 1e-20; // where nothing changes
+    float fall = dot(view, plane);
+    float way = -dot(strand, plane) * fall / (fall * fall + kFurLeastCosine * kFurLeastCosine * square);
+    float3 along = strand + view * way;
+    float2 pixels = float2(dot(cross(along, slopes.down), plane), dot(cross(slopes.across, along), plane)) * (coat / square);
+    FurPath path;
+    path.travel = slopes.placeAcross * pixels.x + slopes.placeDown * pixels.y;
+    path.turn = slopes.normalAcross * pixels.x + slopes.normalDown * pixels.y;
+    path.bow = dot(view, path.turn) * way;
+    return path;
 }
 
-// Every how many layers one is drawn, 1, 2, 4 ..: as rarely as keeps a segment within `most` spacings, and `fewest` layers in all; and how many its sweep spans. Where the
-// normal turns from one layer to the next, they may disagree by one doubling: near that the sweep already spans twice as many, so that no layer is left out by both.
-// In that zone what a strand covers in part counts twice, so it is narrow. It begins above whole numbers, where `fewest` puts most of a picture.
-// travel: of the place from tips to skin, spacings.
-static const float2 kFurZone = float2(0.02, 0.1); // doublings
-float2 furStride(float layers, float travel, float most, float fewest)
+static const float kFurStraight = 1e-3; // least bow: rays are taken as straight over hollow skin
+
+// s at which the height has fallen by `depth`; where it never does, s where it is back at the layer.
+float furFall(float bow, float depth)
 {
-    float spare = log2(layers / max(travel / most, fewest));
-    return exp2(floor(max(spare + kFurZone, 0.0)));
+    float bowed = max(bow, kFurStraight);
+    float root = 1.0 - 2.0 * bowed * depth;
+    return 2.0 * (root > 0.0 ? depth / (1.0 + sqrt(root)) : 1.0 / bowed);
 }
 
-// Mean radius, share of the base radius, of strands at these heights, if their lengths lie evenly between `shortest` and 1: the mean of max(1 - h / L, 0).
-float3 furMeanRadius(float3 heights, float shortest)
+// How far the height has fallen at s. Behind the deepest point it stays there: the ray rises again past strands that it meets higher up, which layers this thin
+// may neglect.
+float furFallen(float bow, float s)
 {
-    float3 least = clamp(heights, min(shortest, 0.999), 1.0);
-    return saturate((1.0 - least + heights * log(least)) / max(1.0 - shortest, 1e-3));
+    float bowed = max(bow, kFurStraight);
+    float falling = min(s, 1.0 / bowed);
+    return falling - 0.5 * bowed * falling * falling;
+}
+
+// How often the layers could be halved, logarithm to the base 2, until a segment is as long as `most` or `fewest` are left. travel: of the place from tips to skin, spacings.
+float furSpare(float layers, float travel, float most, float fewest)
+{
+    return log2(max(layers, 1.0) / max(travel / max(most, 1e-3), max(fewest, 1.0)));
+}
+
+// Every how many layers one is drawn: 1, 2, 4 .. The margin keeps whole numbers, where `fewest` puts most of a picture, from falling to either side.
+static const float kFurMargin = 0.02;
+float furStride(float spare)
+{
+    return exp2(floor(max(spare + kFurMargin, 0.0)));
+}
+
+// Mean radius, share of the base radius, of strands at these heights (0 to 1), if their lengths lie evenly between `shortest` (below 1) and 1: the mean of
+// max(1 - h / L, 0).
+float2 furMeanRadius(float2 heights, float shortest)
+{
+    float2 least = max(heights, shortest);
+    return saturate((1.0 - least + heights * log(least)) / (1.0 - shortest));
 }
 
 // Coverage to expect along a segment where strands are too thin to tell: random strands, `density` of them per area, sweep 2 r per length of way, and seen from
-// above cover what their sections grow by. radius: mean, at the begin, the middle and the end of the segment (Simpson's rule).
-float furExpected(float density, float3 radius, float way)
+// above cover what their sections grow by. radius: mean, at the begin and the end of the segment, where it is no less.
+float furExpected(float density, float2 radius, float way)
 {
-    float swept = dot(radius, float3(1.0, 4.0, 1.0)) / 3.0 * way + kPi * max(radius.z * radius.z - radius.x * radius.x, 0.0);
+    float swept = (radius.x + radius.y) * way + kPi * (radius.y * radius.y - radius.x * radius.x);
     return 1.0 - exp(-density * swept);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 
 namespace tegument::test {
 
@@ -177,21 +178,45 @@ std::vector<FunctionCase> cones() {
     return cases;
 }
 
-/// The largest power of two that leaves at least `needed` of this many layers.
-double stride(double layers, double needed) {
-    double s = 1;
-    while (layers / (2 * s) >= needed)
-        s *= 2;
-    return s;
+/// A layer's triangle and the ray through it: a0 view, a1 strand, a2 and a3 what a pixel across and down changes of the coat's point.
+struct Slope {
+    double way = 0;    // along the ray, from the triangle to where a triangle moved down by the strand meets it
+    double cosine = 0; // of the ray and the triangle's normal
+    glm::dvec2 pixels{0};
+};
+
+/// The way from one linear system, then shortened as c^2 / (c^2 + 0.01^2) at grazing angles; the pixels by least squares.
+Slope slope(const Inputs& x) {
+    Slope result;
+    result.way = (glm::inverse(glm::dmat3(x.vec3(2), x.vec3(3), -x.vec3(0))) * x.vec3(1)).z;
+    result.cosine = glm::dot(glm::normalize(glm::cross(x.vec3(2), x.vec3(3))), x.vec3(0));
+    result.way *= result.cosine * result.cosine / (result.cosine * result.cosine + 1e-4);
+    const glm::dvec3 along = x.vec3(1) + x.vec3(0) * result.way;
+    const double mixed = glm::dot(x.vec3(2), x.vec3(3));
+    const glm::dmat2 normalEquations(glm::dot(x.vec3(2), x.vec3(2)), mixed, mixed, glm::dot(x.vec3(3), x.vec3(3)));
+    result.pixels = glm::inverse(normalEquations) * glm::dvec2(glm::dot(along, x.vec3(2)), glm::dot(along, x.vec3(3)));
+    return result;
 }
 
-double needed(const Inputs& x) {
-    return std::max(x.scalar(1) / x.scalar(2), x.scalar(3));
+/// s - bow s^2 / 2 of a ray that falls no further than its deepest point, at s = 1 / bow, by summing up slopes.
+double fallen(double bow, double s) {
+    constexpr int kSteps = 20000;
+    double height = 0;
+    for (int i = 0; i < kSteps; ++i)
+        height += std::max(1 - bow * s * (i + 0.5) / kSteps, 0.0) * s / kSteps;
+    return height;
 }
 
-bool nearPowerOfTwo(double ratio) {
-    const double l = std::log2(ratio);
-    return std::abs(l - std::round(l)) < 1e-5;
+/// Least s with s - bow s^2 / 2 = depth, by bisection; where there is none, the s at which the parabola is back at 0.
+double fall(double bow, double depth) {
+    if (1 / (2 * bow) < depth) return 2 / bow;
+    double low = 0;
+    double high = 1 / bow;
+    for (int i = 0; i < 200; ++i) {
+        const double s = (low + high) / 2;
+        (s - bow * s * s / 2 < depth ? low : high) = s;
+    }
+    return high;
 }
 
 /// Mean of max(1 - h / L, 0) over L in [s, 1], by the midpoint rule on the part where it is not 0.
@@ -206,52 +231,86 @@ double meanRadius(double h, double s) {
 
 std::vector<FunctionCase> sweeps() {
     std::vector<FunctionCase> cases;
-    cases.push_back(
-        {.function = "furTravel",
-         .body = "return float4(furTravel(a0, a1, a2), 0);",
-         .arguments = {unit(), unit(), vector(3, 0.1, 20)},
-         .expected =
-             [](const Inputs& x) { // the point place + height * strand stays on the ray, the place on the skin
-                 return values(x.vec3(2) - x.vec3(0) * (glm::dot(x.vec3(2), x.vec3(1)) / glm::dot(x.vec3(0), x.vec3(1))));
-             },
-         .tolerance = {.forward = 16, .backward = 8, .absolute = 2e-3, .why = "a quotient by a cosine of 0.05, of lengths up to 20"},
-         .domain = [](const Inputs& x) { return glm::dot(x.vec3(0), x.vec3(1)) < -0.05 && std::abs(glm::length(x.vec3(1)) - 1) < 1e-6; }});
-    cases.push_back({.function = "furStride",
-                     .body = "return float4(furStride(a0, a1, a2, a3), 0, 0);",
-                     .arguments = {whole(1, 512), logarithmic(0.1, 1000), logarithmic(0.5, 16), whole(1, 64)},
+    cases.push_back({.function = "furPath",
+                     .body = "FurSlopes s; s.across = a2; s.down = a3; s.placeAcross = a4; s.placeDown = a5; "
+                             "s.normalAcross = a5.yzx; s.normalDown = a4.zxy; "
+                             "FurPath p = furPath(a0, a1, 2.0, s); return float4(p.travel + 100.0 * p.turn, p.bow);",
+                     .arguments = {unit(), vector(3, 0.5, 4), vector(3, 0.5, 2), vector(3, 0.5, 2), vector(3, 0.5, 2), vector(3, 0.5, 2)},
                      .expected =
                          [](const Inputs& x) {
-                             return values(stride(x.scalar(0) * std::pow(2.0, 0.02), needed(x)),
-                                           stride(x.scalar(0) * std::pow(2.0, 0.1), needed(x)));
+                             const Slope path = slope(x);
+                             const glm::dvec2 pixels = 2.0 * path.pixels;
+                             const glm::dvec3 a = x.vec3(4);
+                             const glm::dvec3 b = x.vec3(5);
+                             const glm::dvec3 turn = glm::dvec3(b.y, b.z, b.x) * pixels.x + glm::dvec3(a.z, a.x, a.y) * pixels.y;
+                             return values(glm::dvec4(a * pixels.x + b * pixels.y + 100.0 * turn, glm::dot(x.vec3(0), turn) * path.way));
+                         },
+                     .tolerance = {.forward = 64,
+                                   .backward = 32,
+                                   .absolute = 0.05,
+                                   .why = "quotients by an area and a cosine of 0.2, of ways up to 1e3"},
+                     .domain =
+                         [](const Inputs& x) {
+                             const double sine =
+                                 glm::length(glm::cross(x.vec3(2), x.vec3(3))) / (glm::length(x.vec3(2)) * glm::length(x.vec3(3)));
+                             return std::min(glm::length(x.vec3(2)), glm::length(x.vec3(3))) > 0.1 && sine > 0.2 &&
+                                    std::abs(slope(x).cosine) > 0.2 && std::abs(glm::length(x.vec3(0)) - 1) < 1e-6;
+                         }});
+    cases.push_back({.function = "furFall",
+                     .body = "return float4(furFall(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(-1, 20), logarithmic(1e-3, 1)},
+                     .expected = [](const Inputs& x) { return values(fall(std::max(x.scalar(0), 1e-3), x.scalar(1))); },
+                     .tolerance = {.forward = 8, .backward = 8, .absolute = 1e-6, .why = "the root of a difference near 0"},
+                     .domain = [](const Inputs& x) { return std::abs(1 - 2 * x.scalar(0) * x.scalar(1)) > 1e-4; }});
+    cases.push_back(
+        {.function = "furFallen",
+         .body = "return float4(furFallen(a0, a1), 0, 0, 0);",
+         .arguments = {linear(-1, 20), linear(0, 4)},
+         .expected = [](const Inputs& x) { return values(fallen(std::max(x.scalar(0), 1e-3), x.scalar(1))); },
+         .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a sum of 20,000 slopes, the one with the kink by 1e-8"}});
+    cases.push_back(
+        {.function = "furSpare",
+         .body = "return float4(furSpare(a0, a1, a2, a3), 0, 0, 0);",
+         .arguments = {whole(1, 512), logarithmic(0.1, 1000), logarithmic(0.5, 16), whole(1, 64)},
+         .expected =
+             [](const Inputs& x) { return values(std::log2(x.scalar(0)) - std::log2(std::max(x.scalar(1) / x.scalar(2), x.scalar(3)))); },
+         .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-6, .why = "a logarithm of a quotient"},
+         .domain = [](const Inputs& x) { return x.scalar(0) >= 1 && x.scalar(2) >= 0.5 && x.scalar(3) >= 1; }});
+    cases.push_back({.function = "furStride",
+                     .body = "return float4(furStride(a0), 0, 0, 0);",
+                     .arguments = {linear(-4, 9)},
+                     .expected =
+                         [](const Inputs& x) { // how often 2 goes into it
+                             double stride = 1;
+                             for (double spare = x.scalar(0) + 0.02; spare >= 1; spare -= 1)
+                                 stride *= 2;
+                             return values(stride);
                          },
                      .tolerance = {.forward = 2, .backward = 0, .why = "powers of two from a rounded exponential"},
-                     .domain = [](const Inputs& x) { // at a power of two the logarithm's rounding decides
-                         const double ratio = x.scalar(0) / needed(x);
-                         return !nearPowerOfTwo(ratio * std::pow(2.0, 0.02)) && !nearPowerOfTwo(ratio * std::pow(2.0, 0.1));
-                     }});
+                     .domain = [](const Inputs& x) { return std::abs(x.scalar(0) + 0.02 - std::round(x.scalar(0) + 0.02)) > 1e-5; }});
     cases.push_back({.function = "furMeanRadius",
-                     .body = "return float4(furMeanRadius(a0, a1), 0);",
-                     .arguments = {linear(0, 1, 3), linear(0.1, 0.9)},
+                     .body = "return float4(furMeanRadius(a0, a1), 0, 0);",
+                     .arguments = {linear(0, 1, 2), linear(0.1, 0.9)},
                      .expected =
                          [](const Inputs& x) {
                              const double s = x.scalar(1);
-                             return values(meanRadius(x.scalar(0, 0), s), meanRadius(x.scalar(0, 1), s), meanRadius(x.scalar(0, 2), s));
+                             return values(meanRadius(x.scalar(0, 0), s), meanRadius(x.scalar(0, 1), s));
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-5, .why = "1 - least + h ln(least) cancels near the tips"},
                      .samples = 1024});
     cases.push_back({.function = "furExpected",
                      .body = "return float4(furExpected(a0, a1, a2), 0, 0, 0);",
-                     .arguments = {linear(0, 2), linear(0, 0.5, 3), linear(0, 20)},
+                     .arguments = {linear(0, 2), linear(0, 0.5, 2), linear(0, 20)},
                      .expected =
                          [](const Inputs& x) {
                              const double a = x.scalar(1, 0);
-                             const double m = x.scalar(1, 1);
-                             const double b = x.scalar(1, 2);
-                             const double sideways = 2 * x.scalar(2) * (a / 6 + 2 * m / 3 + b / 6);
-                             const double above = std::numbers::pi * std::max(b * b - a * a, 0.0);
+                             const double b = x.scalar(1, 1);
+                             const double sideways = 2 * x.scalar(2) * std::midpoint(a, b); // twice the mean radius, along the way
+                             const double above = std::numbers::pi * (b * b - a * a);
                              return values(-std::expm1(-x.scalar(0) * (sideways + above)));
                          },
-                     .tolerance = {.forward = 60, .backward = 4, .absolute = 1e-6, .why = "1 - exp: exp errs by 3 + 2|x| ULP of 1"}});
+                     .tolerance = {.forward = 60, .backward = 4, .absolute = 1e-6, .why = "1 - exp: exp errs by 3 + 2|x| ULP of 1"},
+                     .domain = [](const Inputs& x) { return x.scalar(1, 1) >= x.scalar(1, 0); }}); // strands grow wider downwards
     return cases;
 }
 
@@ -271,14 +330,44 @@ std::int64_t number(const Cell& cell, const Cell& count) {
     return cell.x + count.x * (cell.y + count.y * cell.z);
 }
 
+const Cell kBricks(4, 3, 5);
+
+/// In cells, from the corner of a grid of these bricks of `side` cells each.
+glm::dvec3 inGrid(const glm::dvec3& place, std::int64_t side) {
+    return glm::clamp((place - glm::dvec3(1, 2, 3)) / 7.0, glm::dvec3(0), glm::dvec3(kBricks * side) - 0.5);
+}
+
 double rootList(const glm::dvec3& place) {
-    const Cell bricks(4, 3, 5);
     constexpr std::int64_t kSide = 4;
-    const glm::dvec3 c = glm::clamp(glm::floor((place - glm::dvec3(1, 2, 3)) / 7.0), glm::dvec3(0), glm::dvec3(bricks * kSide - Cell(1)));
-    const Cell cell(c);
-    const double table = tableEntry(50 + number(cell / kSide, bricks), 0);
+    const Cell cell(inGrid(place, kSide));
+    const double table = tableEntry(50 + number(cell / kSide, kBricks), 0);
     if (table == 0) return 0;
     return tableEntry(std::llround(table), number(cell - cell / kSide * kSide, Cell(kSide)));
+}
+
+/// Between the nodes of a brick of 8 cells, 4 apart: along x, then y, then z.
+glm::dvec4 rootCoat(const glm::dvec3& place) {
+    constexpr std::int64_t kSide = 8;
+    const glm::dvec3 cells = inGrid(place, kSide);
+    const Cell brick = Cell(cells) / kSide;
+    const double table = tableEntry(50 + number(brick, kBricks), 0);
+    if (table == 0) return glm::dvec4(0);
+    const glm::dvec3 within = (cells - glm::dvec3(brick * kSide)) / 4.0;
+    const Cell low = glm::min(Cell(within), Cell(1));
+    const auto at = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+        const std::int64_t texel = std::llround(table) + kSide * kSide * kSide / 4 + number(low + Cell(x, y, z), Cell(3));
+        return glm::dvec4(tableEntry(texel, 0), tableEntry(texel, 1), tableEntry(texel, 2), tableEntry(texel, 3));
+    };
+    const glm::dvec3 t = within - glm::dvec3(low);
+    const auto along = [&](std::int64_t y, std::int64_t z) { return glm::mix(at(0, y, z), at(1, y, z), t.x); };
+    const auto across = [&](std::int64_t z) { return glm::mix(along(0, z), along(1, z), t.y); };
+    return glm::mix(across(0), across(1), t.z);
+}
+
+bool offFaces(const glm::dvec3& place) { // of cells, where rounding decides
+    const glm::dvec3 c = (place - glm::dvec3(1, 2, 3)) / 7.0;
+    const glm::dvec3 off = glm::abs(c - glm::round(c));
+    return std::min({off.x, off.y, off.z}) > 1e-5;
 }
 
 std::vector<FunctionCase> roots() {
@@ -319,11 +408,32 @@ std::vector<FunctionCase> roots() {
          .expected = [](const Inputs& x) { return values(rootList(x.vec3(0))); },
          .tolerance = exact,
          .map = &addressMap(),
-         .domain = [](const Inputs& x) { // off the faces of the cells, where rounding decides
-             const glm::dvec3 c = (x.vec3(0) - glm::dvec3(1, 2, 3)) / 7.0;
-             const glm::dvec3 off = glm::abs(c - glm::round(c));
-             return std::min({off.x, off.y, off.z}) > 1e-5;
-         }});
+         .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
+    cases.push_back({.function = "furBrick",
+                     .body = "FurBrick b = furBrick(SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 4), float2(3, 50)); "
+                             "return float4(b.cell + b.place, b.address);",
+                     .arguments = {linear(-20, 150, 3)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec3 cells = inGrid(x.vec3(0), 4);
+                             const Cell brick = Cell(cells) / std::int64_t(4);
+                             const glm::dvec3 corner(brick * std::int64_t(4));
+                             return values(
+                                 glm::dvec4(glm::floor(cells) + cells - 2.0 * corner, tableEntry(50 + number(brick, kBricks), 0)));
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-5, .why = "cells up to 20, by a division"},
+                     .map = &addressMap(),
+                     .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
+    cases.push_back({.function = "furRootCoat",
+                     .body = "return furRootCoat(SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 8), float2(3, 50), 4.0);",
+                     .arguments = {linear(-20, 300, 3)},
+                     .expected = [](const Inputs& x) { return values(rootCoat(x.vec3(0))); },
+                     .tolerance = {.forward = 16,
+                                   .backward = 8,
+                                   .absolute = 0.05,
+                                   .why = "between whole numbers of up to 8,000, at places that err by 1e-6 cells"},
+                     .map = &addressMap(),
+                     .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
     return cases;
 }
 

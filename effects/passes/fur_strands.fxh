@@ -161,7 +161,7 @@ FurSweep furSweep(StrandsVarying input)
     float way = length(sweep.path.travel) * sweep.end;
     float pieces = min(way / kFurStep, kFurMostSteps - 1.0) + 1.0;
     sweep.step = sweep.end / max(way / kFurStep, 1.0);
-    sweep.beyond = max(way - (1.0 - sweep.fade) * kFurMostSteps * kFurStep, 0.0);
+    sweep.beyond = max(way - kFurMostSteps * kFurStep, way * sweep.fade);
     sweep.steps = frac(input.rest.w / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
     return sweep;
 }

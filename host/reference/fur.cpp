@@ -60,8 +60,8 @@ double mirrored(const FurCoat& coat, const glm::dvec3& strand, const glm::dvec3&
 
 } // namespace
 
-FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec3> leans)
-    : mesh_(mesh), coat_(coat), view_(view), leans_(std::move(leans)) {
+FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec4> grown)
+    : mesh_(mesh), coat_(coat), view_(view), grown_(std::move(grown)) {
     pixels_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
     aside_.resize(pixels_.size());
     draw(0, 0);
@@ -72,7 +72,7 @@ FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view,
 }
 
 glm::dvec3 FurShells::extruded(std::uint32_t vertex, double height) const {
-    const glm::dvec3 lean = coat_.lean * kDown + (leans_.empty() ? glm::dvec3(0) : leans_[vertex]);
+    const glm::dvec3 lean = coat_.lean * kDown + (grown_.empty() ? glm::dvec3(0) : glm::dvec3(grown_[vertex]));
     const glm::dvec3 up = unit(glm::dvec3(mesh_.normals[vertex])) + height * lean;
     return glm::dvec3(mesh_.positions[vertex]) + up * (coat_.length * static_cast<double>(mesh_.bounds.radius) * height);
 }
@@ -94,9 +94,10 @@ FurFragment FurShells::meet(int layer, std::uint32_t triangle, double height, co
     weights.z = glm::dot(glm::cross(b - a, within), normal) / square;
     weights.x = 1 - weights.y - weights.z;
     const SurfacePoint skin = interpolate(mesh_, {triangle, weights});
-    glm::dvec3 lean(0);
-    for (int i = 0; i < 3 && !leans_.empty(); ++i)
-        lean += weights[i] * leans_[mesh_.indices[3 * std::size_t{triangle} + static_cast<std::size_t>(i)]];
+    glm::dvec4 grown(0);
+    for (int i = 0; i < 3; ++i)
+        grown += weights[i] *
+                 (grown_.empty() ? glm::dvec4(0, 0, 0, 1) : grown_[mesh_.indices[3 * std::size_t{triangle} + static_cast<std::size_t>(i)]]);
     return {.layer = layer,
             .triangle = triangle,
             .height = height,
@@ -104,7 +105,9 @@ FurFragment FurShells::meet(int layer, std::uint32_t triangle, double height, co
             .rest = skin.position - glm::dvec3(mesh_.bounds.centre),
             .normal = skin.normal,
             .position = weights.x * a + weights.y * b + weights.z * c,
-            .lean = lean};
+            .lean = glm::dvec3(grown),
+            .share = grown.w,
+            .weights = weights};
 }
 
 void FurShells::draw(int layer, double height) {
@@ -134,6 +137,16 @@ bool FurShells::isClear(int x, int y) const {
     return std::ranges::all_of(aside_[pixel], [&](std::uint16_t count) { return count == pixels_[pixel].size(); });
 }
 
+FurFacet FurShells::facet(const FurFragment& fragment) const {
+    FurFacet facet{.positions = corners(fragment.triangle, fragment.height), .rest = {}, .normals = {}};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t vertex = mesh_.indices[3 * std::size_t{fragment.triangle} + c];
+        facet.rest[c] = glm::dvec3(mesh_.positions[vertex]) - glm::dvec3(mesh_.bounds.centre);
+        facet.normals[c] = glm::dvec3(mesh_.normals[vertex]);
+    }
+    return facet;
+}
+
 FurFragment FurShells::onItsPlane(const FurFragment& fragment, int x, int y) const {
     glm::dvec3 weights;
     return meet(fragment.layer, fragment.triangle, fragment.height, view_.ray(x, y), weights);
@@ -147,7 +160,7 @@ FurFootprint FurShells::footprint(FurVector kind, const FurFragment& fragment, i
     const int top = y & ~1;
     const glm::dvec2 aside = apart(onItsPlane(fragment, left, y), onItsPlane(fragment, left + 1, y));
     const glm::dvec2 below = apart(onItsPlane(fragment, x, top), onItsPlane(fragment, x, top + 1));
-    const glm::dvec2 pixel = glm::max(aside, below);
+    const glm::dvec2 longer = glm::max(aside, below);
 
     // While the ray goes its way, the point of the coat that it is at moves along the strand there and, over the skin, along the surface.
     const glm::dvec3 normal = unit(fragment.normal);
@@ -157,7 +170,8 @@ FurFootprint FurShells::footprint(FurVector kind, const FurFragment& fragment, i
     const glm::dvec3 across = view - normal * glm::dot(view, normal);
     const glm::dvec3 way = across * (glm::dot(strand, normal) / fall) + (strand - normal * glm::dot(strand, normal));
     const double mm = glm::length(way) * coat_.length * static_cast<double>(mesh_.bounds.radius);
-    return {.angle = pixel.x, .sweep = pixel.y > 0 ? mm * pixel.x / pixel.y : 0};
+    return {.angle = std::clamp(std::min(aside.x, below.x), longer.x / 100, longer.x),
+            .sweep = longer.y > 0 ? mm * longer.x / longer.y : 0};
 }
 
 glm::dvec3 furVector(FurVector kind, const FurFragment& fragment) {
@@ -252,15 +266,16 @@ FurMean furMean(const FurCoat& coat, const FurTexel& texel, int layer) {
     if (deviation <= 0) return {};
     // Half of the light has gone where strands whose ends are soft have sunk this far below the layer.
     const double tip = texel.alpha + coat.softness / 2 - std::min(0.2 * std::sqrt(coat.softness), coat.softness);
-    const auto taller = [&](int at) {
-        const double height = std::pow(static_cast<double>(at) / coat.layers, coat.spread);
-        return 1 / (1 + std::exp((height - tip) * kPi / (std::sqrt(3.0) * deviation)));
+    const auto above = [&](int at) { // of a logistic distribution, in its scale
+        return (tip - std::pow(static_cast<double>(at) / coat.layers, coat.spread)) * kPi / (std::sqrt(3.0) * deviation);
     };
+    const auto lowerLog = [](double x) { return -std::max(x, 0.0) - std::log1p(std::exp(-std::abs(x))); }; // of the share that is lower
+    const double taller = std::abs(std::expm1(lowerLog(above(layer))));                                    // never -0
+    const double passedLog = lowerLog(above(layer)) - lowerLog(above(layer + 1));
     const double slope = 2.8 * coat.deviation / coat.grain * texel.footprint.sweep;
-    const double passed = (1 - taller(layer)) / (1 - taller(layer + 1));
-    const double entered = 1 - std::pow(passed, 0.5 + std::hypot(0.5, slope / kPi));
+    const double entered = std::abs(std::expm1(passedLog * (0.5 + std::hypot(0.5, slope / kPi))));
     const double end = 0.6 * coat.softness / (std::sqrt(12.0) * deviation);
-    return {.covered = 1 / std::cbrt(std::pow(entered, -3) + std::pow(taller(layer), -3)), .afar = coat.taper / (1 + end * end)};
+    return {.covered = 1 / std::cbrt(std::pow(entered, -3) + std::pow(taller, -3)), .afar = coat.taper / (1 + end * end)};
 }
 
 namespace {

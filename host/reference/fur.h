@@ -43,6 +43,15 @@ struct FurFragment {
     glm::dvec3 normal{0}; // interpolated, not normalised
     glm::dvec3 position{0};
     glm::dvec3 lean{0}; // of the tips, besides the coat's
+    double share = 1;   // of the full density of strands
+    glm::dvec3 weights{0};
+};
+
+/// The triangle of a layer that a fragment lies on, corner by corner.
+struct FurFacet {
+    std::array<glm::dvec3, 3> positions;
+    std::array<glm::dvec3, 3> rest; // as FurFragment has them
+    std::array<glm::dvec3, 3> normals;
 };
 
 enum class FurVector { Position, Normal, Combined };
@@ -51,14 +60,15 @@ enum class FurVector { Position, Normal, Combined };
 
 /// What of a fur map a pixel sees at once.
 struct FurFootprint {
-    double angle = 0; // radians of the map
+    double angle = 0; // radians of the map along the pixel's shorter side, at least a hundredth of the longer
     double sweep = 0; // that the ray crosses while it falls by the coat's height
 };
 
 class FurShells {
 public:
-    /// `mesh` must outlive the shells; the eye must be outside of the coat. `leans`: of each vertex, besides the coat's; empty: none.
-    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec3> leans = {});
+    /// `mesh` must outlive the shells; the eye must be outside of the coat. `grown`: how the tips
+    /// of each vertex lean besides the coat's, and share of the full density; empty: as the coat.
+    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec4> grown = {});
 
     /// Front faces that a pixel's ray meets, in the order in which they are drawn.
     [[nodiscard]] const std::vector<FurFragment>& at(int x, int y) const { return pixels_[index(x, y)]; }
@@ -69,6 +79,7 @@ public:
     /// No outline of any layer passes so near the pixel's centre that a device, which rounds corners to 1/256 pixel, may see its other
     /// side.
     [[nodiscard]] bool isClear(int x, int y) const;
+    [[nodiscard]] FurFacet facet(const FurFragment& fragment) const;
     [[nodiscard]] const FurCoat& coat() const { return coat_; }
 
 private:
@@ -85,7 +96,7 @@ private:
     const Mesh& mesh_;
     FurCoat coat_;
     Pinhole view_;
-    std::vector<glm::dvec3> leans_;
+    std::vector<glm::dvec4> grown_;
     std::vector<std::vector<FurFragment>> pixels_;
     static constexpr std::array<glm::dvec2, 4> kAside = {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
     std::vector<std::array<std::uint16_t, 4>> aside_; // front faces a little aside of each pixel's centre

@@ -49,7 +49,7 @@ public:
 
     void near(const FurPlace& place, std::vector<FurStand>& strands) const {
         std::vector<std::uint32_t> found;
-        const double reach = std::hypot(place.reach, place.off + kSag);
+        const double reach = std::hypot(place.reach, kSag);
         const Whole low(glm::floor(place.middle - reach));
         const Whole high(glm::floor(place.middle + reach));
         for (std::int64_t z = low.z; z <= high.z; ++z)
@@ -62,6 +62,7 @@ public:
         for (const std::uint32_t i : found) {
             FurStand strand = roots_[i].strand;
             strand.length = std::max(std::min(strand.length * glm::dot(roots_[i].normal, place.normal), roots_[i].limit), kShortest);
+            strand.stray = glm::dot(roots_[i].straying, place.normal);
             strands.push_back(strand);
         }
     }

@@ -25,7 +25,6 @@ struct FurPlace {
     glm::dvec3 middle{0};
     glm::dvec3 normal{0}; // of the skin, unit
     double reach = 0;
-    double off = 0; // how far off the skin the place is
 };
 
 /// Replaces the list by all strands that may be near, in the order in which they are met.
@@ -37,9 +36,10 @@ using FurStrandsAt = std::function<void(const FurPlace& place, std::vector<FurSt
 
 /// A root of technique Roots.
 struct FurRoot {
-    FurStand strand;      // its length: share of the coat where the skin faces as the root does, before the limit
-    glm::dvec3 normal{0}; // unit
-    double limit = 1;     // longest, share of the coat
+    FurStand strand;        // its length: share of the coat where the skin faces as the root does, before the limit
+    glm::dvec3 normal{0};   // unit
+    glm::dvec3 straying{0}; // lean and curl: what of it lies along the skin's normal at a place is the share of what strands bend there
+    double limit = 1;       // longest, share of the coat
 };
 
 /// Technique Roots, `roots` in the order of the file. On skin that looks another way a strand is as much shorter as the cosine.

@@ -8,9 +8,11 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kLeastCosine = 0.02; // rays that fall less steeply, or rise, are taken as falling so
+constexpr double kLeastCosine = 0.01; // of a ray with the layer
+constexpr double kStraight = 1e-3;    // least bow: over hollow skin rays are taken as straight
 constexpr double kMostSteps = 8;      // of one spacing each; beyond, coverage is expected
 constexpr double kFarSegment = 64;    // spacings that a segment may have where only coverage is expected
+constexpr double kMargin = 0.02;      // doublings: whole numbers stay on one side
 constexpr double kSeen = 0.004;       // an 8-bit target would not show less
 
 glm::dvec3 unit(const glm::dvec3& v) {
@@ -48,17 +50,32 @@ double meanTaper(double height, double shortest) {
     return sum / kNodes * (1 - from) / std::max(1 - shortest, 1e-3);
 }
 
-/// The part of the ray that a layer shows, in (place, height): a straight line.
+/// The way of the ray from a layer to the next.
 struct Sweep {
+    FurPath path;
     glm::dvec3 normal{0};
-    glm::dvec3 top{0};
-    glm::dvec3 bottom{0};
+    glm::dvec3 place{0}; // where it begins
     double height = 0;
-    double low = 0;
     double width = 0; // of a pixel
 
-    [[nodiscard]] glm::dvec3 place(double share) const { return glm::mix(top, bottom, share); }
-    [[nodiscard]] double heightAt(double share) const { return std::lerp(height, low, share); }
+    /// Behind its deepest point the ray stays there.
+    [[nodiscard]] double heightAt(double s) const {
+        const double deepest = std::min(s, 1 / path.bow);
+        return height - deepest + path.bow * deepest * deepest / 2;
+    }
+    /// The place in the skin's tangent plane, and how far the skin has sunk below that.
+    [[nodiscard]] glm::dvec3 placeAt(double s) const { return place + s * path.travel; }
+    [[nodiscard]] glm::dvec3 sunk(double s) const { return -normal * (s * s / 2 * glm::dot(path.travel, path.turn)); }
+
+    /// s where the height is `depth` less; where the ray never gets there, s where it is back at the layer.
+    [[nodiscard]] double end(double depth) const {
+        if (1 / (2 * path.bow) < depth) return 2 / path.bow;
+        double low = 0;
+        double high = 1 / path.bow;
+        for (int i = 0; i < 60; ++i)
+            (height - heightAt((low + high) / 2) < depth ? low : high) = (low + high) / 2;
+        return high;
+    }
 };
 
 /// Strands of a piece added to what was met before.
@@ -78,20 +95,22 @@ struct Meeting {
         tint += free * t;
     }
 
-    /// All strands near a piece of the sweep, given by its ends as shares of it.
+    /// All strands near a piece of the sweep.
     void meetAll(const FurStrandsAt& strands, double from, double to) {
         const double top = sweep.heightAt(from);
         const double low = sweep.heightAt(to);
-        const glm::dvec3 begin = furTufted(fur, sweep.place(from), top);
-        const glm::dvec3 end = furTufted(fur, sweep.place(to), low);
+        const auto looked = [&](double s, double h) {
+            return sweep.placeAt(s) + furTuft(fur, sweep.placeAt(s), h, sweep.normal) + sweep.sunk(s);
+        };
+        const glm::dvec3 begin = looked(from, top);
+        const glm::dvec3 end = looked(to, low);
         const glm::dvec3 aside = tangential(end - begin, sweep.normal);
         // A strand covers up to a pixel from its axis, which stands aside from its root.
         const double bends = std::max(glm::length(furAxis(fur, top)), glm::length(furAxis(fur, low)));
         const FurPlace place{.begin = begin,
                              .middle = begin + 0.5 * aside,
                              .normal = sweep.normal,
-                             .reach = fur.radius * (1 - low) + sweep.width + bends + 0.5 * glm::length(aside),
-                             .off = std::abs(glm::dot(begin - sweep.place(from), sweep.normal))};
+                             .reach = fur.radius * (1 - low) + sweep.width + bends + 0.5 * glm::length(aside)};
         std::vector<FurStand> near;
         strands(place, near);
         for (const FurStand& strand : near)
@@ -113,23 +132,14 @@ struct Meeting {
     }
 };
 
-/// The place that a point of the coat, moved along a ray until it is at another height, stands over: the skin counts as flat.
-glm::dvec3 placeBelow(const glm::dvec3& place, const glm::dvec3& ray, const glm::dvec3& normal, const glm::dvec3& rise) {
-    // place + rise lies on the ray's way; the place there, again in the skin's plane, is what is left when its rise is taken off.
-    const glm::dvec3 start = place + rise;
-    const double way = -glm::dot(rise, normal) / glm::dot(ray, normal);
-    return start + way * ray;
+/// Interpolated from the corners.
+template <class Value>
+double across(const FurFragment& fragment, Value&& value) {
+    return fragment.weights.x * value(0) + fragment.weights.y * value(1) + fragment.weights.z * value(2);
 }
 
-Sweep sweepOf(const FurSwept& fur, const FurFragment& fragment, const glm::dvec3& ray, double bottom) {
-    Sweep sweep{.normal = unit(fragment.normal), .top = fragment.rest / fur.spacing, .height = fragment.height, .low = bottom};
-    const double coat = std::max(fur.thickness / fur.spacing, 1.0);
-    const glm::dvec3 lean = fragment.lean + fur.lean;
-    const auto strand = [&](double h) { return coat * h * (sweep.normal + h * lean); };
-    const double falling = std::max(-glm::dot(ray, sweep.normal), kLeastCosine);
-    const glm::dvec3 way = tangential(ray, sweep.normal) - falling * sweep.normal;
-    sweep.bottom = placeBelow(sweep.top, way, sweep.normal, strand(sweep.height) - strand(bottom));
-    return sweep;
+double farOf(double width) {
+    return std::clamp(width - 1, 0.0, 1.0);
 }
 
 } // namespace
@@ -139,25 +149,31 @@ glm::dvec2 furAxis(const FurSwept& fur, double height) {
     return height * (glm::dvec2(fur.scatter * height, 0) + fur.curls * glm::dvec2(wave(turn), wave(turn + 0.75)));
 }
 
-glm::dvec3 furTufted(const FurSwept& fur, const glm::dvec3& place, double height) {
+glm::dvec3 furTuft(const FurSwept& fur, const glm::dvec3& place, double height, const glm::dvec3& normal) {
     const glm::dvec3 p = place / fur.tuftSize;
     const glm::dvec3 inner = 0.4 * waves(0.19 * glm::dvec3(p.z, p.x, p.y));
-    return place + fur.tufts * height * height * waves(0.31 * glm::dvec3(p.y, p.z, p.x) + inner);
+    return tangential(fur.tufts * height * height * waves(0.31 * glm::dvec3(p.y, p.z, p.x) + inner), normal);
 }
 
-FurSpan furSpan(const FurSwept& fur, int layer, double across, double far) {
-    // The largest power of two that leaves as many layers as are needed; a tenth of a doubling before it changes, layers sweep twice as
-    // far.
-    const double needed = std::max(across / (fur.segment + far * kFarSegment), fur.fewest);
-    const double spare = std::log2(fur.layers / needed);
-    const auto stride = [&](double zone) { return static_cast<int>(std::exp2(std::floor(std::max(spare + zone, 0.0)))); };
-    const auto off = [&](double zone) { return std::abs(spare + zone - std::round(spare + zone)); };
-    FurSpan span;
-    span.drawn = (fur.layers - layer) % stride(0.02) == 0;
-    span.decided = spare < -0.2 || std::min(off(0.02), off(0.1)) > 1e-4;
-    const int spans = far > 0 ? stride(0.02) : stride(0.1);
-    span.bottom = std::max(0.0, static_cast<double>(layer - spans) / fur.layers);
-    return span;
+double furSpare(const FurSwept& fur, double across, double far) {
+    return std::log2(fur.layers / std::max(across / (fur.segment + far * kFarSegment), fur.fewest));
+}
+
+FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright) {
+    const glm::dvec3 u = (facet.positions[1] - facet.positions[0]) / fur.spacing;
+    const glm::dvec3 v = (facet.positions[2] - facet.positions[0]) / fur.spacing;
+    const glm::dvec3 plane = unit(glm::cross(u, v));
+    // Rays along the plane are kept from going on for ever: they are taken as falling a little more steeply.
+    const double fall = glm::dot(ray, plane);
+    const glm::dvec3 falling = ray + plane * (kLeastCosine * kLeastCosine / fall);
+    // The point of the coat that is 1 below the point (x, y) of the triangle's plane lies on the ray: x u + y v - strand = z ray.
+    const glm::dvec3 met = glm::inverse(glm::dmat3(u, v, -falling)) * strand;
+    FurPath path;
+    path.travel = (met.x * (facet.rest[1] - facet.rest[0]) + met.y * (facet.rest[2] - facet.rest[0])) / fur.spacing;
+    path.turn = met.x * (facet.normals[1] - facet.normals[0]) + met.y * (facet.normals[2] - facet.normals[0]);
+    // The height changes along the ray by its cosine with the normal, which turns on the way.
+    path.bow = std::max(glm::dot(ray, path.turn) * met.z / upright, kStraight);
+    return path;
 }
 
 FurPieceMet meetCone(const glm::dvec3& begin, const glm::dvec3& end, double radiusAtBegin, double radiusAtEnd, double width) {
@@ -193,8 +209,7 @@ FurPieceMet meetCone(const glm::dvec3& begin, const glm::dvec3& end, double radi
     return met;
 }
 
-FurExpected expectedCover(const FurSwept& fur, double top, double bottom, double way) {
-    if (top <= bottom) return {};
+FurExpected expectedCover(const FurSwept& fur, double share, double top, double bottom, double way) {
     constexpr int kNodes = 32;
     double width = 0;
     double moment = 0;
@@ -207,34 +222,46 @@ FurExpected expectedCover(const FurSwept& fur, double top, double bottom, double
     const double wide = fur.radius * meanTaper(bottom, fur.shortest);
     const double narrow = fur.radius * meanTaper(top, fur.shortest);
     const double swept = 2 * width * way + std::numbers::pi * std::max(wide * wide - narrow * narrow, 0.0);
-    return {.covered = -std::expm1(-fur.density * swept), .height = width > 0 ? moment / width : top};
+    return {.covered = -std::expm1(-share * fur.density * swept), .height = width > 0 ? moment / width : top};
 }
 
-FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFragment& fragment, const FurEye& eye) {
-    const glm::dvec3 toFragment = fragment.position - eye.position;
-    const double distance = glm::length(toFragment);
-    const glm::dvec3 ray = toFragment / distance;
-    const double width = eye.pixel * distance / fur.spacing;
-    const double far = std::clamp(width - 1, 0.0, 1.0);
-
-    const double cosine = std::clamp(-glm::dot(ray, unit(fragment.normal)), -1.0, 1.0);
+FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFragment& fragment, const FurFacet& facet,
+                   const FurEye& eye) {
+    const glm::dvec3 ray = unit(fragment.position - eye.position);
     const double coat = std::max(fur.thickness / fur.spacing, 1.0);
-    const double across = coat * std::sqrt(1 - cosine * cosine) / std::max(cosine, kLeastCosine);
-    const FurSpan span = furSpan(fur, fragment.layer, across, far);
-    FurSeen seen{.met = {}, .drawn = span.drawn, .decided = span.decided};
-    if (!span.drawn) return seen;
+    const auto widthAt = [&](int c) {
+        return eye.pixel * glm::length(facet.positions[static_cast<std::size_t>(c)] - eye.position) / fur.spacing;
+    };
+    const double width = across(fragment, widthAt);
+    const double far = farOf(width);
+    const double spare = across(fragment, [&](int c) {
+        const auto corner = static_cast<std::size_t>(c);
+        const double cosine = std::clamp(-glm::dot(unit(facet.positions[corner] - eye.position), unit(facet.normals[corner])), -1.0, 1.0);
+        return furSpare(fur, coat * std::sqrt(1 - cosine * cosine) / std::max(cosine, kLeastCosine), farOf(widthAt(c)));
+    });
+    const double doublings = std::max(spare + kMargin, 0.0);
+    const int stride = static_cast<int>(std::exp2(std::floor(doublings)));
+    FurSeen seen{.met = {},
+                 .drawn = (fur.layers - fragment.layer) % stride == 0,
+                 .decided = doublings == 0 || std::abs(doublings - std::round(doublings)) > 1e-4};
+    if (!seen.drawn) return seen;
 
-    Sweep sweep = sweepOf(fur, fragment, ray, span.bottom);
-    sweep.width = width;
-    const double way = glm::length(sweep.bottom - sweep.top);
-    const double pieces = far < 1 ? std::clamp(std::ceil(way), 1.0, kMostSteps) : 0;
-    const double step = 1 / std::max({pieces, 1.0, way}); // share of the sweep
+    const double bottom = std::max(0.0, static_cast<double>(fragment.layer - stride) / fur.layers);
+    Sweep sweep{
+        .path = {}, .normal = unit(fragment.normal), .place = fragment.rest / fur.spacing, .height = fragment.height, .width = width};
+    const glm::dvec3 strand = coat * (sweep.normal + (sweep.height + bottom) * (fragment.lean + fur.lean));
+    sweep.path = furPath(fur, facet, ray, strand, coat);
+    const double end = sweep.end(sweep.height - bottom);
+    const double way = glm::length(sweep.path.travel) * end;
+    const double step = end / std::max(way, 1.0);
     Meeting meeting{.fur = fur, .sweep = sweep};
-    for (int i = 0; i < static_cast<int>(pieces); ++i)
-        meeting.meetAll(strands, i * step, (i + 1) * step);
+    const int pieces = far < 1 ? static_cast<int>(std::min(way, kMostSteps - 1) + 1) : 0;
+    for (int i = 0; i < pieces; ++i)
+        meeting.meetAll(strands, std::min(i * step, end), std::min((i + 1) * step, end));
 
-    const double share = std::lerp(std::min(pieces * step, 1.0), 0.0, far);
-    const FurExpected beyond = expectedCover(fur, sweep.heightAt(share), sweep.low, way * (1 - share));
+    const double reached = sweep.heightAt(std::min(pieces * step, end));
+    const FurExpected beyond = expectedCover(fur, fragment.share, std::lerp(reached, sweep.height, far), bottom,
+                                             std::lerp(std::max(way - kMostSteps, 0.0), way, far));
     for (double* sum : {&meeting.covered, &meeting.height, &meeting.along, &meeting.tint})
         *sum *= 1 - far;
     meeting.add(beyond.covered, beyond.height, std::clamp(2 * beyond.height / (1 + fur.shortest), 0.0, 1.0), 1);

@@ -41,20 +41,25 @@ struct FurMet {
     double tint = 1;
 };
 
-/// The layer's share of the coat below a place, and whether it is this layer that shows it.
-struct FurSpan {
-    bool drawn = false;
-    bool decided = true; // not by rounding
-    double bottom = 0;   // height
-};
-/// `across`: way that a ray takes over the skin while it crosses an upright coat, spacings. `far`: 0 strands, 1 only coverage to expect.
-[[nodiscard]] FurSpan furSpan(const FurSwept& fur, int layer, double across, double far);
+/// How often the number of layers may be halved where a ray takes this way over the skin while it crosses an upright coat, spacings:
+/// logarithm to the base 2. `far`: 0 strands, 1 only coverage to expect.
+[[nodiscard]] double furSpare(const FurSwept& fur, double across, double far);
 
 /// A strand's axis from where it stands, at this height: along the side to which it strays, and across it.
 [[nodiscard]] glm::dvec2 furAxis(const FurSwept& fur, double height);
 
-/// Where strands are looked up for a place at this height, so that neighbours lean together.
-[[nodiscard]] glm::dvec3 furTufted(const FurSwept& fur, const glm::dvec3& place, double height);
+/// How far aside strands are looked up for a place at this height, so that neighbours lean together: along the skin with this normal.
+[[nodiscard]] glm::dvec3 furTuft(const FurSwept& fur, const glm::dvec3& place, double height, const glm::dvec3& normal);
+
+/// How a ray goes on from a point of a layer, to the second order: per unit of s, which is as the ray's length, its place moves by `travel`
+/// and the normal there turns by `turn`; its height falls by s - bow s^2 / 2.
+struct FurPath {
+    glm::dvec3 travel{0};
+    glm::dvec3 turn{0};
+    double bow = 0;
+};
+/// `ray`: unit. `strand`: how a point of the coat moves while its height rises by 1, of which `upright` is along the normal; spacings.
+[[nodiscard]] FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright);
 
 struct FurPieceMet {
     double covered = 0;
@@ -64,12 +69,12 @@ struct FurPieceMet {
 /// the cone's axis; `width`: of a pixel.
 [[nodiscard]] FurPieceMet meetCone(const glm::dvec3& begin, const glm::dvec3& end, double radiusAtBegin, double radiusAtEnd, double width);
 
-/// Coverage to expect between two heights, on a way of so many spacings, and the mean height of what covers.
+/// Coverage to expect of this share of the strands between two heights, on a way of so many spacings, and the mean height of what covers.
 struct FurExpected {
     double covered = 0;
     double height = 0;
 };
-[[nodiscard]] FurExpected expectedCover(const FurSwept& fur, double top, double bottom, double way);
+[[nodiscard]] FurExpected expectedCover(const FurSwept& fur, double share, double top, double bottom, double way);
 
 /// None of the layer where `met.covered` is 0.
 struct FurSeen {
@@ -77,7 +82,8 @@ struct FurSeen {
     bool drawn = false;
     bool decided = true;
 };
-[[nodiscard]] FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFragment& fragment, const FurEye& eye);
+[[nodiscard]] FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFragment& fragment, const FurFacet& facet,
+                                 const FurEye& eye);
 
 /// Radiance of what the sweep has met.
 [[nodiscard]] glm::dvec3 sweptRadiance(const FurCoat& coat, const FurFragment& fragment, const FurMet& met, const FurLight& light,

@@ -14,7 +14,7 @@ namespace {
 /// From technique Cellular's lattice: 2 rho = 1 point per square, of which those near the slab's faces grow shorter strands
 /// (docs/modules/FurRoots.md).
 constexpr double kLatticeDensity = 0.875;
-constexpr double kReach = 3.5; // of a root: tufts move the look-up, strands stray, a step and a pixel are wide
+constexpr double kReach = 2.5; // of a root: strands stray, a step and a pixel are wide
 
 /// Width of a pixel at the mesh, mm.
 double pixelAt(const Scene& scene, const VerifyOptions& options) {
@@ -34,25 +34,27 @@ reference::FurRoot rootOf(const Root& root, const StrandsScene& scene, const Roo
     return {.strand = {.root = place,
                        .length = static_cast<double>(root.share),
                        .radius = scene.fur.radius * static_cast<double>(root.radius) / set.radius,
-                       .stray = static_cast<double>(root.curl),
                        .random = spread(static_cast<double>(root.random))},
             .normal = glm::dvec3(root.normal),
+            .straying = glm::dvec3(root.lean + root.curl * root.normal),
             .limit = static_cast<double>(root.limit) / scene.fur.thickness};
 }
 
-/// Of each vertex: that of the first root in the list of its place.
-std::vector<glm::dvec3> leansOf(const Mesh& mesh, const Image& roots) {
-    std::vector<glm::dvec3> leans;
-    for (const glm::vec3& position : mesh.positions) {
-        const auto around = rootsAround(roots, position);
-        leans.push_back(around.empty() ? glm::dvec3(0) : glm::dvec3(rootAt(roots, around.front()).lean));
+/// At each vertex, from the nodes around it; along the skin.
+std::vector<glm::dvec4> grownAt(const Mesh& mesh, const Image& roots) {
+    std::vector<glm::dvec4> grown;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const glm::dvec4 coat(coatAround(roots, mesh.positions[v]));
+        const glm::dvec3 normal(mesh.normals[v]);
+        grown.emplace_back(glm::dvec3(coat) - normal * glm::dot(glm::dvec3(coat), normal), coat.w);
     }
-    return leans;
+    return grown;
 }
 
 Result<void> growRoots(StrandsScene& scene) {
     const Mesh& mesh = scene.scene.mesh;
-    const RootOptions options{.density = 1 / (scene.fur.spacing * scene.fur.spacing), .reach = kReach, .curl = 0};
+    const RootOptions options{
+        .density = 1 / (scene.fur.spacing * scene.fur.spacing), .reach = kReach, .lean = 0.3, .comb = {0.6, -0.5, 0.6}};
     auto set = makeRoots(mesh, options);
     if (!set) return set.error();
     auto texture = buildRootTexture(*set); // sorts the roots
@@ -65,7 +67,7 @@ Result<void> growRoots(StrandsScene& scene) {
         scene.fur.shortest = std::min(scene.fur.shortest, static_cast<double>(root.share));
     }
     scene.strands = reference::rootedStrands(std::move(roots));
-    scene.leans = leansOf(mesh, texture->image);
+    scene.grown = grownAt(mesh, texture->image);
     scene.roots = std::move(texture->image);
     return {};
 }

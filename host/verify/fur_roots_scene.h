@@ -17,7 +17,7 @@ struct StrandsScene {
     reference::FurCoat coat;
     reference::FurSwept fur;
     reference::FurStrandsAt strands;
-    std::vector<glm::dvec3> leans; // of the vertices' tips; empty: none
+    std::vector<glm::dvec4> grown; // lean of the vertices' tips, share of the density; empty: none, all
     Image roots;                   // the texture of technique Roots
 };
 

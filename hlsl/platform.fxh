@@ -29,6 +29,8 @@
 #define tex2D(s, uv) s##Map.Sample(s, uv)
 #define tex2Dlod(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
 #define texCUBE(s, direction) s##Map.Sample(s, direction)
+#define tex2Dbias(s, uvzb) s##Map.SampleBias(s, (uvzb).xy, (uvzb).w)
+#define texCUBEbias(s, directionb) s##Map.SampleBias(s, (directionb).xyz, (directionb).w)
 #define SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
 #define SAMPLER2D_ARG(s) s##Map, s
 #define SAMPLER2D_ARG_OF(s, map) map, s

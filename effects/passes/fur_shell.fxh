@@ -19,23 +19,37 @@ FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
 }
 
 // Slope of the map's heights against which the ray falls: how much they rise on its way over the skin while it falls by the coat's height.
-float shellSlope(FurVarying input, float footprint)
+// side: of a pixel, radians of the map.
+float shellSlope(FurVarying input, float side)
 {
     float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
     float3 view = safeNormalize(input.world - gCameraPosition);
     float3 strand = normal + float3(0.0, -2.0 * gFurLean * input.coat.x, 0.0);
     float way = furWayOver(view, normal, strand) * gFurLength * gMeshRadius;
     float pixel = max(length(ddx(input.rest)), length(ddy(input.rest)));
-    return furHeightSlope(gFurDeviation, gFurGrain) * footprint * way / max(pixel, 1e-20);
+    return furHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
 }
 
-// texel: of a fur map looked up at v, colour and coverage (or height) of its strands.
-float4 shell(FurVarying input, float3 v, float4 texel)
+// Of a pixel, radians of the map: its shorter and its longer side.
+float2 shellSides(float3 v)
 {
-    float footprint = max(length(ddx(v)), length(ddy(v)));
-    float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * footprint, texel.a);
+    float2 sides = float2(length(ddx(v)), length(ddy(v)));
+    float longer = max(sides.x, sides.y);
+    return float2(clamp(min(sides.x, sides.y), 0.01 * longer, longer), longer);
+}
+
+// Levels by which the map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up anyway.
+float shellBias(float2 sides)
+{
+    return gFurDeviation > 0.0 ? log2(max(sides.x / max(sides.y, 1e-20), 0.01)) : 0.0;
+}
+
+// texel: of a fur map, colour and coverage (or height) of its strands.
+float4 shell(FurVarying input, float2 sides, float4 texel)
+{
+    float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
     float afar = furAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
-    float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, footprint));
+    float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, sides.y));
     float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
     clip(lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar));
     float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
@@ -44,12 +58,15 @@ float4 shell(FurVarying input, float3 v, float4 texel)
 
 float4 cubeShell(FurVarying input, float3 v)
 {
-    return shell(input, v, texCUBE(gFurCube, furCurled(v, input.coat.x, gFurCurl)));
+    float2 sides = shellSides(v);
+    return shell(input, sides, texCUBEbias(gFurCube, float4(furCurled(v, input.coat.x, gFurCurl), shellBias(sides))));
 }
 
 float4 sphereShell(FurVarying input, float3 v)
 {
-    return shell(input, v, tex2D(gFurSphere, furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl))));
+    float2 sides = shellSides(v);
+    float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
+    return shell(input, sides, tex2Dbias(gFurSphere, float4(place, 0.0, shellBias(sides))));
 }
 
 float4 CubePositionPS(FurVarying input) : SV_Target0

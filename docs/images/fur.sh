@@ -29,7 +29,7 @@ techniques() { # three views x six techniques, with strands wide enough to be se
     for view in left front behind; do
         for technique in CubePosition CubeNormal CubeCombined SpherePosition SphereNormal SphereCombined; do
             render "${technique}_$view" -t "$technique" -w "$out/$view.json" --size "${size}x$size" \
-                --set "gFurCubeMap=$out/fur_cube.dds" --set "gFurSphereMap=$out/fur_sphere.dds"
+                --set "gFurCubeMap=$out/fur_cube.dds" --set "gFurSphereMap=$out/fur_sphere.dds" --set gFurGrain=0.019
             pictures+=("$out/${technique}_$view.png")
         done
     done

@@ -16,6 +16,9 @@ namespace {
 constexpr double kLatticeDensity = 0.875;
 constexpr double kReach = 2.5; // of a root: strands stray, a step and a pixel are wide
 
+constexpr double kMostStrands = 150'000;
+constexpr float kAfar = 2.5F; // times as far as usual
+
 /// Width of a pixel at the mesh, mm.
 double pixelAt(const Scene& scene, const VerifyOptions& options) {
     const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
@@ -72,7 +75,16 @@ Result<void> growRoots(StrandsScene& scene) {
     return {};
 }
 
-/// `pixels`: spacing of the strands in pixels.
+double areaOf(const Mesh& mesh) {
+    double area = 0;
+    for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
+        const auto corner = [&](std::uint32_t c) { return glm::dvec3(mesh.positions[mesh.indices[3 * t + c]]); };
+        area += glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0))) / 2;
+    }
+    return area;
+}
+
+/// `pixels`: spacing of the strands in pixels, unless that were too many.
 Result<StrandsScene> sceneOn(FurScene fur, const VerifyOptions& options, const std::string& technique, double pixels) {
     StrandsScene scene{.name = std::move(fur.name), .technique = technique, .scene = std::move(fur.scene), .coat = fur.coat};
     const double radius = static_cast<double>(scene.scene.mesh.bounds.radius);
@@ -81,7 +93,7 @@ Result<StrandsScene> sceneOn(FurScene fur, const VerifyOptions& options, const s
     scene.coat.lean = 0.3;
     scene.coat.outerFirst = false;
     scene.fur.layers = scene.coat.layers;
-    scene.fur.spacing = pixels * pixelAt(scene.scene, options);
+    scene.fur.spacing = std::max(pixels * pixelAt(scene.scene, options), std::sqrt(areaOf(scene.scene.mesh) / kMostStrands));
     scene.coat.length = std::min(0.2, 4 * scene.fur.spacing / radius);
     scene.fur.thickness = scene.coat.length * radius;
     scene.fur.lean = scene.coat.lean * glm::dvec3(0, -1, 0);
@@ -101,7 +113,10 @@ Result<StrandsScene> strandsNearBy(const VerifyOptions& options, const std::stri
 
 Result<StrandsScene> strandsFarAway(const VerifyOptions& options, const std::string& technique) {
     FurScene ball = furBall(options);
-    if (!options.mesh) ball.name = "ball from afar";
+    if (!options.mesh) {
+        ball.name = "ball from afar";
+        ball.scene.workspace.camera.position *= kAfar;
+    }
     return sceneOn(std::move(ball), options, technique, 1 / 1.5);
 }
 

@@ -30,8 +30,8 @@ struct Place {
     std::vector<double> tilts;
 };
 
-const std::array kPlaces = {Place{"ball", {.radius = 1}, 0, {0, 45, 70, 80, 85, 90}},
-                            Place{"torus, outside", {.ring = 2, .radius = 1}, 0, {45, 70, 85, 90}},
+const std::array kPlaces = {Place{"ball", {.radius = 1}, 0, {0, 45, 60, 70, 75, 80, 85, 90}},
+                            Place{"torus, outside", {.ring = 2, .radius = 1}, 0, {45, 70, 80, 90}},
                             Place{"torus, inside", {.ring = 2, .radius = 1}, 135, {45, 70}}};
 
 struct Row {

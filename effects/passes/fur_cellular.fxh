@@ -14,7 +14,7 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
     float3 high = floor(middle + extent);
     float slab = kFurRho + 0.5 * dot(abs(sweep.normal), 1.0);
     float3 cell = low;
-    [loop] for (int i = 0; i < 125 && cell.z <= high.z; i++)
+    [loop] for (int i = 0; i < 250 && cell.z <= high.z; i++)
     {
         [branch] if (abs(dot(middle - cell - 0.5, sweep.normal)) < slab)
         {

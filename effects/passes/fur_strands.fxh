@@ -7,6 +7,10 @@ static const float kFurStep = 1.0;        // that one step of a sweep goes along
 static const float kFurMostSteps = 8.0;   // of a sweep; what lies beyond is taken as covered as it is to be expected
 static const float kFurOpaque = 0.99;      // coverage beyond which nothing further down is looked for
 static const float kFurFarSegment = 64.0; // added to gFurSegment where only coverage is expected
+static const float kFurLeastCosine = 0.01; // between ray and layer, at which a ray goes on for longest
+// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The longest way is
+// 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
+static const float kFurFarCosine = 1.0 / 6.0;
 
 struct StrandsVarying
 {
@@ -18,6 +22,7 @@ struct StrandsVarying
     centroid float4 lightClip : TEXCOORD4;
     centroid float4 lean : TEXCOORD5;   // of the tips, share of the coat; share of the full density of strands
     centroid float4 growth : TEXCOORD6; // 1 / spacing, 1/mm; coat, spacings; shortest strand, share of the longest; radius of a strand, spacings, over that of the data
+    centroid float2 far : TEXCOORD7;    // least, as in furPath; 1 / mean length of strands, 1 / share of the longest
 };
 
 // What grows at a vertex.
@@ -95,6 +100,8 @@ StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth)
     output.toLight = float4(mul((float3x3)gWorld, gLightPosition - world), furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
     output.lean = float4(growth.lean + gFurLean * furDown(), growth.density);
+    float least = lerp(kFurLeastCosine, kFurFarCosine, furFade(width));
+    output.far = float2(least * least, 2.0 / (1.0 + growth.shortest));
     output.growth = float4(1.0 / growth.spacing, thickness, min(growth.shortest, 0.999), growth.radius);
     return output;
 }
@@ -125,12 +132,13 @@ float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float sh
 }
 
 // Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square
-// spacing; shortest: strand, share of the longest.
-float4 furExpect(float4 met, float fade, float density, float shortest, float2 heights, float way)
+// spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
+float4 furExpect(float4 met, float fade, float density, float shortest, float perLength, float2 heights, float way)
 {
     float2 radius = gFurRadius * furMeanRadius(heights, shortest);
-    float height = dot(radius, heights) / max(radius.x + radius.y, 1e-4); // strands are met as often as they are wide
-    float along = saturate(height * 2.0 / (1.0 + shortest));
+    // Strands are met as often as they are wide: the mean height where the width changes evenly.
+    float height = dot(2.0 * radius + radius.yx, heights) / (3.0 * radius.x + (3.0 * radius.y + 1e-4));
+    float along = saturate(height * perLength);
     met *= 1.0 - fade;
     return met + (1.0 - met.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
 }
@@ -155,7 +163,7 @@ FurSweep furSweep(StrandsVarying input)
     slopes.down = ddy(input.fromEye.xyz);
     slopes.placeAcross = ddx(input.rest.xyz);
     slopes.placeDown = ddy(input.rest.xyz);
-    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.growth.y, slopes);
+    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.growth.y, input.far.x, slopes);
 
     sweep.end = furFall(sweep.path.bow, depth);
     float way = length(sweep.path.travel) * sweep.end;
@@ -212,7 +220,7 @@ float furSkinShadow(float4 lightClip, float3 toLight)
 float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
-    met = furExpect(met, sweep.fade, density * input.lean.w, input.growth.z, float2(top, sweep.bottom), sweep.beyond);
+    met = furExpect(met, sweep.fade, density * input.lean.w, input.growth.z, input.far.y, float2(top, sweep.bottom), sweep.beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;

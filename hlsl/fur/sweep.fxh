@@ -25,14 +25,13 @@ struct FurSlopes
 
 // The layer is a triangle here, on which place and normal change evenly: the ray's way along it, in pixels, gives both. Its own plane counts, not the interpolated
 // normal, for it is on the next layer's plane that the ray will be found. view: unit, towards the skin. strand: how the coat's point moves while the height
-// rises by 1, in coats; coat: the length of one. Rays along the plane are kept from going on for ever.
-static const float kFurLeastCosine = 0.01;
-FurPath furPath(float3 view, float3 strand, float coat, FurSlopes slopes)
+// rises by 1, in coats; coat: the length of one. least: square of the cosine at which rays go on for longest; those along the plane must not for ever.
+FurPath furPath(float3 view, float3 strand, float coat, float least, FurSlopes slopes)
 {
     float3 plane = cross(slopes.across, slopes.down);
     float square = dot(plane, plane) + 1e-20; // where nothing changes
     float fall = dot(view, plane);
-    float way = -dot(strand, plane) * fall / (fall * fall + kFurLeastCosine * kFurLeastCosine * square);
+    float way = -dot(strand, plane) * fall / (fall * fall + least * square);
     float3 along = strand + view * way;
     float2 pixels = float2(dot(cross(along, slopes.down), plane), dot(cross(slopes.across, along), plane)) * (coat / square);
     FurPath path;

@@ -234,7 +234,7 @@ std::vector<FunctionCase> sweeps() {
     cases.push_back({.function = "furPath",
                      .body = "FurSlopes s; s.across = a2; s.down = a3; s.placeAcross = a4; s.placeDown = a5; "
                              "s.normalAcross = a5.yzx; s.normalDown = a4.zxy; "
-                             "FurPath p = furPath(a0, a1, 2.0, s); return float4(p.travel + 100.0 * p.turn, p.bow);",
+                             "FurPath p = furPath(a0, a1, 2.0, 1e-4, s); return float4(p.travel + 100.0 * p.turn, p.bow);",
                      .arguments = {unit(), vector(3, 0.5, 4), vector(3, 0.5, 2), vector(3, 0.5, 2), vector(3, 0.5, 2), vector(3, 0.5, 2)},
                      .expected =
                          [](const Inputs& x) {

@@ -8,12 +8,13 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kLeastCosine = 0.01; // of a ray with the layer
-constexpr double kStraight = 1e-3;    // least bow: over hollow skin rays are taken as straight
-constexpr double kMostSteps = 8;      // of one spacing each; beyond, coverage is expected
-constexpr double kFarSegment = 64;    // spacings that a segment may have where only coverage is expected
-constexpr double kMargin = 0.02;      // doublings: whole numbers stay on one side
-constexpr double kSeen = 0.004;       // an 8-bit target would not show less
+constexpr double kLeastCosine = 0.01;  // of a ray with the layer
+constexpr double kFarCosine = 1.0 / 6; // where only coverage is expected: a pixel's skin bends, and no triangle's tilt is all of it
+constexpr double kStraight = 1e-3;     // least bow: over hollow skin rays are taken as straight
+constexpr double kMostSteps = 8;       // of one spacing each; beyond, coverage is expected
+constexpr double kFarSegment = 64;     // spacings that a segment may have where only coverage is expected
+constexpr double kMargin = 0.02;       // doublings: whole numbers stay on one side
+constexpr double kSeen = 0.004;        // an 8-bit target would not show less
 
 glm::dvec3 unit(const glm::dvec3& v) {
     const double length = glm::length(v);
@@ -159,13 +160,13 @@ double furSpare(const FurSwept& fur, double across, double far) {
     return std::log2(fur.layers / std::max(across / (fur.segment + far * kFarSegment), fur.fewest));
 }
 
-FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright) {
+FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright, double least) {
     const glm::dvec3 u = (facet.positions[1] - facet.positions[0]) / fur.spacing;
     const glm::dvec3 v = (facet.positions[2] - facet.positions[0]) / fur.spacing;
     const glm::dvec3 plane = unit(glm::cross(u, v));
     // Rays along the plane are kept from going on for ever: they are taken as falling a little more steeply.
     const double fall = glm::dot(ray, plane);
-    const glm::dvec3 falling = ray + plane * (kLeastCosine * kLeastCosine / fall);
+    const glm::dvec3 falling = ray + plane * (least / fall);
     // The point of the coat that is 1 below the point (x, y) of the triangle's plane lies on the ray: x u + y v - strand = z ray.
     const glm::dvec3 met = glm::inverse(glm::dmat3(u, v, -falling)) * strand;
     FurPath path;
@@ -250,7 +251,8 @@ FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFr
     Sweep sweep{
         .path = {}, .normal = unit(fragment.normal), .place = fragment.rest / fur.spacing, .height = fragment.height, .width = width};
     const glm::dvec3 strand = coat * (sweep.normal + (sweep.height + bottom) * (fragment.lean + fur.lean));
-    sweep.path = furPath(fur, facet, ray, strand, coat);
+    const double least = across(fragment, [&](int c) { return std::pow(std::lerp(kLeastCosine, kFarCosine, farOf(widthAt(c))), 2); });
+    sweep.path = furPath(fur, facet, ray, strand, coat, least);
     const double end = sweep.end(sweep.height - bottom);
     const double way = glm::length(sweep.path.travel) * end;
     const double step = end / std::max(way, 1.0);

@@ -59,7 +59,9 @@ struct FurPath {
     double bow = 0;
 };
 /// `ray`: unit. `strand`: how a point of the coat moves while its height rises by 1, of which `upright` is along the normal; spacings.
-[[nodiscard]] FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright);
+/// `least`: square of the cosine with the layer at which rays go on for longest.
+[[nodiscard]] FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright,
+                              double least);
 
 struct FurPieceMet {
     double covered = 0;

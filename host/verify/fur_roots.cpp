@@ -154,14 +154,11 @@ Drawn drawReference(const View& view, const glm::dvec3& background) {
 
 Limits limitsOf(const Context& context, bool far) {
     if (far)
-        return {
-            .relativeL2 = 0.03,
-            .p99 = 0.1,
-            .bias = 0.01,
-            .apart = 0.3,
-            .why =
-                "coverage to expect: the trapezoid of the strands' radii at the ends of a segment stands for their integral; the number of "
-                "cells that a sweep may visit"};
+        return {.relativeL2 = 0.015,
+                .p99 = 0.05,
+                .bias = 5e-3,
+                .apart = 0.3,
+                .why = "coverage to expect: the trapezoid of the strands' radii at the ends of a segment stands for their integral"};
     const bool corrected = context.options.setting == "corrected";
     return {.relativeL2 = corrected ? 5e-3 : 0.03,
             .p99 = corrected ? 1e-3 : 0.02,

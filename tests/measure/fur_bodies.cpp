@@ -34,36 +34,29 @@ const std::array kPlaces = {Place{"ball", {.radius = 1}, 0, {0, 45, 60, 70, 75, 
                             Place{"torus, outside", {.ring = 2, .radius = 1}, 0, {45, 70, 80, 90}},
                             Place{"torus, inside", {.ring = 2, .radius = 1}, 135, {45, 70}}};
 
-struct Row {
+struct Count {
     int layers;
     int fewest;
-    std::string name;
 };
+constexpr std::array kCounts = {Count{4, 4}, Count{8, 8}, Count{16, 16}, Count{32, 32}, Count{32, 4}};
 
-std::vector<Row> rows(int most) {
-    std::vector<Row> all;
-    for (int n = 4; n <= most; n *= 2)
-        all.push_back({n, n, std::to_string(n)});
-    all.push_back({32, 4, "by the view"});
-    return all;
-}
-
-void measurePlace(const BodyFur& fur, const Place& place, const BodyView& view, int most, double degrees) {
+/// One row: what sections carried by the skin alone are off by, then what each number of layers is.
+void measurePlace(const BodyFur& fur, const Place& place, const BodyView& view) {
     const BodyPicture cones = fur.truth(view, reference::FurShape::Cones);
-    const BodyPicture carried = fur.truth(view, reference::FurShape::Carried);
-    const BodyError shapes = bodyError(carried, cones, view);
-    const bool outline = degrees >= 90;
-    const auto print = [&](const std::string& layers, const BodyError& toCones, const std::optional<BodyError>& toCarried) {
-        fmt::print("| {} | {:.0f} | {} | {:.3f} | {:+.1f} | {} | {} | {} |\n", place.name, degrees, layers, toCones.rms, 100 * toCones.bias,
-                   toCarried ? fmt::format("{:.3f}", toCarried->rms) : "-", outline ? fmt::format("{:.2f}", toCones.outline) : "-",
-                   outline ? fmt::format("{:+.2f}", toCones.outside) : "-");
-        std::fflush(stdout);
-    };
-    for (const Row& row : rows(most)) {
-        const BodyPicture drawn = need(fur.draw(view, row.layers, row.fewest));
-        print(row.name, bodyError(drawn, cones, view), bodyError(drawn, carried, view));
+    std::vector<BodyError> errors = {bodyError(fur.truth(view, reference::FurShape::Carried), cones, view)};
+    for (const Count& count : kCounts)
+        errors.push_back(bodyError(need(fur.draw(view, count.layers, count.fewest)), cones, view));
+    const double degrees = view.tilt * 180 / std::numbers::pi;
+    fmt::print("| {} | {:.0f} |", place.name, degrees);
+    for (const BodyError& error : errors)
+        fmt::print(" {:.3f}, {:+.1f} % |", error.rms, 100 * error.bias);
+    if (degrees > 89) {
+        fmt::print("\n| {}, outline | {:.0f} |", place.name, degrees);
+        for (const BodyError& error : errors)
+            fmt::print(" {:.2f}, {:+.2f} |", error.outline * view.pixel, error.outside * view.pixel);
     }
-    print("sections carried by the skin", shapes, std::nullopt);
+    fmt::print("\n");
+    std::fflush(stdout);
 }
 
 } // namespace
@@ -71,7 +64,6 @@ void measurePlace(const BodyFur& fur, const Place& place, const BodyView& view, 
 int main(int argc, char** argv) {
     BodyCoat coat;
     BodyView view;
-    int most = 32;
     std::string only;
     CLI::App app{"Straight strands on a ball and a torus: effects/FurRoots.fx beside exact rays"};
     app.add_option("--length", coat.length, "of the coat, share of the body's radius")->capture_default_str();
@@ -79,7 +71,6 @@ int main(int argc, char** argv) {
     app.add_option("--pixel", view.pixel, "spacings")->capture_default_str();
     app.add_option("--size", view.size, "pixels along a side")->capture_default_str();
     app.add_option("--samples", view.samples, "of the truth, along a side of a pixel")->capture_default_str();
-    app.add_option("--most", most, "layers")->capture_default_str();
     app.add_option("--only", only, "ball, or one of the others");
     std::optional<double> tilt;
     app.add_option("--tilt", tilt, "degrees; else several");
@@ -88,14 +79,15 @@ int main(int argc, char** argv) {
     gpu::Device device = need(gpu::Device::create());
     fmt::print("{}: coat of {:.3g} spacings, {} of the radius; pixels of {} spacings, {} x {}\n\n", device.info().name,
                coat.length / coat.spacing, coat.length, view.pixel, view.size, view.size);
-    fmt::print("| body | tilt | layers | RMS | light, % | RMS, carried | outline, px | outside, px |\n|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| body | tilt | sections carried by the skin | 4 layers | 8 | 16 | 32 | by the view |\n|---|---|---|---|---|---|---|---|\n");
     for (const Place& place : kPlaces) {
         if (!only.empty() && only != place.name) continue;
         const BodyFur fur = need(BodyFur::create(device, place.body, coat));
         view.around = radians(place.around);
         for (const double degrees : tilt ? std::vector{*tilt} : place.tilts) {
             view.tilt = radians(degrees);
-            measurePlace(fur, place, view, most, degrees);
+            measurePlace(fur, place, view);
         }
     }
 }

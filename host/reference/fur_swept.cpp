@@ -133,12 +133,12 @@ struct Meeting {
     }
 };
 
-/// Interpolated from the corners.
-template <class Value>
-double across(const FurFragment& fragment, Value&& value) {
-    return fragment.weights.x * value(0) + fragment.weights.y * value(1) + fragment.weights.z * value(2);
+/// Height of the coat, spacings.
+double coatOf(const FurSwept& fur) {
+    return std::max(fur.thickness / fur.spacing, 1.0);
 }
 
+/// 0 strands, 1 only coverage to expect.
 double farOf(double width) {
     return std::clamp(width - 1, 0.0, 1.0);
 }
@@ -226,21 +226,57 @@ FurExpected expectedCover(const FurSwept& fur, double share, double top, double 
     return {.covered = -std::expm1(-share * fur.density * swept), .height = width > 0 ? moment / width : top};
 }
 
+namespace {
+
+/// What is known at the corners of a layer's triangle, interpolated.
+struct Here {
+    double width = 0; // of a pixel
+    double spare = 0; // furSpare
+    double least = 0; // square of the cosine at which rays go on for longest
+};
+
+Here hereOf(const FurSwept& fur, const FurFragment& fragment, const FurFacet& facet, const FurEye& eye) {
+    Here here;
+    for (int c = 0; c < 3; ++c) {
+        const auto corner = static_cast<std::size_t>(c);
+        const glm::dvec3 way = facet.positions[corner] - eye.position;
+        const double width = eye.pixel * glm::length(way) / fur.spacing;
+        const double cosine = std::clamp(-glm::dot(unit(way), unit(facet.normals[corner])), -1.0, 1.0);
+        const double across = coatOf(fur) * std::sqrt(1 - cosine * cosine) / std::max(cosine, kLeastCosine);
+        here.width += fragment.weights[c] * width;
+        here.spare += fragment.weights[c] * furSpare(fur, across, farOf(width));
+        here.least += fragment.weights[c] * std::pow(std::lerp(kLeastCosine, kFarCosine, farOf(width)), 2);
+    }
+    return here;
+}
+
+/// Strands along the sweep, then coverage to expect for what lies beyond them and for strands that are too thin.
+FurMet along(const FurSwept& fur, const FurStrandsAt& strands, const Sweep& sweep, double bottom, double share) {
+    const double far = farOf(sweep.width);
+    const double end = sweep.end(sweep.height - bottom);
+    const double way = glm::length(sweep.path.travel) * end;
+    const double step = end / std::max(way, 1.0);
+    const int pieces = far < 1 ? static_cast<int>(std::min(way, kMostSteps - 1) + 1) : 0;
+    Meeting meeting{.fur = fur, .sweep = sweep};
+    for (int i = 0; i < pieces; ++i)
+        meeting.meetAll(strands, std::min(i * step, end), std::min((i + 1) * step, end));
+
+    const double reached = sweep.heightAt(std::min(pieces * step, end));
+    const FurExpected beyond =
+        expectedCover(fur, share, std::lerp(reached, sweep.height, far), bottom, std::max(way - kMostSteps, way * far));
+    for (double* sum : {&meeting.covered, &meeting.height, &meeting.along, &meeting.tint})
+        *sum *= 1 - far;
+    meeting.add(beyond.covered, beyond.height, std::clamp(2 * beyond.height / (1 + fur.shortest), 0.0, 1.0), 1);
+    const double all = meeting.covered;
+    return all > 0 ? FurMet{all, meeting.height / all, meeting.along / all, meeting.tint / all} : FurMet{};
+}
+
+} // namespace
+
 FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFragment& fragment, const FurFacet& facet,
                    const FurEye& eye) {
-    const glm::dvec3 ray = unit(fragment.position - eye.position);
-    const double coat = std::max(fur.thickness / fur.spacing, 1.0);
-    const auto widthAt = [&](int c) {
-        return eye.pixel * glm::length(facet.positions[static_cast<std::size_t>(c)] - eye.position) / fur.spacing;
-    };
-    const double width = across(fragment, widthAt);
-    const double far = farOf(width);
-    const double spare = across(fragment, [&](int c) {
-        const auto corner = static_cast<std::size_t>(c);
-        const double cosine = std::clamp(-glm::dot(unit(facet.positions[corner] - eye.position), unit(facet.normals[corner])), -1.0, 1.0);
-        return furSpare(fur, coat * std::sqrt(1 - cosine * cosine) / std::max(cosine, kLeastCosine), farOf(widthAt(c)));
-    });
-    const double doublings = std::max(spare + kMargin, 0.0);
+    const Here here = hereOf(fur, fragment, facet, eye);
+    const double doublings = std::max(here.spare + kMargin, 0.0);
     const int stride = static_cast<int>(std::exp2(std::floor(doublings)));
     FurSeen seen{.met = {},
                  .drawn = (fur.layers - fragment.layer) % stride == 0,
@@ -248,31 +284,15 @@ FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFr
     if (!seen.drawn) return seen;
 
     const double bottom = std::max(0.0, static_cast<double>(fragment.layer - stride) / fur.layers);
-    Sweep sweep{
-        .path = {}, .normal = unit(fragment.normal), .place = fragment.rest / fur.spacing, .height = fragment.height, .width = width};
-    const glm::dvec3 strand = coat * (sweep.normal + (sweep.height + bottom) * (fragment.lean + fur.lean));
-    const double least = across(fragment, [&](int c) { return std::pow(std::lerp(kLeastCosine, kFarCosine, farOf(widthAt(c))), 2); });
-    sweep.path = furPath(fur, facet, ray, strand, coat, least);
-    const double end = sweep.end(sweep.height - bottom);
-    const double way = glm::length(sweep.path.travel) * end;
-    const double step = end / std::max(way, 1.0);
-    Meeting meeting{.fur = fur, .sweep = sweep};
-    const int pieces = far < 1 ? static_cast<int>(std::min(way, kMostSteps - 1) + 1) : 0;
-    for (int i = 0; i < pieces; ++i)
-        meeting.meetAll(strands, std::min(i * step, end), std::min((i + 1) * step, end));
-
-    const double reached = sweep.heightAt(std::min(pieces * step, end));
-    const FurExpected beyond = expectedCover(fur, fragment.share, std::lerp(reached, sweep.height, far), bottom,
-                                             std::lerp(std::max(way - kMostSteps, 0.0), way, far));
-    for (double* sum : {&meeting.covered, &meeting.height, &meeting.along, &meeting.tint})
-        *sum *= 1 - far;
-    meeting.add(beyond.covered, beyond.height, std::clamp(2 * beyond.height / (1 + fur.shortest), 0.0, 1.0), 1);
-    if (meeting.covered < kSeen) {
-        seen.drawn = false;
-        return seen;
-    }
-    const double all = meeting.covered;
-    seen.met = {.covered = all, .height = meeting.height / all, .along = meeting.along / all, .tint = meeting.tint / all};
+    const glm::dvec3 normal = unit(fragment.normal);
+    const glm::dvec3 strand = coatOf(fur) * (normal + (fragment.height + bottom) * (fragment.lean + fur.lean));
+    const Sweep sweep{.path = furPath(fur, facet, unit(fragment.position - eye.position), strand, coatOf(fur), here.least),
+                      .normal = normal,
+                      .place = fragment.rest / fur.spacing,
+                      .height = fragment.height,
+                      .width = here.width};
+    seen.met = along(fur, strands, sweep, bottom, fragment.share);
+    seen.drawn = seen.met.covered >= kSeen;
     return seen;
 }
 

@@ -160,13 +160,14 @@ Limits limitsOf(const Context& context, bool far) {
                 .apart = 0.3,
                 .why = "coverage to expect: the trapezoid of the strands' radii at the ends of a segment stands for their integral"};
     const bool corrected = context.options.setting == "corrected";
-    return {.relativeL2 = corrected ? 5e-3 : 0.03,
+    return {.relativeL2 = corrected ? 0.02 : 0.03,
             .p99 = corrected ? 1e-3 : 0.02,
             .p999 = 0.1,
             .bias = 1e-3,
             .apart = 0.3,
-            .why = corrected ? "32-bit floats: where a ray grazes a strand, the root of a difference says how much of the pixel is covered"
-                             : "the shadow's tolerance is a share of z/w, which is not quite that share of the way to the light"};
+            .why = corrected
+                       ? "single pixels where rounding decides: whether a ray grazes a strand, which of two layers at one depth is seen"
+                       : "the shadow's tolerance is a share of z/w, which is not quite that share of the way to the light"};
 }
 
 Result<void> comparePart(ModuleReport& report, const Context& context, const StrandsScene& scene, bool far) {

@@ -65,6 +65,9 @@ struct View {
     /// Where one texel is looked up its centre lies up to half a texel aside along both axes: all say the same.
     [[nodiscard]] bool shadowIsTold(const FurFragment& fragment) const {
         if (isFiltered(fragment)) return !truth.skin.nearShadowEdge(onSkin(fragment), kShadowEdge);
+        // What the coat has outside of the light's pyramid, which is fitted to the mesh, is looked up at the map's border.
+        const glm::dvec2 onMap = truth.light.project(fragment.position);
+        if (std::min({onMap.x, onMap.y, 1 - onMap.x, 1 - onMap.y}) < 0) return false;
         const bool here = lit(fragment);
         const double step = 0.55 * truth.light.footprint(glm::dot(fragment.position - truth.light.eye, truth.light.forward));
         for (const glm::dvec2& offset : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)})

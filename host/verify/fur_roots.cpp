@@ -199,7 +199,7 @@ Result<void> comparePart(ModuleReport& report, const Context& context, const Str
     if (!compared) return compared;
     noteApart(report, subject, exact.counts, exact.covered,
               "outlines of any layer; strands, and skin in the printed settings, half a texel of the shadow map from where light is cut "
-              "off; skin " +
+              "off, or outside of it; skin " +
                   std::string(kShadowApart));
     return {};
 }

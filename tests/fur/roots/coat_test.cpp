@@ -1,5 +1,6 @@
 // Lean and density of the coat, as shaders read them at vertices, against what they are there.
 #include "meshprep/fur/roots/root_texture.h"
+#include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 
 #include "meshprep/fur/roots/scatter.h"
@@ -10,26 +11,6 @@ using namespace tegument;
 using namespace tegument::testing_roots;
 
 namespace {
-
-struct Built {
-    Mesh mesh;
-    RootSet set;
-    RootTexture texture;
-
-    [[nodiscard]] glm::vec4 coat(const glm::vec3& place) const { return coatAround(texture.image, place); }
-};
-
-Built build(Mesh mesh, const RootOptions& options) {
-    Built built{.mesh = std::move(mesh), .set = {}, .texture = {}};
-    auto set = makeRoots(built.mesh, options);
-    EXPECT_TRUE(set) << format(set.error());
-    if (!set) return built;
-    built.set = *std::move(set);
-    auto texture = buildRootTexture(built.set);
-    EXPECT_TRUE(texture) << format(texture.error());
-    if (texture) built.texture = *std::move(texture);
-    return built;
-}
 
 FurMap halves(float left, float right) {
     Image image{.width = 2, .height = 1, .channels = 1, .pixels = {left, right}, .metadata = {}};

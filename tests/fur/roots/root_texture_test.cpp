@@ -1,5 +1,6 @@
 // The roots' texture, read as a shader reads it, against all roots one by one.
 #include "meshprep/fur/roots/root_texture.h"
+#include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 
 #include "meshprep/fur/roots/scatter.h"
@@ -11,24 +12,6 @@ using namespace tegument;
 using namespace tegument::testing_roots;
 
 namespace {
-
-struct Built {
-    Mesh mesh;
-    RootSet set;
-    RootTexture texture;
-};
-
-Built build(Mesh mesh, const RootOptions& options) {
-    Built built{.mesh = std::move(mesh), .set = {}, .texture = {}};
-    auto set = makeRoots(built.mesh, options);
-    EXPECT_TRUE(set) << format(set.error());
-    if (!set) return built;
-    built.set = *std::move(set);
-    auto texture = buildRootTexture(built.set);
-    EXPECT_TRUE(texture) << format(texture.error());
-    if (texture) built.texture = *std::move(texture);
-    return built;
-}
 
 class RootTextures : public testing::TestWithParam<double> {};
 

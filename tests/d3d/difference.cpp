@@ -89,6 +89,8 @@ const std::vector<Exception>& exceptions() {
         "bit is 1.2e-4 mm, and t counts in mm";
     static const std::string kShadowEdge = "a depth one step apart turns a comparison at the edge of a shadow";
     static const std::string kAlphaTest = "a coverage one step apart turns the alpha test of a layer";
+    static const std::string kStrand = "a distance one step apart turns whether a ray grazes a strand";
+    constexpr double kTwoPixels = 2.0 / (kPictureWidth * kPictureHeight);
     constexpr double kFourPixels = 4.0 / (kPictureWidth * kPictureHeight);
     static const std::vector<Exception> all = {
         {Engine::Direct3D9, "Convolution_", "gIrradiance", 5e-3, 0.25, kRounding},
@@ -99,6 +101,9 @@ const std::vector<Exception>& exceptions() {
         {Engine::Direct3D9, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
         {Engine::Direct3D10, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
         {Engine::Direct3D11, "Fur_", "picture", 5e-2, kFourPixels, kAlphaTest},
+        {Engine::Direct3D9, "FurRoots_", "picture", 2.5e-2, kTwoPixels, kStrand},
+        {Engine::Direct3D10, "FurRoots_", "picture", 1e-2, kTwoPixels, kStrand},
+        {Engine::Direct3D11, "FurRoots_", "picture", 1e-2, kTwoPixels, kStrand},
         {Engine::Direct3D9, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D10, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D11, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},

@@ -8,11 +8,15 @@ target_compile_features(tegument_options INTERFACE cxx_std_20)
 target_compile_options(tegument_options INTERFACE
   "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-Werror;-Wno-missing-field-initializers>"
   "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>>")
+set(sanitizers_address -fsanitize=address,undefined -fno-sanitize-recover=all)
+set(sanitizers_thread -fsanitize=thread)
 if(TEGUMENT_SANITIZE)
+  if(NOT DEFINED sanitizers_${TEGUMENT_SANITIZE})
+    message(FATAL_ERROR "TEGUMENT_SANITIZE is '${TEGUMENT_SANITIZE}': address, thread or OFF")
+  endif()
   # Asserts, ours and libstdc++'s, are on here and only here: every other build that runs the tests is a release.
-  target_compile_options(tegument_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-    -UNDEBUG -D_GLIBCXX_ASSERTIONS)
-  target_link_options(tegument_options INTERFACE -fsanitize=address,undefined)
+  target_compile_options(tegument_options INTERFACE ${sanitizers_${TEGUMENT_SANITIZE}} -fno-omit-frame-pointer -UNDEBUG -D_GLIBCXX_ASSERTIONS)
+  target_link_options(tegument_options INTERFACE ${sanitizers_${TEGUMENT_SANITIZE}})
 endif()
 if(TEGUMENT_FUZZ)
   target_compile_options(tegument_options INTERFACE -fsanitize=fuzzer-no-link)

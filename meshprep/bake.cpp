@@ -1,12 +1,12 @@
 #include "meshprep/bake.h"
 
+#include "host/support/parallel.h"
+
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 namespace tegument {
 
@@ -29,17 +29,7 @@ public:
     Image bake(int channels, const TexelFunction& texel) {
         Image image{.width = size_, .height = size_, .channels = channels, .pixels = {}};
         image.pixels.resize(owner_.size() * static_cast<std::size_t>(channels));
-        std::atomic<int> next = 0;
-        const auto work = [&] {
-            for (int row = next++; row < size_; row = next++)
-                bakeRow(row, image, texel);
-        };
-        {
-            std::vector<std::jthread> threads;
-            for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-                threads.emplace_back(work);
-            work();
-        }
+        forEachInParallel(static_cast<std::size_t>(size_), [&](std::size_t row) { bakeRow(static_cast<int>(row), image, texel); });
         spread(image);
         return image;
     }

@@ -1,7 +1,7 @@
 #include "host/reference/bssrdf.h"
 
 #include "host/reference/bssrdf_cache.h"
-#include "host/reference/parallel.h"
+#include "host/support/parallel.h"
 
 #include <algorithm>
 #include <cmath>

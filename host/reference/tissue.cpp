@@ -1,6 +1,6 @@
 #include "host/reference/tissue.h"
 
-#include "host/reference/parallel.h"
+#include "host/support/parallel.h"
 
 #include <glm/glm.hpp>
 

@@ -6,9 +6,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <thread>
 
 #include <fcntl.h>
@@ -61,18 +63,86 @@ struct Started {
     int output;
 };
 
+/// What a child becomes; it outlives the fork.
+struct Program {
+    const char* file;
+    char** arguments;
+    char** environment;
+    int output;
+    sigset_t signals; // that the caller's thread blocks: the child inherits those of the thread that forks
+};
+
 /// In the child, between fork and exec, where only async-signal-safe calls are allowed.
-[[noreturn]] void becomeProgram(const char* program, char** arguments, char** environment, int output, pid_t parent) {
+[[noreturn]] void become(const Program& program, pid_t parent) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL); // no orphan keeps a display or a Wine server alive when we are killed
     if (getppid() != parent) _exit(126);
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
-    dup2(output, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
-    execve(program, arguments, environment);
+    dup2(program.output, STDOUT_FILENO);
+    dup2(program.output, STDERR_FILENO);
+    sigprocmask(SIG_SETMASK, &program.signals, nullptr);
+    execve(program.file, program.arguments, program.environment);
     _exit(127);
 }
+
+struct Forked {
+    pid_t id;
+    int error; // errno when there is no child
+};
+
+/// The system ends a child when the thread that forked it ends, not when the process does: one thread that never ends forks them all.
+class Forker {
+public:
+    Forked fork(const Program& program) {
+        const std::scoped_lock one(callers_);
+        std::unique_lock lock(mutex_);
+        program_ = &program;
+        changed_.notify_all();
+        changed_.wait(lock, [&] { return forked_.has_value(); });
+        const Forked result = *forked_;
+        forked_.reset();
+        return result;
+    }
+
+    /// Never destroyed: its thread waits in it until the process ends. A copy of this process made by fork has no such thread, and gets one.
+    static Forker& ofThisProcess() {
+        static std::mutex mutex;
+        static Forker* forker = nullptr;
+        static pid_t owner = 0;
+        const std::scoped_lock lock(mutex);
+        if (owner != getpid()) forker = new Forker;
+        owner = getpid();
+        return *forker;
+    }
+
+private:
+    Forker() {
+        std::thread([this] { work(); }).detach();
+    }
+
+    [[noreturn]] void work() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, nullptr); // signals of the process belong to the program's own threads
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            changed_.wait(lock, [&] { return program_ != nullptr; });
+            const pid_t parent = getpid();
+            const pid_t id = ::fork();
+            if (id == 0) become(*program_, parent);
+            forked_ = Forked{id, errno};
+            program_ = nullptr;
+            changed_.notify_all();
+        }
+    }
+
+    std::mutex callers_;
+    std::mutex mutex_; // guards the rest
+    std::condition_variable changed_;
+    const Program* program_ = nullptr;
+    std::optional<Forked> forked_;
+};
 
 Error cannotStart(const std::string& name, const std::string& why) {
     return machineError(5003, fmt::format("cannot start {}: {}", name, why));
@@ -89,12 +159,13 @@ Result<Started> spawn(const ProcessCommand& command) {
     std::vector<std::string> environment = mergedEnvironment(command);
     const std::vector<char*> argumentPointers = pointers(arguments);
     const std::vector<char*> environmentPointers = pointers(environment);
-    const pid_t parent = getpid();
-    const pid_t id = fork();
-    if (id == 0)
-        becomeProgram(program->c_str(), const_cast<char**>(argumentPointers.data()), const_cast<char**>(environmentPointers.data()),
-                      ends[1], parent);
-    const int error = errno;
+    Program child{.file = program->c_str(),
+                  .arguments = const_cast<char**>(argumentPointers.data()),
+                  .environment = const_cast<char**>(environmentPointers.data()),
+                  .output = ends[1],
+                  .signals = {}};
+    pthread_sigmask(SIG_SETMASK, nullptr, &child.signals);
+    const auto [id, error] = Forker::ofThisProcess().fork(child);
     close(ends[1]);
     if (id < 0) {
         close(ends[0]);
@@ -102,6 +173,30 @@ Result<Started> spawn(const ProcessCommand& command) {
     }
     setpgid(id, id); // the child does the same; whoever is first, the group exists before anyone signals it
     return Started{id, ends[0]};
+}
+
+enum class ChildState { Running, Ended, NotOurs };
+
+/// Leaves a child that has ended to be waited for: until then nobody else gets its number, nor that of its group, and both may be signalled.
+/// Not ours: someone else has waited for it, or the system does where SIGCHLD is ignored; its numbers may be anybody's.
+ChildState stateOf(pid_t id) {
+    siginfo_t info{};
+    int failed = 0;
+    do
+        failed = waitid(P_PID, static_cast<id_t>(id), &info, WEXITED | WNOHANG | WNOWAIT);
+    while (failed != 0 && errno == EINTR);
+    if (failed != 0) return ChildState::NotOurs;
+    return info.si_pid == 0 ? ChildState::Running : ChildState::Ended;
+}
+
+/// Waits until it ends, and gives its number back to the system. Nothing if it was not ours any more.
+std::optional<int> reap(pid_t id) {
+    int status = 0;
+    pid_t done = 0;
+    do
+        done = waitpid(id, &status, 0);
+    while (done < 0 && errno == EINTR);
+    return done == id ? std::optional(status) : std::nullopt;
 }
 
 /// Appends what is there within the time. False at the end of the stream.
@@ -141,14 +236,12 @@ Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSe
     if (!started) return started.error();
     const auto end = after(timeoutSeconds);
     ProcessResult result;
-    int status = 0;
     bool open = true;
     // The program's own end counts, not the end of its output: what it leaves behind (Wine's server) may hold the pipe open.
-    while (waitpid(started->id, &status, WNOHANG) == 0) {
+    while (stateOf(started->id) == ChildState::Running) {
         if (Clock::now() >= end) {
             result.timedOut = true;
             kill(-started->id, SIGKILL);
-            waitpid(started->id, &status, 0);
             break;
         }
         constexpr int kTick = 5;
@@ -160,7 +253,9 @@ Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSe
     for (std::size_t before = 0; open && (open = readSome(started->output, 0, result.output), result.output.size() != before);)
         before = result.output.size();
     close(started->output);
-    result.exitCode = exitCode(status);
+    const auto status = reap(started->id);
+    if (!status) return machineError(5003, fmt::format("how {} ended is not known: SIGCHLD is ignored here", command.arguments.at(0)));
+    result.exitCode = exitCode(*status);
     return result;
 }
 
@@ -199,20 +294,21 @@ std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {
 }
 
 bool BackgroundProcess::running() {
-    return id_ > 0 && waitpid(id_, nullptr, WNOHANG) == 0;
+    return id_ > 0 && stateOf(id_) == ChildState::Running;
 }
 
 void BackgroundProcess::stop() {
     if (output_ >= 0) close(output_);
-    if (id_ > 0) {
-        kill(-id_, SIGTERM);
-        const auto end = after(2);
-        while (waitpid(id_, nullptr, WNOHANG) == 0 && Clock::now() < end)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        if (kill(-id_, SIGKILL) == 0) waitpid(id_, nullptr, 0);
-    }
-    id_ = -1;
     output_ = -1;
+    const pid_t id = std::exchange(id_, -1);
+    if (id <= 0 || stateOf(id) == ChildState::NotOurs) return;
+    kill(-id, SIGTERM);
+    const auto end = after(2);
+    while (stateOf(id) == ChildState::Running && Clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (stateOf(id) == ChildState::NotOurs) return;
+    kill(-id, SIGKILL); // what it started and left in its group, too
+    reap(id);
 }
 
 } // namespace tegument

@@ -27,10 +27,12 @@ struct ProcessResult {
 /// The program's file, if there is one that we may execute.
 [[nodiscard]] std::optional<std::filesystem::path> findProgram(const std::string& name);
 
-/// Runs to the end, or kills the whole process group after `timeoutSeconds`. TG5003 if it cannot be started.
+/// Runs to the end, or kills the whole process group after `timeoutSeconds`. TG5003 if it cannot be started, or if its exit code is lost
+/// because the process ignores SIGCHLD.
 [[nodiscard]] Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSeconds);
 
-/// Runs beside us; ended with its process group on destruction, and by the system when we die.
+/// Runs beside us, whichever thread started it; ended with its process group on destruction, and by the system when we die. Its number is
+/// given back on destruction only: no other process is ever signalled in its place.
 class BackgroundProcess {
 public:
     /// TG5003 if it cannot be started.

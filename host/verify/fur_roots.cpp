@@ -1,7 +1,7 @@
 // Module FurRoots: strands near by and far away, every fragment of every layer swept in double precision.
 
 #include "host/image/dds.h"
-#include "host/reference/parallel.h"
+#include "host/support/parallel.h"
 #include "host/verify/fur_roots_scene.h"
 #include "host/verify/truth.h"
 
@@ -133,7 +133,7 @@ Drawn drawReference(const View& view, const glm::dvec3& background) {
     Drawn drawn{.picture = blank(size, size, 3), .counts = {}, .covered = {}};
     drawn.counts.resize(pixels);
     drawn.covered.resize(pixels);
-    reference::forEachInParallel(pixels, [&](std::size_t pixel) {
+    forEachInParallel(pixels, [&](std::size_t pixel) {
         const int x = static_cast<int>(pixel % static_cast<std::size_t>(size));
         const int y = static_cast<int>(pixel / static_cast<std::size_t>(size));
         glm::dvec3 sum = background;

@@ -1,7 +1,7 @@
 #include "meshprep/prepare/root_mapping.h"
 
 #include "host/scene/normals.h"
-#include "meshprep/fur/roots/parallel.h"
+#include "host/support/parallel.h"
 #include "meshprep/fur/roots/point_grid.h"
 #include "meshprep/fur/roots/roots.h"
 #include "meshprep/fur/roots/scatter.h"

@@ -1,8 +1,8 @@
 #include "tests/measure/body_fur.h"
 
 #include "host/image/dds.h"
-#include "host/reference/parallel.h"
 #include "host/reference/pinhole.h"
+#include "host/support/parallel.h"
 #include "meshprep/fur/roots/root_texture.h"
 
 #include <fmt/format.h>
@@ -169,7 +169,7 @@ BodyPicture BodyFur::truth(const BodyView& view, reference::FurShape shape) cons
                            glm::radians(static_cast<double>(workspace.camera.horizontalFov)), side, side);
     const auto pixels = static_cast<std::size_t>(view.size) * static_cast<std::size_t>(view.size);
     BodyPicture picture{.shade = std::vector<double>(pixels, 0.0), .covered = std::vector<double>(pixels, 0.0)};
-    reference::forEachInParallel(pixels, [&](std::size_t pixel) {
+    forEachInParallel(pixels, [&](std::size_t pixel) {
         const int x = static_cast<int>(pixel % static_cast<std::size_t>(view.size)) * view.samples;
         const int y = static_cast<int>(pixel / static_cast<std::size_t>(view.size)) * view.samples;
         const double share = 1.0 / (view.samples * view.samples);

@@ -1,8 +1,8 @@
 // What the eye sees of a mesh by the surface integral: shadows, plain material, slabs; points chosen; results kept on disk.
 
 #include "host/reference/bssrdf.h"
-#include "host/reference/parallel.h"
 #include "host/support/file.h"
+#include "host/support/parallel.h"
 #include "tests/reference/meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "meshprep/fur/roots/limits.h"
 
-#include "meshprep/fur/roots/parallel.h"
+#include "host/support/parallel.h"
 #include "meshprep/fur/roots/point_grid.h"
 
 #include <embree3/rtcore.h>

@@ -1,6 +1,6 @@
 #include "meshprep/fur/roots/root_texture.h"
 
-#include "meshprep/fur/roots/parallel.h"
+#include "host/support/parallel.h"
 
 #include <fmt/format.h>
 
@@ -159,7 +159,7 @@ private:
     }
 
     void findCells() {
-        touched_.resize(threadCount(threads_));
+        touched_.resize(chunkCount(set_.roots.size()));
         inChunks(set_.roots.size(), threads_, [&](std::size_t first, std::size_t last, std::size_t chunk) {
             Touched& own = touched_[chunk];
             own.perRoot.reserve(last - first);

@@ -1,7 +1,7 @@
 #include "meshprep/fur/roots/roots.h"
 
+#include "host/support/parallel.h"
 #include "meshprep/fur/roots/limits.h"
-#include "meshprep/fur/roots/parallel.h"
 #include "meshprep/fur/roots/scatter.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "meshprep/fur/roots/scatter.h"
 
-#include "meshprep/fur/roots/parallel.h"
+#include "host/support/parallel.h"
 #include "meshprep/fur/roots/point_grid.h"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ private:
     }
 
     [[nodiscard]] std::vector<Candidate> throwDarts() const {
-        std::vector<std::vector<Candidate>> left(threadCount(options_.threads));
+        std::vector<std::vector<Candidate>> left(chunkCount(open_.size()));
         inChunks(open_.size(), options_.threads, [&](std::size_t from, std::size_t to, std::size_t chunk) {
             for (std::size_t i = from; i < to; ++i)
                 for (std::size_t dart = 0; dart < open_[i].darts; ++dart)

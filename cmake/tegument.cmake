@@ -1,4 +1,4 @@
-# Warnings, sanitizers, and the two functions that every folder uses.
+# Warnings, sanitizers, and how a folder becomes a library.
 
 add_library(tegument_options INTERFACE)
 target_include_directories(tegument_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/tegument>)
@@ -17,6 +17,8 @@ if(TEGUMENT_SANITIZE)
   # Asserts, ours and libstdc++'s, are on here and only here: every other build that runs the tests is a release.
   target_compile_options(tegument_options INTERFACE ${sanitizers_${TEGUMENT_SANITIZE}} -fno-omit-frame-pointer -UNDEBUG -D_GLIBCXX_ASSERTIONS)
   target_link_options(tegument_options INTERFACE ${sanitizers_${TEGUMENT_SANITIZE}})
+  target_sources(tegument_options INTERFACE
+    "$<BUILD_INTERFACE:$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/tests/runner/sanitizer_options.cpp>>")
 endif()
 if(TEGUMENT_FUZZ)
   target_compile_options(tegument_options INTERFACE -fsanitize=fuzzer-no-link)
@@ -30,15 +32,4 @@ function(tegument_library name)
   endif()
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC tegument_options ${ARGN})
-endfunction()
-
-# tegument_tests(name LABEL libs...): one GoogleTest program of every *_test.cpp in the current folder, run from the repository root.
-function(tegument_tests name label)
-  file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
-  if(NOT sources)
-    return()
-  endif()
-  add_executable(${name} ${sources})
-  target_link_libraries(${name} PRIVATE tegument_options ${ARGN} GTest::gtest GTest::gtest_main)
-  gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTIES LABELS ${label} DISCOVERY_MODE PRE_TEST)
 endfunction()

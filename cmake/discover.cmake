@@ -1,0 +1,31 @@
+# Included by ctest when it starts: every case of a GoogleTest program becomes a test. CMake's own gtest_discover_tests calls a test skipped when
+# the output has GoogleTest's mark of a skip in it, whatever the exit code says, and ctest only ever adds such expressions.
+# A program that is not there, that cannot list its cases or has none becomes a test that fails: there is no program of its name to run.
+if(NOT EXISTS ${program})
+  add_test(${name}_is_not_built ${program}_is_not_built)
+  return()
+endif()
+set(list ${program}.cases)
+if(NOT EXISTS ${list} OR NOT ${list} IS_NEWER_THAN ${program})
+  execute_process(COMMAND ${program} --gtest_list_tests WORKING_DIRECTORY ${folder} OUTPUT_VARIABLE output ERROR_VARIABLE error
+                  RESULT_VARIABLE status TIMEOUT 120)
+  string(REGEX REPLACE " +#[^\n]*" "" output "${output}") # values of parameters may hold what CMake's lists choke on
+  if(NOT status EQUAL 0 OR NOT output MATCHES "\n  ")
+    message("${program} --gtest_list_tests ended with ${status}\n${output}${error}")
+    add_test(${name}_lists_no_cases ${program}_lists_no_cases)
+    return()
+  endif()
+  file(WRITE ${list} "${output}")
+endif()
+file(STRINGS ${list} lines)
+foreach(line IN LISTS lines)
+  if(line MATCHES "^([A-Za-z0-9_/]+)\\.$")
+    set(suite ${CMAKE_MATCH_1})
+  elseif(line MATCHES "^  ([A-Za-z0-9_/]+)$")
+    add_test(${suite}.${CMAKE_MATCH_1} ${program} --gtest_filter=${suite}.${CMAKE_MATCH_1})
+    set_tests_properties(${suite}.${CMAKE_MATCH_1} PROPERTIES WORKING_DIRECTORY ${folder} ${properties})
+  else()
+    message("${program} --gtest_list_tests: cannot read '${line}'")
+    add_test(${name}_lists_no_cases ${program}_lists_no_cases)
+  endif()
+endforeach()

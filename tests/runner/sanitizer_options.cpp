@@ -1,0 +1,19 @@
+// In every program of a sanitized build. An exit code of its own: 1 is also what the program says of a faulty input, and tests expect that.
+
+extern "C" {
+
+const char* __asan_default_options();
+const char* __asan_default_options() {
+    return "exitcode=86:detect_stack_use_after_return=1:check_initialization_order=1:strict_string_checks=1";
+}
+
+const char* __ubsan_default_options();
+const char* __ubsan_default_options() {
+    return "print_stacktrace=1";
+}
+
+const char* __tsan_default_options();
+const char* __tsan_default_options() {
+    return "exitcode=86:second_deadlock_stack=1";
+}
+}

@@ -30,7 +30,6 @@ void forEachInParallel(std::size_t count, const std::function<void(std::size_t i
 
 /// Calls work(first, last, chunk) for the chunks of [0, count), in order the items of chunk 0, 1 .. chunkCount(count) - 1. For items that
 /// are too cheap to be handed out one by one. Exceptions as with forEachInParallel.
-void inChunks(std::size_t count, unsigned threads,
-              const std::function<void(std::size_t first, std::size_t last, std::size_t chunk)>& work);
+void inChunks(std::size_t count, unsigned threads, const std::function<void(std::size_t first, std::size_t last, std::size_t chunk)>& work);
 
 } // namespace tegument

@@ -105,7 +105,8 @@ public:
         return result;
     }
 
-    /// Never destroyed: its thread waits in it until the process ends. A copy of this process made by fork has no such thread, and gets one.
+    /// Never destroyed: its thread waits in it until the process ends. A copy of this process made by fork has no such thread, and gets
+    /// one.
     static Forker& ofThisProcess() {
         static std::mutex mutex;
         static Forker* forker = nullptr;
@@ -177,8 +178,8 @@ Result<Started> spawn(const ProcessCommand& command) {
 
 enum class ChildState { Running, Ended, NotOurs };
 
-/// Leaves a child that has ended to be waited for: until then nobody else gets its number, nor that of its group, and both may be signalled.
-/// Not ours: someone else has waited for it, or the system does where SIGCHLD is ignored; its numbers may be anybody's.
+/// Leaves a child that has ended to be waited for: until then nobody else gets its number, nor that of its group, and both may be
+/// signalled. Not ours: someone else has waited for it, or the system does where SIGCHLD is ignored; its numbers may be anybody's.
 ChildState stateOf(pid_t id) {
     siginfo_t info{};
     int failed = 0;

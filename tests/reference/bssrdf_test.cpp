@@ -2,12 +2,10 @@
 
 #include "host/reference/bssrdf.h"
 #include "host/support/file.h"
-#include "host/support/parallel.h"
 #include "tests/reference/meshes.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -228,16 +226,6 @@ TEST_F(BssrdfCache, computes_again_what_was_cut_short_or_changed) {
         EXPECT_TRUE(computed) << damaged.size() << " bytes";
         EXPECT_EQ(value, truth);
     }
-}
-
-TEST(Parallel, does_every_item_once_and_says_when_all_are_done) {
-    std::vector<std::atomic<int>> calls(1000);
-    std::size_t last = 0;
-    forEachInParallel(
-        calls.size(), [&](std::size_t i) { ++calls[i]; }, [&](std::size_t done, std::size_t) { last = std::max(last, done); });
-    for (const auto& count : calls)
-        EXPECT_EQ(count, 1);
-    EXPECT_EQ(last, calls.size());
 }
 
 TEST(Burley, half_plane_is_the_integral_of_what_lies_within_each_radius) {

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 if importlib.util.find_spec("matplotlib") is None:
-    print("matplotlib is not installed")
+    print("skipped: matplotlib is not installed")
     sys.exit(77)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]

@@ -135,6 +135,39 @@ def cpp_files_are_formatted(root):
     yield from (line for line in messages.splitlines() if " error: " in line)
 
 
+def tests_are_registered_where_no_failure_is_lost(root):
+    """cmake/tests.cmake decides by exit codes; what else ctest offers takes a failure for a skip, or a case out of the run."""
+    ways = r"\b(?:add_test|gtest_discover_tests|gtest_add_tests)\s*\(|\bSKIP_REGULAR_EXPRESSION\b|\bSKIP_RETURN_CODE\b|\bWILL_FAIL\b|\bgtest_main\b"
+    for path, number, match in lines_with(root / "tests", {".txt", ".cmake"}, ways):
+        yield f"{path}:{number}: {match[0]}"
+    for path, number, match in lines_with(root / "tests", {".cpp", ".h"}, r"\bDISABLED_\w+"):
+        yield f"{path}:{number}: {match[0]}"
+
+
+def is_built(path):
+    """By a glob or by its name, in a CMakeLists.txt of its folder or above it."""
+    for folder in path.parents:
+        recipe = text_of(folder / "CMakeLists.txt")
+        named = re.search(rf"(?<![\w.-]){re.escape(path.relative_to(folder).as_posix())}(?![\w.-])", recipe)
+        globbed = "GLOB sources CONFIGURE_DEPENDS *.cpp" in recipe or (
+            path.name.endswith("_test.cpp") and ("tegument_tests(" in recipe or "GLOB sources CONFIGURE_DEPENDS *_test.cpp" in recipe))
+        if named or (globbed and folder == path.parent):
+            return True
+    return False
+
+
+def every_test_is_built(root):
+    for path in files(root / "tests", {".cpp"}):
+        if re.search(r"^(?:TYPED_)?TEST(?:_[FP])?\(", text_of(path), re.M) and not is_built(path):
+            yield f"{path}: no CMakeLists.txt builds it"
+    for recipe in files(root / "tests", {".txt"}):
+        folder, above = recipe.parent, text_of(recipe.parent.parent / "CMakeLists.txt")
+        if recipe.name != "CMakeLists.txt" or folder == root / "tests" or folder.name in ("fuzz", "consumer"):
+            continue
+        if f"add_subdirectory({folder.name})" not in above:
+            yield f"{recipe}: the folder above does not add it"
+
+
 def listed_switches(root):
     return set(re.findall(r"`((?:FX|TEGUMENT)_\w+)", text_of(root / "docs" / "settings.md")))
 
@@ -215,6 +248,8 @@ CHECKS = {
         every_diagnostic_code_is_documented,
         every_documented_code_can_be_raised,
         cpp_files_are_formatted,
+        tests_are_registered_where_no_failure_is_lost,
+        every_test_is_built,
         shaders_branch_on_targets_only_in_platform,
         includes_of_shaders_are_guarded_by_their_name,
         folders_explain_themselves_in_at_most_30_lines,

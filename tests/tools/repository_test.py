@@ -76,6 +76,23 @@ class Checks(unittest.TestCase):
         self.accepts(check, {**row, "host/a.cpp": "constexpr int kMissing = 5001;"})
         self.finds(check, {**row, "host/a.cpp": "int a = 15001;"}, "no source raises TG5001")
 
+    def test_a_test_that_may_hide_a_failure_is_found(self):
+        check = "tests_are_registered_where_no_failure_is_lost"
+        self.accepts(check, {"tests/a/CMakeLists.txt": "tegument_tests(a_tests fast)", "cmake/tests.cmake": "add_test(NAME a)"})
+        for way in ("add_test(NAME a COMMAND b)", "gtest_discover_tests(a)", "PROPERTIES SKIP_REGULAR_EXPRESSION x", "PROPERTIES WILL_FAIL TRUE",
+                    "target_link_libraries(a PRIVATE GTest::gtest_main)"):
+            self.finds(check, {"tests/a/CMakeLists.txt": way}, "tests/a/CMakeLists.txt:1")
+        self.finds(check, {"tests/a/a_test.cpp": "TEST(A, DISABLED_b) {}"}, "a_test.cpp:1: DISABLED_b")
+
+    def test_a_test_that_nothing_builds_is_found(self):
+        check = "every_test_is_built"
+        case = {"tests/a/b_test.cpp": "TEST(A, b) {}\n", "tests/CMakeLists.txt": "add_subdirectory(a)"}
+        self.accepts(check, {**case, "tests/a/CMakeLists.txt": "tegument_tests(a_tests fast)"})
+        self.accepts(check, {**case, "tests/a/CMakeLists.txt": "add_executable(a b_test.cpp)"})
+        self.finds(check, {**case, "tests/a/CMakeLists.txt": "add_executable(a other_b_test.cpp)"}, "b_test.cpp: no CMakeLists.txt builds it")
+        self.finds(check, {**case, "tests/a/b.cpp": "TEST_F(A, c) {}", "tests/a/CMakeLists.txt": "tegument_tests(a_tests fast)"}, "tests/a/b.cpp")
+        self.finds(check, {**case, "tests/CMakeLists.txt": "", "tests/a/CMakeLists.txt": "tegument_tests(a)"}, "the folder above does not add it")
+
     def test_a_conditional_needs_a_listed_switch(self):
         check = "shaders_branch_on_targets_only_in_platform"
         shader = {"hlsl/scatter/blur.fxh": GUARDED.format("#if TEGUMENT_FAST\n#endif")}

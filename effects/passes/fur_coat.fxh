@@ -29,7 +29,7 @@ FurVarying furVarying(FurInput input, float height)
 {
     FurVarying output;
     float3 skin = worldPosition(input.position);
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float3 normal = worldNormal(input.normal);
     // Back into the mesh's own axes: with a rotation and one scale the transpose is the inverse, but for a length that does not matter.
     output.rest = mul((float3x3)gWorld, skin - gBoundingCenter);
     output.normal = input.normal;
@@ -50,13 +50,11 @@ FurVarying SkinVS(FurInput input)
 // Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
 float furShadow(FurVarying input, float3 normal, float3 toLight)
 {
-    float3 fromLight = input.world - gLightPosition;
-    float3 axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
-    float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
-    float2 slope = shadowSlope(normal, axisX, axisY, toLight, shadowFootprint(length(fromLight), gLightFov));
-    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
-    float tolerance = kShadowTolerance * gMeshRadius * range;
-    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), shadowDepth(input.lightClip, fromLight), tolerance, slope);
+    float depth = shadowDepth(input.lightClip, millimetres(lightVector(input.world)));
+    float2 slope = shadowSlope(normal, lightRight(), lightUp(), toLight, shadowFootprint(input.lightClip.w, lightSpread()));
+    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(millimetres(gLightFar - gLightNear), 1e-6);
+    float tolerance = kShadowTolerance * millimetres(gMeshRadius) * range;
+    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), depth, tolerance, slope);
 }
 
 // Albedo of fur at this place: from root to tip, times the colour map.
@@ -78,9 +76,9 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
 // Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float3 normal = worldNormal(input.normal);
     float3 strand = furTangent(normal, gFurLean, input.coat.x);
-    float3 toLight = safeNormalize(gLightPosition - input.world);
+    float3 toLight = lightDirection(input.world);
     float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);

@@ -212,8 +212,8 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
 // What the skin leaves of the light: one tap, for strands are narrower than texels of the map.
 float furSkinShadow(float4 lightClip, float3 toLight)
 {
-    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
-    return shadowLit(SAMPLER2D_ARG(gShadow), shadowCoordinate(lightClip), shadowDepth(lightClip, toLight) - kShadowTolerance * gMeshRadius * range);
+    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(millimetres(gLightFar - gLightNear), 1e-6);
+    return shadowLit(SAMPLER2D_ARG(gShadow), shadowCoordinate(lightClip), shadowDepth(lightClip, millimetres(toLight)) - kShadowTolerance * millimetres(gMeshRadius) * range);
 }
 
 // The layer's colour and coverage. met: as furMeet; last: the last piece. density: as furExpect.

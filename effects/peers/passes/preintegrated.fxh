@@ -11,7 +11,7 @@ SAMPLER2D(gPreintegrated, LINEAR, CLAMP);
 // mm in the unit of the shadow map's depth.
 float inDepth(float length)
 {
-    return kDepthInMillimetres ? length : length / max(gLightFar - gLightNear, 1.0);
+    return kDepthInMillimetres ? length : length / max(millimetres(gLightFar - gLightNear), 1.0);
 }
 
 // Share of light within gPenumbraRadius on the surface.
@@ -41,7 +41,7 @@ float4 preintegrated(SurfaceVarying input, bool penumbra)
 {
     LitPoint p = peerPoint(input);
     p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
-    float curvature = preintegratedCurvature(p.meshNormal, input.world);
+    float curvature = preintegratedCurvature(p.meshNormal, millimetres(input.world));
     float3 cosines = preintegratedCosines(p.meshNormal, p.normal, p.toLight, gBumpShare);
     float4 clip = mul(float4(input.world, 1.0), gViewProjection);
     float3 received = receivedLight(p, curvature, clip.xy / clip.w * gViewportSize * 0.5, penumbra);

@@ -27,7 +27,7 @@ LightOutput LightPS(SurfaceVarying input)
     LitPoint p = peerPoint(input);
     p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
     float skin = step(0.5, p.scatters);
-    float depth = mul(float4(input.world, 1.0), gViewProjection).w;
+    float depth = millimetres(mul(float4(input.world, 1.0), gViewProjection).w);
     LightOutput output;
     output.light = float4(skin * enteringLight(p), skin);
     output.depth = float4(skin * depth, 0.0, 0.0, 1.0);

@@ -56,6 +56,7 @@
 #define SKIN_MIX 0.4
 #define FUR_KAJIYA_KAY 0.0
 #define FUR_TAPER 0.0
+#define FUR_FRINGES 0.0
 #define SKIN_SHADOW_TOLERANCE 0.005
 #define SKIN_BLUR_SIZE 1.5
 #define SKIN_BLUR_TURN 0.0
@@ -63,6 +64,7 @@
 #define SKIN_MIX 0.5
 #define FUR_KAJIYA_KAY 1.0
 #define FUR_TAPER 0.0
+#define FUR_FRINGES 0.0
 #define SKIN_SHADOW_TOLERANCE 2.0
 #define SKIN_BLUR_SIZE 1.5
 #define SKIN_BLUR_TURN 0.0
@@ -70,6 +72,7 @@
 #define SKIN_MIX 0.5
 #define FUR_KAJIYA_KAY 1.0
 #define FUR_TAPER 0.0
+#define FUR_FRINGES 1.0
 #define SKIN_SHADOW_TOLERANCE 0.3
 #define SKIN_BLUR_SIZE 1.2
 #define SKIN_BLUR_TURN 2.39996

@@ -38,16 +38,21 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
     return met;
 }
 
-StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
+StrandsVarying cellularVarying(FurInput input, float layer, float round)
 {
     FurGrowth growth;
-    growth.place = mul((float3x3)gWorld, worldPosition(input.position) - gBoundingCenter); // near 0, where cells are numbered exactly
+    growth.spacing = gFurSpacing * gMeshRadius;
+    growth.place = meshAxes(worldPosition(input.position) - gBoundingCenter) / growth.spacing; // near 0, where cells are numbered exactly
     growth.lean = 0.0;
     growth.density = 1.0;
-    growth.spacing = gFurSpacing * gMeshRadius;
     growth.shortest = gFurShortest;
-    growth.radius = gFurRadius;
-    return strandsVarying(input, LAYER_INDEX(gFurLayer), growth);
+    growth.data = 1.0;
+    return strandsVarying(input, layer, growth, round);
+}
+
+StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
+{
+    return cellularVarying(input, LAYER_INDEX(gFurLayer), 1.0);
 }
 
 float4 CellularPS(StrandsVarying input) : SV_Target0

@@ -15,26 +15,41 @@ struct FurInput
 };
 
 // centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far outside of it.
+// But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the plain ones'.
 struct FurVarying
 {
     float4 position : SV_Position;
-    centroid float3 rest : TEXCOORD0;   // of the skin below, mesh space, from the bounding sphere's centre
+    centroid float3 rest : TEXCOORD0;   // of the skin below, from the bounding sphere's centre: along the mesh's axes, world units
     centroid float3 normal : TEXCOORD1; // mesh space
     centroid float3 world : TEXCOORD2;  // in the coat
     centroid float4 lightClip : TEXCOORD3;
     centroid float4 coat : TEXCOORD4; // height in the coat, uv, height of the layer above
+    float4 plainRest : TEXCOORD5;     // 1: of the round of what is near; -1: of the round of what lies behind it (fur_rounds.fxh)
+    float3 plainNormal : TEXCOORD6;
 };
+
+// Of a point of the world from the light, mm. Parallel light has planes of equal distance.
+float furFromLight(float3 world)
+{
+    return millimetres(dot(lightDirection(world), lightVector(world)));
+}
+
+// Where tips hang, and how far: of this length, shares of the coat.
+float3 furHang()
+{
+    return gFurLean * gFurDown;
+}
 
 FurVarying furVarying(FurInput input, float height)
 {
     FurVarying output;
     float3 skin = worldPosition(input.position);
-    float3 normal = worldNormal(input.normal);
-    // Back into the mesh's own axes: with a rotation and one scale the transpose is the inverse, but for a length that does not matter.
-    output.rest = mul((float3x3)gWorld, skin - gBoundingCenter);
+    output.rest = meshAxes(skin - gBoundingCenter);
     output.normal = input.normal;
+    output.plainRest = float4(output.rest, 1.0);
+    output.plainNormal = input.normal;
     output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
-    output.world = skin + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
+    output.world = skin + furStrand(worldNormal(input.normal), furHang(), height) * furDistance(gFurLength, gMeshRadius, height);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
@@ -47,14 +62,19 @@ FurVarying SkinVS(FurInput input)
     return furVarying(input, 0.0);
 }
 
+// mm, or z/w.
+float furShadowTolerance()
+{
+    float range = kDepthInMillimetres ? millimetres(1.0) : 1.0 / max(gLightFar - gLightNear, 1e-6);
+    return kShadowTolerance * gMeshRadius * range;
+}
+
 // Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
 float furShadow(FurVarying input, float3 normal, float3 toLight)
 {
     float depth = shadowDepth(input.lightClip, millimetres(lightVector(input.world)));
     float2 slope = shadowSlope(normal, lightRight(), lightUp(), toLight, shadowFootprint(input.lightClip.w, lightSpread()));
-    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(millimetres(gLightFar - gLightNear), 1e-6);
-    float tolerance = kShadowTolerance * millimetres(gMeshRadius) * range;
-    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), depth, tolerance, slope);
+    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
 }
 
 // Albedo of fur at this place: from root to tip, times the colour map.
@@ -77,7 +97,7 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
     float3 normal = worldNormal(input.normal);
-    float3 strand = furTangent(normal, gFurLean, input.coat.x);
+    float3 strand = furTangent(normal, furHang(), input.coat.x);
     float3 toLight = lightDirection(input.world);
     float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);

@@ -57,7 +57,8 @@ Result<std::optional<Scene>> loadOwnScene(const InvarianceArguments& arguments) 
     return std::optional<Scene>(*std::move(scene));
 }
 
-Result<std::vector<InvarianceCell>> measureAll(const InvarianceArguments& arguments, gpu::Device& device, const InvarianceOptions& options) {
+Result<std::vector<InvarianceCell>> measureAll(const InvarianceArguments& arguments, gpu::Device& device,
+                                               const InvarianceOptions& options) {
     const auto files = filesOf(arguments);
     if (!files) return files.error();
     std::vector<InvarianceCell> cells;
@@ -88,16 +89,18 @@ int invariance(const InvarianceArguments& arguments) {
     if (!cells) return fail(cells.error(), arguments.json);
     const fs::path folder = arguments.output;
     const std::string json = invarianceJson(*cells);
-    const std::string head = fmt::format("{}, {}; {}; {}, maps of {}, pictures of {} pixels a side, setting {}.\n\n", device->info().name,
-                                         device->info().driver, compilerName(options.compiler),
-                                         options.mesh ? options.mesh->name : std::string("the generated head"), options.mapSize,
-                                         options.pictureSize, options.setting);
+    const std::string head =
+        fmt::format("{}, {}; {}; {}, maps of {}, pictures of {} pixels a side, setting {}.\n\n", device->info().name, device->info().driver,
+                    compilerName(options.compiler), options.mesh ? options.mesh->name : std::string("the generated head"), options.mapSize,
+                    options.pictureSize, options.setting);
     const std::string table = head + invarianceMarkdown(*cells);
     for (const auto& [name, text] : {std::pair("invariance.json", &json), std::pair("invariance.md", &table)})
         if (const auto written = writeFile(folder / name, *text); !written) return fail(written.error(), arguments.json);
     fmt::print("{}", arguments.json ? json : table);
     const auto failed = std::ranges::count_if(*cells, [](const InvarianceCell& cell) { return !cell.pass(); });
-    if (!arguments.json) fmt::print("\n{} of {} pass; wrote {}\n", cells->size() - static_cast<std::size_t>(failed), cells->size(), (folder / "invariance.md").string());
+    if (!arguments.json)
+        fmt::print("\n{} of {} pass; wrote {}\n", cells->size() - static_cast<std::size_t>(failed), cells->size(),
+                   (folder / "invariance.md").string());
     return failed == 0 ? 0 : static_cast<int>(Blame::Input);
 }
 
@@ -106,7 +109,8 @@ int invariance(const InvarianceArguments& arguments) {
 void addInvariance(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<InvarianceArguments>();
     InvarianceOptions& options = arguments->options;
-    CLI::App* command = program.add_subcommand("invariance", "Hold techniques against themselves: the same scene in other units, turned, mirrored");
+    CLI::App* command =
+        program.add_subcommand("invariance", "Hold techniques against themselves: the same scene in other units, turned, mirrored");
     command->add_option("files", arguments->files, "Effect files; default: all of the folder of effects");
     command->add_option("--effects", arguments->effects, "Folder of the effect files")->capture_default_str();
     command->add_option("--technique", options.techniques, "Only this technique; may be repeated");

@@ -9,14 +9,9 @@ namespace {
 
 constexpr double kInch = 25.4;
 constexpr glm::vec3 kTurns[] = {{37, -81, 123}, {-64.3F, 12.1F, -151.7F}, {5, 170, 88}}; // degrees
-constexpr glm::vec3 kUpright{0, 73, 0};   // about the vertical: gravity keeps its direction, the light's map its own
-constexpr glm::vec3 kOffset{310, -170, 530}; // mm
-constexpr float kFar = 10;                   // of those
-
-/// Strands hang down in the world whatever turns along: a scene turned over shows another coat, unless they do not lean.
-void withoutGravity(EngineScene& scene, const Subject& /*subject*/) {
-    scene.workspace.parameters["gFurLean"] = {0};
-}
+constexpr glm::vec3 kUpright{0, 73, 0};                                                  // about the vertical: the light's map keeps its up
+constexpr glm::vec3 kOffset{310, -170, 530};                                             // mm
+constexpr float kFar = 10;                                                               // of those
 
 void everything(EngineScene& scene, const Subject& /*subject*/) {
     moveMesh(scene, kOffset);
@@ -24,6 +19,11 @@ void everything(EngineScene& scene, const Subject& /*subject*/) {
     changeWorldUnit(scene, 1000);
     turnWorld(scene, kTurns[0], kOffset / 1000.0F);
     shuffle(scene, true);
+}
+
+void parallelLight(EngineScene& scene, const Subject& /*subject*/) {
+    Light& light = scene.workspace.light;
+    light.direction = glm::normalize(scene.workspace.camera.target - light.position);
 }
 
 /// Each slider that the shaders read, a little further; whole steps.
@@ -70,31 +70,55 @@ std::vector<Case> unitCases() {
     std::vector<Case> cases;
     const std::pair<const char*, double> kUnits[] = {{"centimetres", 10}, {"metres", 1000}, {"inches", kInch}};
     for (const auto& [name, mm] : kUnits)
-        cases.push_back({"mesh's unit", std::string("mesh in ") + name, Asks::Nothing,
-                         alone([mm = mm](EngineScene& s) { changeMeshUnit(s, mm); }), {}});
+        cases.push_back({"mesh's unit",
+                         std::string("mesh in ") + name,
+                         Asks::Nothing,
+                         alone([mm = mm](EngineScene& s) { changeMeshUnit(s, mm); }),
+                         {}});
     for (const double mm : {1e-3, 1e-2, 0.37, 3.0})
-        cases.push_back({"world matrix scales", "world matrix scales by " + std::to_string(mm).substr(0, 5), Asks::Nothing,
-                         alone([mm](EngineScene& s) { changeMeshUnit(s, mm); }), {}});
+        cases.push_back({"world matrix scales",
+                         "world matrix scales by " + std::to_string(mm).substr(0, 5),
+                         Asks::Nothing,
+                         alone([mm](EngineScene& s) { changeMeshUnit(s, mm); }),
+                         {}});
     for (const auto& [name, mm] : kUnits)
-        cases.push_back({"world's unit", std::string("world and mesh in ") + name, Asks::Nothing, alone([mm = mm](EngineScene& s) {
+        cases.push_back({"world's unit",
+                         std::string("world and mesh in ") + name,
+                         Asks::Nothing,
+                         alone([mm = mm](EngineScene& s) {
                              changeMeshUnit(s, mm);
                              changeWorldUnit(s, mm);
-                         }), {}});
-    cases.push_back({"world's unit", "world in metres, mesh in millimetres", Asks::Nothing,
-                     alone([](EngineScene& s) { changeWorldUnit(s, 1000); }), {}});
+                         }),
+                         {}});
+    cases.push_back({"world's unit",
+                     "world in metres, mesh in millimetres",
+                     Asks::Nothing,
+                     alone([](EngineScene& s) { changeWorldUnit(s, 1000); }),
+                     {}});
+    cases.push_back({"world's unit",
+                     "world_unit_mm of the workspace is 10",
+                     Asks::Nothing,
+                     alone([](EngineScene& s) { s.workspace.worldUnitMm = 10; }),
+                     {}});
     for (const double factor : {0.01, kInch})
-        cases.push_back({"size", "everything times " + std::to_string(factor).substr(0, 5), Asks::NoLengths,
-                         alone([factor](EngineScene& s) { enlarge(s, factor); }), {}});
+        cases.push_back({"size",
+                         "everything times " + std::to_string(factor).substr(0, 5),
+                         Asks::NoLengths,
+                         alone([factor](EngineScene& s) { enlarge(s, factor); }),
+                         {}});
     return cases;
 }
 
 std::vector<Case> motionCases() {
     std::vector<Case> cases;
     for (std::size_t i = 0; i < std::size(kTurns); ++i)
-        cases.push_back({"turned", "scene turned, " + std::to_string(i + 1), Asks::Nothing,
-                         alone([i](EngineScene& s) { turnWorld(s, kTurns[i], glm::vec3(0)); }), withoutGravity});
-    cases.push_back({"turned", "scene turned about the vertical", Asks::Nothing,
-                     alone([](EngineScene& s) { turnWorld(s, kUpright, glm::vec3(0)); }), {}});
+        cases.push_back({"turned",
+                         "scene turned, " + std::to_string(i + 1),
+                         Asks::Nothing,
+                         alone([i](EngineScene& s) { turnWorld(s, kTurns[i], glm::vec3(0)); }),
+                         {}});
+    cases.push_back(
+        {"turned", "scene turned about the vertical", Asks::Nothing, alone([](EngineScene& s) { turnWorldAndAim(s, kUpright); }), {}});
     cases.push_back({"turned", "mesh with z up", Asks::NoMeshAxes, alone([](EngineScene& s) { turnMesh(s, {-90, 0, 0}); }), {}});
     cases.push_back({"turned", "mesh with odd axes", Asks::NoMeshAxes, alone([](EngineScene& s) { turnMesh(s, kTurns[1]); }), {}});
     cases.push_back({"moved", "scene moved", Asks::Nothing, alone([](EngineScene& s) { moveWorld(s, kOffset); }), {}});
@@ -110,7 +134,8 @@ std::vector<Case> orderCases() {
             {"order", "triangles and vertices shuffled", Asks::Nothing, alone([](EngineScene& s) { shuffle(s, true); }), {}},
             {"two draws", "each draw in two", Asks::Nothing, alone([](EngineScene& s) { s.split = true; }), {}},
             {"values", "values by --set", Asks::Nothing, bySet, byWorkspace},
-            {"all at once", "in inches in a world of metres, turned, moved, shuffled", Asks::Nothing, everything, withoutGravity}};
+            {"all at once", "in inches in a world of metres, turned, moved, shuffled", Asks::Nothing, everything, {}},
+            {"all at once", "the same under parallel light", Asks::Nothing, everything, parallelLight}};
 }
 
 } // namespace

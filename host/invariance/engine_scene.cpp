@@ -2,17 +2,22 @@
 
 #include "host/scene/view.h"
 
-#include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace tegument::invariance {
 
 namespace {
 
 constexpr const char* kUnit = "gUnitMm";
+constexpr const char* kDown = "gFurDown"; // where tips of fur hang, in the world
 constexpr const char* kLightMatrix = "gLightViewProjection";
+
+const glm::dmat3 kMirror(glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1));
 
 void transformMesh(Mesh& mesh, const glm::dmat3& linear, const glm::dvec3& offset) {
     const double sign = glm::determinant(linear) < 0 ? -1 : 1;
@@ -37,6 +42,8 @@ void transformView(Workspace& workspace, const glm::dmat3& linear, const glm::dv
     moved(workspace.light.position);
     workspace.camera.up = glm::vec3(glm::normalize(linear * glm::dvec3(workspace.camera.up)));
     const auto factor = static_cast<float>(std::cbrt(std::abs(glm::determinant(linear))));
+    if (workspace.light.direction) *workspace.light.direction = glm::vec3(glm::normalize(linear * glm::dvec3(*workspace.light.direction)));
+    if (workspace.light.width) *workspace.light.width *= factor;
     if (workspace.camera.nearPlane) *workspace.camera.nearPlane *= factor;
     if (workspace.camera.farPlane) *workspace.camera.farPlane *= factor;
 }
@@ -62,6 +69,12 @@ void setLightMatrix(EngineScene& scene, const glm::dmat4& m) {
     for (glm::length_t row = 0; row < 4; ++row)
         for (glm::length_t column = 0; column < 4; ++column)
             values.push_back(m[row][column]);
+}
+
+void turnDown(EngineScene& scene, const glm::dmat3& turn) {
+    std::vector<double>& down = scene.workspace.parameters.try_emplace(kDown, std::vector<double>{0, -1, 0}).first->second;
+    const glm::dvec3 turned = turn * glm::dvec3(down[0], down[1], down[2]);
+    down = {turned.x, turned.y, turned.z};
 }
 
 double unitOf(const EngineScene& scene) {
@@ -110,6 +123,13 @@ void turnWorld(EngineScene& scene, const glm::vec3& degrees, const glm::vec3& of
     transformView(scene.workspace, glm::dmat3(motion), glm::dvec3(offset));
     scene.placement.position = glm::vec3(transformPoint(motion, glm::dvec3(scene.placement.position)));
     scene.placement.rotation = degrees;
+    turnDown(scene, glm::dmat3(motion));
+}
+
+void turnWorldAndAim(EngineScene& scene, const glm::vec3& degrees) {
+    assert(!scene.set.contains(kLightMatrix));
+    turnWorld(scene, degrees, glm::vec3(0));
+    scene.set.erase(kLightMatrix);
 }
 
 void moveWorld(EngineScene& scene, const glm::vec3& offset) {
@@ -132,16 +152,17 @@ void moveMesh(EngineScene& scene, const glm::vec3& offset) {
 
 void mirrorMesh(EngineScene& scene) {
     assert(scene.placement.rotation == glm::vec3(0));
-    transformMesh(scene.mesh, glm::dmat3(glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)), glm::dvec3(0));
+    transformMesh(scene.mesh, kMirror, glm::dvec3(0));
     scene.placement.scale.x *= -1;
 }
 
 void mirrorWorld(EngineScene& scene) {
     assert(!scene.set.contains(kLightMatrix));
-    transformView(scene.workspace, glm::dmat3(glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)), glm::dvec3(0));
+    transformView(scene.workspace, kMirror, glm::dvec3(0));
     scene.placement.scale.x *= -1;
     scene.placement.position.x *= -1;
     scene.placement.rotation *= glm::vec3(1, -1, -1);
+    turnDown(scene, kMirror);
     scene.mirrored = !scene.mirrored;
 }
 

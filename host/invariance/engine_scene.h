@@ -28,9 +28,11 @@ void changeWorldUnit(EngineScene& scene, double millimetres);
 /// Everything larger: not the same scene for an effect that knows millimetres.
 void enlarge(EngineScene& scene, double factor);
 
-/// Mesh, camera and light turned together, then moved; the light's map is turned along. `degrees` as in Placement, `offset` in the world's
-/// unit. The mesh must not be turned already.
+/// Mesh, camera, light and gravity turned together, then moved; the light's map is turned along. `degrees` as in Placement, `offset` in the
+/// world's unit. The mesh must not be turned already.
 void turnWorld(EngineScene& scene, const glm::vec3& degrees, const glm::vec3& offset);
+/// Turned only; the host makes the light's matrix anew, whose up is the world's: the same map where the turn is about the vertical.
+void turnWorldAndAim(EngineScene& scene, const glm::vec3& degrees);
 /// Moved only; the host makes the light's matrix anew.
 void moveWorld(EngineScene& scene, const glm::vec3& offset);
 

@@ -10,10 +10,11 @@ namespace tegument {
 
 namespace {
 
-constexpr int kQuads = 20; // along a side of each chart
+constexpr int kQuads = 20;                   // along a side of each chart
 constexpr glm::dvec3 kHalfAxes{75, 100, 92}; // mm
 constexpr double kMargin = 0.02;             // of the map, around each chart
-constexpr int kTextureSize = 64;
+constexpr int kTextureSize =
+    32; // coarser than the pictures, and smooth: mip levels hardly matter, which devices choose by blocks of 2 x 2 pixels
 
 /// A swelling (or a hollow) around a direction from the middle, `width` radians wide.
 struct Bump {
@@ -50,16 +51,14 @@ struct Face {
 };
 
 constexpr std::array kFaces = {
-    Face{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},   Face{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
-    Face{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, true}, Face{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}},
-    Face{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},  Face{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+    Face{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  Face{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, Face{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, true},
+    Face{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, Face{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},  Face{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
 };
 
 /// s, t in -1..1, evenly in angle.
 glm::dvec3 pointAt(const Face& face, double s, double t) {
     constexpr double kEighth = std::numbers::pi / 4;
-    const glm::dvec3 direction =
-        glm::normalize(face.outwards + std::tan(kEighth * s) * face.right + std::tan(kEighth * t) * face.up);
+    const glm::dvec3 direction = glm::normalize(face.outwards + std::tan(kEighth * s) * face.right + std::tan(kEighth * t) * face.up);
     return distanceTo(direction) * direction;
 }
 
@@ -113,7 +112,7 @@ Image paint(int bits, Function function) {
 constexpr double kTurn = 2 * std::numbers::pi;
 
 glm::dvec4 colour(double u, double v) {
-    return {0.75 + 0.15 * std::sin(3 * kTurn * u), 0.55 + 0.2 * std::sin(4 * kTurn * v), 0.5 + 0.2 * std::sin(2 * kTurn * (u + v)), 1};
+    return {0.75 + 0.15 * std::sin(2 * kTurn * u), 0.55 + 0.15 * std::sin(3 * kTurn * v), 0.5 + 0.15 * std::sin(2 * kTurn * (u + v)), 1};
 }
 
 /// Waves of 8 and 6 degrees.

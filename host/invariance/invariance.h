@@ -18,8 +18,8 @@ namespace tegument {
 struct InvarianceOptions {
     std::string setting = "corrected"; // seed, deon2007 or corrected
     Compiler compiler = Compiler::Dxc;
-    int mapSize = 256;                   // texels a side of the maps in texture space and of the light's map
-    int pictureSize = 160;               // pixels a side
+    int mapSize = 192;                   // texels a side of the maps in texture space and of the light's map
+    int pictureSize = 192;               // pixels a side; as many as texels, so that a map that is shown is shown texel by texel
     std::vector<std::string> techniques; // only these; empty: all
     std::vector<std::string> cases;      // only these, by name or column; empty: all
     /// Both or neither: what to draw instead of the generated head. In millimetres, where its file has it; `objects` are not looked at.
@@ -35,8 +35,8 @@ struct InvarianceCell {
     std::string column; // "world's unit": what the table shows of several cases is their largest difference
     std::string name;   // "world in metres"
     double relativeL2 = 0;
-    double beyond = 0; // share of the pixels that differ by more than 1e-2 of the mean
-    double largest = 0; // relative to the mean
+    double beyond = 0;      // share of the pixels that differ by more than 1e-2 of the mean
+    double largest = 0;     // relative to the mean
     double limit = 0;       // of relativeL2
     double beyondLimit = 0; // of `beyond`
     std::string apart;      // not empty: why the technique's own definition excepts this case; nothing was drawn

@@ -68,8 +68,7 @@ Result<DdsTexture> rootsOf(const Mesh& mesh) {
 }
 
 Result<void> addFur(EngineScene& scene, Textures& textures) {
-    const std::pair<const char*, double> kValues[] = {
-        {"gFurLength", kFurLength}, {"gFurSpacing", kFurSpacing}, {"gFurLayers", kFurLayers}};
+    const std::pair<const char*, double> kValues[] = {{"gFurLength", kFurLength}, {"gFurSpacing", kFurSpacing}, {"gFurLayers", kFurLayers}};
     for (const auto& [name, value] : kValues)
         scene.workspace.parameters.try_emplace(name, std::vector<double>{value});
     if (const auto added = textures.add(scene.workspace, "gFurCubeMap", furCube()); !added) return added;
@@ -248,10 +247,8 @@ Result<std::vector<InvarianceCell>> measureInvariance(gpu::Device& device, const
     std::vector<InvarianceCell> cells;
     for (const Technique& technique : effect->techniques) {
         if (!wanted(options.techniques, technique.name)) continue;
-        const RunOptions run{.technique = technique.name,
-                             .width = options.pictureSize,
-                             .height = options.pictureSize,
-                             .compiler = options.compiler};
+        const RunOptions run{
+            .technique = technique.name, .width = options.pictureSize, .height = options.pictureSize, .compiler = options.compiler};
         Row row(device, *effect, run, scene);
         if (const auto added = addRow(cells, row, technique.name, options); !added) return added.error();
     }

@@ -47,7 +47,9 @@ Result<Image> Painter::draw(const EngineScene& scene) {
     RunOptions options = options_;
     options.parameters = scene.set;
     const RunObject object{.mesh = &scene.mesh, .workspace = scene.workspace, .placement = scene.placement};
-    const run::PlacedObject placed{.placement = scene.placement, .scene = run::placeObjects(scene.workspace, std::span(&object, 1))};
+    const run::PlacedObject placed{.placement = scene.placement,
+                                   .scene = run::placeObjects(scene.workspace, std::span(&object, 1)),
+                                   .worldUnitMm = scene.workspace.worldUnitMm};
     const run::RunInput input{.device = device_,
                               .effect = effect_,
                               .mesh = &scene.mesh,

@@ -32,8 +32,7 @@ bool isOneOf(const std::string& name, std::initializer_list<std::string_view> na
 } // namespace
 
 bool showsMap(const Subject& subject) {
-    return isOneOf(stem(subject),
-                   {"Beckmann", "EnergyAttenuation", "PreintegratedTable", "Stretch", "Irradiance", "Convolution"});
+    return isOneOf(stem(subject), {"Beckmann", "EnergyAttenuation", "PreintegratedTable", "Stretch", "Irradiance", "Convolution"});
 }
 
 std::string apart(const Subject& subject, const Case& each) {

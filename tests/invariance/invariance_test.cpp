@@ -51,10 +51,6 @@ std::string testName(const testing::TestParamInfo<fs::path>& each) {
     return each.param.stem().string();
 }
 
-InvarianceOptions small() {
-    return {.mapSize = 256, .pictureSize = 128};
-}
-
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(effectFiles("effects")), testName);
@@ -63,14 +59,13 @@ TEST_P(EveryEffect, looks_the_same_however_its_scene_is_put) {
     const auto effect = loadEffect(GetParam());
     ASSERT_TRUE(effect) << format(effect.error());
     ASSERT_FALSE(effect->techniques.empty());
-    const auto cells = measure(GetParam(), small());
+    const auto cells = measure(GetParam(), {});
     for (const InvarianceCell& cell : cells)
         EXPECT_TRUE(cell.pass()) << message(cell);
     for (const Technique& technique : effect->techniques)
         for (const std::string& name : invarianceCases())
-            EXPECT_EQ(std::ranges::count_if(
-                          cells, [&](const InvarianceCell& c) { return c.technique == technique.name && c.name == name; }),
-                      1)
+            EXPECT_EQ(
+                std::ranges::count_if(cells, [&](const InvarianceCell& c) { return c.technique == technique.name && c.name == name; }), 1)
                 << technique.name << ", " << name;
 }
 

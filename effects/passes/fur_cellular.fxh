@@ -52,12 +52,22 @@ StrandsVarying cellularVarying(FurInput input, float layer, float round)
 
 StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
 {
-    return cellularVarying(input, LAYER_INDEX(gFurLayer), 1.0);
+    return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-float4 CellularPS(StrandsVarying input) : SV_Target0
+StrandsVarying CellularBehindVS(LAYER_INPUT(FurInput, input))
 {
-    FurSweep sweep = furSweep(input);
+    return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
+}
+
+StrandsVarying CellularEndVS(FurInput input)
+{
+    return cellularVarying(input, gFurLayers - 1.0, kFurNear);
+}
+
+float4 CellularPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
+{
+    FurSweep sweep = furSweep(input, PIXEL_CENTRE(input));
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // Each turn takes the next place on the way, and from the second on the piece between it and the last one.

@@ -24,7 +24,7 @@ struct FurVarying
     centroid float3 world : TEXCOORD2;  // in the coat
     centroid float4 lightClip : TEXCOORD3;
     centroid float4 coat : TEXCOORD4; // height in the coat, uv, height of the layer above
-    float4 plainRest : TEXCOORD5;     // 1: of the round of what is near; -1: of the round of what lies behind it (fur_rounds.fxh)
+    float4 plainRest : TEXCOORD5;     // round (fur_rounds.fxh)
     float3 plainNormal : TEXCOORD6;
 };
 
@@ -46,7 +46,7 @@ FurVarying furVarying(FurInput input, float height)
     float3 skin = worldPosition(input.position);
     output.rest = meshAxes(skin - gBoundingCenter);
     output.normal = input.normal;
-    output.plainRest = float4(output.rest, 1.0);
+    output.plainRest = float4(output.rest, kFurNear);
     output.plainNormal = input.normal;
     output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
     output.world = skin + furStrand(worldNormal(input.normal), furHang(), height) * furDistance(gFurLength, gMeshRadius, height);

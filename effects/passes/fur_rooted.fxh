@@ -81,13 +81,23 @@ StrandsVarying rootsVarying(FurInput input, float layer, float round)
 
 StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
 {
-    return rootsVarying(input, LAYER_INDEX(gFurLayer), 1.0);
+    return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-float4 RootsPS(StrandsVarying input) : SV_Target0
+StrandsVarying RootsBehindVS(LAYER_INPUT(FurInput, input))
+{
+    return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
+}
+
+StrandsVarying RootsEndVS(FurInput input)
+{
+    return rootsVarying(input, gFurLayers - 1.0, kFurNear);
+}
+
+float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
 {
     FurRootGrid grid = furRootGrid();
-    FurSweep sweep = furSweep(input);
+    FurSweep sweep = furSweep(input, PIXEL_CENTRE(input));
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // As in CellularPS.

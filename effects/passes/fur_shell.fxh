@@ -32,7 +32,7 @@ FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
 FurVarying BehindVS(LAYER_INPUT(FurInput, input))
 {
     FurVarying output = shellVarying(input, LAYER_INDEX(gFurLayer));
-    output.plainRest.w = -1.0;
+    output.plainRest.w = kFurBehind;
     return output;
 }
 
@@ -84,47 +84,49 @@ float4 shell(FurVarying input, float2 sides, float4 texel)
     return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0, furHullShadow(input)), max(drawn, gFurOuterFirst));
 }
 
-float4 cubeShell(FurVarying input, float3 v)
+float4 cubeShell(FurVarying input, float2 pixel, float3 v)
 {
+    clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
     float2 sides = shellSides(v);
     return shell(input, sides, texCUBEbias(gFurCube, float4(furCurled(v, input.coat.x, gFurCurl), shellBias(sides))));
 }
 
-float4 sphereShell(FurVarying input, float3 v)
+float4 sphereShell(FurVarying input, float2 pixel, float3 v)
 {
+    clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
     float2 sides = shellSides(v);
     float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
     return shell(input, sides, tex2Dbias(gFurSphere, float4(place, 0.0, shellBias(sides))));
 }
 
-float4 CubePositionPS(FurVarying input) : SV_Target0
+float4 CubePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, furDirection(input.rest));
+    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.rest));
 }
 
-float4 CubeNormalPS(FurVarying input) : SV_Target0
+float4 CubeNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, furDirection(input.normal));
+    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.normal));
 }
 
-float4 CubeCombinedPS(FurVarying input) : SV_Target0
+float4 CubeCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, furCombinedVector(input.rest, input.normal));
+    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal));
 }
 
-float4 SpherePositionPS(FurVarying input) : SV_Target0
+float4 SpherePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, furDirection(input.rest));
+    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.rest));
 }
 
-float4 SphereNormalPS(FurVarying input) : SV_Target0
+float4 SphereNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, furDirection(input.normal));
+    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.normal));
 }
 
-float4 SphereCombinedPS(FurVarying input) : SV_Target0
+float4 SphereCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, furCombinedVector(input.rest, input.normal));
+    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal));
 }
 
 #endif

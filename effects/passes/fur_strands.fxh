@@ -26,7 +26,7 @@ struct StrandsVarying
     centroid float4 coat : TEXCOORD6;  // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
     float4 plainRest : TEXCOORD7;      // roots' data: 1 / spacing, 1/mm
     float4 plainNormal : TEXCOORD8;    // roots' data: radius of a strand, spacings, over that of the data, mm
-    float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; below 0 in the round of what lies behind the nearest coat
+    float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; all times the round (fur_rounds.fxh)
 };
 
 // What grows at a vertex.
@@ -47,7 +47,6 @@ struct FurSweep
     float3 place;  // over the skin
     float3 normal;
     float3 view;   // unit
-    float nearness; // 1 / distance from the eye
     float height;  // of the layer,
     float bottom;  // and of the one below
     float end;     // of the path,
@@ -83,7 +82,7 @@ float3 furFromAxes(float3 v)
     return v.x * worldUnit(gWorld[0].xyz) + v.y * worldUnit(gWorld[1].xyz) + v.z * worldUnit(gWorld[2].xyz);
 }
 
-// Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: 1 near, -1 behind.
+// Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
 StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, float round)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
@@ -154,12 +153,23 @@ float4 furExpect(float4 met, float fade, float density, float shortest, float pe
     return met + (1.0 - met.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
 }
 
-FurSweep furSweep(StrandsVarying input)
+// 1 / distance from the eye, per spacing.
+float strandsNearness(StrandsVarying input)
+{
+    return rsqrt(dot(input.fromEye.xyz, input.fromEye.xyz));
+}
+
+float4 CoatEndPS(StrandsVarying input) : SV_Target0
+{
+    return float4(strandsNearness(input), 0.0, 0.0, 1.0);
+}
+
+FurSweep furSweep(StrandsVarying input, float2 pixel)
 {
     FurSweep sweep;
     sweep.normal = furAlong(input.normal.xyz);
-    sweep.nearness = rsqrt(dot(input.fromEye.xyz, input.fromEye.xyz));
-    sweep.view = input.fromEye.xyz * sweep.nearness;
+    float nearness = strandsNearness(input);
+    sweep.view = input.fromEye.xyz * nearness;
     sweep.place = input.rest.xyz;
     sweep.height = input.normal.w;
     sweep.width = input.fromEye.w;
@@ -183,6 +193,7 @@ FurSweep furSweep(StrandsVarying input)
     sweep.step = sweep.end / max(way / kFurStep, 1.0);
     sweep.beyond = max(way - kFurMostSteps * kFurStep, way * sweep.fade);
     sweep.steps = frac(input.rest.w / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
+    sweep.steps = furInRound(nearness, pixel, input.plainFromEye.w) < 0.0 ? -1.0 : sweep.steps;
     return sweep;
 }
 

@@ -18,7 +18,6 @@ void everything(EngineScene& scene, const Subject& /*subject*/) {
     changeMeshUnit(scene, kInch);
     changeWorldUnit(scene, 1000);
     turnWorld(scene, kTurns[0], kOffset / 1000.0F);
-    shuffle(scene, true);
 }
 
 void parallelLight(EngineScene& scene, const Subject& /*subject*/) {
@@ -33,7 +32,7 @@ std::map<std::string, std::vector<double>> otherValues(const EngineScene& scene,
     for (const Parameter& parameter : subject.effect.parameters) {
         const auto most = parameter.annotations.numbers("UIMax");
         const auto least = parameter.annotations.numbers("UIMin");
-        if (!most || !least || !subject.numbers.contains(parameter.name) || !parameter.defaultValue) continue;
+        if (!most || !least || !subject.reads.contains(parameter.name) || !parameter.defaultValue) continue;
         const auto given = scene.workspace.parameters.find(parameter.name);
         const auto* numbers = std::get_if<std::vector<double>>(&*parameter.defaultValue);
         if (!numbers) continue;
@@ -130,11 +129,10 @@ std::vector<Case> motionCases() {
 }
 
 std::vector<Case> orderCases() {
-    return {{"order", "triangles shuffled", Asks::Nothing, alone([](EngineScene& s) { shuffle(s, false); }), {}},
-            {"order", "triangles and vertices shuffled", Asks::Nothing, alone([](EngineScene& s) { shuffle(s, true); }), {}},
+    return {{"order", "triangles and vertices shuffled", Asks::Nothing, alone([](EngineScene& s) { shuffle(s); }), {}},
             {"two draws", "each draw in two", Asks::Nothing, alone([](EngineScene& s) { s.split = true; }), {}},
             {"values", "values by --set", Asks::Nothing, bySet, byWorkspace},
-            {"all at once", "in inches in a world of metres, turned, moved, shuffled", Asks::Nothing, everything, {}},
+            {"all at once", "in inches in a world of metres, turned, moved", Asks::Nothing, everything, {}},
             {"all at once", "the same under parallel light", Asks::Nothing, everything, parallelLight}};
 }
 

@@ -15,7 +15,7 @@ namespace tegument::invariance {
 struct Subject {
     const Effect& effect;
     std::string technique;
-    const std::set<std::string>& numbers; // parameters that its shaders read
+    const std::set<std::string>& reads; // parameters and textures that its shaders read
 };
 
 /// What must hold of a technique's definition, else the case asks for nothing that it promises.

@@ -166,7 +166,7 @@ void mirrorWorld(EngineScene& scene) {
     scene.mirrored = !scene.mirrored;
 }
 
-void shuffle(EngineScene& scene, bool vertices) {
+void shuffle(EngineScene& scene) {
     Mesh& mesh = scene.mesh;
     std::mt19937 random(1);
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -177,7 +177,7 @@ void shuffle(EngineScene& scene, bool vertices) {
     mix(triangles, random);
     std::vector<std::uint32_t> from(mesh.positions.size());
     std::iota(from.begin(), from.end(), 0U);
-    if (vertices) mix(from, random);
+    mix(from, random);
     std::vector<std::uint32_t> to(from.size());
     for (std::uint32_t i = 0; i < from.size(); ++i)
         to[from[i]] = i;

@@ -46,6 +46,6 @@ void mirrorMesh(EngineScene& scene);
 void mirrorWorld(EngineScene& scene);
 
 /// Triangles, their corners' order (not their sense) and vertices are shuffled.
-void shuffle(EngineScene& scene, bool vertices);
+void shuffle(EngineScene& scene);
 
 } // namespace tegument::invariance

@@ -30,7 +30,7 @@ const std::array kBumps = {
     Bump{{0.36, 0.17, 0.9}, 0.15, -9},  // sockets of the eyes, one deeper than the other
     Bump{{-0.36, 0.17, 0.9}, 0.15, -6}, //
     Bump{{1, 0, -0.05}, 0.12, 20},      // ears: the left one sticks out
-    Bump{{-1, 0, -0.05}, 0.16, 9},      //
+    Bump{{-1, 0, -0.05}, 0.2, 5},       //
     Bump{{-0.5, -0.45, 0.75}, 0.1, 3},  // a wart on one cheek
 };
 

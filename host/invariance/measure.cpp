@@ -131,13 +131,12 @@ public:
     Result<void> begin() {
         auto image = painter_.draw(scene_);
         if (!image) return image.error();
-        numbers_ = painter_.numbers();
         usual_ = std::move(*image);
         return {};
     }
 
     [[nodiscard]] InvarianceCell cell(const Case& each) {
-        const Subject subject{.effect = effect_, .technique = technique_, .numbers = numbers_};
+        const Subject subject{.effect = effect_, .technique = technique_, .reads = painter_.reads()};
         const Limits limits = limitsOf(subject, each);
         InvarianceCell cell{.effect = {}, .technique = technique_, .column = each.column, .name = each.name};
         cell.limit = limits.relativeL2;
@@ -174,7 +173,6 @@ private:
     const Effect& effect_;
     std::string technique_;
     const EngineScene& scene_;
-    std::set<std::string> numbers_;
     Image usual_;
 };
 

@@ -60,8 +60,8 @@ Result<Image> Painter::draw(const EngineScene& scene) {
                               .before = &known_};
     auto prepared = run::prepare(input);
     if (!prepared) return prepared.error();
-    known_.programs.insert(prepared->programs.begin(), prepared->programs.end());
     if (const auto textures = run::prepareTextures(input, *prepared); !textures) return textures.error();
+    remember(*prepared);
     run::Resources resources;
     resources.pipelines = std::move(pipelines_);
     if (const auto allocated = run::allocate(input, *prepared, resources); !allocated) return allocated.error();
@@ -78,11 +78,12 @@ Result<Image> Painter::draw(const EngineScene& scene) {
     return image;
 }
 
-std::set<std::string> Painter::numbers() const {
-    std::set<std::string> all;
-    for (const auto& program : known_.programs)
-        all.insert(program.second.numbers.begin(), program.second.numbers.end());
-    return all;
+void Painter::remember(const run::Prepared& prepared) {
+    known_.programs.insert(prepared.programs.begin(), prepared.programs.end());
+    for (const auto& program : prepared.programs)
+        reads_.insert(program.second.numbers.begin(), program.second.numbers.end());
+    for (const auto& texture : prepared.textures)
+        reads_.insert(texture.first);
 }
 
 } // namespace tegument::invariance

@@ -16,13 +16,16 @@ public:
 
     [[nodiscard]] Result<Image> draw(const EngineScene& scene);
 
-    /// Parameters that the technique's shaders read, known once a scene has been drawn.
-    [[nodiscard]] std::set<std::string> numbers() const;
+    /// Parameters and textures that the technique's shaders read, known once a scene has been drawn.
+    [[nodiscard]] const std::set<std::string>& reads() const { return reads_; }
 
 private:
+    void remember(const run::Prepared& prepared);
+
     gpu::Device& device_;
     const Effect& effect_;
     const RunOptions& options_;
+    std::set<std::string> reads_;
     run::Prepared known_; // only its compiled passes
     std::map<run::PipelineKey, gpu::Pipeline> pipelines_;
 };

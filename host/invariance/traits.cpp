@@ -25,6 +25,11 @@ std::string stem(const Subject& subject) {
     return subject.effect.file.stem().string();
 }
 
+/// By itself, or by a map that Stretch.fx has drawn.
+bool knowsLengths(const Subject& subject) {
+    return subject.reads.contains("gUnitMm") || subject.reads.contains("gStretchMap");
+}
+
 bool isOneOf(const std::string& name, std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, name) != names.end();
 }
@@ -37,11 +42,10 @@ bool showsMap(const Subject& subject) {
 
 std::string apart(const Subject& subject, const Case& each) {
     if (each.asks == Asks::NoMeshAxes && isFur(subject)) return "the coat grows along the axes of the mesh's file";
-    if (each.asks == Asks::NoLengths && !isFur(subject) && subject.effect.findParameter("gUnitMm") && subject.numbers.contains("gUnitMm"))
-        return "it is defined in millimetres";
-    if (each.asks == Asks::NoLengths && !subject.effect.findParameter("gUnitMm") && !isFur(subject)) return "it is defined in millimetres";
+    if (each.asks == Asks::NoLengths && !isFur(subject) && knowsLengths(subject)) return "it is defined in millimetres";
     if (each.asks == Asks::MirrorPicture && stem(subject) == "Culling") return "it shows four panels, which stay where they are";
-    if (each.asks == Asks::MirrorPicture && stem(subject) == "Burley") return "its samples are scattered over the picture to one sense";
+    if (each.asks == Asks::MirrorPicture && (stem(subject) == "Burley" || subject.technique == "PreintegratedPenumbra"))
+        return "its samples are turned from pixel to pixel, to one sense";
     return {};
 }
 

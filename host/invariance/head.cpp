@@ -31,7 +31,7 @@ const std::array kBumps = {
     Bump{{-0.36, 0.17, 0.9}, 0.15, -6}, //
     Bump{{1, 0, -0.05}, 0.12, 20},      // ears: the left one sticks out
     Bump{{-1, 0, -0.05}, 0.2, 5},       //
-    Bump{{-0.5, -0.45, 0.75}, 0.1, 3},  // a wart on one cheek
+    Bump{{0.3, -0.45, 0.85}, 0.1, 3},   // a wart on one cheek
 };
 
 double distanceTo(const glm::dvec3& direction) {
@@ -133,6 +133,20 @@ Mesh invarianceMesh() {
     computeTangents(mesh);
     computeBounds(mesh);
     return mesh;
+}
+
+Workspace invarianceWorkspace() {
+    Workspace workspace;
+    workspace.head = false;
+    workspace.cameraRelative = false;
+    workspace.lightRelative = false;
+    workspace.camera.position = {230, 70, 480};
+    workspace.camera.target = {4, 0, 5};
+    workspace.camera.horizontalFov = 25;
+    workspace.light.position = {-330, 280, 420};
+    workspace.light.color = {1.5F, 1.2F, 1.0F};
+    workspace.background = {0.02F, 0.03F, 0.04F};
+    return workspace;
 }
 
 } // namespace tegument

@@ -53,10 +53,10 @@ struct InvarianceCell {
 [[nodiscard]] std::vector<std::string> invarianceCases();
 [[nodiscard]] std::vector<std::string> invarianceColumns();
 
-/// A cell whose limits are wider than usual, with what causes the difference, measured (docs/invariance.md, "Exceptions").
+/// Cells of one column whose limits are wider than usual, with what causes the difference, measured (docs/invariance.md, "Exceptions").
 struct InvarianceException {
-    std::string technique;
-    std::string name; // of the case
+    std::string effect; // "FurRoots"
+    std::string column;
     double relativeL2 = 0;
     double beyond = 0;
     std::string cause;
@@ -65,6 +65,8 @@ struct InvarianceException {
 
 /// A head of 200 mm made from formulas: six charts, one of them mirrored, with a colour map and a normal map. No side is like another.
 [[nodiscard]] Mesh invarianceMesh();
+/// Camera and light that it is seen with.
+[[nodiscard]] Workspace invarianceWorkspace();
 
 /// All cells of one effect. What cannot be drawn is an error in its cell; errors of the machine end the run. TG4051 unknown setting.
 [[nodiscard]] Result<std::vector<InvarianceCell>> measureInvariance(gpu::Device& device, const std::filesystem::path& effect,

@@ -79,22 +79,8 @@ Result<void> addFur(EngineScene& scene, Textures& textures) {
     return textures.add(scene.workspace, "gFurRootsMap", *roots);
 }
 
-Workspace usualWorkspace() {
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
-    workspace.camera.position = {230, 70, 480};
-    workspace.camera.target = {4, 0, 5};
-    workspace.camera.horizontalFov = 25;
-    workspace.light.position = {-330, 280, 420};
-    workspace.light.color = {1.5F, 1.2F, 1.0F};
-    workspace.background = {0.02F, 0.03F, 0.04F};
-    return workspace;
-}
-
 EngineScene sceneOf(const InvarianceOptions& options) {
-    if (!options.mesh || !options.workspace) return {.mesh = invarianceMesh(), .placement = {}, .workspace = usualWorkspace()};
+    if (!options.mesh || !options.workspace) return {.mesh = invarianceMesh(), .placement = {}, .workspace = invarianceWorkspace()};
     EngineScene scene{.mesh = *options.mesh, .placement = {}, .workspace = *options.workspace};
     const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
     const Camera given = scene.workspace.camera;

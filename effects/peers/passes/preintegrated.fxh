@@ -17,7 +17,7 @@ float inDepth(float length)
 // Share of light within gPenumbraRadius on the surface.
 float lightAround(LitPoint p, float tolerance, float2 pixel)
 {
-    float3 side = safeNormalize(cross(p.meshNormal, abs(p.meshNormal.y) < 0.9 ? float3(0.0, 1.0, 0.0) : float3(1.0, 0.0, 0.0)));
+    float3 side = safeNormalize(cross(p.meshNormal, abs(dot(p.meshNormal, p.axisY)) < 0.9 ? p.axisY : p.axisX));
     float3 axisU = penumbraAxis(gPenumbraRadius * side, p.axisX, p.axisY, p.toLight, p.footprint);
     float3 axisV = penumbraAxis(gPenumbraRadius * cross(p.meshNormal, side), p.axisX, p.axisY, p.toLight, p.footprint);
     axisU.z = inDepth(axisU.z);

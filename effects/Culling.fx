@@ -99,7 +99,7 @@ PanelVarying ShowMapVS(QuadInput input)
 
 float shadeOf(MeshInput input, float3 toEye)
 {
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float3 normal = worldNormal(input.normal);
     return 0.3 + 0.7 * saturate(dot(normal, toEye));
 }
 

@@ -1,11 +1,12 @@
 // Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a sphere map
 // (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each technique draws the shadow
-// map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells: in one instanced draw, or, for Direct3D 9, in a loop of the script.
+// map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
+#include "passes/fur_rounds.fxh"
 #include "passes/fur_coat.fxh"
 #include "passes/fur_shadow.fxh"
 #include "passes/fur_shell.fxh"
@@ -25,11 +26,13 @@ float Script : STANDARDSGLOBAL <
 technique name < string Script = \
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" HULL_SCRIPT \
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Shells"); > \
+    ROUNDS_SCRIPT("Skin", "Shells"); > \
 { \
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
     HULL_PASSES \
     MESH_PASS(Skin, SkinVS, CoatedSkinPS, STATE_SOLID) \
+    MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, STATE_INSIDE) \
+    LAYER_PASS(Behind, "gFurLayers", BehindVS, shellPS, STATE_LAYER) \
     LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, STATE_LAYER) \
 }
 

@@ -6,6 +6,7 @@
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"
+#include "passes/fur_rounds.fxh"
 #include "passes/fur_coat.fxh"
 #include "passes/fur_strands.fxh"
 #include "passes/fur_cellular.fxh"
@@ -20,17 +21,19 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 #ifdef FX_TECHNIQUES
-#define STRANDS_TECHNIQUE(name, strandsVS, strandsPS) \
+#define STRANDS_TECHNIQUE(name, endVS, behindVS, strandsVS, strandsPS) \
 technique name < string Script = \
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" \
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Strands"); > \
+    ROUNDS_SCRIPT("Skin", "Strands"); > \
 { \
     MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
     MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
+    MESH_PASS(CoatEnd, endVS, CoatEndPS, STATE_INSIDE) \
+    LAYER_PASS(Behind, "gFurLayers", behindVS, strandsPS, STATE_LAYER) \
     LAYER_PASS(Strands, "gFurLayers", strandsVS, strandsPS, STATE_LAYER) \
 }
 
-STRANDS_TECHNIQUE(Cellular, CellularVS, CellularPS)
-STRANDS_TECHNIQUE(Roots, RootsVS, RootsPS)
+STRANDS_TECHNIQUE(Cellular, CellularEndVS, CellularBehindVS, CellularVS, CellularPS)
+STRANDS_TECHNIQUE(Roots, RootsEndVS, RootsBehindVS, RootsVS, RootsPS)
 #endif

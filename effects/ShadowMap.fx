@@ -19,7 +19,7 @@ float Script : STANDARDSGLOBAL <
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
     float texel = shadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
-    float depth = kDepthInMillimetres ? (texel - gLightNear) / max(gLightFar - gLightNear, 1e-6) : texel;
+    float depth = kDepthInMillimetres ? (texel - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel;
     return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
 }
 

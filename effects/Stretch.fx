@@ -24,14 +24,14 @@ static const float kLastLevel = 20.0;
 struct StretchVarying
 {
     float4 position : SV_Position;
-    float3 world : TEXCOORD0;
+    float3 world : TEXCOORD0; // mm
 };
 
 StretchVarying StretchVS(MeshInput input)
 {
     StretchVarying output;
     output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
-    output.world = worldPosition(input.position);
+    output.world = millimetres(worldPosition(input.position));
     return output;
 }
 

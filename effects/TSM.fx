@@ -16,7 +16,7 @@ float Script : STANDARDSGLOBAL <
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gTsm, float4(input.uv, 0.0, 0.0));
-    float depth = kDepthInMillimetres ? (texel.x - gLightNear) / max(gLightFar - gLightNear, 1e-6) : texel.x;
+    float depth = kDepthInMillimetres ? (texel.x - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel.x;
     return float4(float3(saturate(depth), texel.yz) * texel.w, 1.0);
 }
 

@@ -48,19 +48,26 @@
 
 // Layers drawn over one another: SM4 draws them as instances of one draw (pass annotation Instances), Direct3D 9 in a loop of the script whose index
 // it writes into a parameter. LAYER_INPUT declares a vertex shader's input, LAYER_INDEX(looped) is the layer, counted from 0.
+// PIXEL_INPUT declares the input of a pixel shader that asks where on the target its pixel is, PIXEL_CENTRE(name) is its centre, in pixels: Direct3D 9 has
+// that in a register of its own.
 #ifdef FX_SM4
 #define LAYER_INPUT(type, name) type name, uint fxInstance : SV_InstanceID
 #define LAYER_INDEX(looped) ((float)fxInstance)
 #define LAYER_SCRIPT(count, index, passName) "Pass=" passName ";"
+#define PIXEL_INPUT(type, name) type name
+#define PIXEL_CENTRE(name) ((name).position.xy)
 #else
 #define LAYER_INPUT(type, name) type name
 #define LAYER_INDEX(looped) (looped)
 #define LAYER_SCRIPT(count, index, passName) "LoopByCount=" count "; LoopGetIndex=" index "; Pass=" passName "; LoopEnd;"
+#define PIXEL_INPUT(type, name) type name, float2 fxPixel : VPOS
+#define PIXEL_CENTRE(name) (fxPixel + 0.5)
 #endif
 
 // Full state sets, one per pass: Direct3D 9 keeps what the pass before has set. Front faces are counter-clockwise (docs/conventions.md).
 //   STATE_BUFFER    no depth test, both faces: full-screen quads, unwrapped meshes
 //   STATE_SOLID     depth test and write, back faces culled
+//   STATE_INSIDE    depth test and write, front faces culled
 //   STATE_TWOSIDED  depth test and write, both faces: maps seen from the light
 //   STATE_EQUAL     drawn where the depth target holds the depth of the fragment, both faces
 //   STATE_LAYER     depth test and write, back faces culled, blended over what is there by alpha
@@ -85,9 +92,11 @@ BlendState fxNoColour { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 0; };
 BlendState fxOver { BlendEnable[0] = TRUE; SrcBlend = SRC_ALPHA; DestBlend = INV_SRC_ALPHA; BlendOp = ADD; SrcBlendAlpha = ONE; DestBlendAlpha = INV_SRC_ALPHA; BlendOpAlpha = ADD; RenderTargetWriteMask[0] = 15; };
 RasterizerState fxBothFaces { CullMode = NONE; FrontCounterClockwise = TRUE; };
 RasterizerState fxFrontFaces { CullMode = BACK; FrontCounterClockwise = TRUE; };
+RasterizerState fxBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define FX_STATE(depth, blend, faces) SetDepthStencilState(depth, 0); SetBlendState(blend, float4(0, 0, 0, 0), 0xffffffff); SetRasterizerState(faces)
 #define STATE_BUFFER FX_STATE(fxDepthOff, fxOpaque, fxBothFaces)
 #define STATE_SOLID FX_STATE(fxDepthLess, fxOpaque, fxFrontFaces)
+#define STATE_INSIDE FX_STATE(fxDepthLess, fxOpaque, fxBackFaces)
 #define STATE_TWOSIDED FX_STATE(fxDepthLess, fxOpaque, fxBothFaces)
 #define STATE_LAYER FX_STATE(fxDepthLess, fxOver, fxFrontFaces)
 #define STATE_EQUAL FX_STATE(fxDepthEqual, fxOpaque, fxBothFaces)
@@ -98,6 +107,7 @@ RasterizerState fxFrontFaces { CullMode = BACK; FrontCounterClockwise = TRUE; };
 #define FX_STATE(test, write, compare, colour, cull, blend) ZEnable = test; ZWriteEnable = write; ZFunc = compare; ColorWriteEnable = colour; CullMode = cull; AlphaBlendEnable = blend; AlphaTestEnable = FALSE; StencilEnable = FALSE; SRGBWriteEnable = FALSE
 #define STATE_BUFFER FX_STATE(FALSE, FALSE, ALWAYS, 15, NONE, FALSE)
 #define STATE_SOLID FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CW, FALSE)
+#define STATE_INSIDE FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CCW, FALSE)
 #define STATE_TWOSIDED FX_STATE(TRUE, TRUE, LESSEQUAL, 15, NONE, FALSE)
 #define STATE_LAYER FX_STATE(TRUE, TRUE, LESSEQUAL, 15, CW, TRUE); SrcBlend = SRCALPHA; DestBlend = INVSRCALPHA; BlendOp = ADD; SeparateAlphaBlendEnable = TRUE; SrcBlendAlpha = ONE; DestBlendAlpha = INVSRCALPHA; BlendOpAlpha = ADD
 #define STATE_EQUAL FX_STATE(TRUE, FALSE, EQUAL, 15, NONE, FALSE)

@@ -47,7 +47,7 @@ CullVarying cullVarying(MeshInput input)
     CullVarying output;
     float3 world = worldPosition(input.position);
     output.clip = mul(float4(world, 1.0), gViewProjection);
-    output.normal = mul(input.normal, (float3x3)gWorldInverseTranspose);
+    output.normal = worldNormal(input.normal);
     output.toEye = gCameraPosition - world;
     output.position = float4(0.0, 0.0, 0.0, 1.0);
     output.uv = input.uv;

@@ -31,7 +31,7 @@ float4 fetchHere(SAMPLER2D_PARAM(map), float2 uv, float3 unblurred)
 float3 fetchThere(SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaussian, float apart)
 {
     float4 texel = tex2Dlod(map, float4(uv, 0.0, 0.0));
-    float thickness = transmissionDecode(before.w, gLightFar - gLightNear);
+    float thickness = transmissionDecode(before.w, millimetres(gLightFar - gLightNear));
     return gaussian.rgb * texel.rgb * (seamValidity(texel) * transmissionShare(thickness, gaussian.w, apart));
 }
 
@@ -47,7 +47,7 @@ float3 diffusedLight(SurfaceVarying input, LitPoint p)
     float3 here = m1.rgb * gGaussianWeight[0].rgb + m2.rgb * gGaussianWeight[1].rgb + m3.rgb * gGaussianWeight[2].rgb +
                   m4.rgb * gGaussianWeight[3].rgb + m5.rgb * gGaussianWeight[4].rgb + m6.rgb * gGaussianWeight[5].rgb;
     float4 entry = lightEntry(p);
-    float apart = transmissionScale(input.world, input.uv) * length(input.uv - entry.xy);
+    float apart = transmissionScale(millimetres(input.world), input.uv) * length(input.uv - entry.xy);
     float3 there = fetchThere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), entry.xy, m3, gGaussianWeight[3], apart) +
                    fetchThere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), entry.xy, m4, gGaussianWeight[4], apart) +
                    fetchThere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), entry.xy, m5, gGaussianWeight[5], apart);

@@ -38,21 +38,36 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
     return met;
 }
 
-StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
+StrandsVarying cellularVarying(FurInput input, float layer, float round)
 {
     FurGrowth growth;
-    growth.place = mul((float3x3)gWorld, worldPosition(input.position) - gBoundingCenter); // near 0, where cells are numbered exactly
+    growth.spacing = gFurSpacing * gMeshRadius;
+    growth.place = meshAxes(worldPosition(input.position) - gBoundingCenter) / growth.spacing; // near 0, where cells are numbered exactly
     growth.lean = 0.0;
     growth.density = 1.0;
-    growth.spacing = gFurSpacing * gMeshRadius;
     growth.shortest = gFurShortest;
-    growth.radius = gFurRadius;
-    return strandsVarying(input, LAYER_INDEX(gFurLayer), growth);
+    growth.data = 1.0;
+    return strandsVarying(input, layer, growth, round);
 }
 
-float4 CellularPS(StrandsVarying input) : SV_Target0
+StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
 {
-    FurSweep sweep = furSweep(input);
+    return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
+}
+
+StrandsVarying CellularBehindVS(LAYER_INPUT(FurInput, input))
+{
+    return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
+}
+
+StrandsVarying CellularEndVS(FurInput input)
+{
+    return cellularVarying(input, gFurLayers - 1.0, kFurNear);
+}
+
+float4 CellularPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
+{
+    FurSweep sweep = furSweep(input, PIXEL_CENTRE(input));
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // Each turn takes the next place on the way, and from the second on the piece between it and the last one.

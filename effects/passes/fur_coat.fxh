@@ -15,26 +15,41 @@ struct FurInput
 };
 
 // centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far outside of it.
+// But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the plain ones'.
 struct FurVarying
 {
     float4 position : SV_Position;
-    centroid float3 rest : TEXCOORD0;   // of the skin below, mesh space, from the bounding sphere's centre
+    centroid float3 rest : TEXCOORD0;   // of the skin below, from the bounding sphere's centre: along the mesh's axes, world units
     centroid float3 normal : TEXCOORD1; // mesh space
     centroid float3 world : TEXCOORD2;  // in the coat
     centroid float4 lightClip : TEXCOORD3;
     centroid float4 coat : TEXCOORD4; // height in the coat, uv, height of the layer above
+    float4 plainRest : TEXCOORD5;     // round (fur_rounds.fxh)
+    float3 plainNormal : TEXCOORD6;
 };
+
+// Of a point of the world from the light, mm. Parallel light has planes of equal distance.
+float furFromLight(float3 world)
+{
+    return millimetres(dot(lightDirection(world), lightVector(world)));
+}
+
+// Where tips hang, and how far: of this length, shares of the coat.
+float3 furHang()
+{
+    return gFurLean * gFurDown;
+}
 
 FurVarying furVarying(FurInput input, float height)
 {
     FurVarying output;
     float3 skin = worldPosition(input.position);
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
-    // Back into the mesh's own axes: with a rotation and one scale the transpose is the inverse, but for a length that does not matter.
-    output.rest = mul((float3x3)gWorld, skin - gBoundingCenter);
+    output.rest = meshAxes(skin - gBoundingCenter);
     output.normal = input.normal;
+    output.plainRest = float4(output.rest, kFurNear);
+    output.plainNormal = input.normal;
     output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
-    output.world = skin + furStrand(normal, gFurLean, height) * furDistance(gFurLength, gMeshRadius, height);
+    output.world = skin + furStrand(worldNormal(input.normal), furHang(), height) * furDistance(gFurLength, gMeshRadius, height);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
@@ -47,16 +62,19 @@ FurVarying SkinVS(FurInput input)
     return furVarying(input, 0.0);
 }
 
+// mm, or z/w.
+float furShadowTolerance()
+{
+    float range = kDepthInMillimetres ? millimetres(1.0) : 1.0 / max(gLightFar - gLightNear, 1e-6);
+    return kShadowTolerance * gMeshRadius * range;
+}
+
 // Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
 float furShadow(FurVarying input, float3 normal, float3 toLight)
 {
-    float3 fromLight = input.world - gLightPosition;
-    float3 axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
-    float3 axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
-    float2 slope = shadowSlope(normal, axisX, axisY, toLight, shadowFootprint(length(fromLight), gLightFov));
-    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
-    float tolerance = kShadowTolerance * gMeshRadius * range;
-    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), shadowDepth(input.lightClip, fromLight), tolerance, slope);
+    float depth = shadowDepth(input.lightClip, millimetres(lightVector(input.world)));
+    float2 slope = shadowSlope(normal, lightRight(), lightUp(), toLight, shadowFootprint(input.lightClip.w, lightSpread()));
+    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
 }
 
 // Albedo of fur at this place: from root to tip, times the colour map.
@@ -78,9 +96,9 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
 // Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
-    float3 strand = furTangent(normal, gFurLean, input.coat.x);
-    float3 toLight = safeNormalize(gLightPosition - input.world);
+    float3 normal = worldNormal(input.normal);
+    float3 strand = furTangent(normal, furHang(), input.coat.x);
+    float3 toLight = lightDirection(input.world);
     float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);

@@ -32,5 +32,7 @@ float gFurDeviation < string UIName = "Deviation of the heights"; string UIWidge
 float gFurGrain < string UIName = "Grain of the heights"; string UIWidget = "Slider"; float UIMin = 0.0001; float UIMax = 0.2; float UIStep = 0.0001; string UIHelp = "radians of the map across which they vary; printed likewise"; > = 0.006;
 float gFurShadow < string UIName = "Shadow of the coat"; string UIWidget = "CheckBox"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "on other parts of the mesh"; > = 0.0;
 float gFurShadowHeight < string UIName = "Height of its shadow"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "share of the coat that counts as full"; > = 0.65;
+float3 gFurDown < string UIName = "Down"; string UIHelp = "unit vector of the world: where tips hang"; > = { 0.0, -1.0, 0.0 };
+float gFurFringes < string UIName = "Fringes"; string UIWidget = "CheckBox"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "1: what lies behind the nearest coat is drawn before it, so that soft fringes show it; 0: in one round"; > = FUR_FRINGES;
 
 #endif

@@ -36,7 +36,7 @@ float4 furRootTexel(float2 texel, float number)
 }
 
 // The strands of the list.
-float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, float4 growth, float list)
+float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, float3 data, float list)
 {
     float last = list > 0.0 ? kFurMostRoots : -1.0;
     [loop] for (float i = 0.0; i <= last; i += 1.0)
@@ -45,7 +45,7 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
         last = entry < 0.0 ? i + 3.0 : last;
         float2 texel = furTexel(abs(entry), grid.rows.x);
         float4 place = furRootTexel(texel, 0.0);
-        float3 root = piece.begin - place.xyz * growth.x;
+        float3 root = piece.begin - place.xyz * data.x;
         root -= sweep.normal * dot(root, sweep.normal);
         float3 away = root + 0.5 * piece.along;
         [branch] if (abs(entry) > 0.0 && dot(away, away) < piece.reach * piece.reach)
@@ -53,43 +53,62 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
             float4 up = furRootTexel(texel, 1.0);
             float4 lean = furRootTexel(texel, 2.0);
             // Roots of an opposite sheet look the other way.
-            float share = max(min(dot(up.xyz, sweep.normal), up.w * (1.0 / (gFurLength * gMeshRadius))), 0.01);
-            met = furMeet(met, sweep, piece, root, share, place.w * growth.w, dot(lean.xyz, sweep.normal), frac(lean.w * float3(1.0, 256.0, 65536.0)));
+            float share = max(min(dot(up.xyz, sweep.normal), up.w * abs(data.z)), 0.01);
+            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal), frac(lean.w * float3(1.0, 256.0, 65536.0)));
         }
     }
     return met;
 }
 
-StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
+// The roots' mesh has the unit that it was prepared in, and stands where it stood then: the balls of both tell how this one came from it.
+StrandsVarying rootsVarying(FurInput input, float layer, float round)
 {
     FurRootGrid grid = furRootGrid();
-    float4 coat = furRootCoat(SAMPLER2D_ARG(gFurRoots), input.position, grid.origin, grid.bricks, grid.rows, furRootsHeader(6.0).y);
+    float4 ball = furRootsHeader(4.0);
+    float3 place = furRootPlace(meshAxes(worldPosition(input.position) - gBoundingCenter), gMeshRadius, ball);
+    float4 coat = furRootCoat(SAMPLER2D_ARG(gFurRoots), place, grid.origin, grid.bricks, grid.rows, furRootsHeader(6.0).y);
     float4 strands = furRootsHeader(3.0);
     FurGrowth growth;
-    growth.place = input.position;
+    float spacing = rsqrt(max(strands.w, 1e-10)); // mm
+    growth.place = place / spacing;
     growth.lean = coat.xyz - input.normal * dot(coat.xyz, input.normal);
     growth.density = coat.w;
-    growth.spacing = rsqrt(max(strands.w, 1e-10));
+    growth.spacing = spacing * (gMeshRadius / max(ball.w, 1e-10));
     growth.shortest = furRootsHeader(5.0).x;
-    growth.radius = gFurRadius / strands.y;
-    return strandsVarying(input, LAYER_INDEX(gFurLayer), growth);
+    growth.data = float3(1.0 / spacing, gFurRadius / strands.y, 1.0 / max(gFurLength * ball.w, 1e-20));
+    return strandsVarying(input, layer, growth, round);
 }
 
-float4 RootsPS(StrandsVarying input) : SV_Target0
+StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
+{
+    return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
+}
+
+StrandsVarying RootsBehindVS(LAYER_INPUT(FurInput, input))
+{
+    return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
+}
+
+StrandsVarying RootsEndVS(FurInput input)
+{
+    return rootsVarying(input, gFurLayers - 1.0, kFurNear);
+}
+
+float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
 {
     FurRootGrid grid = furRootGrid();
-    FurSweep sweep = furSweep(input);
+    FurSweep sweep = furSweep(input, PIXEL_CENTRE(input));
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // As in CellularPS.
     [loop] for (int i = 0; i <= sweep.steps; i++)
     {
         piece = furNextPiece(piece, sweep, i);
-        float3 middle = (piece.begin + 0.5 * piece.along) / input.growth.x;
+        float3 middle = (piece.begin + 0.5 * piece.along) / input.plainRest.w;
         [branch] if (i > 0)
         {
             float list = furRootList(SAMPLER2D_ARG(gFurRoots), middle, grid.origin, grid.bricks, grid.rows);
-            met = furRoots(met, sweep, piece, grid, input.growth, list);
+            met = furRoots(met, sweep, piece, grid, float3(input.plainRest.w, input.plainNormal.w, input.plainFromEye.w), list);
         }
     }
     return furStrandColor(input, sweep, piece, met, 1.0);

@@ -27,23 +27,16 @@ FurVarying HullVS(FurInput input)
     return output;
 }
 
-// mm
-float hullDistance(FurVarying input)
-{
-    return length(input.world - gLightPosition);
-}
-
 float4 HullFrontPS(FurVarying input) : SV_Target0
 {
-    return float4(hullDistance(input), 0.0, 0.0, 1.0);
+    return float4(furFromLight(input.world), 0.0, 0.0, 1.0);
 }
 
 // Distance from the light, and mm of coat before it.
 float4 HullBackPS(FurVarying input) : SV_Target0
 {
-    float3 normal = mul(input.normal, (float3x3)gWorldInverseTranspose);
-    clip(dot(normal, input.world - gLightPosition));
-    float distance = hullDistance(input);
+    clip(-dot(worldNormal(input.normal), lightDirection(input.world)));
+    float distance = furFromLight(input.world);
     float front = tex2Dlod(gHullFront, float4(shadowCoordinate(input.lightClip), 0.0, 0.0)).x;
     return float4(distance, max(distance - front, 0.0), 0.0, 1.0);
 }
@@ -52,10 +45,9 @@ float4 HullBackPS(FurVarying input) : SV_Target0
 float furHullShadow(FurVarying input)
 {
     float2 hull = tex2Dlod(gHull, float4(shadowCoordinate(input.lightClip), 0.0, 0.0)).xy;
-    float thickness = gFurLength * gMeshRadius;
-    float place = hullDistance(input) - max(input.coat.x - gFurShadowHeight, 0.0) * thickness;
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
-    float own = furWay(input.coat.x, dot(normal, safeNormalize(gLightPosition - input.world)), gFurLength);
+    float thickness = millimetres(gFurLength * gMeshRadius);
+    float place = furFromLight(input.world) - max(input.coat.x - gFurShadowHeight, 0.0) * thickness;
+    float own = furWay(input.coat.x, dot(worldNormal(input.normal), lightDirection(input.world)), gFurLength);
     float foreign = furForeignCoat(place, hull.x - hull.y, hull.x, own, thickness);
     return hull.x > 0.0 ? exp(-gFurDensity * gFurShadow * foreign) : 1.0;
 }

@@ -10,23 +10,51 @@ SAMPLERCUBE(gFurCube, LINEAR);
 static const float kFurFaint = 0.002; // coverage that a layer seen from afar may leave out: 32 of them add up
 static const float kFurKernel = 1.7;   // bilinear texels of the fitting level are a mean over sqrt(3) times a pixel's width
 
-FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
+// 1 / distance from the eye.
+float shellNearness(FurVarying input)
 {
-    float layer = LAYER_INDEX(gFurLayer);
+    float3 fromEye = input.world - gCameraPosition;
+    return rsqrt(dot(fromEye, fromEye));
+}
+
+FurVarying shellVarying(FurInput input, float layer)
+{
     FurVarying output = furVarying(input, furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
     output.coat.w = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
     return output;
+}
+
+FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
+{
+    return shellVarying(input, LAYER_INDEX(gFurLayer));
+}
+
+FurVarying BehindVS(LAYER_INPUT(FurInput, input))
+{
+    FurVarying output = shellVarying(input, LAYER_INDEX(gFurLayer));
+    output.plainRest.w = kFurBehind;
+    return output;
+}
+
+FurVarying CoatEndVS(FurInput input)
+{
+    return furVarying(input, 1.0);
+}
+
+float4 CoatEndPS(FurVarying input) : SV_Target0
+{
+    return float4(shellNearness(input), 0.0, 0.0, 1.0);
 }
 
 // Slope of the map's heights against which the ray falls: how much they rise on its way over the skin while it falls by the coat's height.
 // side: of a pixel, radians of the map.
 float shellSlope(FurVarying input, float side)
 {
-    float3 normal = safeNormalize(mul(input.normal, (float3x3)gWorldInverseTranspose));
+    float3 normal = worldNormal(input.normal);
     float3 view = safeNormalize(input.world - gCameraPosition);
-    float3 strand = normal + float3(0.0, -2.0 * gFurLean * input.coat.x, 0.0);
+    float3 strand = normal + 2.0 * input.coat.x * furHang();
     float way = furWayOver(view, normal, strand) * gFurLength * gMeshRadius;
-    float pixel = max(length(ddx(input.rest)), length(ddy(input.rest)));
+    float pixel = max(length(ddx(input.plainRest.xyz)), length(ddy(input.plainRest.xyz)));
     return furHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
 }
 
@@ -56,47 +84,49 @@ float4 shell(FurVarying input, float2 sides, float4 texel)
     return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0, furHullShadow(input)), max(drawn, gFurOuterFirst));
 }
 
-float4 cubeShell(FurVarying input, float3 v)
+float4 cubeShell(FurVarying input, float2 pixel, float3 v)
 {
+    clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
     float2 sides = shellSides(v);
     return shell(input, sides, texCUBEbias(gFurCube, float4(furCurled(v, input.coat.x, gFurCurl), shellBias(sides))));
 }
 
-float4 sphereShell(FurVarying input, float3 v)
+float4 sphereShell(FurVarying input, float2 pixel, float3 v)
 {
+    clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
     float2 sides = shellSides(v);
     float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
     return shell(input, sides, tex2Dbias(gFurSphere, float4(place, 0.0, shellBias(sides))));
 }
 
-float4 CubePositionPS(FurVarying input) : SV_Target0
+float4 CubePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, furDirection(input.rest));
+    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.rest));
 }
 
-float4 CubeNormalPS(FurVarying input) : SV_Target0
+float4 CubeNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, furDirection(input.normal));
+    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.normal));
 }
 
-float4 CubeCombinedPS(FurVarying input) : SV_Target0
+float4 CubeCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, furCombinedVector(input.rest, input.normal));
+    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal));
 }
 
-float4 SpherePositionPS(FurVarying input) : SV_Target0
+float4 SpherePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, furDirection(input.rest));
+    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.rest));
 }
 
-float4 SphereNormalPS(FurVarying input) : SV_Target0
+float4 SphereNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, furDirection(input.normal));
+    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.normal));
 }
 
-float4 SphereCombinedPS(FurVarying input) : SV_Target0
+float4 SphereCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, furCombinedVector(input.rest, input.normal));
+    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal));
 }
 
 #endif

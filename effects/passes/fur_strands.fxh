@@ -11,29 +11,33 @@ static const float kFurLeastCosine = 0.01; // between ray and layer, at which a 
 // The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The longest way is
 // 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
 static const float kFurFarCosine = 1.0 / 6.0;
+static const float kFurNearest = 1e-4; // that light is, share of the mesh's radius
 
+// All that shader model 3 has room for. centroid and plain: as in FurVarying; what is the same everywhere takes the places that are left.
 struct StrandsVarying
 {
     float4 position : SV_Position;
-    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings, mesh space; layers above this one, and a half
+    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings; layers above this one, and a half
     centroid float4 normal : TEXCOORD1;  // height in the coat
     centroid float4 fromEye : TEXCOORD2; // spacings; width of a pixel, spacings
-    centroid float4 toLight : TEXCOORD3; // how often layers may be halved here (furSpare)
+    centroid float4 toLight : TEXCOORD3; // mm; how often layers may be halved here (furSpare)
     centroid float4 lightClip : TEXCOORD4;
-    centroid float4 lean : TEXCOORD5;   // of the tips, share of the coat; share of the full density of strands
-    centroid float4 growth : TEXCOORD6; // 1 / spacing, 1/mm; coat, spacings; shortest strand, share of the longest; radius of a strand, spacings, over that of the data
-    centroid float2 far : TEXCOORD7;    // least, as in furPath; 1 / mean length of strands, 1 / share of the longest
+    centroid float4 lean : TEXCOORD5;  // of the tips, share of the coat; share of the full density of strands
+    centroid float4 coat : TEXCOORD6;  // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
+    float4 plainRest : TEXCOORD7;      // roots' data: 1 / spacing, 1/mm
+    float4 plainNormal : TEXCOORD8;    // roots' data: radius of a strand, spacings, over that of the data, mm
+    float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; all times the round (fur_rounds.fxh)
 };
 
 // What grows at a vertex.
 struct FurGrowth
 {
-    float3 place;    // of the vertex, mm: in the axes of the strands' data
-    float3 lean;     // besides their weight, mesh space
-    float density;   // share of the full one
-    float spacing;   // mm
-    float shortest;  // strand, share of the longest
-    float radius;    // of a strand, spacings, over that of the data
+    float3 place;     // of the vertex, spacings: in the axes of the strands' data
+    float3 lean;      // besides their weight, along the mesh's axes
+    float density;    // share of the full one
+    float spacing;    // world units
+    float shortest;   // strand, share of the longest
+    float3 data;      // of the roots, as in StrandsVarying
 };
 
 // The ray's way from a layer to the next, and how it is walked.
@@ -72,37 +76,43 @@ float furFade(float width)
     return saturate(width - 1.0);
 }
 
-float3 furDown()
+// The reverse of meshAxes.
+float3 furFromAxes(float3 v)
 {
-    return mul((float3x3)gWorld, float3(0.0, -1.0, 0.0));
+    return v.x * worldUnit(gWorld[0].xyz) + v.y * worldUnit(gWorld[1].xyz) + v.z * worldUnit(gWorld[2].xyz);
 }
 
-// Directions are turned into the mesh's own axes here, where they change evenly across a triangle.
-StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth)
+// Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
+StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, float round)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, height);
-    float3 leaning = mul(growth.lean, (float3x3)gWorld) * furDistance(gFurLength, gMeshRadius, height) * height;
+    float3 leaning = furFromAxes(growth.lean) * furDistance(gFurLength, gMeshRadius, height) * height;
     float3 world = coat.world + leaning;
     float4 position = mul(float4(world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
     float thickness = max(gFurLength * gMeshRadius / growth.spacing, 1.0);
-    float3 fromEye = mul((float3x3)gWorld, world - gCameraPosition) / growth.spacing;
+    float3 fromEye = meshAxes(world - gCameraPosition) / growth.spacing;
     float width = 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x * length(fromEye);
+    float3 normal = meshAxes(worldNormal(input.normal));
     // By the upright coat, for that alone is the same for all layers.
-    float cosine = dot(safeNormalize(fromEye), safeNormalize(input.normal));
+    float cosine = dot(safeNormalize(fromEye), normal);
     float upright = thickness * furSine(cosine) / max(-cosine, kFurLeastCosine);
     StrandsVarying output;
     output.position = HALF_PIXEL(position, gViewportSize);
-    output.rest = float4(growth.place / growth.spacing, gFurLayers - 0.5 - layer);
-    output.normal = float4(coat.normal, height);
+    output.rest = float4(growth.place, gFurLayers - 0.5 - layer);
+    output.normal = float4(normal, height);
     output.fromEye = float4(fromEye, width);
-    output.toLight = float4(mul((float3x3)gWorld, gLightPosition - world), furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
+    // Tips before the near plane of parallel light have the light before them all the same.
+    float3 toLight = meshAxes(lightDirection(world)) * max(furFromLight(world), kFurNearest * millimetres(gMeshRadius));
+    output.toLight = float4(toLight, furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.lean = float4(growth.lean + gFurLean * furDown(), growth.density);
+    output.lean = float4(growth.lean + meshAxes(furHang()), growth.density);
     float least = lerp(kFurLeastCosine, kFurFarCosine, furFade(width));
-    output.far = float2(least * least, 2.0 / (1.0 + growth.shortest));
-    output.growth = float4(1.0 / growth.spacing, thickness, min(growth.shortest, 0.999), growth.radius);
+    output.coat = float4(least * least, thickness, min(growth.shortest, 0.999), 2.0 / (1.0 + growth.shortest));
+    output.plainRest = float4(growth.place, growth.data.x);
+    output.plainNormal = float4(normal, growth.data.y);
+    output.plainFromEye = float4(fromEye, round * growth.data.z);
     return output;
 }
 
@@ -119,7 +129,7 @@ float2 furBend(float height)
 float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float stray, float3 random)
 {
     float3 side = random - 0.5;
-    side = stray * safeNormalize(side - sweep.normal * dot(side, sweep.normal));
+    side = stray * furAlong(side - sweep.normal * dot(side, sweep.normal));
     float3 across = cross(sweep.normal, side);
     float2 unbend = piece.bendLow - piece.bend;
     float3 from = root - piece.bend.x * side - piece.bend.y * across;
@@ -143,11 +153,23 @@ float4 furExpect(float4 met, float fade, float density, float shortest, float pe
     return met + (1.0 - met.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
 }
 
-FurSweep furSweep(StrandsVarying input)
+// 1 / distance from the eye, per spacing.
+float strandsNearness(StrandsVarying input)
+{
+    return rsqrt(dot(input.fromEye.xyz, input.fromEye.xyz));
+}
+
+float4 CoatEndPS(StrandsVarying input) : SV_Target0
+{
+    return float4(strandsNearness(input), 0.0, 0.0, 1.0);
+}
+
+FurSweep furSweep(StrandsVarying input, float2 pixel)
 {
     FurSweep sweep;
-    sweep.normal = safeNormalize(input.normal.xyz);
-    sweep.view = safeNormalize(input.fromEye.xyz);
+    sweep.normal = furAlong(input.normal.xyz);
+    float nearness = strandsNearness(input);
+    sweep.view = input.fromEye.xyz * nearness;
     sweep.place = input.rest.xyz;
     sweep.height = input.normal.w;
     sweep.width = input.fromEye.w;
@@ -157,13 +179,13 @@ FurSweep furSweep(StrandsVarying input)
 
     float depth = sweep.height - sweep.bottom;
     FurSlopes slopes;
-    slopes.normalAcross = ddx(input.normal.xyz);
-    slopes.normalDown = ddy(input.normal.xyz);
-    slopes.across = ddx(input.fromEye.xyz);
-    slopes.down = ddy(input.fromEye.xyz);
-    slopes.placeAcross = ddx(input.rest.xyz);
-    slopes.placeDown = ddy(input.rest.xyz);
-    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.growth.y, input.far.x, slopes);
+    slopes.normalAcross = ddx(input.plainNormal.xyz);
+    slopes.normalDown = ddy(input.plainNormal.xyz);
+    slopes.across = ddx(input.plainFromEye.xyz);
+    slopes.down = ddy(input.plainFromEye.xyz);
+    slopes.placeAcross = ddx(input.plainRest.xyz);
+    slopes.placeDown = ddy(input.plainRest.xyz);
+    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.coat.y, input.coat.x, slopes);
 
     sweep.end = furFall(sweep.path.bow, depth);
     float way = length(sweep.path.travel) * sweep.end;
@@ -171,6 +193,7 @@ FurSweep furSweep(StrandsVarying input)
     sweep.step = sweep.end / max(way / kFurStep, 1.0);
     sweep.beyond = max(way - kFurMostSteps * kFurStep, way * sweep.fade);
     sweep.steps = frac(input.rest.w / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
+    sweep.steps = furInRound(nearness, pixel, input.plainFromEye.w) < 0.0 ? -1.0 : sweep.steps;
     return sweep;
 }
 
@@ -209,24 +232,28 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     return piece;
 }
 
-// What the skin leaves of the light: one tap, for strands are narrower than texels of the map.
-float furSkinShadow(float4 lightClip, float3 toLight)
+// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As shadowLit of shadowDepth, in fewer slots of
+// shader model 3: outside of the light's view and before it all is lit.
+float furSkinShadow(float4 lightClip, float distance)
 {
-    float range = kDepthInMillimetres ? 1.0 : 1.0 / max(gLightFar - gLightNear, 1e-6);
-    return shadowLit(SAMPLER2D_ARG(gShadow), shadowCoordinate(lightClip), shadowDepth(lightClip, toLight) - kShadowTolerance * gMeshRadius * range);
+    float within = min(lightClip.w - max(abs(lightClip.x), abs(lightClip.y)), lightClip.z);
+    float depth = (kDepthInMillimetres ? distance : lightClip.z / lightClip.w) - furShadowTolerance();
+    float texel = shadowStored(tex2Dlod(gShadow, float4(shadowCoordinate(lightClip), 0.0, 0.0))).x;
+    return within > 0.0 && depth > texel ? 0.0 : 1.0;
 }
 
 // The layer's colour and coverage. met: as furMeet; last: the last piece. density: as furExpect.
 float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
-    met = furExpect(met, sweep.fade, density * input.lean.w, input.growth.z, input.far.y, float2(top, sweep.bottom), sweep.beyond);
+    met = furExpect(met, sweep.fade, density * input.lean.w, input.coat.z, input.coat.w, float2(top, sweep.bottom), sweep.beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
-    float3 strand = safeNormalize(sweep.normal + 2.0 * mean.x * input.lean.xyz);
-    float3 toLight = safeNormalize(input.toLight.xyz);
-    float open = furSkinShadow(input.lightClip, input.toLight.xyz) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
+    float3 strand = furAlong(sweep.normal + 2.0 * mean.x * input.lean.xyz);
+    float perDistance = rsqrt(dot(input.toLight.xyz, input.toLight.xyz));
+    float3 toLight = input.toLight.xyz * perDistance;
+    float open = furSkinShadow(input.lightClip, 1.0 / perDistance) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
     return float4(direct + albedo * gFurFill * furFill(mean.x, gFurDensity, gFurMultiple), met.x);
 }

@@ -15,7 +15,7 @@ SurfaceVarying IrradianceVS(MeshInput input)
 // By the normal of the mesh: that of the normal map would punch holes of no thickness into every bump that catches light.
 float thicknessTowardsLight(LitPoint p)
 {
-    float range = kDepthInMillimetres ? 1.0 : gLightFar - gLightNear;
+    float range = kDepthInMillimetres ? 1.0 : millimetres(gLightFar - gLightNear);
     float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.lightUv, p.axisX, p.axisY, p.toLight, p.footprint, range);
     float4 entry = lightEntry(p);
     return entry.w > 0.5 ? transmissionThickness(entry.z, dot(p.meshNormal, p.toLight), p.meshNormal, litNormal) : kOpaqueDistance;
@@ -25,7 +25,7 @@ float4 IrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
     float alpha = transmissionEncode(thicknessTowardsLight(p));
-    return float4(enteringLight(p), p.scatters > 0.5 ? alpha : 1.0);
+    return float4(irradianceBounded(enteringLight(p), kLargestLight), p.scatters > 0.5 ? alpha : 1.0);
 }
 
 #endif

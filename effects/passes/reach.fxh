@@ -21,7 +21,7 @@ static const float kFacingSlack = 0.25;
 struct NeedVarying
 {
     CullVarying cull;
-    float3 fromLight : TEXCOORD4;
+    float3 toLight : TEXCOORD4; // mm
     float4 lightClip : TEXCOORD5;
 };
 
@@ -31,7 +31,7 @@ NeedVarying CullNeedVS(MeshInput input)
     output.cull = cullVarying(input);
     output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
     float3 world = worldPosition(input.position);
-    output.fromLight = world - gLightPosition;
+    output.toLight = millimetres(lightVector(world));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
     return output;
 }
@@ -44,8 +44,8 @@ bool mayShow(CullVarying input)
 // A texel is needed if it shows, or if light enters there that may pass through to one that shows.
 float4 CullNeedPS(NeedVarying input) : SV_Target0
 {
-    float slack = kDepthInMillimetres ? kEntrySlack : kEntrySlack / max(gLightFar - gLightNear, kEntrySlack);
-    float depth = shadowDepth(input.lightClip, input.fromLight);
+    float slack = kDepthInMillimetres ? kEntrySlack : kEntrySlack / max(millimetres(gLightFar - gLightNear), kEntrySlack);
+    float depth = shadowDepth(input.lightClip, input.toLight);
     float lit = shadowTest(SAMPLER2D_ARG(gTsm), shadowCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
     return float4(mayShow(input.cull) || lit > 0.0 ? 1.0 : 0.0, 0.0, 0.0, 1.0);
 }

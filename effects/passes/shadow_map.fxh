@@ -9,7 +9,7 @@ SAMPLER2D(gShadow, POINT, CLAMP);
 struct ShadowVarying
 {
     float4 position : SV_Position;
-    float3 fromLight : TEXCOORD0;
+    float3 toLight : TEXCOORD0; // mm
     float4 lightClip : TEXCOORD1;
 };
 
@@ -19,13 +19,13 @@ ShadowVarying ShadowMapVS(MeshInput input)
     float3 world = worldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
     output.position = HALF_PIXEL(output.lightClip, gViewportSize);
-    output.fromLight = world - gLightPosition;
+    output.toLight = millimetres(lightVector(world));
     return output;
 }
 
 float4 ShadowMapPS(ShadowVarying input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, input.fromLight), 0.0, 0.0, 1.0);
+    return float4(shadowDepth(input.lightClip, input.toLight), 0.0, 0.0, 1.0);
 }
 
 #endif

@@ -9,7 +9,7 @@ struct SurfaceVarying
 {
     float4 position : SV_Position;
     float2 uv : TEXCOORD0;
-    float3 world : TEXCOORD1;
+    float3 world : TEXCOORD1; // world units
     float3 normal : TEXCOORD2;
     float4 tangent : TEXCOORD3;
     float4 lightClip : TEXCOORD4;
@@ -36,8 +36,8 @@ SurfaceVarying surfaceVarying(MeshInput input)
     SurfaceVarying output;
     output.uv = input.uv;
     output.world = worldPosition(input.position);
-    output.normal = mul(input.normal, (float3x3)gWorldInverseTranspose);
-    output.tangent = float4(mul(input.tangent.xyz, (float3x3)gWorld), input.tangent.w);
+    output.normal = worldNormal(input.normal);
+    output.tangent = worldTangent(input.tangent);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     output.position = float4(0.0, 0.0, 0.0, 1.0);
     return output;
@@ -47,19 +47,20 @@ SurfaceVarying surfaceVarying(MeshInput input)
 LitPoint surfacePoint(SurfaceVarying input)
 {
     LitPoint p;
-    float3 fromLight = input.world - gLightPosition;
+    float3 toLight = lightVector(input.world);
     p.albedo = float3(1.0, 1.0, 1.0);
     p.scatters = 1.0;
     p.normal = surfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
     p.meshNormal = safeNormalize(input.normal);
-    p.toLight = safeNormalize(-fromLight);
+    p.toLight = lightDirection(input.world);
     p.cosine = dot(p.normal, p.toLight);
     p.shadow = 1.0;
     p.lightUv = shadowCoordinate(input.lightClip);
-    p.depth = shadowDepth(input.lightClip, fromLight);
-    p.footprint = shadowFootprint(length(fromLight), gLightFov);
-    p.axisX = safeNormalize(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
-    p.axisY = safeNormalize(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    p.depth = shadowDepth(input.lightClip, millimetres(toLight));
+    // Printed: by the distance.
+    p.footprint = shadowFootprint(kFilterShadow || lightParallel() ? input.lightClip.w : length(toLight), lightSpread());
+    p.axisX = lightRight();
+    p.axisY = lightUp();
     return p;
 }
 

@@ -10,7 +10,7 @@ struct TsmVarying
 {
     float4 position : SV_Position;
     float2 uv : TEXCOORD0;
-    float3 fromLight : TEXCOORD1;
+    float3 toLight : TEXCOORD1; // mm
     float4 lightClip : TEXCOORD2;
 };
 
@@ -21,13 +21,13 @@ TsmVarying TsmVS(MeshInput input)
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
     output.position = HALF_PIXEL(output.lightClip, gViewportSize);
     output.uv = input.uv;
-    output.fromLight = world - gLightPosition;
+    output.toLight = millimetres(lightVector(world));
     return output;
 }
 
 float4 TsmPS(TsmVarying input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, input.fromLight), input.uv, 1.0);
+    return float4(shadowDepth(input.lightClip, input.toLight), input.uv, 1.0);
 }
 
 #endif

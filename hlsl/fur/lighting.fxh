@@ -23,7 +23,7 @@ float furSpecular(float3 strand, float3 toLight, float3 toEye, float exponent)
     float light = dot(strand, toLight);
     float eye = dot(strand, toEye);
     float cosine = saturate(furSine(light) * furSine(eye) - light * eye);
-    return furSine(light) * pow(max(cosine, 1e-6), exponent) * 0.5 * sqrt((exponent + 0.6666667) / (2.0 * kPi));
+    return furSine(light) * pow(cosine, exponent) * 0.5 * sqrt((exponent + 0.6666667) / (2.0 * kPi));
 }
 
 // Way of the light through a coat to this height, in its thicknesses. The coat is that of a ball of radius 1, `thickness` thick. The way out of a ball of radius

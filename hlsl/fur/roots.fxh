@@ -5,11 +5,19 @@
 
 static const float kFurRootsWidth = 4096.0;
 
-// Where texel number `index` is. Powers of two and whole numbers below 2^24: exact.
+// A place of the mesh that is drawn, where the roots' mesh has it: whatever the unit of either, and wherever a world matrix has put it. fromCentre: of the
+// bounding ball, along the mesh's own axes; radius: of that ball, in the same unit; ball: centre and radius of the roots' mesh, mm.
+float3 furRootPlace(float3 fromCentre, float radius, float4 ball)
+{
+    return ball.xyz + fromCentre * (ball.w / radius);
+}
+
+// Where texel number `index` is. Powers of two and whole numbers below 2^24: exact, but for the quotient by the rows, which stays in the row's middle.
 float2 furTexel(float index, float rows)
 {
     float row = index / kFurRootsWidth;
-    return float2(frac(row) + 0.5 / kFurRootsWidth, (floor(row) + 0.5) / rows);
+    float column = frac(row);
+    return float2(column + 0.5 / kFurRootsWidth, (row - column) * (1.0 / rows) + 0.5 / rows);
 }
 
 // Number `q` (0 to 3) of four.

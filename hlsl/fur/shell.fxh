@@ -16,22 +16,22 @@ float furSpread(float height, float exponent)
     return height < 1.0 ? pow(max(height, 1e-6), exponent) : 1.0;
 }
 
-// mm. furLength: K, the coat's thickness as a share of the mesh's radius (mm).
+// furLength: K, the coat's thickness as a share of the mesh's radius; the distance has the radius's unit.
 float furDistance(float furLength, float meshRadius, float height)
 {
     return furLength * meshRadius * height;
 }
 
-// From the root to the point at this height, in units of the distance along the normal; lean 0 upright, 1 tips as far down as out. World is y up.
-float3 furStrand(float3 normal, float lean, float height)
+// From the root to the point at this height, in units of the distance along the normal. lean: where tips hang and how far: 0 upright, of length 1 as far as out.
+float3 furStrand(float3 normal, float3 lean, float height)
 {
-    return normal + float3(0.0, -lean * height, 0.0);
+    return normal + lean * height;
 }
 
 // Unit direction of the strand there: derivative of height * furStrand.
-float3 furTangent(float3 normal, float lean, float height)
+float3 furTangent(float3 normal, float3 lean, float height)
 {
-    return safeNormalize(normal + float3(0.0, -2.0 * lean * height, 0.0));
+    return safeNormalize(normal + 2.0 * height * lean);
 }
 
 // Depth z of a clip position whose planes were fitted to the mesh: what the coat has before the nearer one is not cut off but drawn close behind it, in

@@ -3,6 +3,12 @@
 #ifndef TEGUMENT_FUR_SWEEP_FXH
 #define TEGUMENT_FUR_SWEEP_FXH
 
+// Unit vector along v, for vectors that are no shorter than 1e-6, zero of zero: a slot of shader model 3 less than safeNormalize.
+float3 furAlong(float3 v)
+{
+    return v * rsqrt(dot(v, v) + 1e-20);
+}
+
 // How a ray goes on from a layer. After the height s by which a flat skin would have made it fall, its place has moved by travel s, and its normal has turned by turn s.
 // All lengths in spacings of the strands.
 struct FurPath

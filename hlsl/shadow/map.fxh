@@ -1,6 +1,7 @@
 // Shadow map: depth of the surface nearest to the light (seed equation 7). Lit where depth - tolerance <= texel. The functions read x only, so a
 // translucent shadow map serves too.
-// Depth: setting seed z/w; else the distance to the light in mm, so that along one ray the difference of two depths is a length.
+// Depth: setting seed z/w; else the distance to the light in mm, so that along one ray the difference of two depths is a length; of parallel light the
+// distance to the plane of its position. Before the light's near plane it is 0: what lies there, or behind the light, is lit.
 #ifndef TEGUMENT_SHADOW_MAP_FXH
 #define TEGUMENT_SHADOW_MAP_FXH
 
@@ -12,29 +13,34 @@ static const float kSlopeTolerance = 1.0;
 static const float kHorizon = 0.05;
 // Depth of what is not there, mm or z/w.
 static const float kNoSurface = 1e9;
+// Makes the square of one rounding step beside the map, 6e-8 of it, deeper than anything.
+static const float kFarBeyond = 1e30;
 
 float2 shadowCoordinate(float4 lightClip)
 {
     return lightClip.xy / max(lightClip.w, 1e-6) * float2(0.5, -0.5) + 0.5;
 }
 
-float shadowDepth(float4 lightClip, float3 fromLight)
+float shadowDepth(float4 lightClip, float3 toLight)
 {
-    return kDepthInMillimetres ? length(fromLight) : lightClip.z / max(lightClip.w, 1e-6);
+    float depth = kDepthInMillimetres ? length(toLight) : lightClip.z / max(lightClip.w, 1e-6);
+    return lightClip.z > 0.0 ? depth : 0.0;
 }
 
-// mm across a texel at this distance from the light (depth, mm); fov = angle of its pyramid, radians.
-float shadowFootprint(float depth, float fov)
+// mm across a texel at this w of the light's clip space; spread = mm across half of the light's view for each unit of w.
+float shadowFootprint(float w, float spread)
 {
-    return 2.0 * depth * tan(0.5 * fov) / kMapSize;
+    return 2.0 * w * spread / kMapSize;
 }
 
 // Change of depth (mm) from texel to texel along u and v on the plane through the receiver; the inverse of tsmNormal. axisX, axisY: the light's right and up.
+// The ray of the next texel is turned by the footprint along the axis; the distance to where it meets the plane changes by axis.(n / n.l - l) of it. The
+// second term is that of a sphere around the light, on which no distance changes; for parallel light it is 0.
 float2 shadowSlope(float3 normal, float3 axisX, float3 axisY, float3 toLight, float footprint)
 {
     float cosine = dot(normal, toLight);
-    float2 slope = float2(dot(normal, axisX), -dot(normal, axisY)) * footprint / max(cosine, kSmallestSlopeCosine);
-    return kFilterShadow && cosine > 0.0 ? slope : float2(0.0, 0.0);
+    float3 across = footprint * (normal / max(cosine, kSmallestSlopeCosine) - toLight);
+    return kFilterShadow && cosine > 0.0 ? float2(dot(across, axisX), -dot(across, axisY)) : float2(0.0, 0.0);
 }
 
 // A surface that turns away from the light is shadowed by itself, whatever its normal map says and the map's texels can resolve.
@@ -50,29 +56,46 @@ float4 shadowStored(float4 depth)
                   depth.w > 0.0 ? depth.w : kNoSurface);
 }
 
+// Square of the distance from the map, 0 on it. What lies outside is lit: a clamped look-up would stretch the shadow of its border texels over the world.
+float shadowBeyond(float2 coordinate)
+{
+    float2 beyond = coordinate - saturate(coordinate);
+    return dot(beyond, beyond);
+}
+
 // Lit where the nearest surface is not before this depth.
 float shadowLit(SAMPLER2D_PARAM(map), float2 coordinate, float depth)
 {
-    return depth <= shadowStored(tex2Dlod(map, float4(coordinate, 0.0, 0.0))).x ? 1.0 : 0.0;
+    float texel = shadowStored(tex2Dlod(map, float4(coordinate, 0.0, 0.0))).x;
+    return depth <= texel + kFarBeyond * shadowBeyond(coordinate) ? 1.0 : 0.0;
+}
+
+// 1 where four texels from `first` on, counted in texels, lie on the map.
+float4 shadowOnMap(float first)
+{
+    float4 texel = first + float4(0.0, 1.0, 2.0, 3.0);
+    return step(-0.5, texel) * step(texel, kMapSize - 0.5);
 }
 
 // Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions, each compared with the receiver's plane there.
+// Taps outside of the map are lit.
 float shadowFiltered(SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
 {
     float2 position = coordinate * kMapSize - 0.5;
     float2 f = frac(position);
     float2 corner = (position - f - 0.5) / kMapSize;
-    float4 rowWeight = float4(1.0 - f.y, 1.0, 1.0, f.y);
+    float4 columnWeight = shadowOnMap(position.x - f.x - 1.0) * float4(1.0 - f.x, 1.0, 1.0, f.x);
+    float4 rowWeight = shadowOnMap(position.y - f.y - 1.0) * float4(1.0 - f.y, 1.0, 1.0, f.y);
     float4 plane = depth + slope.x * (float4(-1.0, 0.0, 1.0, 2.0) - f.x);
-    float sum = 0.0;
+    float shadow = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
     {
         float4 row;
         [unroll] for (int i = 0; i < 4; i++)
             row[i] = tex2Dlod(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
-        sum += rowWeight[j] * dot(step(plane + slope.y * (j - 1.0 - f.y), shadowStored(row)), float4(1.0 - f.x, 1.0, 1.0, f.x));
+        shadow += rowWeight[j] * dot(1.0 - step(plane + slope.y * (j - 1.0 - f.y), shadowStored(row)), columnWeight);
     }
-    return sum / 9.0;
+    return 1.0 - shadow / 9.0;
 }
 
 // depth, tolerance: mm, or z/w. slope: from shadowSlope.

@@ -6,6 +6,12 @@
 // Texels whose texture coordinates differ by less are one piece of surface: 3 % of the map, about 9 mm of a head.
 static const float kOnePiece = 0.03;
 
+// A way across the light's rays that changes the map's place as much as one along `axis` would: `axis`, less its share along the ray. Printed: the axis.
+float3 tsmAcross(float3 axis, float3 back, float3 toLight)
+{
+    return kFilterShadow ? axis - back * (dot(toLight, axis) / max(dot(toLight, back), 1e-3)) : axis;
+}
+
 // Normal of the lit surface, from the slope of its depths. axisX, axisY: the light's right and up; footprint: mm of a texel; range: mm of a unit depth.
 float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 axisY, float3 toLight, float footprint, float range)
 {
@@ -16,11 +22,14 @@ float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 a
     around.z = tex2Dlod(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x;
     around.w = tex2Dlod(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
     float4 depth = shadowStored(around);
-    return safeNormalize(2.0 * footprint * toLight + range * ((depth.x - depth.y) * axisX + (depth.z - depth.w) * axisY));
+    float3 back = cross(axisX, axisY);
+    float3 acrossX = tsmAcross(axisX, back, toLight);
+    float3 acrossY = tsmAcross(axisY, back, toLight);
+    return safeNormalize(2.0 * footprint * toLight + range * ((depth.x - depth.y) * acrossX + (depth.z - depth.w) * acrossY));
 }
 
 // Point where the light entered: interpolated where the four texels lie on one piece of the surface, else the nearest texel. Seen at a grazing angle
-// neighbouring texels lie far apart on the surface; read singly they would print their steps on the side away from the light.
+// neighbouring texels lie far apart on the surface; read singly they would print their steps on the side away from the light. None outside of the map.
 float4 tsmEntry(SAMPLER2D_PARAM(tsm), float2 coordinate)
 {
     float2 position = coordinate * kMapSize - 0.5;
@@ -32,7 +41,8 @@ float4 tsmEntry(SAMPLER2D_PARAM(tsm), float2 coordinate)
     float4 d = tex2Dlod(tsm, float4(corner + float2(1.0, 1.0) / kMapSize, 0.0, 0.0));
     float3 spread = max(max(a, b), max(c, d)).yzw - min(min(a, b), min(c, d)).yzw;
     float4 nearest = lerp(lerp(a, b, step(0.5, f.x)), lerp(c, d, step(0.5, f.x)), step(0.5, f.y));
-    return max(spread.x, max(spread.y, spread.z)) < kOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;
+    float4 entry = max(spread.x, max(spread.y, spread.z)) < kOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;
+    return shadowBeyond(coordinate) > 0.0 ? float4(0.0, 0.0, 0.0, 0.0) : entry;
 }
 
 #endif

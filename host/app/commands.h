@@ -26,5 +26,6 @@ void addCompare(CLI::App& program, Action& action);
 void addView(CLI::App& program, Action& action);
 void addBench(CLI::App& program, Action& action);
 void addVerify(CLI::App& program, Action& action);
+void addInvariance(CLI::App& program, Action& action);
 
 } // namespace tegument::app

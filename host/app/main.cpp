@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
     tegument::app::addCompare(program, action);
     tegument::app::addView(program, action);
     tegument::app::addVerify(program, action);
+    tegument::app::addInvariance(program, action);
     tegument::app::addBench(program, action);
     try {
         program.parse(argc, argv);

@@ -41,7 +41,7 @@ Json objectsJson(const std::vector<RunObject>& objects) {
                         {"attribution", object.mesh->attribution},
                         {"position", vectorJson(object.placement.position)},
                         {"rotation", vectorJson(object.placement.rotation)},
-                        {"scale", object.placement.scale}});
+                        {"scale", vectorJson(object.placement.scale)}});
     return json;
 }
 

@@ -47,10 +47,11 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
 
 /// Objects whose meshes are read alike share one.
 Result<void> loadObjects(Scene& scene) {
-    std::map<std::tuple<std::string, std::optional<double>, bool, bool, std::string>, const Mesh*> known;
+    std::map<std::tuple<std::string, std::optional<double>, bool, float, std::string>, const Mesh*> known;
     for (const SceneObject& object : scene.workspace.objects) {
         const fs::path path = beside(scene.workspace, object.meshPath);
-        const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, object.head, object.attribution}];
+        const float judged = object.head ? object.placement.scale.y : 0; // a head's size is judged with it
+        const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, judged, object.attribution}];
         if (!mesh) {
             auto read = readMesh(path, meshOptions(object), object.attribution);
             if (!read) return read.error();

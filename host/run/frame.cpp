@@ -22,12 +22,19 @@ struct Builder {
     Frame& frame;
 };
 
-/// A shader that does not write a bound target leaves it as it is in Direct3D; in Vulkan it would write undefined values.
-PipelineState maskUnwritten(const Pass& pass, const PassProgram& program) {
+/// A shader that does not write a bound target leaves it as it is in Direct3D; in Vulkan it would write undefined values. `mirrored`: front faces
+/// are the other way round.
+PipelineState maskUnwritten(const Pass& pass, const PassProgram& program, bool mirrored) {
     PipelineState state = pass.state;
+    if (mirrored) state.frontCounterClockwise = !state.frontCounterClockwise;
     for (std::size_t slot = 0; slot < state.targets.size(); ++slot)
         if ((program.use.writtenColors >> slot & 1U) == 0) state.targets[slot].writeMask = 0;
     return state;
+}
+
+/// In a mirrored world the mesh's front faces are clockwise; buffers know no world.
+bool isMirrored(const Builder& builder, const DrawStep& step) {
+    return step.kind != DrawKind::Buffer && glm::determinant(glm::dmat3(builder.prepared.scene.world)) < 0;
 }
 
 gpu::ShaderCode codeOf(const Shader& shader) {
@@ -47,7 +54,8 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
         formats.push_back(color->desc().format);
     const std::optional<gpu::Format> depth = targets.depth ? std::optional(targets.depth->desc().format) : std::nullopt;
     const std::uint32_t samples = anyOf(targets).desc().samples;
-    const PipelineKey key{step.pass, formats, depth, samples};
+    const bool mirrored = isMirrored(builder, step);
+    const PipelineKey key{step.pass, formats, depth, samples, mirrored};
     if (const auto found = builder.resources.pipelines.find(key); found != builder.resources.pipelines.end())
         return static_cast<const gpu::Pipeline*>(&found->second);
     const PassProgram& program = builder.prepared.programs.at(step.pass);
@@ -61,7 +69,7 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
                                                          .colorFormats = std::move(formats),
                                                          .depthFormat = depth,
                                                          .samples = samples,
-                                                         .state = maskUnwritten(*step.pass, program)});
+                                                         .state = maskUnwritten(*step.pass, program, mirrored)});
     if (!pipeline) return pipeline.error();
     return static_cast<const gpu::Pipeline*>(&builder.resources.pipelines.emplace(key, std::move(*pipeline)).first->second);
 }

@@ -129,6 +129,19 @@ Result<void> checkNumbers(const RunInput& input, const Prepared& prepared) {
     return {};
 }
 
+/// Normals and Stretch maps follow such a world, and all that is in mm; what a normal map or a coat holds of the mesh itself does not.
+void warnUneven(const RunInput& input, Prepared& prepared) {
+    if (!input.placed || isEvenlyScaled(input.placed->placement)) return;
+    const glm::vec3& scale = input.placed->placement.scale;
+    prepared.warnings.push_back(
+        {.severity = Severity::Warning,
+         .code = 4053,
+         .at = {.file = input.effect.file.string(), .byte = {}},
+         .text = fmt::format("the mesh is scaled by {:g}, {:g}, {:g}: unevenly", scale.x, scale.y, scale.z),
+         .hint = "bumps of a normal map keep their slopes, and strands of fur their lengths: scale the mesh before its maps are made",
+         .sourceLine = {}});
+}
+
 } // namespace
 
 std::array<float, 4> background(const Workspace& workspace) {
@@ -152,6 +165,7 @@ Result<Prepared> prepare(const RunInput& input) {
                                .workspace = &input.workspace.parameters,
                                .workspaceFile = input.workspace.file.string(),
                                .scene = &prepared.scene};
+    warnUneven(input, prepared);
     auto values = Values::resolve(input.effect, sources, prepared.warnings);
     if (!values) return values.error();
     prepared.values = std::move(*values);

@@ -13,8 +13,8 @@
 
 namespace tegument::run {
 
-/// Pipelines depend on the pass and on the formats and samples that it draws into.
-using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>, std::uint32_t>;
+/// Pipelines depend on the pass, on the formats and samples that it draws into, and on whether what it draws is mirrored.
+using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>, std::uint32_t, bool>;
 
 struct Resources {
     std::map<std::string, gpu::Texture> targets;

@@ -23,7 +23,7 @@ Result<RunResult> runScene(gpu::Device& device, const Effect& effect, std::span<
     const PlacedScene scene = run::placeObjects(workspace, objects);
     std::vector<run::PlacedObject> placed;
     for (const RunObject& object : objects)
-        placed.push_back({.placement = object.placement, .scene = scene});
+        placed.push_back({.placement = object.placement, .scene = scene, .worldUnitMm = workspace.worldUnitMm});
     run::Resources resources;
     std::set<std::string> uploaded;
     std::deque<run::RunInput> inputs; // objects point at these two

@@ -52,9 +52,10 @@ struct MatrixForm {
 constexpr std::array kForms = {MatrixForm{"", false, false}, MatrixForm{"INVERSE", true, false}, MatrixForm{"TRANSPOSE", false, true},
                                MatrixForm{"INVERSETRANSPOSE", true, true}};
 
-constexpr std::array<std::string_view, 11> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",    "NEARCLIP",
+constexpr std::array<std::string_view, 12> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",    "NEARCLIP",
                                                       "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",    "BOUNDINGBOXMIN",
-                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE"};
+                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE",
+                                                      "UNITMM"};
 constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
 
 /// A mesh that stands where its file has it keeps the matrices of the view bit for bit.
@@ -99,6 +100,7 @@ std::optional<Numbers> ofOwner(std::string_view semantic, Owner owner, const Sce
     if (semantic == "nearclip") return Numbers{view.nearPlane};
     if (semantic == "farclip") return Numbers{view.farPlane};
     if (semantic == "fieldofview") return Numbers{view.horizontalFov};
+    if (semantic == "unitmm") return Numbers{scene.unitMm};
     if (semantic == "time" || semantic == "elapsedtime") return Numbers{0.0};
     return std::nullopt;
 }
@@ -134,7 +136,17 @@ Result<std::optional<Numbers>> fitted(const Parameter& parameter, Numbers value)
     return std::optional(std::move(value));
 }
 
+/// From mm. With 1 mm in a unit nothing is rounded.
+void intoWorldUnits(SceneView& scene) {
+    const float factor = 1 / scene.unitMm;
+    scene.bounds = inUnit(scene.bounds, factor);
+    scene.placed = inUnit(scene.placed, factor);
+    for (glm::length_t row = 0; row < 4; ++row)
+        scene.world[row] *= glm::dvec4(glm::dvec3(1 / static_cast<double>(scene.unitMm)), 1);
+}
+
 void fillMatrices(SceneView& scene, Extent picture) {
+    if (scene.unitMm != 1) intoWorldUnits(scene);
     scene.camera = cameraMatrices(scene.placed.camera, static_cast<double>(picture.width) / picture.height);
     scene.light = lightMatrices(scene.placed.light, scene.bounds);
 }
@@ -146,7 +158,12 @@ Bounds unitBounds() {
 } // namespace
 
 SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture) {
-    SceneView scene{.hasMesh = mesh != nullptr, .bounds = mesh ? mesh->bounds : unitBounds(), .placed = {}, .camera = {}, .light = {}};
+    SceneView scene{.hasMesh = mesh != nullptr,
+                    .unitMm = workspace.worldUnitMm,
+                    .bounds = mesh ? mesh->bounds : unitBounds(),
+                    .placed = {},
+                    .camera = {},
+                    .light = {}};
     scene.placed = placeScene(workspace, scene.bounds);
     fillMatrices(scene, picture);
     return scene;
@@ -154,6 +171,7 @@ SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture
 
 SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture) {
     SceneView scene{.hasMesh = true,
+                    .unitMm = object.worldUnitMm,
                     .bounds = placedBounds(mesh, object.placement),
                     .world = worldMatrix(object.placement),
                     .placed = object.scene,

@@ -13,9 +13,10 @@
 
 namespace tegument::run {
 
-/// Everything that semantics can ask for, in world millimetres.
+/// Everything that semantics can ask for, in units of the world.
 struct SceneView {
     bool hasMesh = false;
+    float unitMm = 1; // millimetres in one unit of the world
     Bounds bounds; // of the mesh, where it stands
     glm::dmat4 world{1};
     PlacedScene placed;
@@ -29,7 +30,8 @@ struct SceneView {
 /// Where a mesh stands, and the scene's camera and light.
 struct PlacedObject {
     Placement placement;
-    PlacedScene scene;
+    PlacedScene scene; // mm
+    float worldUnitMm = 1;
 };
 [[nodiscard]] SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture);
 

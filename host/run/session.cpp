@@ -98,7 +98,7 @@ Scene inputsOf(const State& state, const Workspace& workspace, const RunOptions&
     }
     const PlacedScene placed = run::placeObjects(workspace, state.scene.objects);
     for (const RunObject& object : state.scene.objects) {
-        scene.placed.push_back({.placement = object.placement, .scene = placed});
+        scene.placed.push_back({.placement = object.placement, .scene = placed, .worldUnitMm = workspace.worldUnitMm});
         addInput(scene, state, object.mesh, object.workspace, options);
     }
     return scene;

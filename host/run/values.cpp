@@ -79,6 +79,18 @@ Result<void> checkGiven(const Parameter& parameter, const Numbers& value, const 
     return checked;
 }
 
+/// A unit that the matrices are not in makes every length wrong.
+void warnOtherUnit(const Parameter& parameter, const Numbers& value, const SceneView& scene, std::vector<Diagnostic>& warnings) {
+    if (!equalsIgnoreCase(parameter.semantic, "UNITMM") || value.front() == static_cast<double>(scene.unitMm)) return;
+    warnings.push_back({.severity = Severity::Warning,
+                        .code = 4052,
+                        .at = parameter.at,
+                        .text = fmt::format("{} is set to {:g}, but one unit of the scene's world is {:g} mm: lengths are {:g} times too long",
+                                            parameter.name, value.front(), scene.unitMm, value.front() / static_cast<double>(scene.unitMm)),
+                        .hint = "leave it out, and say \"world_unit_mm\" in the workspace",
+                        .sourceLine = {}});
+}
+
 Error missing(const Parameter& parameter) {
     const std::string name = parameter.name;
     const std::string set = fmt::format("give one: --set {}=VALUE", name);
@@ -108,6 +120,7 @@ Result<Values> Values::resolve(const Effect& effect, const ValueSources& sources
         const Parameter* parameter = effect.findParameter(name);
         if (!parameter) continue;
         if (const auto checked = checkGiven(*parameter, value, fileOnly(sources.workspaceFile), warnings); !checked) return checked.error();
+        warnOtherUnit(*parameter, value, *sources.scene, warnings);
         values.known_[name] = value;
         values.fixed_[name] = true;
     }
@@ -117,6 +130,7 @@ Result<Values> Values::resolve(const Effect& effect, const ValueSources& sources
             return inputError(4010, fileOnly(effect.file.string()), fmt::format("no parameter '{}' to set", name),
                               didYouMean(name, namesOf(effect)));
         if (const auto checked = checkGiven(*parameter, value, parameter->at, warnings); !checked) return checked.error();
+        warnOtherUnit(*parameter, value, *sources.scene, warnings);
         values.known_[name] = value;
         values.fixed_[name] = true;
     }

@@ -24,7 +24,8 @@ struct ValueSources {
 
 class Values {
 public:
-    /// TG4010 unknown name, TG4011 wrong number of values, TG4016 not a whole number; warning TG4012 outside UIMin..UIMax.
+    /// TG4010 unknown name, TG4011 wrong number of values, TG4016 not a whole number; warnings TG4012 outside UIMin..UIMax, TG4052 a unit
+    /// that the world does not have.
     [[nodiscard]] static Result<Values> resolve(const Effect& effect, const ValueSources& sources, std::vector<Diagnostic>& warnings);
 
     /// Null when nothing gives it a value.

@@ -89,13 +89,14 @@ double likelyUnit(double height) {
     return std::round(exact / step) * step;
 }
 
-std::optional<Error> checkHead(const Mesh& mesh, const Source& source) {
-    const double height = static_cast<double>(mesh.bounds.maximum.y) - static_cast<double>(mesh.bounds.minimum.y);
+/// `scale`: of the mesh's height where it stands.
+std::optional<Error> checkHead(const Mesh& mesh, const Source& source, double scale) {
+    const double height = scale * (static_cast<double>(mesh.bounds.maximum.y) - static_cast<double>(mesh.bounds.minimum.y));
     if (height >= kLeastHead && height <= kMostHead) return std::nullopt;
     const std::string suggestion = height > 0 ? fmt::format(": try {:g}", likelyUnit(height / source.unitMm)) : "";
     return inputError(5309, source.whole(),
-                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit; {:g} to {:g} mm is plausible", height, source.unitMm,
-                                  kLeastHead, kMostHead),
+                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit{}; {:g} to {:g} mm is plausible", height,
+                                  source.unitMm, scale == 1 ? "" : fmt::format(", scaled by {:g}", scale), kLeastHead, kMostHead),
                       fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}", suggestion));
 }
 
@@ -120,7 +121,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     keepReferenced(mesh); // so that a stray point cannot stretch the bounds
     computeBounds(mesh);
     if (options.expectHead)
-        if (auto error = checkHead(mesh, source)) return *error;
+        if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
     if (auto error = checkUvs(mesh, source, options)) return *error;
     finishFrames(mesh, source);
     return mesh;

@@ -53,6 +53,7 @@ struct MeshOptions {
     std::optional<double> unitMm; // default: 1000 for glTF (metres), the file's own declaration, else 1
     bool flipV = false;           // the file's v runs against its format's convention (the Lee Perry-Smith glb has v up)
     bool expectHead = false;      // refuse a size implausible for a human head, with a hint to --unit-mm
+    glm::vec3 scale{1};           // what its placement scales it by: only the size of a head is judged with it
     bool requireUvs = false;      // TG53xx when there are none
     double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
 };

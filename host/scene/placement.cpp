@@ -2,6 +2,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -32,15 +33,37 @@ glm::vec3 placed(const glm::dmat4& world, const glm::vec3& p) {
     return glm::vec3(transformPoint(world, glm::dvec3(p)));
 }
 
+/// From all vertices where they stand.
+Bounds boundsOfPlaced(std::span<const PlacedMesh> meshes) {
+    Mesh all;
+    for (const PlacedMesh& object : meshes) {
+        const glm::dmat4 world = worldMatrix(object.placement);
+        for (const glm::vec3& p : object.mesh->positions)
+            all.positions.push_back(placed(world, p));
+    }
+    computeBounds(all);
+    return all.bounds;
+}
+
 } // namespace
 
 glm::dmat4 worldMatrix(const Placement& placement) {
-    glm::dmat4 m(placement.scale);
-    m[3][3] = 1;
+    glm::dmat4 m(1);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        m[axis][axis] = static_cast<double>(placement.scale[axis]);
     for (glm::length_t axis = 0; axis < 3; ++axis)
         m = turned(axis, static_cast<double>(placement.rotation[axis])) * m; // GLM's b * a is "first a, then b" on row vectors
     m[3] = glm::dvec4(glm::dvec3(placement.position), 1);
     return m;
+}
+
+bool isMirrored(const Placement& placement) {
+    return placement.scale.x * placement.scale.y * placement.scale.z < 0;
+}
+
+bool isEvenlyScaled(const Placement& placement) {
+    const glm::vec3 lengths = glm::abs(placement.scale);
+    return lengths.x == lengths.y && lengths.y == lengths.z;
 }
 
 glm::dvec3 transformPoint(const glm::dmat4& m, const glm::dvec3& p) {
@@ -50,10 +73,11 @@ glm::dvec3 transformPoint(const glm::dmat4& m, const glm::dvec3& p) {
 Bounds placedBounds(const Mesh& mesh, const Placement& placement) {
     if (placement == Placement{}) return mesh.bounds;
     const glm::dmat4 world = worldMatrix(placement);
+    if (!isEvenlyScaled(placement)) return boundsOfPlaced(std::array{PlacedMesh{&mesh, placement}});
     Bounds bounds{.minimum = glm::vec3(INFINITY),
                   .maximum = glm::vec3(-INFINITY),
                   .centre = placed(world, mesh.bounds.centre),
-                  .radius = mesh.bounds.radius * placement.scale};
+                  .radius = mesh.bounds.radius * std::abs(placement.scale.x)};
     for (const glm::vec3& position : mesh.positions) {
         const glm::vec3 p = placed(world, position);
         bounds.minimum = glm::min(bounds.minimum, p);
@@ -65,14 +89,7 @@ Bounds placedBounds(const Mesh& mesh, const Placement& placement) {
 Bounds boundsOfAll(std::span<const PlacedMesh> meshes) {
     assert(!meshes.empty());
     if (meshes.size() == 1) return placedBounds(*meshes.front().mesh, meshes.front().placement);
-    Mesh all;
-    for (const PlacedMesh& object : meshes) {
-        const glm::dmat4 world = worldMatrix(object.placement);
-        for (const glm::vec3& p : object.mesh->positions)
-            all.positions.push_back(placed(world, p));
-    }
-    computeBounds(all);
-    return all.bounds;
+    return boundsOfPlaced(meshes);
 }
 
 } // namespace tegument

@@ -10,12 +10,12 @@
 
 namespace tegument {
 
-/// First `scale`, then `rotation` about the fixed axes x, y and z in this order, counter-clockwise as seen against the axis, then
-/// `position`.
+/// First `scale` along the mesh's own axes, none 0, an odd number of negative ones mirrors; then `rotation` about the fixed axes x, y and z
+/// in this order, counter-clockwise as seen against the axis; then `position`.
 struct Placement {
     glm::vec3 position{0}; // mm
     glm::vec3 rotation{0}; // degrees
-    float scale = 1;
+    glm::vec3 scale{1};
 
     bool operator==(const Placement&) const = default;
 };
@@ -25,7 +25,12 @@ struct Placement {
 /// mul(p, m), a point.
 [[nodiscard]] glm::dvec3 transformPoint(const glm::dmat4& m, const glm::dvec3& p);
 
-/// The bounds of a placed mesh: its sphere moved along, its box taken anew over all vertices.
+/// Front faces of what stands so are clockwise.
+[[nodiscard]] bool isMirrored(const Placement& placement);
+/// Lengths along all three axes are scaled alike, whatever their signs.
+[[nodiscard]] bool isEvenlyScaled(const Placement& placement);
+
+/// The bounds of a placed mesh: its box taken anew over all vertices; its sphere moved along, or, scaled unevenly, made anew.
 [[nodiscard]] Bounds placedBounds(const Mesh& mesh, const Placement& placement);
 
 struct PlacedMesh {

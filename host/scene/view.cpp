@@ -57,9 +57,18 @@ glm::dmat4 projectionMatrix(double horizontalFov, double aspect, double nearPlan
     return m;
 }
 
-Matrices assemble(const Frame& frame, double horizontalFov, double aspect, double nearPlane, double farPlane) {
+/// Row-vector parallel projection onto a square: x' = x / half, y' = y / half, z' = -(z + near) / (far - near), w' = 1.
+glm::dmat4 parallelMatrix(double half, double nearPlane, double farPlane) {
+    glm::dmat4 m(1);
+    m[0][0] = 1 / half;
+    m[1][1] = 1 / half;
+    m[2][2] = 1 / (nearPlane - farPlane);
+    m[3][2] = nearPlane / (nearPlane - farPlane);
+    return m;
+}
+
+Matrices assemble(const Frame& frame, const glm::dmat4& projection, double horizontalFov, double nearPlane, double farPlane) {
     const glm::dmat4 view = viewMatrix(frame);
-    const glm::dmat4 projection = projectionMatrix(horizontalFov, aspect, nearPlane, farPlane);
     const glm::dmat4 both = projection * view; // GLM's order: first view, then projection
     return {.view = glm::mat4(view),
             .projection = glm::mat4(projection),
@@ -71,6 +80,10 @@ Matrices assemble(const Frame& frame, double horizontalFov, double aspect, doubl
             .horizontalFov = static_cast<float>(horizontalFov),
             .nearPlane = static_cast<float>(nearPlane),
             .farPlane = static_cast<float>(farPlane)};
+}
+
+Matrices perspective(const Frame& frame, double horizontalFov, double aspect, double nearPlane, double farPlane) {
+    return assemble(frame, projectionMatrix(horizontalFov, aspect, nearPlane, farPlane), horizontalFov, nearPlane, farPlane);
 }
 
 struct Planes {
@@ -87,30 +100,41 @@ Planes fitPlanes(double depth, double radius) {
     return {std::max(depth - margin, farPlane * kLeastNearShare), farPlane};
 }
 
+/// The eye stands on the near plane, which touches the sphere, as the far plane does.
+Matrices parallelLight(const Light& light, const glm::dvec3& centre, double radius) {
+    const double reach = std::max(radius, 1e-6); // a mesh that is one point
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(*light.direction));
+    const double half = light.width ? 0.5 * static_cast<double>(*light.width) : reach;
+    const Frame frame = lookAt(centre - reach * direction, centre, glm::dvec3(0, 1, 0));
+    return assemble(frame, parallelMatrix(half, 0, 2 * reach), 0, 0, 2 * reach);
+}
+
 } // namespace
 
 Matrices cameraMatrices(const Camera& camera, double aspect) {
     assert(camera.nearPlane && camera.farPlane && aspect > 0);
     const Frame frame = lookAt(glm::dvec3(camera.position), glm::dvec3(camera.target), glm::dvec3(camera.up));
-    return assemble(frame, glm::radians(static_cast<double>(camera.horizontalFov)), aspect, static_cast<double>(*camera.nearPlane),
-                    static_cast<double>(*camera.farPlane));
+    return perspective(frame, glm::radians(static_cast<double>(camera.horizontalFov)), aspect, static_cast<double>(*camera.nearPlane),
+                       static_cast<double>(*camera.farPlane));
 }
 
 Matrices lightMatrices(const Light& light, const Bounds& bounds) {
     const glm::dvec3 position(light.position);
     const glm::dvec3 centre(bounds.centre);
     const double radius = static_cast<double>(bounds.radius) * (1 + kPlaneMargin);
+    if (light.direction) return parallelLight(light, centre, radius);
     const double distance = glm::distance(position, centre);
-    const double cone = distance > radius ? 2 * std::asin(radius / distance) : kWidestLightCone;
+    const double fitted = distance > radius ? 2 * std::asin(radius / distance) : kWidestLightCone;
+    const double cone = light.fov ? glm::radians(static_cast<double>(*light.fov)) : fitted;
     const Planes planes = fitPlanes(distance, static_cast<double>(bounds.radius));
     // A cone of no width (a mesh that is one point) has no projection: half a minute of arc is narrower than any real one.
     const double fov = std::clamp(cone, 1e-4, kWidestLightCone);
-    return assemble(lookAt(position, centre, glm::dvec3(0, 1, 0)), fov, 1, planes.nearPlane, planes.farPlane);
+    return perspective(lookAt(position, centre, glm::dvec3(0, 1, 0)), fov, 1, planes.nearPlane, planes.farPlane);
 }
 
 PlacedScene seenFrom(const PlacedScene& scene, const Placement& placement) {
     Placement rigid = placement;
-    rigid.scale = 1;
+    rigid.scale = glm::vec3(1);
     if (rigid == Placement{}) return scene;
     const glm::dmat4 back = glm::inverse(worldMatrix(rigid));
     const auto moved = [&](glm::vec3& point) { point = glm::vec3(transformPoint(back, glm::dvec3(point))); };
@@ -119,7 +143,24 @@ PlacedScene seenFrom(const PlacedScene& scene, const Placement& placement) {
     moved(result.camera.target);
     moved(result.light.position);
     result.camera.up = glm::vec3(glm::dmat3(back) * glm::dvec3(scene.camera.up));
+    if (scene.light.direction) result.light.direction = glm::vec3(glm::dmat3(back) * glm::dvec3(*scene.light.direction));
     return result;
+}
+
+PlacedScene inUnit(const PlacedScene& scene, float factor) {
+    PlacedScene result = scene;
+    for (glm::vec3* point : {&result.camera.position, &result.camera.target, &result.light.position})
+        *point *= factor;
+    for (std::optional<float>* length : {&result.camera.nearPlane, &result.camera.farPlane, &result.light.width})
+        if (*length) **length *= factor;
+    return result;
+}
+
+Bounds inUnit(const Bounds& bounds, float factor) {
+    return {.minimum = factor * bounds.minimum,
+            .maximum = factor * bounds.maximum,
+            .centre = factor * bounds.centre,
+            .radius = factor * bounds.radius};
 }
 
 PlacedScene placeScene(const Workspace& workspace, const Bounds& bounds) {
@@ -129,7 +170,10 @@ PlacedScene placeScene(const Workspace& workspace, const Bounds& bounds) {
         scene.camera.position = bounds.centre + unit * scene.camera.position;
         scene.camera.target = bounds.centre + unit * scene.camera.target;
     }
-    if (workspace.lightRelative) scene.light.position = bounds.centre + unit * scene.light.position;
+    if (workspace.lightRelative) {
+        scene.light.position = bounds.centre + unit * scene.light.position;
+        if (scene.light.width) *scene.light.width *= unit;
+    }
 
     const Camera& camera = scene.camera;
     const Frame frame = lookAt(glm::dvec3(camera.position), glm::dvec3(camera.target), glm::dvec3(camera.up));

@@ -23,8 +23,8 @@ struct Matrices {
     glm::mat4 inverseProjection{1};
     glm::mat4 inverseViewProjection{1};
     glm::vec3 position{0};   // of the eye or the light, world mm
-    float horizontalFov = 0; // radians
-    float nearPlane = 0;     // mm along the view direction, > 0
+    float horizontalFov = 0; // radians; 0 where the projection is parallel
+    float nearPlane = 0;     // mm along the view direction, > 0; 0 where the projection is parallel
     float farPlane = 0;
 };
 
@@ -33,7 +33,9 @@ struct Matrices {
 
 /// The light's square pyramid (aspect 1): apex at the light, aimed at the centre of the bounding sphere, field of view and planes fitted to
 /// the sphere. A light inside the sphere, or so near that the cone opens wider than 160 degrees, gets a pyramid of 160 degrees and a near
-/// plane of 1/1000 of the far plane: what lies outside is not in its map.
+/// plane of 1/1000 of the far plane: what lies outside is not in its map. Light::fov takes the place of the fitted angle.
+/// Parallel light: a parallel projection of a square that the sphere just fits into, or of Light::width, along its direction; w is 1
+/// everywhere, and `position` is the middle of the near plane.
 [[nodiscard]] Matrices lightMatrices(const Light& light, const Bounds& bounds);
 
 } // namespace tegument

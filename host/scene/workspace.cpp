@@ -29,6 +29,7 @@ public:
         workspace_.file = path_;
         readObject(root, "the workspace",
                    withMeshKeys(workspace_, {{"objects", [&](const LocatedJson& v) { readObjects(v); }},
+                                             {"world_unit_mm", [&](const LocatedJson& v) { workspace_.worldUnitMm = real(v, "world_unit_mm", kLeast, kMost); }},
                                              {"camera", [&](const LocatedJson& v) { readCamera(v); }},
                                              {"light", [&](const LocatedJson& v) { readLight(v); }},
                                              {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
@@ -36,6 +37,7 @@ public:
                                              {"parameters", [&](const LocatedJson& v) { readParameters(v, workspace_.parameters); }}}));
         refuseMeshBesideObjects(root);
         if (error_) return *error_;
+        inMillimetres();
         return std::move(workspace_);
     }
 
@@ -43,6 +45,24 @@ private:
     static constexpr double kLeast = 1e-6; // of lengths and units; nothing smaller is meant
     static constexpr double kMost = 1e9;
     static constexpr std::size_t kMostObjects = 256; // the script runs once for each
+
+    /// Lengths of the world are written in its unit; those in the frame "mesh" have none.
+    void inMillimetres() {
+        const float unit = workspace_.worldUnitMm;
+        Camera& camera = workspace_.camera;
+        Light& light = workspace_.light;
+        for (SceneObject& object : workspace_.objects)
+            object.placement.position *= unit;
+        for (std::optional<float>* plane : {&camera.nearPlane, &camera.farPlane})
+            if (*plane) **plane *= unit;
+        if (!workspace_.cameraRelative) {
+            camera.position *= unit;
+            camera.target *= unit;
+        }
+        if (workspace_.lightRelative) return;
+        light.position *= unit;
+        if (light.width) *light.width *= unit;
+    }
 
     struct Key {
         std::string name;
@@ -103,11 +123,24 @@ private:
         readObject(value, what,
                    withMeshKeys(object, {{"position", [&](const LocatedJson& v) { object.placement.position = vector(v, "position"); }},
                                          {"rotation", [&](const LocatedJson& v) { object.placement.rotation = vector(v, "rotation"); }},
-                                         {"scale", [&](const LocatedJson& v) { object.placement.scale = real(v, "scale", 1e-3, 1e3); }},
+                                         {"scale", [&](const LocatedJson& v) { object.placement.scale = scale(v); }},
                                          {"textures", [&](const LocatedJson& v) { readTextures(v, object.textures); }},
                                          {"parameters", [&](const LocatedJson& v) { readParameters(v, object.parameters); }}}));
         if (!error_ && object.meshPath.empty()) fail(5407, value, fmt::format("{} names no mesh", what), "give its \"mesh\"");
         workspace_.objects.push_back(std::move(object));
+    }
+
+    /// One number, or one for each axis; a negative one mirrors.
+    glm::vec3 scale(const LocatedJson& value) {
+        constexpr double kLeastScale = 1e-6;
+        constexpr double kMostScale = 1e6;
+        const glm::vec3 factors = value.kind == LocatedJson::Kind::Number ? glm::vec3(real(value, "scale", -kMostScale, kMostScale))
+                                                                          : vector(value, "scale", -kMostScale, kMostScale);
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            if (!(std::abs(static_cast<double>(factors[axis])) >= kLeastScale * (1 - 1e-6)))
+                fail(5403, value, fmt::format("scale is {:g} along an axis, which leaves nothing of the mesh", factors[axis]),
+                     fmt::format("{:g} to {:g}, or that much negative: mirrored", kLeastScale, kMostScale));
+        return factors;
     }
 
     /// What describes the one mesh belongs into each of several objects.
@@ -148,14 +181,31 @@ private:
         readObject(value, "light",
                    {{"frame", [&](const LocatedJson& v) { workspace_.lightRelative = frameIsMesh(v); }},
                     {"position", [&](const LocatedJson& v) { workspace_.light.position = vector(v, "position"); }},
+                    {"direction", [&](const LocatedJson& v) { workspace_.light.direction = vector(v, "direction"); }},
+                    {"fov", [&](const LocatedJson& v) { workspace_.light.fov = real(v, "fov", 0.1, 160); }},
+                    {"width", [&](const LocatedJson& v) { workspace_.light.width = real(v, "width", kLeast, kMost); }},
                     {"color", [&](const LocatedJson& v) { workspace_.light.color = color(v, "color"); }}});
-        requirePositionInWorld(value, "light", workspace_.lightRelative);
+        const Light& light = workspace_.light;
+        if (!light.direction) requirePositionInWorld(value, "light", workspace_.lightRelative);
+        refuseMixedLight(value, light);
+    }
+
+    /// A position and an angle belong to a point light, a direction and a width to parallel light.
+    void refuseMixedLight(const LocatedJson& value, const Light& light) {
+        const bool positioned = std::ranges::find(value.keys, "position") != value.keys.end();
+        if (light.direction && (positioned || light.fov))
+            fail(5407, value, fmt::format("the light has a direction and {}", positioned ? "a position" : "an fov"),
+                 "parallel light has \"direction\" and \"width\", a point light \"position\" and \"fov\"");
+        if (light.width && !light.direction)
+            fail(5407, value, "the light has a width but no direction", "a point light's map is as wide as its \"fov\"");
+        if (light.direction && *light.direction == glm::vec3(0))
+            fail(5407, value, "the light's direction has no length", "it says which way the light goes: [0, -1, 0] is from above");
     }
 
     /// The default positions are in radii.
     void requirePositionInWorld(const LocatedJson& value, const std::string& what, bool relative) {
         if (!error_ && !relative && std::ranges::find(value.keys, "position") == value.keys.end())
-            fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what), "give its position in millimetres");
+            fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what), "give its position in units of the world");
     }
 
     void readTextures(const LocatedJson& value, std::map<std::string, std::string>& textures) {
@@ -191,7 +241,7 @@ private:
         const std::string frame = string(value, "frame");
         if (!error_ && frame != "mesh" && frame != "world")
             fail(5403, value, fmt::format("the frame '{}' does not exist", frame),
-                 "\"mesh\": from the bounding sphere's centre in its radii; \"world\": millimetres");
+                 "\"mesh\": from the bounding sphere's centre in its radii; \"world\": units of the world (world_unit_mm)");
         return frame == "mesh";
     }
 
@@ -294,6 +344,12 @@ Result<Workspace> loadWorkspace(const fs::path& path, const WorkspaceOptions& op
 
 MeshOptions meshOptions(const MeshSource& source) {
     return {.unitMm = source.unitMm, .flipV = source.flipV, .expectHead = source.head};
+}
+
+MeshOptions meshOptions(const SceneObject& object) {
+    MeshOptions options = meshOptions(static_cast<const MeshSource&>(object));
+    options.scale = object.placement.scale;
+    return options;
 }
 
 Workspace workspaceOf(const Workspace& workspace, const SceneObject& object) {

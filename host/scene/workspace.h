@@ -15,7 +15,7 @@
 
 namespace tegument {
 
-/// Right-handed, looks along -z of its own space. Angles in degrees, lengths in mm.
+/// Right-handed, looks along -z of its own space. Angles in degrees, lengths in mm, or in radii of the mesh (Workspace::cameraRelative).
 struct Camera {
     glm::vec3 position{0, 0, 700};
     glm::vec3 target{0};
@@ -25,10 +25,14 @@ struct Camera {
     std::optional<float> farPlane;
 };
 
-/// One point light. `color` is E/pi at the mesh centre (docs/conventions.md): a white Lambert surface facing it there reflects `color`.
+/// One point light, or parallel light. `color` is E/pi at the mesh centre (docs/conventions.md): a white Lambert surface facing it there
+/// reflects `color`. What its map covers is fitted to the mesh unless `fov` or `width` says otherwise.
 struct Light {
-    glm::vec3 position{300, 300, 600};
+    glm::vec3 position{300, 300, 600}; // of parallel light of no meaning
     glm::vec3 color{1};
+    std::optional<glm::vec3> direction; // parallel light goes this way; not 0
+    std::optional<float> fov;           // of a point light's square pyramid, degrees
+    std::optional<float> width;         // across the map of parallel light, mm, or radii (Workspace::lightRelative)
 };
 
 /// A mesh file and how it is to be read.
@@ -50,6 +54,9 @@ struct SceneObject : MeshSource {
 struct Workspace : MeshSource {
     std::filesystem::path file;       // empty: built in defaults
     std::vector<SceneObject> objects; // empty: the one mesh above
+    /// Millimetres in one unit of the world that the shaders see: WORLD, cameras, lights and planes that semantics bind are in it, and
+    /// UNITMM is this number. Everything in this struct, and all that the host computes, is in mm.
+    float worldUnitMm = 1;
     /// "mesh" frame: position and target are relative to the bounding sphere's centre in units of its radius; "world": mm.
     bool cameraRelative = true;
     bool lightRelative = true;
@@ -71,8 +78,9 @@ struct WorkspaceOptions {
 [[nodiscard]] Result<Workspace> parseWorkspace(const std::string& text, const std::filesystem::path& path,
                                                const WorkspaceOptions& options = {});
 
-/// How the workspace wants a mesh read.
+/// How the workspace wants a mesh read. A head is judged by the size that its placement gives it.
 [[nodiscard]] MeshOptions meshOptions(const MeshSource& source);
+[[nodiscard]] MeshOptions meshOptions(const SceneObject& object);
 
 /// The workspace as one of its objects sees it: with its own mesh, textures and parameters.
 [[nodiscard]] Workspace workspaceOf(const Workspace& workspace, const SceneObject& object);
@@ -85,5 +93,8 @@ struct PlacedScene {
 [[nodiscard]] PlacedScene placeScene(const Workspace& workspace, const Bounds& bounds);
 /// The same scene in the space of an object that stands so: turned and moved back, not scaled.
 [[nodiscard]] PlacedScene seenFrom(const PlacedScene& scene, const Placement& placement);
+/// The same scene where all lengths are `factor` times as long: in another unit.
+[[nodiscard]] PlacedScene inUnit(const PlacedScene& scene, float factor);
+[[nodiscard]] Bounds inUnit(const Bounds& bounds, float factor);
 
 } // namespace tegument

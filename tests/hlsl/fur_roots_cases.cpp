@@ -231,6 +231,12 @@ double meanRadius(double h, double s) {
 
 std::vector<FunctionCase> sweeps() {
     std::vector<FunctionCase> cases;
+    cases.push_back({.function = "furAlong",
+                     .body = "return float4(furAlong(a0), 0);",
+                     .arguments = {vector(3, 1e-3, 1e6)},
+                     .expected = [](const Inputs& x) { return values(x.vec3(0) / std::max(glm::length(x.vec3(0)), 1e-30)); },
+                     .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-6, .why = "an inverse square root of a sum with 1e-20"},
+                     .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) == 0 || glm::length(x.vec3(0)) > 1e-6; }});
     cases.push_back({.function = "furPath",
                      .body = "FurSlopes s; s.across = a2; s.down = a3; s.placeAcross = a4; s.placeDown = a5; "
                              "s.normalAcross = a5.yzx; s.normalDown = a4.zxy; "
@@ -382,7 +388,16 @@ std::vector<FunctionCase> roots() {
                              return values((static_cast<double>(index % kWidth) + 0.5) / kWidth,
                                            (static_cast<double>(index / kWidth) + 0.5) / x.scalar(1));
                          },
-                     .tolerance = {.forward = 3, .backward = 0, .why = "one division"}});
+                     .tolerance = {.forward = 4, .backward = 0, .why = "two quotients and their sum; a texel's border is 1,000 ULP away"}});
+    cases.push_back({.function = "furRootPlace",
+                     .body = "return float4(furRootPlace(a0, a1, float4(a2, a3)), 0);",
+                     .arguments = {vector(3, 1e-6, 1e6), logarithmic(1e-6, 1e6), vector(3, 0.1, 1e3), logarithmic(1, 1e3)},
+                     .expected =
+                         [](const Inputs& x) { // as many radii from the centre of one ball as of the other
+                             return values(x.vec3(2) + x.scalar(3) * (x.vec3(0) / x.scalar(1)));
+                         },
+                     .tolerance = {.forward = 4, .backward = 4, .absolute = 1e-4, .why = "a sum of up to 1e3 that may cancel"},
+                     .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-6 && glm::length(x.vec3(0)) < 2 * x.scalar(1); }});
     cases.push_back({.function = "furPick",
                      .body = "return float4(furPick(a0, a1), 0, 0, 0);",
                      .arguments = {linear(-5, 5, 4), whole(0, 3)},

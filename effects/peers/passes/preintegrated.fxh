@@ -11,13 +11,13 @@ SAMPLER2D(gPreintegrated, LINEAR, CLAMP);
 // mm in the unit of the shadow map's depth.
 float inDepth(float length)
 {
-    return kDepthInMillimetres ? length : length / max(gLightFar - gLightNear, 1.0);
+    return kDepthInMillimetres ? length : length / max(millimetres(gLightFar - gLightNear), 1.0);
 }
 
 // Share of light within gPenumbraRadius on the surface.
 float lightAround(LitPoint p, float tolerance, float2 pixel)
 {
-    float3 side = safeNormalize(cross(p.meshNormal, abs(p.meshNormal.y) < 0.9 ? float3(0.0, 1.0, 0.0) : float3(1.0, 0.0, 0.0)));
+    float3 side = safeNormalize(cross(p.meshNormal, abs(dot(p.meshNormal, p.axisY)) < 0.9 ? p.axisY : p.axisX));
     float3 axisU = penumbraAxis(gPenumbraRadius * side, p.axisX, p.axisY, p.toLight, p.footprint);
     float3 axisV = penumbraAxis(gPenumbraRadius * cross(p.meshNormal, side), p.axisX, p.axisY, p.toLight, p.footprint);
     axisU.z = inDepth(axisU.z);
@@ -41,7 +41,7 @@ float4 preintegrated(SurfaceVarying input, bool penumbra)
 {
     LitPoint p = peerPoint(input);
     p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
-    float curvature = preintegratedCurvature(p.meshNormal, input.world);
+    float curvature = preintegratedCurvature(p.meshNormal, millimetres(input.world));
     float3 cosines = preintegratedCosines(p.meshNormal, p.normal, p.toLight, gBumpShare);
     float4 clip = mul(float4(input.world, 1.0), gViewProjection);
     float3 received = receivedLight(p, curvature, clip.xy / clip.w * gViewportSize * 0.5, penumbra);

@@ -1,4 +1,4 @@
-// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1) and shows it.
+// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1), two halves whose sum it is, and shows it.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -12,18 +12,18 @@ float Script : STANDARDSGLOBAL <
     string Script = "Technique=EnergyAttenuation;";
 > = 0.8;
 
-Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < int Width = 128; int Height = 128; int MipLevels = 1; string Format = "R32F"; >;
+Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < int Width = 128; int Height = 128; int MipLevels = 1; string Format = "G16R16F"; >;
 SAMPLER2D(gEnergyAttenuation, POINT, CLAMP);
 
 float4 EnergyAttenuationPS(QuadVarying input) : SV_Target0
 {
     float albedo = energyDirectionalAlbedo(input.uv.x, input.uv.y);
-    return float4(albedo, albedo, albedo, 1.0);
+    return float4(energyTexel(albedo), 0.0, 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
-    float albedo = tex2Dlod(gEnergyAttenuation, float4(input.uv, 0.0, 0.0)).x;
+    float albedo = halvesSum(tex2Dlod(gEnergyAttenuation, float4(input.uv, 0.0, 0.0)).xy);
     return float4(albedo, albedo, albedo, 1.0);
 }
 

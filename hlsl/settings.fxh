@@ -6,6 +6,7 @@
 //   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
 //   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure what it is worth
 //   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what that saves
+//   TEGUMENT_NORMAL_XY  0 (default); 1: the normal map has two channels (BC5, RG8), and z follows from them
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 // SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
@@ -46,6 +47,9 @@
 #else
 #define PEER_SEPARABLE_UNIT 1.0
 #endif
+#ifndef TEGUMENT_NORMAL_XY
+#define TEGUMENT_NORMAL_XY 0
+#endif
 #if TEGUMENT_MAP_BITS == 32
 #define SKIN_MAP_FORMAT "A32B32G32R32F"
 #else
@@ -82,6 +86,10 @@ static const float kPi = 3.14159265;
 static const float kMapSize = TEGUMENT_MAP_SIZE;
 static const bool kSeed = TEGUMENT_SETTING == 0;
 static const bool kCorrected = TEGUMENT_SETTING == 2;
+// The largest half is 65504; ten passes of the printed kernel, whose weights sum to 1.001, must not reach it. A float's, 3.4e38, is far beyond any light.
+static const float kLargestHalf = 64512.0;
+static const float kLargestLight = TEGUMENT_MAP_BITS == 32 ? 1e30 : kLargestHalf;
+static const bool kNormalXY = TEGUMENT_NORMAL_XY == 1;
 
 // Specular. Reflectance at normal incidence of an interface with index 1.4, ((1.4 - 1) / (1.4 + 1))^2, as the paper rounds it.
 static const float kFresnel0 = 0.028;

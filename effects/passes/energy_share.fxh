@@ -5,7 +5,7 @@
 // What the specular layer leaves of light that crosses the surface at this cosine.
 float diffuseShare(float cosine)
 {
-    float albedo = tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).x;
+    float albedo = halvesSum(tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).xy);
     return energyDiffuseShare(albedo, gSpecularIntensity);
 }
 

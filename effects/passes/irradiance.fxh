@@ -25,7 +25,7 @@ float4 IrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
     float alpha = transmissionEncode(thicknessTowardsLight(p));
-    return float4(enteringLight(p), p.scatters > 0.5 ? alpha : 1.0);
+    return float4(irradianceBounded(enteringLight(p), kLargestLight), p.scatters > 0.5 ? alpha : 1.0);
 }
 
 #endif

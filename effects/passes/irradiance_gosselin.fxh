@@ -14,7 +14,8 @@ float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
     p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
-    return float4(diffuseLight(p), min(tex2D(gKernelSize, input.uv).x, kLargestAlpha));
+    float kernel = tex2D(gKernelSize, input.uv).x;
+    return float4(irradianceBounded(diffuseLight(p), kLargestLight), kernel < kLargestAlpha ? kernel : kLargestAlpha);
 }
 
 #endif

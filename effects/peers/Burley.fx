@@ -5,6 +5,7 @@
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/workspace.fxh"
 #include "../../hlsl/surface/normal.fxh"
+#include "../../hlsl/surface/halves.fxh"
 #include "../../hlsl/specular/fresnel.fxh"
 #include "../../hlsl/specular/beckmann.fxh"
 #include "../../hlsl/specular/kelemen.fxh"

@@ -114,14 +114,15 @@ float separableScale(float2 frustum, float unit)
     return kSeparableDepthScale / (frustum.y * max(unit, 1e-6));
 }
 
-// light: RGB times coverage, and coverage; so a tap half beyond the outline counts half. ray: place over depth.
-float4 separableLight(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, float3 ray, float3 here, float3 along, float scale)
+// light: RGB times coverage, and coverage; so a tap half beyond the outline counts half. between: the depth in halves in y and z. ray: place over depth.
+// The maps have one level: plain look-ups take half of the slots that those with a level take in shader model 3.
+float4 separableLight(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(between), float2 uv, float3 ray, float3 here, float3 along, float scale)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
-    return tex2Dlod(light, float4(uv, 0.0, 0.0)) * separableShare(z * ray - here, along, scale);
+    float z = halvesSum(tex2D(between, uv).yz);
+    return tex2D(light, uv) * separableShare(z * ray - here, along, scale);
 }
 
-// One direction: rows first .. first + pairs of the tables. axis: one pixel along x or y, in uv. between: the depth, interpolated, because the nearest
+// One direction: rows first .. first + pairs of the tables. axis: one pixel along x or y, in uv. between: the depth in halves, interpolated, because the nearest
 // pixel's would seem to stand out of a surface that is seen at an angle. The centre stands in for what the taps do not keep.
 // strength: share of each colour that diffuses.
 float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), SAMPLER2D_PARAM(between), float2 uv, float2 axis, float2 frustum, float unit,

@@ -18,9 +18,11 @@ float transmissionThickness(float path, float cosine, float3 normal, float3 litN
     return cosine > 0.0 ? kOpaqueDistance : lerp(path, corrected, parallel);
 }
 
+// What is no number, as the thickness by a normal that is none, is opaque: it must not reach the neighbours.
 float transmissionEncode(float thickness)
 {
-    return min(kThicknessAsDepth ? thickness : exp(-kThicknessDecay * thickness), kLargestAlpha);
+    float known = thickness >= 0.0 ? thickness : kOpaqueDistance;
+    return min(kThicknessAsDepth ? known : exp(-kThicknessDecay * known), kLargestAlpha);
 }
 
 // range: mm between the light's planes. Alphas below 1e-6 (69 mm) are the half's denormals.

@@ -13,6 +13,8 @@ static const float kSlopeTolerance = 1.0;
 static const float kHorizon = 0.05;
 // Depth of what is not there, mm or z/w.
 static const float kNoSurface = 1e9;
+// Makes the square of one rounding step beside the map, 6e-8 of it, deeper than anything.
+static const float kFarBeyond = 1e30;
 
 float2 shadowCoordinate(float4 lightClip)
 {
@@ -54,18 +56,18 @@ float4 shadowStored(float4 depth)
                   depth.w > 0.0 ? depth.w : kNoSurface);
 }
 
-// What lies outside of the map is lit: a clamped look-up would stretch the shadow of its border texels over the world.
-bool shadowOutside(float2 coordinate)
+// Square of the distance from the map, 0 on it. What lies outside is lit: a clamped look-up would stretch the shadow of its border texels over the world.
+float shadowBeyond(float2 coordinate)
 {
     float2 beyond = coordinate - saturate(coordinate);
-    return dot(beyond, beyond) > 0.0;
+    return dot(beyond, beyond);
 }
 
 // Lit where the nearest surface is not before this depth.
 float shadowLit(SAMPLER2D_PARAM(map), float2 coordinate, float depth)
 {
     float texel = shadowStored(tex2Dlod(map, float4(coordinate, 0.0, 0.0))).x;
-    return depth <= texel || shadowOutside(coordinate) ? 1.0 : 0.0;
+    return depth <= texel + kFarBeyond * shadowBeyond(coordinate) ? 1.0 : 0.0;
 }
 
 // 1 where four texels from `first` on, counted in texels, lie on the map.

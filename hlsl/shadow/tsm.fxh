@@ -42,7 +42,7 @@ float4 tsmEntry(SAMPLER2D_PARAM(tsm), float2 coordinate)
     float3 spread = max(max(a, b), max(c, d)).yzw - min(min(a, b), min(c, d)).yzw;
     float4 nearest = lerp(lerp(a, b, step(0.5, f.x)), lerp(c, d, step(0.5, f.x)), step(0.5, f.y));
     float4 entry = max(spread.x, max(spread.y, spread.z)) < kOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;
-    return shadowOutside(coordinate) ? float4(0.0, 0.0, 0.0, 0.0) : entry;
+    return shadowBeyond(coordinate) > 0.0 ? float4(0.0, 0.0, 0.0, 0.0) : entry;
 }
 
 #endif

@@ -1,6 +1,6 @@
 // Light that the specular layer takes from the diffuse one: directional albedo of the Kelemen/Szirmay-Kalos lobe with rho_s = 1.
 //   rho_dt(cos, m) = integral over the hemisphere of PH F / |L + V|^2 N.w dw   (d'Eon and Luebke 2007, "Specular and energy conservation")
-// Stored in a texture, x = cosine, y = roughness. Setting corrected: importance sampling, divided by pi. Others: the printed end-point rule.
+// Stored in a texture, x = cosine, y = roughness, as two halves (surface/halves.fxh). Setting corrected: importance sampling, divided by pi. Others: the printed end-point rule.
 #ifndef TEGUMENT_SPECULAR_ENERGY_FXH
 #define TEGUMENT_SPECULAR_ENERGY_FXH
 
@@ -45,6 +45,12 @@ float energyDirectionalAlbedo(float cosine, float roughness)
                 sum += energyNodePrinted(toEye, roughness, i, j);
         }
     return sum * kAlbedoScale;
+}
+
+// The printed table reaches pi times an albedo.
+float2 energyTexel(float albedo)
+{
+    return halvesOf(albedo, albedo < 2.0 ? 1.0 / 1024.0 : 1.0 / 256.0);
 }
 
 // Share of light left to diffusion. Clamped: with rho_s = 1 the printed table exceeds 1 at grazing angles and light would turn negative.

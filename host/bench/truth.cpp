@@ -110,8 +110,7 @@ std::vector<glm::dvec3> undiffusedLight(const TruthScene& truth, const Sample& s
 TruthScene truthScene(const Scene& scene, int width, int height) {
     const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
     constexpr int kMapSize = 1024; // of no importance: rays decide
-    const auto light = reference::lightPyramid(glm::dvec3(placed.light.position), glm::dvec3(scene.mesh.bounds.centre),
-                                               static_cast<double>(scene.mesh.bounds.radius), kMapSize);
+    const auto light = reference::lightView(placed.light, scene.mesh.bounds, kMapSize);
     return {.camera = reference::pinhole(glm::dvec3(placed.camera.position), glm::dvec3(placed.camera.target), glm::dvec3(placed.camera.up),
                                          glm::radians(static_cast<double>(placed.camera.horizontalFov)), width, height),
             .skin = reference::SkinScene(scene.mesh, light, glm::dvec3(placed.light.color), settingsOf(scene.workspace))};

@@ -84,7 +84,11 @@ glm::dvec3 SkinScene::mappedNormal(const SurfacePoint& point) const {
 }
 
 bool SkinScene::lit(const SurfacePoint& point) const {
-    return rays_.reaches(light_.eye, point.position, kFacets);
+    return reaches(point.position, kFacets);
+}
+
+bool SkinScene::reaches(const glm::dvec3& position, double slack) const {
+    return !light_.shows(position) || rays_.reaches(light_.origin(position), position, slack);
 }
 
 bool SkinScene::nearShadowEdge(const SurfacePoint& point, double texels) const {
@@ -96,19 +100,22 @@ bool SkinScene::nearShadowEdge(const SurfacePoint& point, double texels) const {
     const double step = texels * light_.footprint(glm::dot(point.position - light_.eye, light_.forward));
     const double sag = step * 0.5; // curved surfaces leave the plane through the point
     const bool here = lit(point);
+    if (light_.shows(point.position, texels) && !light_.shows(point.position, -texels)) return true;
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             const glm::dvec3 sideways = step * (static_cast<double>(i) * light_.right + static_cast<double>(j) * light_.up);
             const glm::dvec3 inPlane = sideways - l * (glm::dot(normal, sideways) / cosine);
-            if (rays_.reaches(light_.eye, point.position + inPlane, kFacets + sag) != here) return true;
+            if (reaches(point.position + inPlane, kFacets + sag) != here) return true;
         }
     return false;
 }
 
 std::optional<Entry> SkinScene::entry(const SurfacePoint& point) const {
-    const glm::dvec3 way = point.position - light_.eye;
+    if (!light_.shows(point.position)) return std::nullopt;
+    const glm::dvec3 origin = light_.origin(point.position);
+    const glm::dvec3 way = point.position - origin;
     const double distance = glm::length(way);
-    const auto hit = rays_.nearest(light_.eye, way / distance);
+    const auto hit = rays_.nearest(origin, way / distance);
     if (!hit || hit->distance > distance) return std::nullopt;
     return Entry{distance - hit->distance, interpolate(mesh_, hit->place)};
 }

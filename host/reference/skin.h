@@ -58,11 +58,12 @@ public:
     [[nodiscard]] glm::dvec4 colour(const SurfacePoint& point) const { return colour_.at(point.uv); }
     /// Radius of Gosselin's blurs here, as a share of the largest.
     [[nodiscard]] double kernelSize(const SurfacePoint& point) const { return kernelSizes_.at(point.uv).x; }
-    [[nodiscard]] glm::dvec3 toLight(const SurfacePoint& point) const { return glm::normalize(light_.eye - point.position); }
+    [[nodiscard]] glm::dvec3 toLight(const SurfacePoint& point) const { return glm::normalize(light_.origin(point.position) - point.position); }
 
+    /// What the light's view does not show is lit: there is no map that could say otherwise.
     [[nodiscard]] bool lit(const SurfacePoint& point) const;
-    /// The shadow map cannot tell: within `texels` of its texels the light is cut off somewhere and not elsewhere, or the surface is seen
-    /// edge-on by the light, N.L of the mesh in 0..0.15.
+    /// The shadow map cannot tell: within `texels` of its texels the light is cut off somewhere and not elsewhere, or the map ends, or the
+    /// surface is seen edge-on by the light, N.L of the mesh in 0..0.15.
     [[nodiscard]] bool nearShadowEdge(const SurfacePoint& point, double texels) const;
 
     [[nodiscard]] std::optional<Entry> entry(const SurfacePoint& point) const;
@@ -84,6 +85,8 @@ public:
     [[nodiscard]] const glm::dvec3& lightColour() const { return lightColour_; }
 
 private:
+    [[nodiscard]] bool reaches(const glm::dvec3& position, double slack) const;
+
     const Mesh& mesh_;
     Pinhole light_;
     glm::dvec3 lightColour_;

@@ -92,7 +92,9 @@ void addClamp(Errata& errata) {
 double tableAt(const Image& table, double cosine, double m) {
     const int x = static_cast<int>(cosine * table.width);
     const int y = static_cast<int>(m * table.height);
-    return table.at(std::min(x, table.width - 1), std::min(y, table.height - 1), 0);
+    const int column = std::min(x, table.width - 1);
+    const int row = std::min(y, table.height - 1);
+    return static_cast<double>(table.at(column, row, 0)) + static_cast<double>(table.at(column, row, 1)); // two halves
 }
 
 /// The printed and the corrected table as the device draws them, at the centres of texels near the usual places.

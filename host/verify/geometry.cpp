@@ -36,11 +36,7 @@ void addCoverage(ModuleReport& report, const Context& context, const Image& rend
 
 /// Depth as the setting stores it.
 double stored(const Truth& truth, const std::string& setting, const reference::SurfacePoint& point) {
-    const double along = glm::dot(point.position - truth.light.eye, truth.light.forward);
-    const double nearPlane = truth.lightNear;
-    const double farPlane = truth.lightFar;
-    return setting == "seed" ? farPlane * (along - nearPlane) / (along * (farPlane - nearPlane))
-                             : glm::length(point.position - truth.light.eye);
+    return setting == "seed" ? truth.zOverW(point.position) : glm::length(point.position - truth.light.origin(point.position));
 }
 
 double largestInside(const Image& map, int which, const Seen& seen, const std::vector<std::uint8_t>& counts,

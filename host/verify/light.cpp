@@ -93,11 +93,7 @@ double encoded(const Truth& truth, const reference::SurfacePoint& point) {
     if (!t) return kLargest;
     // z/w along the light's ray: the share of the depth between the planes, which is not linear in mm.
     const auto found = truth.skin.entry(point);
-    const auto zOverW = [&](const glm::dvec3& p) {
-        const double along = glm::dot(p - truth.light.eye, truth.light.forward);
-        return truth.lightFar * (along - truth.lightNear) / (along * (truth.lightFar - truth.lightNear));
-    };
-    const double straight = zOverW(point.position) - zOverW(found->point.position);
+    const double straight = truth.zOverW(point.position) - truth.zOverW(found->point.position);
     return std::min(kLargest, straight * *t / std::max(found->path, 1e-9));
 }
 

@@ -20,6 +20,15 @@ Image tabulate(int width, int height, const std::function<double(double, double)
     return image;
 }
 
+/// hlsl/surface/halves.fxh.
+Image sumOfHalves(const Image& image) {
+    Image sum = blank(image.width, image.height, 1);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            sum.at(x, y, 0) = image.at(x, y, 0) + image.at(x, y, 1);
+    return sum;
+}
+
 Image firstChannel(const Image& image) {
     Image first = blank(image.width, image.height, 1);
     for (int y = 0; y < image.height; ++y)
@@ -107,7 +116,7 @@ Result<ModuleReport> verifyEnergyAttenuation(const Context& context) {
                                              : "The texture of the printed rule with 32 x 32 nodes against that rule in double precision"};
     const auto run = render(context, {.effect = "EnergyAttenuation.fx", .workspace = {}, .dump = {"gEnergyAttenuationMap"}});
     if (!run) return run.error();
-    const Image table = firstChannel(run->dumped.at("gEnergyAttenuationMap"));
+    const Image table = sumOfHalves(run->dumped.at("gEnergyAttenuationMap"));
     constexpr int kNodes = 32; // of the shader: what shader model 3 is sure to execute
     const Image exact = tabulate(table.width, table.height, [&](double c, double m) {
         return corrected ? reference::directionalAlbedo(c, m) / std::numbers::pi : reference::directionalAlbedoPrinted(c, m, kNodes);

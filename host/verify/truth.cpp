@@ -19,8 +19,7 @@ reference::Pinhole cameraOf(const PlacedScene& placed, int size) {
 
 Truth truthOf(const Scene& scene, const VerifyOptions& options) {
     const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
-    const auto light = reference::lightPyramid(glm::dvec3(placed.light.position), glm::dvec3(scene.mesh.bounds.centre),
-                                               static_cast<double>(scene.mesh.bounds.radius), options.mapSize);
+    const auto light = reference::lightView(placed.light, scene.mesh.bounds, options.mapSize);
     const Matrices planes = lightMatrices(placed.light, scene.mesh.bounds);
     return {.camera = cameraOf(placed, options.pictureSize),
             .light = light,
@@ -29,11 +28,17 @@ Truth truthOf(const Scene& scene, const VerifyOptions& options) {
             .skin = reference::SkinScene(scene.mesh, light, glm::dvec3(placed.light.color), reference::skinSettings(options.setting))};
 }
 
+double Truth::zOverW(const glm::dvec3& point) const {
+    const double along = glm::dot(point - light.eye, light.forward);
+    const double share = (along - lightNear) / (lightFar - lightNear);
+    return light.parallel ? share : share * lightFar / along;
+}
+
 Seen look(const reference::SkinScene& skin, const reference::Pinhole& view) {
     Seen seen{.width = view.width, .height = view.height, .pixels = {}, .distances = {}};
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
-            const auto hit = skin.rays().nearest(view.eye, view.ray(x, y));
+            const auto hit = skin.rays().nearest(view.start(x, y), view.ray(x, y));
             seen.pixels.push_back(hit ? std::optional(reference::interpolate(skin.mesh(), hit->place)) : std::nullopt);
             seen.distances.push_back(hit ? hit->distance : 0);
         }
@@ -87,7 +92,7 @@ bool thicknessIsKnown(const Truth& truth, const reference::SurfacePoint& point) 
     const glm::dvec3 l = truth.skin.toLight(point);
     const glm::dvec3 normal = glm::normalize(point.normal);
     if (!here || glm::dot(normal, l) > -0.15) return false;
-    const double step = kShadowEdge * truth.light.footprint(glm::length(point.position - truth.light.eye));
+    const double step = kShadowEdge * truth.light.footprint(glm::dot(point.position - truth.light.eye, truth.light.forward));
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             reference::SurfacePoint there = point;

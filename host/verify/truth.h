@@ -10,9 +10,12 @@ namespace tegument::verify {
 struct Truth {
     reference::Pinhole camera;
     reference::Pinhole light; // of the options' map size
-    double lightNear = 0;     // the planes of its pyramid, mm
+    double lightNear = 0;     // the planes of its pyramid or box, mm
     double lightFar = 0;
     reference::SkinScene skin;
+
+    /// Depth of a point between the light's planes as graphics hardware has it.
+    [[nodiscard]] double zOverW(const glm::dvec3& point) const;
 };
 
 /// `scene` must outlive the result. `parameters`: gMix, gRoughness, gSpecularIntensity in place of the setting's defaults.

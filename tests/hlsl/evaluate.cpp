@@ -80,10 +80,12 @@ float4 FunctionPS(float4 position : SV_Position) : SV_Target0
     return code;
 }
 
-Result<Shader> compile(const std::string& code, Stage stage, const std::string& entry, int setting, Compiler compiler) {
+Result<Shader> compile(const FunctionCase& function, const std::string& code, Stage stage, const std::string& entry, int setting,
+                       Compiler compiler) {
     ShaderRequest request{
         .code = code, .file = "effects/function_test.hlsl", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
     request.defines = {{"TEGUMENT_SETTING", std::to_string(setting)}, {"TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize)}};
+    request.defines.insert(request.defines.end(), function.defines.begin(), function.defines.end());
     return compileShader(request, compiler);
 }
 
@@ -106,17 +108,22 @@ Result<gpu::Texture> texture(gpu::Device& device, std::uint32_t width, std::uint
     return made;
 }
 
-/// gWorld in $Globals; a column-major matrix is stored transposed (docs/conventions.md).
-std::vector<std::byte> globals(const UniformBlock& block, const std::vector<double>& world) {
+/// A column-major matrix is stored transposed (docs/conventions.md); a vector lies as it is written.
+void store(const BlockMember& member, const std::vector<double>& value, std::vector<std::byte>& bytes) {
+    const std::uint32_t rows = value.size() == 16 ? 4 : 1;
+    const auto columns = static_cast<std::uint32_t>(value.size()) / rows;
+    for (std::uint32_t row = 0; row < rows; ++row)
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            const auto number = static_cast<float>(value[row * columns + column]);
+            const std::uint32_t place = rows == 1 ? 4 * column : column * member.matrixStride + 4 * row;
+            std::memcpy(bytes.data() + member.offset + place, &number, sizeof number);
+        }
+}
+
+std::vector<std::byte> globals(const UniformBlock& block, const std::map<std::string, std::vector<double>>& values) {
     std::vector<std::byte> bytes(block.size);
-    for (const BlockMember& member : block.members) {
-        if (member.name != "gWorld" || world.size() != 16) continue;
-        for (std::uint32_t row = 0; row < 4; ++row)
-            for (std::uint32_t column = 0; column < 4; ++column) {
-                const auto value = static_cast<float>(world[row * 4 + column]);
-                std::memcpy(bytes.data() + member.offset + column * member.matrixStride + 4 * row, &value, sizeof value);
-            }
-    }
+    for (const BlockMember& member : block.members)
+        if (const auto found = values.find(member.name); found != values.end()) store(member, found->second, bytes);
     return bytes;
 }
 
@@ -149,7 +156,7 @@ Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Sa
                                          .compare = {}});
     if (!sampler) return sampler.error();
     Draw draw{std::move(*inputs), std::move(*sampled), std::move(*target), std::move(*sampler), {}};
-    if (pixel.reflection.globals) draw.globals = globals(*pixel.reflection.globals, function.world);
+    if (pixel.reflection.globals) draw.globals = globals(*pixel.reflection.globals, function.globals);
     return draw;
 }
 
@@ -232,9 +239,9 @@ glm::dvec4 TestMap::at(glm::dvec2 uv) const {
 
 Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, int setting, const Samples& samples, Compiler compiler) {
     const Grid grid(samples, function.perQuad);
-    const auto vertex = compile(kVertexShader, Stage::Vertex, "ScreenVS", setting, compiler);
+    const auto vertex = compile(function, kVertexShader, Stage::Vertex, "ScreenVS", setting, compiler);
     if (!vertex) return vertex.error();
-    const auto pixel = compile(pixelShader(function, samples, grid), Stage::Pixel, "FunctionPS", setting, compiler);
+    const auto pixel = compile(function, pixelShader(function, samples, grid), Stage::Pixel, "FunctionPS", setting, compiler);
     if (!pixel) return pixel.error();
     auto draw = prepare(device, function, samples, grid, *pixel);
     if (!draw) return draw.error();

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tegument::test {
@@ -106,7 +108,8 @@ struct FunctionCase {
     int samples = 4096;
     const TestMap* map = nullptr;
     bool perQuad = false;                      // the same arguments in each 2 x 2 quad, for derivatives
-    std::vector<double> world;                 // gWorld, row by row, for functions that read it
+    std::map<std::string, std::vector<double>> globals;          // parameters of workspace.fxh for functions that read them; matrices row by row
+    std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps
     std::function<bool(const Inputs&)> domain; // elsewhere only finiteness is asked; default: everywhere
 };
 
@@ -115,6 +118,7 @@ struct FunctionCase {
 
 [[nodiscard]] std::vector<FunctionCase> specularCases();
 [[nodiscard]] std::vector<FunctionCase> surfaceCases();
+[[nodiscard]] std::vector<FunctionCase> workspaceCases();
 [[nodiscard]] std::vector<FunctionCase> shadowCases();
 [[nodiscard]] std::vector<FunctionCase> gaussianCases();
 [[nodiscard]] std::vector<FunctionCase> poissonCases();

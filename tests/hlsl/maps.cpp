@@ -40,6 +40,15 @@ const TestMap& shadowMap() {
     return kMap;
 }
 
+const TestMap& halvesMap() {
+    static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
+        const glm::dvec4 texel = shadowMap().texel(x, y);
+        const auto depth = static_cast<float>(texel.x);
+        return {depth, std::round(depth), depth - std::round(depth), static_cast<float>(texel.w)};
+    });
+    return kMap;
+}
+
 const TestMap& irradianceMap() {
     static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {
         const bool block = x > 60 && x < 90 && y > 60 && y < 90;

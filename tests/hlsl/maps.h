@@ -8,6 +8,9 @@ namespace tegument::test {
 /// A translucent shadow map: (depth about 600, u, v, 1), with steps in depth, a seam in u, and texels without surface (zeros).
 [[nodiscard]] const TestMap& shadowMap();
 
+/// The same depth three ways: x, and in two halves y + z; w as above.
+[[nodiscard]] const TestMap& halvesMap();
+
 /// An irradiance map: colours, alpha at most 0.99; single texels, rows and a block are invalid, (0, 0, 0, 1).
 [[nodiscard]] const TestMap& irradianceMap();
 

@@ -53,12 +53,19 @@ std::vector<FunctionCase> geometry() {
             {.function = "screenAcross",
              .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
              .arguments = {peerUv(), linear(0.1, 0.5, 2)},
-             .expected = [along = axis](const Inputs& x) { return values(nextPixel(shadowMap(), x.vec2(0), along, x.vec2(1))); },
+             .expected = [along = axis](const Inputs& x) { return values(nextPixel(halvesMap(), x.vec2(0), along, x.vec2(1))); },
              .tolerance = {.forward = 8,
                            .backward = 2,
                            .absolute = 1.5e-4,
                            .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
-             .map = &shadowMap()});
+             .map = &halvesMap()});
+    cases.push_back({.function = "screenDepthStep", // both halves hold the depth: multiples below 2048, and what is left to 2^-11 of it
+                     .body = "float s = screenDepthStep(a0); float2 h = halvesOf(a0, s); return float4(s, abs(h.x / s) <= 2048.0, "
+                             "abs(f16tof32(f32tof16(h.x)) + f16tof32(f32tof16(h.y)) - a0) <= s / 2048.0, 0);",
+                     .arguments = {logarithmic(1, 130000)},
+                     .expected = [](const Inputs& x) { return values(x.scalar(0) < 2048 ? 1 : x.scalar(0) < 16384 ? 8 : 64, 1, 1); },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "powers of two"},
+                     .domain = [](const Inputs& x) { return x.scalar(0) < 131000; }});
     cases.push_back({.function = "screenNoise",
                      .body = "return float4(screenNoise(floor(a0)), 0, 0, 0);",
                      .arguments = {linear(0, 256, 2)},
@@ -125,7 +132,7 @@ double depthScale(double frustumY, double unit) {
 
 /// The whole blur along one axis, sample after sample.
 Values convolved(const glm::dvec2& uv, const glm::dvec2& axis, double unit, const glm::dvec3& strength, int samples, bool corrected) {
-    const TestMap& map = shadowMap();
+    const TestMap& map = halvesMap();
     const double z = map.at(uv).x;
     if (z <= 0) return values(0);
     const glm::dvec3 centre = map.at(uv);
@@ -184,13 +191,13 @@ std::vector<FunctionCase> kernels() {
                      .arguments = {peerUv(), peerUv(), unit(), logarithmic(1e-3, 1)},
                      .expected =
                          [](const Inputs& x) {
-                             const glm::dvec4 tap = shadowMap().at(x.vec2(0));
+                             const glm::dvec4 tap = halvesMap().at(x.vec2(0));
                              const glm::dvec3 way = viewPlace(x.vec2(0), tap.x, kFrustum) - viewPlace(x.vec2(1), 600, kFrustum);
                              return values(kScale * tap * share(way, x.vec3(2), x.scalar(3), x.corrected()));
                          },
                      .tolerance = {.forward = 16, .backward = 4, .absolute = 5e-6, .why = "a share that keeps 2e-6"},
                      .settings = {0, 2},
-                     .map = &shadowMap()});
+                     .map = &halvesMap()});
     for (const Table& table : kTables)
         cases.push_back(
             {.function = "separableConvolve",
@@ -210,7 +217,7 @@ std::vector<FunctionCase> kernels() {
                            .why = "light up to 600; near taps keep a share from a difference of places, 3e-5 of their distance of 0.01 mm"},
              .settings = {0, 2},
              .samples = 1024,
-             .map = &shadowMap(),
+             .map = &halvesMap(),
              .domain = [](const Inputs& x) { return x.scalar(1) > 0.1; }});
     return cases;
 }
@@ -240,7 +247,7 @@ const std::vector<double>& unitRadii(int count) {
 
 /// The disc in the tangent plane or facing the eye, tap after tap.
 Values gathered(const Inputs& x, int count) {
-    const TestMap& map = shadowMap();
+    const TestMap& map = halvesMap();
     const glm::dvec2 uv = x.vec2(0);
     const glm::dvec2 viewport(kTestMapSize);
     const double z = map.at(uv).x;
@@ -347,7 +354,7 @@ std::vector<FunctionCase> discs() {
               .why = "one of twenty taps on the border of two pixels may be either, up to 9 mm of depth apart; the mean of depths of 600"},
          .settings = {0, 2},
          .samples = 512,
-         .map = &shadowMap(),
+         .map = &halvesMap(),
          .domain =
              [](const Inputs& x) {
                  const bool lengths = glm::length(x.vec3(1)) > 0.5 && glm::length(x.vec3(2)) > 0.5;

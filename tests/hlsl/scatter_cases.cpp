@@ -49,6 +49,16 @@ std::vector<FunctionCase> entering() {
                      .arguments = {linear(0, 1, 3), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(glm::pow(glm::max(x.vec3(0), 1e-5), glm::dvec3(x.scalar(1)))); },
                      .tolerance = {.forward = 40, .backward = 2, .why = "pow is exp2(y log2 x): 3 + 2|x| ULP with |x| up to 17"}});
+    cases.push_back({.function = "irradianceBounded",
+                     .body = "return float4(irradianceBounded(a0, kLargestHalf), 0);",
+                     .arguments = {linear(-1e5, 2e5, 3)},
+                     .expected = [](const Inputs& x) { return values(glm::clamp(x.vec3(0), 0.0, 64512.0)); },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "one of the given numbers"}});
+    cases.push_back({.function = "irradianceBounded", // what is no number, and what is infinite
+                     .body = "float zero = a0 - a0; float none = zero / zero; return float4(irradianceBounded(float3(none, 1.0 / zero, -1.0 / zero), 3.0), 0);",
+                     .arguments = {linear(1, 2)},
+                     .expected = [](const Inputs&) { return values(0, 3, 0); },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "given numbers"}});
     cases.push_back(
         {.function = "irradianceEntering",
          .body = "return float4(irradianceEntering(a0, a1, a2, a3, a4, a5), 0);",
@@ -95,6 +105,12 @@ std::vector<FunctionCase> passing() {
          .expected = [](const Inputs& x) { return values(std::min(x.seed() ? x.scalar(0) : std::exp(-0.2 * x.scalar(0)), kLargestAlpha)); },
          .tolerance = {.forward = 180, .backward = 1, .why = "exp: 3 + 2|x| ULP with |x| up to 87"},
          .settings = {0, 2}});
+    cases.push_back({.function = "transmissionEncode", // what is no number is opaque
+                     .body = "float zero = a0 - a0; return float4(transmissionEncode(zero / zero), 0, 0, 0);",
+                     .arguments = {linear(1, 2)},
+                     .expected = [](const Inputs& x) { return values(x.seed() ? kLargestAlpha : 0); },
+                     .tolerance = {.forward = 1, .backward = 0, .why = "a constant"},
+                     .settings = {0, 2}});
     cases.push_back(
         {.function = "transmissionDecode",
          .body = "return float4(transmissionDecode(a0, a1), 0, 0, 0);",

@@ -89,6 +89,12 @@ std::vector<FunctionCase> lobes() {
 
 std::vector<FunctionCase> energies() {
     std::vector<FunctionCase> cases;
+    cases.push_back({.function = "energyTexel", // as two halves it is kept to 1e-6
+                     .body = "float2 h = energyTexel(a0); return float4(abs(f16tof32(f32tof16(h.x)) - h.x), h.x + h.y, "
+                             "abs(f16tof32(f32tof16(h.y)) - h.y) < 1e-6, 0);",
+                     .arguments = {linear(0, 7)},
+                     .expected = [](const Inputs& x) { return values(0, x.scalar(0), 1); },
+                     .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-9, .why = "multiples of powers of two"}});
     cases.push_back({.function = "energyDiffuseShare",
                      .body = "return float4(energyDiffuseShare(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 2), linear(0, 1)},

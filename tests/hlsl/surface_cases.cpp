@@ -1,4 +1,4 @@
-// hlsl/surface and hlsl/workspace.fxh against the formulas of docs/conventions.md and docs/modules/Stretch.md.
+// hlsl/surface against the formulas of docs/conventions.md and docs/modules/Stretch.md.
 
 #include "tests/hlsl/function_case.h"
 
@@ -13,18 +13,6 @@ constexpr double kLengthOfZero = 1e-10; // vectors shorter than this shrink towa
 
 glm::dvec3 normalised(const glm::dvec3& v) {
     return v / std::max(glm::length(v), kLengthOfZero);
-}
-
-const std::vector<double> kWorld = {0.5, 1, -2, 0, 3, 0.25, 1, 0, -1, 2, 4, 0, 10, -20, 30, 1};
-
-/// (p, 1) M, rows of M as stored.
-glm::dvec3 transformed(const glm::dvec3& p) {
-    glm::dvec3 result{};
-    for (int column = 0; column < 3; ++column) {
-        const auto c = static_cast<std::size_t>(column);
-        result[column] = p.x * kWorld[c] + p.y * kWorld[4 + c] + p.z * kWorld[8 + c] + kWorld[12 + c];
-    }
-    return result;
 }
 
 } // namespace
@@ -74,15 +62,40 @@ std::vector<FunctionCase> surfaceCases() {
                      .arguments = {linear(-1, 2, 2), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), x.scalar(1), 1); },
                      .tolerance = {.forward = 1, .backward = 0, .why = "doubling is exact, one difference"}});
-    cases.push_back({.function = "worldPosition",
-                     .body = "return float4(worldPosition(a0), 0);",
-                     .arguments = {vector(3, 1e-3, 1e4)},
-                     .expected = [](const Inputs& x) { return values(transformed(x.vec3(0))); },
-                     .tolerance = {.forward = 4,
+    cases.push_back({.function = "normalZ",
+                     .body = "return float4(normalZ(a0), 0, 0, 0);",
+                     .arguments = {linear(-1, 1, 2)},
+                     .expected = [](const Inputs& x) { return values(std::sqrt(std::max(1 - glm::dot(x.vec2(0), x.vec2(0)), 0.0))); },
+                     .tolerance = {.forward = 6,
                                    .backward = 4,
-                                   .absolute = 1e-5,
-                                   .why = "three products and sums that may cancel against the translation of 30 mm"},
-                     .world = kWorld});
+                                   .absolute = 4e-4,
+                                   .why = "the root of a difference that keeps 1.2e-7, where it is 0"}});
+    cases.push_back(
+        {.function = "surfaceNormal",
+         .body = "return float4(surfaceNormal(float3(0, 0, 1), float4(1, 0, 0, 1), a0), 0);",
+         .arguments = {linear(0, 1, 3)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec2 xy = 2.0 * x.vec2(0) - 1.0;
+                 return values(normalised({xy, std::sqrt(std::max(1 - glm::dot(xy, xy), 0.0))}));
+             },
+         .tolerance = {.forward = 8, .backward = 4, .absolute = 4e-4, .why = "as normalZ"},
+         .defines = {{"TEGUMENT_NORMAL_XY", "1"}}});
+    cases.push_back({.function = "halvesOf",
+                     .body = "float2 h = halvesOf(a0, 1.0); return float4(h, h.x + h.y, abs(h.y) <= 0.5);",
+                     .arguments = {linear(0, 2000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double high = std::floor(x.scalar(0) + 0.5);
+                             return values(high, x.scalar(0) - high, x.scalar(0), 1);
+                         },
+                     .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-7, .why = "powers of two: nothing rounds but the sum with a half"},
+                     .domain = [](const Inputs& x) { return std::abs(x.scalar(0) + 0.5 - std::round(x.scalar(0) + 0.5)) > 1e-3; }});
+    cases.push_back({.function = "halvesSum",
+                     .body = "return float4(halvesSum(a0), 0, 0, 0);",
+                     .arguments = {linear(-10, 10, 2)},
+                     .expected = [](const Inputs& x) { return values(x.scalar(0) + x.scalar(0, 1)); },
+                     .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-6, .why = "one sum"}});
     return cases;
 }
 

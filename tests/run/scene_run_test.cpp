@@ -43,7 +43,7 @@ bool drawn(const Image& image, std::size_t pixel) {
 }
 
 const Placement kLeft{.position = {-25, 5, 0}, .rotation = {0, 30, 10}};
-const Placement kRight{.position = {25, -5, 20}, .rotation = {0, -20, 0}, .scale = 0.75F};
+const Placement kRight{.position = {25, -5, 20}, .rotation = {0, -20, 0}, .scale = glm::vec3(0.75F)};
 
 TEST_F(Scenes, two_copies_are_the_two_single_pictures_laid_together_bit_for_bit) {
     const auto both = draw({object(mesh_, kLeft), object(mesh_, kRight)});
@@ -65,7 +65,7 @@ TEST_F(Scenes, two_copies_are_the_two_single_pictures_laid_together_bit_for_bit)
 }
 
 TEST_F(Scenes, the_nearer_object_hides_the_farther_whatever_their_order) {
-    const RunObject far = object(mesh_, {.position = {0, 0, -50}, .scale = 3}, {{"gTint", {0.5}}});
+    const RunObject far = object(mesh_, {.position = {0, 0, -50}, .scale = glm::vec3(3)}, {{"gTint", {0.5}}});
     const RunObject near = object(mesh_, {.position = {0, 0, 50}}, {{"gTint", {0.75}}});
     for (const auto& objects : {std::vector{far, near}, std::vector{near, far}}) {
         const auto result = draw(objects, "Clearing");
@@ -138,7 +138,7 @@ TEST_F(Scenes, an_effect_of_class_scene_draws_all_objects_in_one_script) {
 
 TEST_F(Scenes, points_are_scaled_then_turned_about_x_y_z_then_moved) {
     // (1, 2, 3) doubled is (2, 4, 6); about x by 90: (2, -6, 4); about y by 90: (4, -6, -2); about z by 90: (6, 4, -2); moved.
-    const Placement placement{.position = {10, 20, 30}, .rotation = {90, 90, 90}, .scale = 2};
+    const Placement placement{.position = {10, 20, 30}, .rotation = {90, 90, 90}, .scale = glm::vec3(2)};
     const auto result = draw({object(mesh_, placement)}, "World", "objects.fx", 5);
     ASSERT_TRUE(succeeded(result));
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {16, 24, 28, 1}));

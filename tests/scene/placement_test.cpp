@@ -39,7 +39,7 @@ TEST(Placements, turn_counter_clockwise_about_fixed_axes) {
 
 TEST(Placements, bounds_hold_every_placed_vertex) {
     const Mesh mesh = tetrahedron();
-    const Placement placement{.position = {5, -6, 7}, .rotation = {20, 130, -70}, .scale = 1.5F};
+    const Placement placement{.position = {5, -6, 7}, .rotation = {20, 130, -70}, .scale = glm::vec3(1.5F)};
     const Bounds bounds = placedBounds(mesh, placement);
     EXPECT_FLOAT_EQ(bounds.radius, 1.5F * mesh.bounds.radius);
     for (const glm::vec3& position : mesh.positions) {
@@ -59,13 +59,13 @@ TEST(Placements, bounds_of_two_balls_span_both) {
 }
 
 TEST(Placements, a_scene_seen_from_an_object_returns_by_its_matrix) {
-    const Placement placement{.position = {5, -6, 7}, .rotation = {20, 130, -70}, .scale = 1.5F};
+    const Placement placement{.position = {5, -6, 7}, .rotation = {20, 130, -70}, .scale = glm::vec3(1.5F)};
     PlacedScene scene;
     scene.camera.position = {100, 200, 300};
     scene.light.position = {-50, 60, 70};
     const PlacedScene local = seenFrom(scene, placement);
     Placement rigid = placement;
-    rigid.scale = 1;
+    rigid.scale = glm::vec3(1);
     expectNear(transformPoint(worldMatrix(rigid), glm::dvec3(local.camera.position)), {100, 200, 300}, 1e-4); // floats of 300 mm
     expectNear(transformPoint(worldMatrix(rigid), glm::dvec3(local.light.position)), {-50, 60, 70}, 1e-4);
     EXPECT_NEAR(glm::length(local.camera.up), 1, 1e-6F);

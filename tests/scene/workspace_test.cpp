@@ -183,7 +183,7 @@ TEST_F(Workspaces, objects_arrive_with_their_places) {
     ASSERT_TRUE(w) << format(w.error());
     ASSERT_EQ(w->objects.size(), 2u);
     const SceneObject& first = w->objects.front();
-    EXPECT_EQ(first.placement, (Placement{.position = {1, 2, 3}, .rotation = {10, 20, 30}, .scale = 1.5f}));
+    EXPECT_EQ(first.placement, (Placement{.position = {1, 2, 3}, .rotation = {10, 20, 30}, .scale = glm::vec3(1.5F)}));
     EXPECT_EQ(w->objects[1].placement, Placement{});
     const Workspace own = workspaceOf(*w, first);
     EXPECT_EQ(own.meshPath, "head.glb");

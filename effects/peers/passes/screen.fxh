@@ -1,5 +1,5 @@
 // Passes Light and Final of diffusion over the pixels of the picture. Light: light entering the skin as the camera sees it, with coverage in alpha; depth along
-// the view, mm, 0 where there is no skin; shadow, for the specular reflection. Final: the mesh once more, over what the effect has made of it in gScatterMap.
+// the view, mm, 0 where there is no skin; shadow, for the specular reflection, and the depth once more as two halves, to be filtered. Final: the mesh once more, over what the effect has made of it in gScatterMap.
 #ifndef TEGUMENT_PEERS_PASSES_SCREEN_FXH
 #define TEGUMENT_PEERS_PASSES_SCREEN_FXH
 
@@ -7,7 +7,7 @@ float4x4 gProjection : PROJECTION < string UIWidget = "None"; >;
 
 Texture2D gLightMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gDepthMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "R32F"; >;
-Texture2D gShadeMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "R16F"; >;
+Texture2D gShadeMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gScatterMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gLightDepthMap : RENDERDEPTHSTENCILTARGET < float2 ViewportRatio = { 1.0, 1.0 }; string Format = "D24S8"; >;
 SAMPLER2D(gLight, LINEAR, CLAMP);
@@ -29,9 +29,9 @@ LightOutput LightPS(SurfaceVarying input)
     float skin = step(0.5, p.scatters);
     float depth = millimetres(mul(float4(input.world, 1.0), gViewProjection).w);
     LightOutput output;
-    output.light = float4(skin * enteringLight(p), skin);
+    output.light = float4(skin * irradianceBounded(enteringLight(p), kLargestHalf), skin);
     output.depth = float4(skin * depth, 0.0, 0.0, 1.0);
-    output.shade = float4(p.shadow, 0.0, 0.0, 1.0);
+    output.shade = float4(p.shadow, skin * halvesOf(depth, screenDepthStep(depth)), 1.0);
     return output;
 }
 

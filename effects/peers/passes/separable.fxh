@@ -7,14 +7,14 @@ float gSeparableUnit < string UIName = "Width"; string UIWidget = "Slider"; floa
 
 Texture2D gScatterXMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 SAMPLER2D(gScatterX, LINEAR, CLAMP);
-SAMPLER2D_OF(gDepthBetween, gDepthMap, LINEAR, CLAMP);
+SAMPLER2D_OF(gBetween, gShadeMap, LINEAR, CLAMP);
 
 // Rows of the kernels' tables: the first, and how many pairs of samples follow.
 float4 alongX(float2 uv, int first, int pairs)
 {
     float2 axis = float2(1.0 / gViewportSize.x, 0.0);
     float2 frustum = screenFrustum(gProjection);
-    return separableConvolve(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gDepthBetween, gDepthMap), uv, axis, frustum, gSeparableUnit,
+    return separableConvolve(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum, gSeparableUnit,
                              gSeparableStrength, first, pairs);
 }
 
@@ -22,7 +22,7 @@ float4 alongY(float2 uv, int first, int pairs)
 {
     float2 axis = float2(0.0, 1.0 / gViewportSize.y);
     float2 frustum = screenFrustum(gProjection);
-    return separableConvolve(SAMPLER2D_ARG(gScatterX), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gDepthBetween, gDepthMap), uv, axis, frustum, gSeparableUnit,
+    return separableConvolve(SAMPLER2D_ARG(gScatterX), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum, gSeparableUnit,
                              gSeparableStrength, first, pairs);
 }
 

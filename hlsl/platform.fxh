@@ -31,6 +31,8 @@
 #define texCUBE(s, direction) s##Map.Sample(s, direction)
 #define tex2Dbias(s, uvzb) s##Map.SampleBias(s, (uvzb).xy, (uvzb).w)
 #define texCUBEbias(s, directionb) s##Map.SampleBias(s, (directionb).xyz, (directionb).w)
+#define tex2Dgrad(s, uv, across, down) s##Map.SampleGrad(s, uv, across, down)
+#define texCUBEgrad(s, direction, across, down) s##Map.SampleGrad(s, direction, across, down)
 #define SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
 #define SAMPLER2D_ARG(s) s##Map, s
 #define SAMPLER2D_ARG_OF(s, map) map, s

@@ -66,10 +66,26 @@ float2 shellSides(float3 v)
     return float2(clamp(min(sides.x, sides.y), 0.01 * longer, longer), longer);
 }
 
-// Levels by which the map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up anyway.
-float shellBias(float2 sides)
+// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the printed settings they
+// keep their own. A curl moves the place, but neighbouring pixels' alike.
+float4 cubeTexel(float3 place, float3 plain, float shrink)
 {
-    return gFurDeviation > 0.0 ? log2(max(sides.x / max(sides.y, 1e-20), 0.01)) : 0.0;
+    if (kCorrected)
+        return texCUBEgrad(gFurCube, place, ddx(plain) * shrink, ddy(plain) * shrink);
+    return texCUBEbias(gFurCube, float4(place, log2(shrink)));
+}
+
+float4 sphereTexel(float2 place, float2 plain, float shrink)
+{
+    if (kCorrected)
+        return tex2Dgrad(gFurSphere, place, ddx(plain) * shrink, ddy(plain) * shrink);
+    return tex2Dbias(gFurSphere, float4(place, 0.0, log2(shrink)));
+}
+
+// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up anyway.
+float shellShrink(float2 sides)
+{
+    return gFurDeviation > 0.0 ? max(sides.x / max(sides.y, 1e-20), 0.01) : 1.0;
 }
 
 // texel: of a fur map, colour and coverage (or height) of its strands.
@@ -84,49 +100,49 @@ float4 shell(FurVarying input, float2 sides, float4 texel)
     return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0, furHullShadow(input)), max(drawn, gFurOuterFirst));
 }
 
-float4 cubeShell(FurVarying input, float2 pixel, float3 v)
+float4 cubeShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
-    float2 sides = shellSides(v);
-    return shell(input, sides, texCUBEbias(gFurCube, float4(furCurled(v, input.coat.x, gFurCurl), shellBias(sides))));
+    float2 sides = shellSides(plain);
+    return shell(input, sides, cubeTexel(furCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
 }
 
-float4 sphereShell(FurVarying input, float2 pixel, float3 v)
+float4 sphereShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
-    float2 sides = shellSides(v);
+    float2 sides = shellSides(plain);
     float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
-    return shell(input, sides, tex2Dbias(gFurSphere, float4(place, 0.0, shellBias(sides))));
+    return shell(input, sides, sphereTexel(place, furSphereCoordinate(plain), shellShrink(sides)));
 }
 
 float4 CubePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.rest));
+    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.rest), furDirection(input.plainRest.xyz));
 }
 
 float4 CubeNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.normal));
+    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.normal), furDirection(input.plainNormal));
 }
 
 float4 CubeCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal));
+    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 float4 SpherePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.rest));
+    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.rest), furDirection(input.plainRest.xyz));
 }
 
 float4 SphereNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.normal));
+    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.normal), furDirection(input.plainNormal));
 }
 
 float4 SphereCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal));
+    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 #endif

@@ -69,6 +69,39 @@ FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view,
         const int layer = coat.outerFirst ? coat.layers + 1 - i : i;
         draw(layer, std::pow(static_cast<double>(layer) / coat.layers, coat.spread));
     }
+    ends_.resize(pixels_.size());
+    if (coat.fringes) drawBehindFirst();
+}
+
+/// Behind: beyond the nearest place at which the outermost layer is turned away from the eye.
+void FurShells::drawBehindFirst() {
+    std::vector<double> ends(pixels_.size(), std::numeric_limits<double>::infinity());
+    for (std::uint32_t triangle = 0; triangle < mesh_.indices.size() / 3; ++triangle)
+        findEnd(triangle, ends);
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const auto coat = std::ranges::find_if(pixels_[i], [](const FurFragment& fragment) { return fragment.layer > 0; });
+        std::stable_partition(coat, pixels_[i].end(), [&](const FurFragment& fragment) { return fragment.depth > ends[i]; });
+    }
+}
+
+void FurShells::findEnd(std::uint32_t triangle, std::vector<double>& ends) {
+    const auto [a, b, c] = corners(triangle, 1);
+    if (glm::dot(glm::cross(b - a, c - a), a - view_.eye) <= 0) return;
+    const glm::dvec2 size(view_.width, view_.height);
+    const std::array<glm::dvec2, 3> points{view_.project(a) * size - 0.5, view_.project(b) * size - 0.5, view_.project(c) * size - 0.5};
+    const glm::dvec2 low = glm::ceil(glm::max(glm::min(points[0], glm::min(points[1], points[2])) - kAsideBy, glm::dvec2(0)));
+    const glm::dvec2 high = glm::floor(glm::min(glm::max(points[0], glm::max(points[1], points[2])) + kAsideBy, size - 1.0));
+    for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
+        for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
+            const std::size_t pixel = index(x, y);
+            for (std::size_t i = 0; i < kAside.size(); ++i)
+                if (isInside(points, glm::dvec2(x, y) + kAsideBy * kAside[i])) ++aside_[pixel][i];
+            glm::dvec3 weights;
+            const FurFragment end = meet(coat_.layers, triangle, 1, view_.ray(x, y), weights);
+            if (std::min({weights.x, weights.y, weights.z}) < 0) continue;
+            ends[pixel] = std::min(ends[pixel], end.depth);
+            ++ends_[pixel];
+        }
 }
 
 glm::dvec3 FurShells::extruded(std::uint32_t vertex, double height) const {
@@ -134,7 +167,7 @@ void FurShells::draw(int layer, std::uint32_t triangle, double height) {
 
 bool FurShells::isClear(int x, int y) const {
     const std::size_t pixel = index(x, y);
-    return std::ranges::all_of(aside_[pixel], [&](std::uint16_t count) { return count == pixels_[pixel].size(); });
+    return std::ranges::all_of(aside_[pixel], [&](std::uint16_t count) { return count == pixels_[pixel].size() + ends_[pixel]; });
 }
 
 FurFacet FurShells::facet(const FurFragment& fragment) const {

@@ -31,6 +31,7 @@ struct FurCoat {
     glm::dvec3 fill{0};
     double deviation = 0; // of the heights in the fur map, and the footprint, radians, that holds half of their variance
     double grain = 0.006;
+    bool fringes = false; // what lies behind the nearest coat is drawn first
 };
 
 /// A place on a layer, 0 the skin.
@@ -90,6 +91,8 @@ private:
     [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle, double height) const;
     [[nodiscard]] FurFragment meet(int layer, std::uint32_t triangle, double height, const glm::dvec3& direction,
                                    glm::dvec3& weights) const;
+    void drawBehindFirst();
+    void findEnd(std::uint32_t triangle, std::vector<double>& ends);
     void draw(int layer, double height);
     void draw(int layer, std::uint32_t triangle, double height);
 
@@ -100,6 +103,7 @@ private:
     std::vector<std::vector<FurFragment>> pixels_;
     static constexpr std::array<glm::dvec2, 4> kAside = {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
     std::vector<std::array<std::uint16_t, 4>> aside_; // front faces a little aside of each pixel's centre
+    std::vector<std::uint16_t> ends_;                 // faces of the outermost layer at the centre that are turned away, counted aside, too
 };
 
 /// In the mirror ball of a sphere map.

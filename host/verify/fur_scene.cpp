@@ -69,6 +69,7 @@ FurScene sceneWith(const VerifyOptions& options, Mesh (*make)(), const char* nam
     FurScene scene{.name = name, .scene = {}, .coat = {}};
     scene.coat = {.layers = 12, .length = 0.08, .lean = 0.5, .spread = 0.8, .taper = 1, .softness = 0.5, .fill = {0.05, 0.1, 0.15}};
     scene.coat.kajiyaKay = options.setting == "seed" ? 0 : 1;
+    scene.coat.fringes = options.setting == "corrected";
     if (options.mesh && options.workspace) {
         scene.scene = {*options.mesh, *options.workspace};
         scene.name = options.mesh->name;
@@ -126,6 +127,7 @@ std::map<std::string, std::vector<double>> parametersOf(const reference::FurCoat
             {"gFurDeviation", {coat.deviation}},
             {"gFurGrain", {coat.grain}},
             {"gFurOuterFirst", {coat.outerFirst ? 1.0 : 0.0}},
+            {"gFurFringes", {coat.fringes ? 1.0 : 0.0}},
             {"gFurFill", {coat.fill.x, coat.fill.y, coat.fill.z}}};
 }
 

@@ -98,14 +98,15 @@ struct BodyFur::Body {
         const glm::dvec3 place = pointOf(body, 0, view.around / (2 * std::numbers::pi));
         const glm::dvec3 normal = onFurBody(body, place).normal;
         const glm::dvec3 alongRing(0, 0, -1);
+        const glm::dvec3 sideways = view.across ? glm::cross(alongRing, normal) : alongRing;
         const glm::dvec3 target = place + 0.5 * coat.length * normal;
         Workspace workspace;
         workspace.head = false;
         workspace.cameraRelative = false;
         workspace.lightRelative = false;
         workspace.camera.target = glm::vec3(target);
-        workspace.camera.position = glm::vec3(target + kAway * (std::cos(view.tilt) * normal + std::sin(view.tilt) * alongRing));
-        workspace.camera.up = glm::vec3(glm::cross(normal, alongRing));
+        workspace.camera.position = glm::vec3(target + kAway * (std::cos(view.tilt) * normal + std::sin(view.tilt) * sideways));
+        workspace.camera.up = glm::vec3(view.across ? normal : glm::cross(normal, alongRing));
         workspace.camera.horizontalFov = static_cast<float>(glm::degrees(2 * std::atan(view.pixel * coat.spacing * view.size / 2 / kAway)));
         workspace.camera.nearPlane = static_cast<float>(kAway - 2 * (body.ring + body.radius + coat.length));
         workspace.camera.farPlane = static_cast<float>(kAway + 2 * (body.ring + body.radius + coat.length));
@@ -128,7 +129,7 @@ Result<BodyFur> BodyFur::create(gpu::Device& device, const FurBody& body, const 
     return BodyFur(std::move(own));
 }
 
-Result<BodyPicture> BodyFur::draw(const BodyView& view, int layers, int fewest) const {
+Result<BodyPicture> BodyFur::draw(const BodyView& view, int layers, int fewest, bool fringes) const {
     const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "16"}}, .includeFolders = {}});
     if (!effect) return effect.error();
     const auto grey = [](double v) { return std::vector<double>{v, v, v}; };
@@ -136,6 +137,7 @@ Result<BodyPicture> BodyFur::draw(const BodyView& view, int layers, int fewest) 
     options.parameters = {{"gFurLength", {body_->coat.length / static_cast<double>(body_->mesh.bounds.radius)}},
                           {"gFurLayers", {static_cast<double>(layers)}},
                           {"gFurFewest", {static_cast<double>(fewest)}},
+                          {"gFurFringes", {fringes ? 1.0 : 0.0}},
                           {"gFurRadius", {body_->coat.radius}},
                           {"gFurScatter", {0}},
                           {"gFurCurls", {0}},

@@ -13,9 +13,12 @@ namespace tegument::measure {
 
 /// Where a body is looked at, from far away: so that the skin's normal there is `tilt` (radians) from the way to the eye. On a torus at
 /// `around` along the tube's circle from outside (0) over the top to inside (pi), tilted along the ring; a ball is the same everywhere.
+/// `across`: tilted across the tube instead, to the side from which `around` grows: a torus' top (110 degrees, tilt 90) is then the outline
+/// of its near side before the coat of its far side.
 struct BodyView {
     double tilt = 0;
     double around = 0;
+    bool across = false;
     double pixel = 0.125; // spacings
     int size = 32;
     int samples = 6; // of the truth, along each side of a pixel
@@ -42,8 +45,9 @@ public:
     BodyFur& operator=(BodyFur&&) noexcept;
     ~BodyFur();
 
-    /// Of so many layers `fewest` at least, whatever the view; as many: all.
-    [[nodiscard]] Result<BodyPicture> draw(const BodyView& view, int layers, int fewest) const;
+    /// Of so many layers `fewest` at least, whatever the view; as many: all. `fringes`: in two rounds, so that what lies behind a soft fringe
+    /// is drawn.
+    [[nodiscard]] Result<BodyPicture> draw(const BodyView& view, int layers, int fewest, bool fringes = true) const;
     [[nodiscard]] BodyPicture truth(const BodyView& view, reference::FurShape shape) const;
 
 private:

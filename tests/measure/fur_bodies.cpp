@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <optional>
@@ -59,6 +60,48 @@ void measurePlace(const BodyFur& fur, const Place& place, const BodyView& view) 
     std::fflush(stdout);
 }
 
+struct Changed {
+    double share = 0; // of the pixels
+    std::array<double, 2> rms{};
+};
+
+/// Of the pixels in which two pictures differ: how far each is off there.
+Changed changed(const BodyPicture& one, const BodyPicture& two, const BodyPicture& truth) {
+    constexpr double kSeen = 0.004; // of the brightness of a tip: what 8 bits show
+    double count = 0;
+    glm::dvec2 squares(0);
+    for (std::size_t i = 0; i < truth.shade.size(); ++i) {
+        if (std::abs(one.shade[i] - two.shade[i]) < kSeen) continue;
+        const glm::dvec2 off(one.shade[i] - truth.shade[i], two.shade[i] - truth.shade[i]);
+        squares += off * off;
+        ++count;
+    }
+    const glm::dvec2 rms = glm::sqrt(squares / std::max(count, 1.0));
+    return {count / static_cast<double>(truth.shade.size()), {rms.x, rms.y}};
+}
+
+/// Rows of a fringe before the far side's coat: in one round and in two, and of the pixels that differ.
+void measureFringes(gpu::Device& device, const BodyCoat& coat, BodyView view) {
+    fmt::print("\n| pixel, spacings | in one round | in two | pixels that differ | there: in one round | in two |\n|---|---|---|---|---|---|\n");
+    const BodyFur fur = need(BodyFur::create(device, {.ring = 2, .radius = 1}, coat));
+    view.tilt = radians(90);
+    view.around = radians(110);
+    view.across = true;
+    for (const double pixel : {0.125, 0.25, 0.5, 1.0, 2.0}) {
+        view.pixel = pixel;
+        const BodyPicture truth = fur.truth(view, reference::FurShape::Cones);
+        fmt::print("| {} |", pixel);
+        const std::array pictures = {need(fur.draw(view, 32, 4, false)), need(fur.draw(view, 32, 4, true))};
+        for (const BodyPicture& picture : pictures) {
+            const BodyError error = bodyError(picture, truth, view);
+            fmt::print(" {:.4f}, {:+.2f} % |", error.rms, 100 * error.bias);
+        }
+        const Changed differing = changed(pictures[0], pictures[1], truth);
+        fmt::print(" {:.1f} % | {:.4f} | {:.4f} |\n", 100 * differing.share, differing.rms[0], differing.rms[1]);
+        std::fflush(stdout);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -71,7 +114,7 @@ int main(int argc, char** argv) {
     app.add_option("--pixel", view.pixel, "spacings")->capture_default_str();
     app.add_option("--size", view.size, "pixels along a side")->capture_default_str();
     app.add_option("--samples", view.samples, "of the truth, along a side of a pixel")->capture_default_str();
-    app.add_option("--only", only, "ball, or one of the others");
+    app.add_option("--only", only, "ball, or one of the others, or fringes");
     std::optional<double> tilt;
     app.add_option("--tilt", tilt, "degrees; else several");
     CLI11_PARSE(app, argc, argv);
@@ -79,8 +122,10 @@ int main(int argc, char** argv) {
     gpu::Device device = need(gpu::Device::create());
     fmt::print("{}: coat of {:.3g} spacings, {} of the radius; pixels of {} spacings, {} x {}\n\n", device.info().name,
                coat.length / coat.spacing, coat.length, view.pixel, view.size, view.size);
+    if (only.empty() || only == "fringes") measureFringes(device, coat, view);
+    if (only == "fringes") return 0;
     fmt::print(
-        "| body | tilt | sections carried by the skin | 4 layers | 8 | 16 | 32 | by the view |\n|---|---|---|---|---|---|---|---|\n");
+        "\n| body | tilt | sections carried by the skin | 4 layers | 8 | 16 | 32 | by the view |\n|---|---|---|---|---|---|---|---|\n");
     for (const Place& place : kPlaces) {
         if (!only.empty() && only != place.name) continue;
         const BodyFur fur = need(BodyFur::create(device, place.body, coat));

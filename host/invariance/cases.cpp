@@ -11,7 +11,7 @@ constexpr double kInch = 25.4;
 constexpr glm::vec3 kTurns[] = {{37, -81, 123}, {-64.3F, 12.1F, -151.7F}, {5, 170, 88}}; // degrees
 constexpr glm::vec3 kUpright{0, 73, 0};                                                  // about the vertical: the light's map keeps its up
 constexpr glm::vec3 kOffset{310, -170, 530};                                             // mm
-constexpr float kFar = 10;                                                               // of those
+constexpr float kFar = 4; // of those: 2.6 m, 23 radii of the head. Farther away floats move outlines over single pixels
 
 void everything(EngineScene& scene, const Subject& /*subject*/) {
     moveMesh(scene, kOffset);

@@ -7,9 +7,7 @@
 
 #include <atomic>
 #include <chrono>
-#include <mutex>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -38,16 +36,14 @@ TEST_F(Parallel, does_every_item_once_and_says_when_all_are_done) {
     EXPECT_EQ(last, calls.size());
 }
 
-TEST_F(Parallel, works_on_several_threads_at_once) {
-    std::mutex mutex;
-    std::set<std::thread::id> threads;
-    forEachInParallel(100, [&](std::size_t) {
-        wait();
-        const std::scoped_lock lock(mutex);
-        threads.insert(std::this_thread::get_id());
+TEST_F(Parallel, works_on_as_many_threads_as_are_allowed) {
+    std::atomic<unsigned> inside = 0;
+    forEachInParallel(kThreads, [&](std::size_t) {
+        ++inside; // each item waits for all others
+        for (int i = 0; i < 10'000 && inside < kThreads; ++i)
+            wait();
+        EXPECT_EQ(inside, kThreads);
     });
-    EXPECT_GT(threads.size(), 1U);
-    EXPECT_LE(threads.size(), kThreads);
 }
 
 TEST_F(Parallel, on_one_thread_it_is_the_caller_s_and_items_come_in_order) {
@@ -104,13 +100,18 @@ TEST_F(Parallel, an_exception_comes_to_the_caller) {
 
 TEST_F(Parallel, an_error_comes_to_the_caller) {
     for (int i = 0; i < 20; ++i) {
-        const auto result = tryEachInParallel(100, [](std::size_t item) -> Result<void> {
-            if (item == 7) wait(); // others fail first
-            if (item % 10 == 7) return usageError(8001, "item " + std::to_string(item));
+        std::atomic<bool> begun = false;
+        const auto result = tryEachInParallel(kThreads, [&, i](std::size_t item) -> Result<void> {
+            if (item == 5) begun = true;
+            for (int j = 0; item == 2 && j < 1000 && !begun; ++j)
+                wait();
+            if (item == (i % 2 == 0 ? 2U : 5U)) // the lower of the two fails last, or first
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            if (item == 2 || item == 5) return usageError(8001, "item " + std::to_string(item));
             return {};
         });
         ASSERT_FALSE(result);
-        EXPECT_EQ(result.error().diagnostics.front().text, "item 7") << "the lowest of those that fail, on any number of threads";
+        EXPECT_EQ(result.error().diagnostics.front().text, "item 2") << "the lowest of those that fail, on any number of threads";
     }
 }
 
@@ -163,15 +164,21 @@ TEST_F(Parallel, a_loop_may_stand_in_an_item_of_another) {
 }
 
 TEST_F(Parallel, a_loop_inside_takes_up_no_item_of_the_one_outside) {
-    // Would a waiting thread begin another outer item, it would take the lock that it holds.
+    // Would a waiting thread begin another outer item, it would take the lock that it holds. More threads are wanted than there are, so
+    // that some of the outer loop have not begun when the first ones wait.
     std::atomic<int> wrong = 0;
-    forEachInParallel(64, [&](std::size_t) {
+    const auto outer = [&](std::size_t item) {
         thread_local bool held = false;
         if (held) ++wrong;
         held = true;
-        forEachInParallel(16, [](std::size_t) { wait(); });
+        forEachInParallel(2 + item % 7, [&](std::size_t i) {
+            for (std::size_t j = 0; j <= (item + i) % 4; ++j)
+                wait();
+        });
         held = false;
-    });
+    };
+    for (int i = 0; i < 40; ++i)
+        forEachInParallel(24, outer, {}, 24);
     EXPECT_EQ(wrong, 0);
 }
 

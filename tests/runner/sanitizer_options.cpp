@@ -16,4 +16,11 @@ const char* __tsan_default_options();
 const char* __tsan_default_options() {
     return "exitcode=86:second_deadlock_stack=1";
 }
+
+// What oneTBB itself does with its memory, in a library that is not built for ThreadSanitizer: its calls of memcmp and operator delete when
+// its threads end. Never `race:libtbb`: that passes over every stack with a frame of oneTBB in it, and so over every race in a loop.
+const char* __tsan_default_suppressions();
+const char* __tsan_default_suppressions() {
+    return "called_from_lib:libtbb.so.12\n";
+}
 }

@@ -7,7 +7,10 @@
 // Depth of a neighbouring pixel over its distance beyond which it belongs to another part of the surface: one that is seen at less than 4 degrees.
 static const float kSteepest = 16.0;
 
-// mm: the coarser of the two halves that hold a depth is a multiple of it. To 0.25 um up to 2 m from the eye, to 16 um up to 131 m.
+// A half ends at 65504: what is further away counts as here, mm.
+static const float kFarthestHalf = 65000.0;
+
+// mm: the coarser of the two halves that hold a depth is a multiple of it. The finer one leaves 0.25 um up to 2 m from the eye, 16 um up to 65 m.
 float screenDepthStep(float depth)
 {
     return depth < 2048.0 ? 1.0 : depth < 16384.0 ? 8.0 : 64.0;

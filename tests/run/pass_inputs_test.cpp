@@ -24,7 +24,7 @@ struct ExpectedTechnique {
 };
 
 const Names kLightOnMesh = {"gWorld",    "gWorldInverseTranspose", "gLightViewProjection", "gLightPosition", "gLightColor",
-                            "gLightFov", "gShadowTolerance"};
+                            "gUnitMm",   "gShadowTolerance"};
 
 Names with(Names names, const Names& more) {
     names.insert(more.begin(), more.end());
@@ -40,7 +40,7 @@ const ExpectedPass kPrePass2{"PrePass2", {"gWorld", "gWorldInverseTranspose", "g
 
 ExpectedTechnique deonLuebke() {
     return {"DEonLuebke",
-            {{"TSM", {"gWorld", "gLightViewProjection", "gLightPosition"}, {}},
+            {{"TSM", {"gWorld", "gLightViewProjection", "gLightPosition", "gUnitMm"}, {}},
              kPrePass1,
              kPrePass2,
              {"Irradiance",
@@ -77,7 +77,7 @@ ExpectedPass gosselinFinal(const std::string& name, const std::string& source) {
 /// The eight passes of the table, then those for other numbers of blurs.
 ExpectedTechnique gosselin() {
     return {"Gosselin",
-            {{"ShadowMap", {"gWorld", "gLightViewProjection", "gLightPosition"}, {}},
+            {{"ShadowMap", {"gWorld", "gLightViewProjection", "gLightPosition", "gUnitMm"}, {}},
              kPrePass1,
              kPrePass2,
              {"Irradiance", kLightOnMesh, {"gNormalMap", "gShadowMap", "gKernelSizeMap"}},

@@ -1,9 +1,10 @@
 // Numbers on their way from the effect file to the shader, by both compilers.
 
-#include "tests/run/fixture.h"
-
 #include "host/scene/view.h"
 #include "tests/compile/missing.h"
+#include "tests/run/fixture.h"
+
+#include <algorithm>
 
 namespace tegument::test {
 namespace {
@@ -217,7 +218,7 @@ TEST_F(Semantics, fields_of_view_are_radians) {
     expect(8, {glm::radians(25.0F), light_.horizontalFov, mesh_.bounds.radius, 0});
 }
 TEST_F(Semantics, the_viewport_is_the_picture_here) {
-    expect(9, {14, 1, 0, 0});
+    expect(9, {14, 1, 1, 0});
 }
 TEST_F(Semantics, the_centre_arrives) {
     expect(10, glm::vec4(mesh_.bounds.centre, 0));
@@ -226,6 +227,40 @@ TEST_F(Semantics, the_box_arrives) {
     expect(11, glm::vec4(mesh_.bounds.minimum, 0));
     expect(12, glm::vec4(mesh_.bounds.maximum, 0));
     expect(13, glm::vec4(mesh_.bounds.maximum - mesh_.bounds.minimum, 0));
+}
+
+/// In a world of metres the same place has other coordinates, and clip space keeps its w in metres.
+TEST_F(Semantics, in_a_world_of_metres_all_lengths_are_metres) {
+    Workspace metres = workspace_;
+    metres.worldUnitMm = 1000;
+    const auto result = run("semantics.fx", row(14, "Semantics"), &mesh_, metres);
+    ASSERT_TRUE(succeeded(result));
+    const auto isThousandth = [&](int index, const glm::vec4& inMillimetres, float last) {
+        const glm::vec4 v = inMillimetres / 1000.0F;
+        return pixelIs(result->image, index, 0, {v.x, v.y, v.z, last}, 1e-6F * glm::length(v));
+    };
+    EXPECT_TRUE(isThousandth(5, glm::vec4(placed_.light.position, 0), camera_.nearPlane / 1000));
+    EXPECT_TRUE(isThousandth(7, glm::vec4(placed_.camera.position, 0), camera_.farPlane / 1000));
+    EXPECT_TRUE(isThousandth(10, glm::vec4(mesh_.bounds.centre, 0), 0));
+    EXPECT_TRUE(isThousandth(13, glm::vec4(mesh_.bounds.maximum - mesh_.bounds.minimum, 0), 0));
+    EXPECT_TRUE(pixelIs(result->image, 9, 0, {14, 1, 1000, 0}));
+    EXPECT_NEAR(result->image.at(8, 0, 2), mesh_.bounds.radius / 1000, 1e-6F);
+    // gWorld brings the mesh's millimetres there; its inverse transpose of (10, -20, 30, 1) is a thousand times as long.
+    EXPECT_TRUE(pixelIs(result->image, 3, 0, {10000, -20000, 30000, 1}, 0.1F));
+}
+
+TEST_F(ValueSources, a_unit_that_the_world_does_not_have_is_warned_of) {
+    RunOptions options = row(10, "Semantics");
+    options.parameters["gUnitMm"] = {1000};
+    const Mesh mesh = square();
+    const auto result = run("semantics.fx", options, &mesh);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_TRUE(std::ranges::any_of(result->warnings, [](const Diagnostic& d) { return d.code == 4052; }));
+    Workspace metres;
+    metres.worldUnitMm = 1000;
+    const auto agreed = run("semantics.fx", options, &mesh, metres);
+    ASSERT_TRUE(succeeded(agreed));
+    EXPECT_FALSE(std::ranges::any_of(agreed->warnings, [](const Diagnostic& d) { return d.code == 4052; }));
 }
 
 } // namespace

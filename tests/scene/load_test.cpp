@@ -37,6 +37,12 @@ TEST_F(Loading, a_head_of_implausible_size_is_refused_with_the_likely_unit) {
     EXPECT_NE(lps.find("try 35"), std::string::npos) << "no common unit fits: 280 / 7.945. " << lps;
 }
 
+TEST_F(Loading, a_head_is_judged_by_the_size_that_it_is_scaled_to) {
+    EXPECT_TRUE(load("a.obj", panel(0.24), {.expectHead = true, .scale = {1, -1000, 1}}));
+    const std::string message = messageOf(load("a.obj", panel(240), {.expectHead = true, .scale = glm::vec3(10)}));
+    EXPECT_NE(message.find("2400 mm high with 1 mm per unit, scaled by 10"), std::string::npos) << message;
+}
+
 TEST_F(Loading, a_head_without_height_is_refused) {
     EXPECT_EQ(codeOf(load("a.obj", panel(0), {.expectHead = true})), 5309);
 }

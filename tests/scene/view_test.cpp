@@ -203,3 +203,64 @@ TEST(LightMatrices, a_light_straight_above_has_an_upright_frame) {
     const Matrices m = lightMatrices({.position = {0, 900, 0}, .color = {1, 1, 1}}, sphereAt({0, 0, 0}, 100));
     EXPECT_NEAR(std::abs(glm::determinant(glm::mat3(m.view))), 1, 1e-5f);
 }
+
+TEST(LightMatrices, parallel_light_has_a_box_that_holds_the_sphere_and_fits_it) {
+    const Bounds bounds = sphereAt({5, -7, 9}, 120);
+    const glm::vec3 direction(-4, -5, -3);
+    const Matrices m = lightMatrices({.position = {}, .color = {1, 1, 1}, .direction = direction}, bounds);
+    std::mt19937 random(2);
+    glm::vec3 low(1), high(-1);
+    for (int i = 0; i < 50000; ++i) {
+        const glm::vec4 p = m.viewProjection * glm::vec4(onSphere(bounds, random), 1);
+        ASSERT_EQ(p.w, 1) << "parallel";
+        low = glm::min(low, glm::vec3(p));
+        high = glm::max(high, glm::vec3(p));
+    }
+    EXPECT_TRUE(glm::all(glm::greaterThan(low, glm::vec3(-1, -1, 0))) && glm::all(glm::lessThan(high, glm::vec3(1))));
+    EXPECT_TRUE(glm::all(glm::greaterThan(high - low, glm::vec3(1.99F, 1.99F, 0.995F)))) << "the margin is a thousandth of the radius";
+    // Where the light goes nothing but the depth changes.
+    const glm::vec4 along = m.viewProjection * glm::vec4(direction, 0);
+    EXPECT_NEAR(glm::length(glm::vec2(along)), 0, 1e-6F);
+    EXPECT_GT(along.z, 0);
+    // The position is on the near plane: depths are counted from it.
+    EXPECT_NEAR((m.viewProjection * glm::vec4(m.position, 1)).z, 0, 1e-6F);
+    EXPECT_EQ(m.nearPlane, 0);
+    EXPECT_NEAR(m.farPlane, 2 * 1.001F * bounds.radius, 1e-3F);
+}
+
+TEST(LightMatrices, what_the_map_covers_can_be_said) {
+    const Bounds bounds = sphereAt({0, 0, 0}, 100);
+    const Matrices narrow = lightMatrices({.position = {0, 0, 500}, .color = {1, 1, 1}, .fov = 10.0F}, bounds);
+    EXPECT_NEAR(narrow.horizontalFov, glm::radians(10.0F), 1e-6F);
+    EXPECT_NEAR(project({500 * std::tan(glm::radians(5.0F)), 0, 0}, narrow).x, 1, 1e-5F);
+    const Matrices box = lightMatrices({.position = {}, .color = {1, 1, 1}, .direction = glm::vec3(0, 0, -1), .width = 60.0F}, bounds);
+    EXPECT_NEAR(project({30, -15, 0}, box).x, 1, 1e-6F);
+    EXPECT_NEAR(project({30, -15, 0}, box).y, -0.5F, 1e-6F);
+}
+
+TEST(PlaceScene, a_width_in_the_frame_of_the_mesh_is_counted_in_radii) {
+    Workspace workspace;
+    workspace.light.direction = glm::vec3(0, -1, 0);
+    workspace.light.width = 0.5F;
+    EXPECT_EQ(placeScene(workspace, sphereAt({10, 20, 30}, 100)).light.width, 50);
+    workspace.lightRelative = false;
+    EXPECT_EQ(placeScene(workspace, sphereAt({10, 20, 30}, 100)).light.width, 0.5F);
+}
+
+TEST(PlaceScene, in_another_unit_only_lengths_change) {
+    Workspace workspace;
+    workspace.light = {.position = {1, 2, 3}, .color = {1, 2, 3}, .direction = glm::vec3(0, -1, 0), .width = 2.0F};
+    const Bounds bounds = sphereAt({10, 20, 30}, 100);
+    const PlacedScene scene = placeScene(workspace, bounds);
+    const PlacedScene metres = inUnit(scene, 1e-3F);
+    EXPECT_EQ(metres.camera.position, 1e-3F * scene.camera.position);
+    EXPECT_EQ(metres.camera.target, 1e-3F * scene.camera.target);
+    EXPECT_EQ(*metres.camera.farPlane, 1e-3F * *scene.camera.farPlane);
+    EXPECT_EQ(metres.camera.horizontalFov, scene.camera.horizontalFov);
+    EXPECT_EQ(metres.camera.up, scene.camera.up);
+    EXPECT_EQ(metres.light.position, 1e-3F * scene.light.position);
+    EXPECT_EQ(*metres.light.width, 1e-3F * *scene.light.width);
+    EXPECT_EQ(metres.light.direction, scene.light.direction);
+    EXPECT_EQ(metres.light.color, scene.light.color);
+    EXPECT_EQ(inUnit(bounds, 1e-3F).radius, 0.1F);
+}

@@ -196,6 +196,53 @@ TEST_F(Workspaces, objects_arrive_with_their_places) {
     EXPECT_TRUE(own.objects.empty());
 }
 
+TEST_F(Workspaces, a_scale_is_one_number_or_one_for_each_axis_and_may_mirror) {
+    write("head.glb", "x");
+    const auto w = parse(R"({"objects": [{"mesh": "head.glb", "scale": [-1, 1, 2]}, {"mesh": "head.glb", "scale": -1000}]})");
+    ASSERT_TRUE(w) << format(w.error());
+    EXPECT_EQ(w->objects[0].placement.scale, glm::vec3(-1, 1, 2));
+    EXPECT_EQ(w->objects[1].placement.scale, glm::vec3(-1000));
+    EXPECT_EQ(meshOptions(w->objects[0]).scale, glm::vec3(-1, 1, 2)) << "a head is judged by it";
+    EXPECT_EQ(faultOf(R"({"objects": [{"mesh": "head.glb", "scale": [1, 0, 1]}]})"), "5403(1,35)");
+    EXPECT_EQ(faultOf(R"({"objects": [{"mesh": "head.glb", "scale": [1, 1]}]})"), "5402(1,35)");
+}
+
+TEST_F(Workspaces, lengths_of_the_world_are_in_its_unit) {
+    write("head.glb", "x");
+    const auto w = parse(R"({
+      "objects": [{ "mesh": "head.glb", "position": [0.1, 0.2, 0.3], "scale": 2 }],
+      "camera": { "frame": "world", "position": [0, 0, 0.7], "target": [0, 0.1, 0], "near": 0.5, "far": 0.9 },
+      "light": { "frame": "world", "direction": [0, -1, 0], "width": 0.3 },
+      "world_unit_mm": 1000
+    })");
+    ASSERT_TRUE(w) << format(w.error());
+    EXPECT_EQ(w->worldUnitMm, 1000);
+    EXPECT_EQ(w->objects[0].placement.position, glm::vec3(100, 200, 300));
+    EXPECT_EQ(w->objects[0].placement.scale, glm::vec3(2));
+    EXPECT_EQ(w->camera.position, glm::vec3(0, 0, 700));
+    EXPECT_EQ(w->camera.target, glm::vec3(0, 100, 0));
+    EXPECT_EQ(w->camera.nearPlane, 500);
+    EXPECT_EQ(w->camera.farPlane, 900);
+    EXPECT_EQ(w->light.width, 300);
+    EXPECT_EQ(w->light.direction, glm::vec3(0, -1, 0));
+    const auto relative = parse(R"({"camera": {"position": [1, 2, 3]}, "light": {"position": [4, 5, 6]}, "world_unit_mm": 10})");
+    ASSERT_TRUE(relative) << format(relative.error());
+    EXPECT_EQ(relative->camera.position, glm::vec3(1, 2, 3)) << "radii have no unit";
+    EXPECT_EQ(relative->light.position, glm::vec3(4, 5, 6));
+}
+
+TEST_F(Workspaces, a_light_is_a_point_or_parallel) {
+    const auto narrow = parse(R"({"light": {"position": [4, 5, 6], "fov": 7.5}})");
+    ASSERT_TRUE(narrow) << format(narrow.error());
+    EXPECT_EQ(narrow->light.fov, 7.5F);
+    EXPECT_EQ(faultOf(R"({"light": {"direction": [0, 0, 0]}})"), "5407(1,2)");
+    EXPECT_EQ(faultOf(R"({"light": {"direction": [0, 1, 0], "position": [1, 1, 1]}})"), "5407(1,2)");
+    EXPECT_EQ(faultOf(R"({"light": {"direction": [0, 1, 0], "fov": 9}})"), "5407(1,2)");
+    EXPECT_EQ(faultOf(R"({"light": {"width": 9}})"), "5407(1,2)");
+    EXPECT_EQ(faultOf(R"({"light": {"fov": 161}})"), "5403(1,12)");
+    EXPECT_EQ(faultOf(R"({"world_unit_mm": 0})"), "5403(1,2)");
+}
+
 TEST_F(Workspaces, faults_of_objects_are_found_where_they_stand) {
     write("head.glb", "x");
     EXPECT_EQ(faultOf(R"({"objects": []})"), "5403(1,2)");

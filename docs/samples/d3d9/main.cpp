@@ -48,7 +48,7 @@ const std::vector<Vertex> kQuad = {{{-1, 1, 0}, {0, 0, 1}, {1, 0, 0, 1}, {0, 0}}
                                    {{1, 1, 0}, {0, 0, 1}, {1, 0, 0, 1}, {1, 0}},
                                    {{1, -1, 0}, {0, 0, 1}, {1, 0, 0, 1}, {1, 1}}};
 
-// What the effects ask for by semantic. Right-handed, mm, row vectors.
+// What the effects ask for by semantic. Right-handed, row vectors.
 class Scene {
 public:
     Scene(const Mesh& mesh, float turn) {
@@ -59,10 +59,10 @@ public:
         const float distance = D3DXVec3Length(&toMesh), eyeDistance = D3DXVec3Length(&toEye);
         near_ = distance - 1.01F * mesh.radius;
         far_ = distance + 1.01F * mesh.radius;
-        fov_ = 2 * std::asin(1.01F * mesh.radius / distance); // the light sees the whole mesh, and little else
+        const float fov = 2 * std::asin(1.01F * mesh.radius / distance); // the light sees the whole mesh, and little else
         camera_ =
             pyramid(eye_, place(0, 0.17F, 0.1F), D3DXToRadian(25), eyeDistance - 1.1F * mesh.radius, eyeDistance + 1.1F * mesh.radius);
-        lightPyramid_ = pyramid(light_, mesh.centre, fov_, near_, far_);
+        lightPyramid_ = pyramid(light_, mesh.centre, fov, near_, far_);
         D3DXMatrixIdentity(&world_);
     }
 
@@ -76,7 +76,7 @@ public:
                                                             {"PointLight0 DIFFUSE", color_},
                                                             {"PointLight0 NEARCLIP", &near_},
                                                             {"PointLight0 FARCLIP", &far_},
-                                                            {"PointLight0 FIELDOFVIEW", &fov_}};
+                                                            {"UNITMM", &unit_}};
         const auto found = values.find(object.empty() ? semantic : object + " " + semantic);
         return found == values.end() ? nullptr : found->second;
     }
@@ -91,7 +91,7 @@ private:
     }
     D3DXMATRIX world_, camera_, lightPyramid_;
     D3DXVECTOR3 eye_, light_, color_{1.7F, 1.7F, 1.7F}; // irradiance / pi
-    float near_ = 0, far_ = 0, fov_ = 0;
+    float near_ = 0, far_ = 0, unit_ = 1; // mm in one unit of all the lengths above
 };
 
 // The effects give linear radiance. Tone map and sRGB are the engine's; this is what `tegument` does (docs/images.md).

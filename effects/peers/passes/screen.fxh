@@ -31,7 +31,7 @@ LightOutput LightPS(SurfaceVarying input)
     LightOutput output;
     output.light = float4(skin * irradianceBounded(enteringLight(p), kLargestHalf), skin);
     output.depth = float4(skin * depth, 0.0, 0.0, 1.0);
-    output.shade = float4(p.shadow, skin * halvesOf(depth, screenDepthStep(depth)), 1.0);
+    output.shade = float4(p.shadow, skin * halvesOf(min(depth, kFarthestHalf), screenDepthStep(depth)), 1.0);
     return output;
 }
 

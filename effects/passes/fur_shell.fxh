@@ -38,7 +38,9 @@ FurVarying BehindVS(LAYER_INPUT(FurInput, input))
 
 FurVarying CoatEndVS(FurInput input)
 {
-    return furVarying(input, 1.0);
+    FurVarying output = furVarying(input, 1.0);
+    output.position = furEndPosition(output.position);
+    return output;
 }
 
 float4 CoatEndPS(FurVarying input) : SV_Target0

@@ -39,7 +39,7 @@ Mesh squareOf(int quads) {
 /// Seen from above at 45 degrees, so near that the square fills the picture, and strands so fine that a pixel holds several of them: all
 /// that differs between pixels is their place.
 Result<Image> expected(gpu::Device& device, int quads) {
-    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {}, .includeFolders = {}});
     if (!effect) return effect.error();
     const Mesh mesh = squareOf(quads);
     Workspace workspace;
@@ -73,18 +73,18 @@ TEST_F(FurDrawn, edges_of_triangles_do_not_show_with_several_samples) {
             sum += truth * truth;
         }
     EXPECT_GT(sum, 0);
-    // What is left: shading at centroids instead of centres, less than half a pixel aside. By derivatives of centroid places: 0.1.
-    EXPECT_LT(std::sqrt(off / sum), 0.01);
+    // What is left: shading at centroids instead of centres, less than half a pixel aside. By derivatives of centroid places: 0.018.
+    EXPECT_LT(std::sqrt(off / sum), 0.003);
 }
 
 TEST_F(FurDrawn, soft_fringes_show_the_coat_behind_them) {
     const auto fur = measure::BodyFur::create(*device_, {.ring = 2, .radius = 1}, {});
     ASSERT_TRUE(fur) << format(fur.error());
     const measure::BodyView view{
-        .tilt = std::numbers::pi / 2, .around = 110 * std::numbers::pi / 180, .across = true, .pixel = 0.5, .size = 32, .samples = 4};
+        .tilt = std::numbers::pi / 2, .around = 110 * std::numbers::pi / 180, .across = true, .pixel = 0.125, .size = 24, .samples = 3};
     const auto truth = fur->truth(view, reference::FurShape::Cones);
-    const auto one = fur->draw(view, 16, 16, false);
-    const auto two = fur->draw(view, 16, 16, true);
+    const auto one = fur->draw(view, 32, 4, false);
+    const auto two = fur->draw(view, 32, 4, true);
     ASSERT_TRUE(one) << format(one.error());
     ASSERT_TRUE(two) << format(two.error());
     int differing = 0;
@@ -96,8 +96,9 @@ TEST_F(FurDrawn, soft_fringes_show_the_coat_behind_them) {
         offOne += std::pow(one->shade[i] - truth.shade[i], 2);
         offTwo += std::pow(two->shade[i] - truth.shade[i], 2);
     }
-    EXPECT_GT(differing, 10) << "a fringe runs through the picture";
-    EXPECT_LT(std::sqrt(offTwo), 0.7 * std::sqrt(offOne)) << differing << " pixels; the rest of it is the outline's own error";
+    EXPECT_GT(differing, 20) << "a fringe runs through the picture";
+    // 0.6 is measured; what is left is the outline's own error, of strands that lie half in a pixel.
+    EXPECT_LT(std::sqrt(offTwo), 0.75 * std::sqrt(offOne)) << differing << " pixels";
 }
 
 } // namespace tegument::test

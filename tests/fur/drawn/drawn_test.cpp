@@ -81,7 +81,7 @@ TEST_F(FurDrawn, soft_fringes_show_the_coat_behind_them) {
     const auto fur = measure::BodyFur::create(*device_, {.ring = 2, .radius = 1}, {});
     ASSERT_TRUE(fur) << format(fur.error());
     const measure::BodyView view{
-        .tilt = std::numbers::pi / 2, .around = 110 * std::numbers::pi / 180, .across = true, .pixel = 0.125, .size = 24, .samples = 3};
+        .tilt = std::numbers::pi / 2, .around = 110 * std::numbers::pi / 180, .across = true, .pixel = 0.125, .size = 32, .samples = 4};
     const auto truth = fur->truth(view, reference::FurShape::Cones);
     const auto one = fur->draw(view, 32, 4, false);
     const auto two = fur->draw(view, 32, 4, true);

@@ -15,17 +15,28 @@ SAMPLER2D(gIrradiance4, POINT, CLAMP);
 SAMPLER2D(gIrradiance5, POINT, CLAMP);
 SAMPLER2D(gIrradiance6, POINT, CLAMP);
 
+// mm of a texel of the light's map, in the middle of what the light sees; the passes draw no mesh that could tell it for each point.
+float shadowTexelOfMesh()
+{
+    return shadowFootprint(lightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar), lightSpread());
+}
+
+float convolutionIncrement(float sigmaBefore, float sigma, float density)
+{
+    return gaussianIncrement(sigmaBefore, sigma, density, gaussianPresent(shadowTexelOfMesh(), density));
+}
+
 float4 convolveU(SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float sigma)
 {
     float4 stretch = tex2Dlod(gStretch, float4(uv, 0.0, 0.0));
-    float spacing = gaussianSpacing(gaussianIncrement(sigmaBefore, sigma, gaussianDensity(stretch).x));
+    float spacing = gaussianSpacing(convolutionIncrement(sigmaBefore, sigma, gaussianDensity(stretch).x));
     return gaussianConvolve(SAMPLER2D_ARG(map), uv, float2(1.0 / kMapSize, 0.0), gaussianReach(spacing, stretch));
 }
 
 float4 convolveV(SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float sigma)
 {
     float4 stretch = tex2Dlod(gStretch, float4(uv, 0.0, 0.0));
-    float spacing = gaussianSpacing(gaussianIncrement(sigmaBefore, sigma, gaussianDensity(stretch).y));
+    float spacing = gaussianSpacing(convolutionIncrement(sigmaBefore, sigma, gaussianDensity(stretch).y));
     return gaussianConvolve(SAMPLER2D_ARG(map), uv, float2(0.0, 1.0 / kMapSize), gaussianReach(spacing, stretch));
 }
 

@@ -62,7 +62,9 @@ StrandsVarying CellularBehindVS(LAYER_INPUT(FurInput, input))
 
 StrandsVarying CellularEndVS(FurInput input)
 {
-    return cellularVarying(input, gFurLayers - 1.0, kFurNear);
+    StrandsVarying output = cellularVarying(input, gFurLayers - 1.0, kFurNear);
+    output.position = furEndPosition(output.position);
+    return output;
 }
 
 float4 CellularPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0

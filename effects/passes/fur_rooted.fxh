@@ -91,7 +91,9 @@ StrandsVarying RootsBehindVS(LAYER_INPUT(FurInput, input))
 
 StrandsVarying RootsEndVS(FurInput input)
 {
-    return rootsVarying(input, gFurLayers - 1.0, kFurNear);
+    StrandsVarying output = rootsVarying(input, gFurLayers - 1.0, kFurNear);
+    output.position = furEndPosition(output.position);
+    return output;
 }
 
 float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0

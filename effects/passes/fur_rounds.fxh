@@ -20,6 +20,12 @@ static const float kFurBehind = -1.0;
     "RenderColorTarget0=; RenderDepthStencilTarget=;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Behind") "LoopEnd;" \
     LAYER_SCRIPT("gFurLayers", "gFurLayer", layers)
 
+// Planes are fitted to the mesh: what the coat has beyond the far one ends the coat, too, and some devices would clip it.
+float4 furEndPosition(float4 position)
+{
+    return float4(position.xy, min(position.z, 0.999999 * position.w), position.w);
+}
+
 // Below 0 what belongs to the other round. nearness: 1 / distance from the eye, as CoatEnd wrote it; pixel: its centre.
 float furInRound(float nearness, float2 pixel, float round)
 {

@@ -38,7 +38,9 @@ FurVarying BehindVS(LAYER_INPUT(FurInput, input))
 
 FurVarying CoatEndVS(FurInput input)
 {
-    return furVarying(input, 1.0);
+    FurVarying output = furVarying(input, 1.0);
+    output.position = furEndPosition(output.position);
+    return output;
 }
 
 float4 CoatEndPS(FurVarying input) : SV_Target0
@@ -88,31 +90,35 @@ float shellShrink(float2 sides)
     return gFurDeviation > 0.0 ? max(sides.x / max(sides.y, 1e-20), 0.01) : 1.0;
 }
 
-// texel: of a fur map, colour and coverage (or height) of its strands.
-float4 shell(FurVarying input, float2 sides, float4 texel)
+// texel: of a fur map, colour and coverage (or height) of its strands. Only what is drawn is lit.
+float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 {
     float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
     float afar = furAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
     float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, sides.y));
     float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
-    clip(lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar));
+    float tested = lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar);
+    float left = furInRound(shellNearness(input), pixel, input.plainRest.w) < 0.0 ? -1.0 : tested;
+    clip(left);
     float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
-    return float4(furRadiance(input, furAlbedo(input) * texel.rgb, 1.0, furHullShadow(input)), max(drawn, gFurOuterFirst));
+    float4 color = float4(0.0, 0.0, 0.0, max(drawn, gFurOuterFirst));
+    float3 albedo = furAlbedo(input) * texel.rgb;
+    [branch] if (left >= 0.0)
+        color.rgb = furRadiance(input, albedo, 1.0, furHullShadow(input));
+    return color;
 }
 
 float4 cubeShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
-    clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
     float2 sides = shellSides(plain);
-    return shell(input, sides, cubeTexel(furCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
+    return shell(input, pixel, sides, cubeTexel(furCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
 }
 
 float4 sphereShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
-    clip(furInRound(shellNearness(input), pixel, input.plainRest.w));
     float2 sides = shellSides(plain);
     float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
-    return shell(input, sides, sphereTexel(place, furSphereCoordinate(plain), shellShrink(sides)));
+    return shell(input, pixel, sides, sphereTexel(place, furSphereCoordinate(plain), shellShrink(sides)));
 }
 
 float4 CubePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0

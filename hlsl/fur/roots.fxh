@@ -9,7 +9,7 @@ static const float kFurRootsWidth = 4096.0;
 // bounding ball, along the mesh's own axes; radius: of that ball, in the same unit; ball: centre and radius of the roots' mesh, mm.
 float3 furRootPlace(float3 fromCentre, float radius, float4 ball)
 {
-    return ball.xyz + fromCentre * (ball.w / radius);
+    return ball.xyz + fromCentre * (ball.w / max(radius, 1e-20));
 }
 
 // Where texel number `index` is. Powers of two and whole numbers below 2^24: exact, but for the quotient by the rows, which stays in the row's middle.

@@ -6,15 +6,24 @@
 static const float kGaussianKernel[4] = { 0.383, 0.242, 0.061, 0.006 };
 // A texel is the mean over its square: variance 1/12 along each axis, present before the first convolution.
 static const float kTexelVariance = 1.0 / 12.0;
+// And a shadow's edge has been through the filter of shadow/map.fxh, a box three texels of the light's map wide.
+static const float kShadowVariance = 9.0 / 12.0;
+
+// Variance (texels^2) of light before the first convolution. shadowTexel: mm of a texel of the light's map on the mesh.
+float gaussianPresent(float shadowTexel, float density)
+{
+    float texels = shadowTexel * density;
+    return kTexelVariance + kShadowVariance * texels * texels;
+}
 
 // What the cascade still lacks. Seed: each pass takes its own sigma literally. Paper: the increment of the variance. Corrected: the same,
-// counting the texel.
-float gaussianIncrement(float sigmaBefore, float sigma, float density)
+// counting what is present.
+float gaussianIncrement(float sigmaBefore, float sigma, float density, float present)
 {
     float before = sigmaBefore * sigmaBefore * density * density;
     float after = sigma * sigma * density * density;
     if (kConvolveExactly)
-        return max(after, kTexelVariance) - max(before, kTexelVariance);
+        return max(after, present) - max(before, present);
     return kConvolveIncrement ? max(after - before, 0.0) : after;
 }
 

@@ -25,6 +25,18 @@ void parallelLight(EngineScene& scene, const Subject& /*subject*/) {
     light.direction = glm::normalize(scene.workspace.camera.target - light.position);
 }
 
+/// A head of 40 mm, whose ears are as thin as real ones, and light from the other side, which shines through them.
+void fromBehind(EngineScene& scene, const Subject& /*subject*/) {
+    enlarge(scene, 0.2);
+    glm::vec3& light = scene.workspace.light.position;
+    light = 2.0F * scene.workspace.camera.target - light;
+}
+
+void inMetres(EngineScene& scene, const Subject& /*subject*/) {
+    changeMeshUnit(scene, 1000);
+    changeWorldUnit(scene, 1000);
+}
+
 /// Each slider that the shaders read, a little further; whole steps.
 std::map<std::string, std::vector<double>> otherValues(const EngineScene& scene, const Subject& subject) {
     constexpr double kFurther = 0.05; // of what is left of its range
@@ -99,6 +111,7 @@ std::vector<Case> unitCases() {
                      Asks::Nothing,
                      alone([](EngineScene& s) { s.workspace.worldUnitMm = 10; }),
                      {}});
+    cases.push_back({"world's unit", "world and mesh in metres, lit from behind", Asks::Nothing, inMetres, fromBehind});
     for (const double factor : {0.01, kInch})
         cases.push_back({"size",
                          "everything times " + std::to_string(factor).substr(0, 5),

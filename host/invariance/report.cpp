@@ -1,6 +1,7 @@
 #include "host/invariance/invariance.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -39,24 +40,31 @@ std::string effectAndTechnique(const InvarianceCell& cell) {
     return effect == cell.technique ? effect : effect + " " + cell.technique;
 }
 
-/// "Culling PrePass, ReachGosselin": by what is said of them.
+void addOnce(std::vector<std::string>& list, const std::string& text) {
+    if (std::ranges::find(list, text) == list.end()) list.push_back(text);
+}
+
+/// One line for each thing that is said: of which cases, and of which techniques.
 void addNotes(std::string& text, const std::vector<InvarianceCell>& cells, const std::string& title,
               const std::function<std::string(const InvarianceCell&)>& saying) {
-    std::vector<std::pair<std::string, std::string>> notes; // what is said, of whom
+    struct Note {
+        std::string said;
+        std::vector<std::string> cases;
+        std::vector<std::string> techniques;
+    };
+    std::vector<Note> notes;
     for (const InvarianceCell& cell : cells) {
         const std::string said = saying(cell);
         if (said.empty()) continue;
-        const std::string line = fmt::format("{}: {}", cell.name, said);
-        const auto known = std::ranges::find(notes, line, &std::pair<std::string, std::string>::first);
-        if (known == notes.end())
-            notes.emplace_back(line, effectAndTechnique(cell));
-        else
-            known->second += ", " + effectAndTechnique(cell);
+        auto note = std::ranges::find(notes, said, &Note::said);
+        if (note == notes.end()) note = notes.insert(notes.end(), Note{.said = said, .cases = {}, .techniques = {}});
+        addOnce(note->cases, cell.name);
+        addOnce(note->techniques, effectAndTechnique(cell));
     }
     if (notes.empty()) return;
     text += fmt::format("\n{}\n\n", title);
-    for (const auto& [line, whom] : notes)
-        text += fmt::format("* {} ({})\n", line, whom);
+    for (const Note& note : notes)
+        text += fmt::format("* {}: {}\n  ({})\n", fmt::join(note.cases, "; "), note.said, fmt::join(note.techniques, ", "));
 }
 
 std::string failure(const InvarianceCell& cell) {

@@ -58,7 +58,9 @@ public:
     [[nodiscard]] glm::dvec4 colour(const SurfacePoint& point) const { return colour_.at(point.uv); }
     /// Radius of Gosselin's blurs here, as a share of the largest.
     [[nodiscard]] double kernelSize(const SurfacePoint& point) const { return kernelSizes_.at(point.uv).x; }
-    [[nodiscard]] glm::dvec3 toLight(const SurfacePoint& point) const { return glm::normalize(light_.origin(point.position) - point.position); }
+    [[nodiscard]] glm::dvec3 toLight(const SurfacePoint& point) const {
+        return glm::normalize(light_.origin(point.position) - point.position);
+    }
 
     /// What the light's view does not show is lit: there is no map that could say otherwise.
     [[nodiscard]] bool lit(const SurfacePoint& point) const;

@@ -22,8 +22,8 @@ struct Builder {
     Frame& frame;
 };
 
-/// A shader that does not write a bound target leaves it as it is in Direct3D; in Vulkan it would write undefined values. `mirrored`: front faces
-/// are the other way round.
+/// A shader that does not write a bound target leaves it as it is in Direct3D; in Vulkan it would write undefined values. `mirrored`: front
+/// faces are the other way round.
 PipelineState maskUnwritten(const Pass& pass, const PassProgram& program, bool mirrored) {
     PipelineState state = pass.state;
     if (mirrored) state.frontCounterClockwise = !state.frontCounterClockwise;

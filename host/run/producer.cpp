@@ -144,7 +144,8 @@ Result<void> checkProduct(const Effect& effect, const Prepared& prepared, const 
 /// moved along. So several heads of one mesh share it.
 std::optional<PlacedObject> inOwnSpace(const RunInput& input) {
     if (!input.placed) return std::nullopt;
-    PlacedObject local{.placement = {}, .scene = seenFrom(input.placed->scene, input.placed->placement), .worldUnitMm = input.placed->worldUnitMm};
+    PlacedObject local{
+        .placement = {}, .scene = seenFrom(input.placed->scene, input.placed->placement), .worldUnitMm = input.placed->worldUnitMm};
     local.placement.scale = input.placed->placement.scale;
     return local;
 }

@@ -52,10 +52,9 @@ struct MatrixForm {
 constexpr std::array kForms = {MatrixForm{"", false, false}, MatrixForm{"INVERSE", true, false}, MatrixForm{"TRANSPOSE", false, true},
                                MatrixForm{"INVERSETRANSPOSE", true, true}};
 
-constexpr std::array<std::string_view, 12> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",    "NEARCLIP",
-                                                      "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",    "BOUNDINGBOXMIN",
-                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE",
-                                                      "UNITMM"};
+constexpr std::array<std::string_view, 12> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",     "NEARCLIP",
+                                                      "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",     "BOUNDINGBOXMIN",
+                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE", "UNITMM"};
 constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
 
 /// A mesh that stands where its file has it keeps the matrices of the view bit for bit.

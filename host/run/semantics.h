@@ -17,7 +17,7 @@ namespace tegument::run {
 struct SceneView {
     bool hasMesh = false;
     float unitMm = 1; // millimetres in one unit of the world
-    Bounds bounds; // of the mesh, where it stands
+    Bounds bounds;    // of the mesh, where it stands
     glm::dmat4 world{1};
     PlacedScene placed;
     Matrices camera;

@@ -82,13 +82,14 @@ Result<void> checkGiven(const Parameter& parameter, const Numbers& value, const 
 /// A unit that the matrices are not in makes every length wrong.
 void warnOtherUnit(const Parameter& parameter, const Numbers& value, const SceneView& scene, std::vector<Diagnostic>& warnings) {
     if (!equalsIgnoreCase(parameter.semantic, "UNITMM") || value.front() == static_cast<double>(scene.unitMm)) return;
-    warnings.push_back({.severity = Severity::Warning,
-                        .code = 4052,
-                        .at = parameter.at,
-                        .text = fmt::format("{} is set to {:g}, but one unit of the scene's world is {:g} mm: lengths are {:g} times too long",
-                                            parameter.name, value.front(), scene.unitMm, value.front() / static_cast<double>(scene.unitMm)),
-                        .hint = "leave it out, and say \"world_unit_mm\" in the workspace",
-                        .sourceLine = {}});
+    warnings.push_back(
+        {.severity = Severity::Warning,
+         .code = 4052,
+         .at = parameter.at,
+         .text = fmt::format("{} is set to {:g}, but one unit of the scene's world is {:g} mm: lengths are {:g} times too long",
+                             parameter.name, value.front(), scene.unitMm, value.front() / static_cast<double>(scene.unitMm)),
+         .hint = "leave it out, and say \"world_unit_mm\" in the workspace",
+         .sourceLine = {}});
 }
 
 Error missing(const Parameter& parameter) {

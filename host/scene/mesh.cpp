@@ -95,8 +95,8 @@ std::optional<Error> checkHead(const Mesh& mesh, const Source& source, double sc
     if (height >= kLeastHead && height <= kMostHead) return std::nullopt;
     const std::string suggestion = height > 0 ? fmt::format(": try {:g}", likelyUnit(height / source.unitMm)) : "";
     return inputError(5309, source.whole(),
-                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit{}; {:g} to {:g} mm is plausible", height,
-                                  source.unitMm, scale == 1 ? "" : fmt::format(", scaled by {:g}", scale), kLeastHead, kMostHead),
+                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit{}; {:g} to {:g} mm is plausible", height, source.unitMm,
+                                  scale == 1 ? "" : fmt::format(", scaled by {:g}", scale), kLeastHead, kMostHead),
                       fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}", suggestion));
 }
 

@@ -28,13 +28,15 @@ public:
     Result<Workspace> read(const LocatedJson& root) {
         workspace_.file = path_;
         readObject(root, "the workspace",
-                   withMeshKeys(workspace_, {{"objects", [&](const LocatedJson& v) { readObjects(v); }},
-                                             {"world_unit_mm", [&](const LocatedJson& v) { workspace_.worldUnitMm = real(v, "world_unit_mm", kLeast, kMost); }},
-                                             {"camera", [&](const LocatedJson& v) { readCamera(v); }},
-                                             {"light", [&](const LocatedJson& v) { readLight(v); }},
-                                             {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
-                                             {"textures", [&](const LocatedJson& v) { readTextures(v, workspace_.textures); }},
-                                             {"parameters", [&](const LocatedJson& v) { readParameters(v, workspace_.parameters); }}}));
+                   withMeshKeys(
+                       workspace_,
+                       {{"objects", [&](const LocatedJson& v) { readObjects(v); }},
+                        {"world_unit_mm", [&](const LocatedJson& v) { workspace_.worldUnitMm = real(v, "world_unit_mm", kLeast, kMost); }},
+                        {"camera", [&](const LocatedJson& v) { readCamera(v); }},
+                        {"light", [&](const LocatedJson& v) { readLight(v); }},
+                        {"background", [&](const LocatedJson& v) { workspace_.background = color(v, "background"); }},
+                        {"textures", [&](const LocatedJson& v) { readTextures(v, workspace_.textures); }},
+                        {"parameters", [&](const LocatedJson& v) { readParameters(v, workspace_.parameters); }}}));
         refuseMeshBesideObjects(root);
         if (error_) return *error_;
         inMillimetres();
@@ -205,7 +207,8 @@ private:
     /// The default positions are in radii.
     void requirePositionInWorld(const LocatedJson& value, const std::string& what, bool relative) {
         if (!error_ && !relative && std::ranges::find(value.keys, "position") == value.keys.end())
-            fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what), "give its position in units of the world");
+            fail(5407, value, fmt::format("the {} has the frame \"world\" but no position", what),
+                 "give its position in units of the world");
     }
 
     void readTextures(const LocatedJson& value, std::map<std::string, std::string>& textures) {

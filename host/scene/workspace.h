@@ -31,8 +31,8 @@ struct Light {
     glm::vec3 position{300, 300, 600}; // of parallel light of no meaning
     glm::vec3 color{1};
     std::optional<glm::vec3> direction; // parallel light goes this way; not 0
-    std::optional<float> fov;             // of a point light's square pyramid, degrees
-    std::optional<float> width;           // across the map of parallel light, mm, or radii (Workspace::lightRelative)
+    std::optional<float> fov;           // of a point light's square pyramid, degrees
+    std::optional<float> width;         // across the map of parallel light, mm, or radii (Workspace::lightRelative)
 };
 
 /// A mesh file and how it is to be read.

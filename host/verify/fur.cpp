@@ -252,6 +252,9 @@ Result<ModuleReport> verifyFur(const Context& context) {
     const FurScene afar = furAfar(context.options);
     const View fromAfar(afar, context.options);
     if (const auto compared = comparePart(report, context, afar, fromAfar, kParts[0], maps); !compared) return compared.error();
+    const FurScene before = furBefore(context.options);
+    const View onBefore(before, context.options);
+    if (const auto compared = comparePart(report, context, before, onBefore, kParts[0], maps); !compared) return compared.error();
     const FurScene ball = furBall(context.options);
     const View onBall(ball, context.options);
     if (const auto compared = comparePart(report, context, ball, onBall, kParts[0], maps); !compared) return compared.error();

@@ -109,6 +109,14 @@ FurScene furAfar(const VerifyOptions& options) {
     return scene;
 }
 
+FurScene furBefore(const VerifyOptions& options) {
+    FurScene scene = furTorus(options);
+    scene.name += ", a coat before a coat";
+    scene.coat.fringes = true;
+    scene.scene.workspace.camera.position = {0.4F, 1.2F, 4.2F};
+    return scene;
+}
+
 FurScene furBall(const VerifyOptions& options) {
     FurScene scene = sceneWith(options, ball, "ball");
     scene.name += ", outer layers first";

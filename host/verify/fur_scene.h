@@ -20,6 +20,8 @@ struct FurScene {
 [[nodiscard]] FurScene furTorus(const VerifyOptions& options);
 /// The torus, where a pixel holds about half of the variance of the map's heights.
 [[nodiscard]] FurScene furAfar(const VerifyOptions& options);
+/// The torus from the side, in two rounds: its near side's fringe before the coat of its far side.
+[[nodiscard]] FurScene furBefore(const VerifyOptions& options);
 /// A ball, opaque layers from the outermost inwards; or the options' mesh.
 [[nodiscard]] FurScene furBall(const VerifyOptions& options);
 

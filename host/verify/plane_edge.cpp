@@ -82,7 +82,8 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
     workspace.cameraRelative = false;
     workspace.lightRelative = false;
     workspace.camera.position = {0, 0, 500};
-    workspace.light.position = {0, 0, 1e5F}; // so far that N.L is 1 to 1e-6 over the plane
+    workspace.light.direction = glm::vec3(0, 0, -1);
+    workspace.light.width = 1e-3F; // the edge is one of colour: no shadow's filter has been over it
     const auto run = render(context, {.effect = "Convolution.fx",
                                       .technique = "Convolution",
                                       .mesh = &mesh,

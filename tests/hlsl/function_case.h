@@ -107,10 +107,10 @@ struct FunctionCase {
     std::vector<int> settings = {2};
     int samples = 4096;
     const TestMap* map = nullptr;
-    bool perQuad = false;                      // the same arguments in each 2 x 2 quad, for derivatives
-    std::map<std::string, std::vector<double>> globals;          // parameters of workspace.fxh for functions that read them; matrices row by row
+    bool perQuad = false;                               // the same arguments in each 2 x 2 quad, for derivatives
+    std::map<std::string, std::vector<double>> globals; // parameters of workspace.fxh for functions that read them; matrices row by row
     std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps
-    std::function<bool(const Inputs&)> domain; // elsewhere only finiteness is asked; default: everywhere
+    std::function<bool(const Inputs&)> domain;                     // elsewhere only finiteness is asked; default: everywhere
 };
 
 /// Every case of every function.

@@ -18,9 +18,9 @@ bool valid(const glm::dvec4& texel) {
     return texel.w < 0.995;
 }
 
-double increment(const Inputs& x, double before, double after) {
+double increment(const Inputs& x, double before, double after, double present) {
     if (x.seed()) return after;
-    return x.corrected() ? std::max(after, kTexel) - std::max(before, kTexel) : std::max(after - before, 0.0);
+    return x.corrected() ? std::max(after, present) - std::max(before, present) : std::max(after - before, 0.0);
 }
 
 /// Variance of taps `spacing` apart that are interpolated between texels: each lies on its two neighbours in shares.
@@ -128,15 +128,24 @@ const Tolerance kTaps{
 std::vector<FunctionCase> widths() {
     std::vector<FunctionCase> cases;
     cases.push_back({.function = "gaussianIncrement",
-                     .body = "return float4(gaussianIncrement(a0, a1, a2), 0, 0, 0);",
-                     .arguments = {linear(0, 3), linear(0, 3), logarithmic(1e-3, 30)},
+                     .body = "return float4(gaussianIncrement(a0, a1, a2, a3), 0, 0, 0);",
+                     .arguments = {linear(0, 3), linear(0, 3), logarithmic(1e-3, 30), linear(0.05, 4)},
                      .expected =
                          [](const Inputs& x) {
                              const double d2 = x.scalar(2) * x.scalar(2);
-                             return values(increment(x, x.scalar(0) * x.scalar(0) * d2, x.scalar(1) * x.scalar(1) * d2));
+                             return values(increment(x, x.scalar(0) * x.scalar(0) * d2, x.scalar(1) * x.scalar(1) * d2, x.scalar(3)));
                          },
                      .tolerance = {.forward = 4, .backward = 4, .absolute = 2e-8, .why = "a difference of two products; 1/12 rounds"},
                      .settings = {0, 1, 2}});
+    cases.push_back({.function = "gaussianPresent", // a box w wide has variance w^2 / 12: a texel, and three of the light's map
+                     .body = "return float4(gaussianPresent(a0, a1), 0, 0, 0);",
+                     .arguments = {linear(0, 2), linear(0, 10)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double three = 3 * x.scalar(0) * x.scalar(1);
+                             return values(1.0 / 12 + three * three / 12);
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .why = "four products and a sum"}});
     cases.push_back({.function = "gaussianExactSpacing",
                      .body = "return float4(gaussianExactSpacing(a0), 0, 0, 0);",
                      .arguments = {logarithmic(1e-6, 1e4)},

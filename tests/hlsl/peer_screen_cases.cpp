@@ -63,7 +63,10 @@ std::vector<FunctionCase> geometry() {
                      .body = "float s = screenDepthStep(a0); float2 h = halvesOf(a0, s); return float4(s, abs(h.x / s) <= 2048.0, "
                              "abs(f16tof32(f32tof16(h.x)) + f16tof32(f32tof16(h.y)) - a0) <= s / 2048.0, 0);",
                      .arguments = {logarithmic(1, 65000)},
-                     .expected = [](const Inputs& x) { return values(x.scalar(0) < 2048 ? 1 : x.scalar(0) < 16384 ? 8 : 64, 1, 1); },
+                     .expected = [](const Inputs& x) { return values(x.scalar(0) < 2048    ? 1
+                                                                     : x.scalar(0) < 16384 ? 8
+                                                                                           : 64,
+                                                                     1, 1); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "powers of two"},
                      .domain = [](const Inputs& x) { return x.scalar(0) < 65000; }});
     cases.push_back({.function = "screenNoise",

@@ -55,7 +55,8 @@ std::vector<FunctionCase> entering() {
                      .expected = [](const Inputs& x) { return values(glm::clamp(x.vec3(0), 0.0, 64512.0)); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "one of the given numbers"}});
     cases.push_back({.function = "irradianceBounded", // what is no number, and what is infinite
-                     .body = "float zero = a0 - a0; float none = zero / zero; return float4(irradianceBounded(float3(none, 1.0 / zero, -1.0 / zero), 3.0), 0);",
+                     .body = "float zero = a0 - a0; float none = zero / zero; return float4(irradianceBounded(float3(none, 1.0 / zero, "
+                             "-1.0 / zero), 3.0), 0);",
                      .arguments = {linear(1, 2)},
                      .expected = [](const Inputs&) { return values(0, 3, 0); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "given numbers"}});

@@ -225,17 +225,21 @@ std::vector<FunctionCase> lookups() {
                      .map = &shadowMap()});
     for (const char* function : {"shadowLit", "shadowFiltered", "tsmEntry"}) // beyond the map's border
         cases.push_back({.function = function,
-                         .body = std::string("return ") + (function == std::string("tsmEntry")    ? "tsmEntry(SAMPLER2D_ARG(gTest), a0)"
-                                                           : function == std::string("shadowLit") ? "float4(shadowLit(SAMPLER2D_ARG(gTest), a0, 1000.0), 0, 0, 0)"
-                                                                                                  : "float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, 1000.0, float2(0, 0)), 0, 0, 0)") + ";",
+                         .body = std::string("return ") +
+                                 (function == std::string("tsmEntry") ? "tsmEntry(SAMPLER2D_ARG(gTest), a0)"
+                                  : function == std::string("shadowLit")
+                                      ? "float4(shadowLit(SAMPLER2D_ARG(gTest), a0, 1000.0), 0, 0, 0)"
+                                      : "float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, 1000.0, float2(0, 0)), 0, 0, 0)") +
+                                 ";",
                          .arguments = {linear(-3, 4, 2)},
                          .expected = [entry = function == std::string("tsmEntry")](const Inputs&) { return values(entry ? 0 : 1); },
                          .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-6, .why = "there is no map: lit, and no light entered"},
                          .map = &shadowMap(),
-                         .domain = [](const Inputs& x) {
-                             const glm::dvec2 beyond = glm::abs(x.vec2(0) - 0.5) - 0.5;
-                             return std::max(beyond.x, beyond.y) > 2 * kTexel;
-                         }});
+                         .domain =
+                             [](const Inputs& x) {
+                                 const glm::dvec2 beyond = glm::abs(x.vec2(0) - 0.5) - 0.5;
+                                 return std::max(beyond.x, beyond.y) > 2 * kTexel;
+                             }});
     cases.push_back({.function = "shadowFiltered", // partly on the map
                      .body = "return float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, 640.0, float2(0, 0)), 0, 0, 0);",
                      .arguments = {linear(-2 * kTexel, 2 * kTexel, 2, kUvSlack)},

@@ -62,35 +62,33 @@ std::vector<FunctionCase> surfaceCases() {
                      .arguments = {linear(-1, 2, 2), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), x.scalar(1), 1); },
                      .tolerance = {.forward = 1, .backward = 0, .why = "doubling is exact, one difference"}});
-    cases.push_back({.function = "normalZ",
-                     .body = "return float4(normalZ(a0), 0, 0, 0);",
-                     .arguments = {linear(-1, 1, 2)},
-                     .expected = [](const Inputs& x) { return values(std::sqrt(std::max(1 - glm::dot(x.vec2(0), x.vec2(0)), 0.0))); },
-                     .tolerance = {.forward = 6,
-                                   .backward = 4,
-                                   .absolute = 4e-4,
-                                   .why = "the root of a difference that keeps 1.2e-7, where it is 0"}});
     cases.push_back(
-        {.function = "surfaceNormal",
-         .body = "return float4(surfaceNormal(float3(0, 0, 1), float4(1, 0, 0, 1), a0), 0);",
-         .arguments = {linear(0, 1, 3)},
-         .expected =
-             [](const Inputs& x) {
-                 const glm::dvec2 xy = 2.0 * x.vec2(0) - 1.0;
-                 return values(normalised({xy, std::sqrt(std::max(1 - glm::dot(xy, xy), 0.0))}));
-             },
-         .tolerance = {.forward = 8, .backward = 4, .absolute = 4e-4, .why = "as normalZ"},
-         .defines = {{"TEGUMENT_NORMAL_XY", "1"}}});
-    cases.push_back({.function = "halvesOf",
-                     .body = "float2 h = halvesOf(a0, 1.0); return float4(h, h.x + h.y, abs(h.y) <= 0.5);",
-                     .arguments = {linear(0, 2000)},
+        {.function = "normalZ",
+         .body = "return float4(normalZ(a0), 0, 0, 0);",
+         .arguments = {linear(-1, 1, 2)},
+         .expected = [](const Inputs& x) { return values(std::sqrt(std::max(1 - glm::dot(x.vec2(0), x.vec2(0)), 0.0))); },
+         .tolerance = {.forward = 6, .backward = 4, .absolute = 4e-4, .why = "the root of a difference that keeps 1.2e-7, where it is 0"}});
+    cases.push_back({.function = "surfaceNormal",
+                     .body = "return float4(surfaceNormal(float3(0, 0, 1), float4(1, 0, 0, 1), a0), 0);",
+                     .arguments = {linear(0, 1, 3)},
                      .expected =
                          [](const Inputs& x) {
-                             const double high = std::floor(x.scalar(0) + 0.5);
-                             return values(high, x.scalar(0) - high, x.scalar(0), 1);
+                             const glm::dvec2 xy = 2.0 * x.vec2(0) - 1.0;
+                             return values(normalised({xy, std::sqrt(std::max(1 - glm::dot(xy, xy), 0.0))}));
                          },
-                     .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-7, .why = "powers of two: nothing rounds but the sum with a half"},
-                     .domain = [](const Inputs& x) { return std::abs(x.scalar(0) + 0.5 - std::round(x.scalar(0) + 0.5)) > 1e-3; }});
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 4e-4, .why = "as normalZ"},
+                     .defines = {{"TEGUMENT_NORMAL_XY", "1"}}});
+    cases.push_back(
+        {.function = "halvesOf",
+         .body = "float2 h = halvesOf(a0, 1.0); return float4(h, h.x + h.y, abs(h.y) <= 0.5);",
+         .arguments = {linear(0, 2000)},
+         .expected =
+             [](const Inputs& x) {
+                 const double high = std::floor(x.scalar(0) + 0.5);
+                 return values(high, x.scalar(0) - high, x.scalar(0), 1);
+             },
+         .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-7, .why = "powers of two: nothing rounds but the sum with a half"},
+         .domain = [](const Inputs& x) { return std::abs(x.scalar(0) + 0.5 - std::round(x.scalar(0) + 0.5)) > 1e-3; }});
     cases.push_back({.function = "halvesSum",
                      .body = "return float4(halvesSum(a0), 0, 0, 0);",
                      .arguments = {linear(-10, 10, 2)},

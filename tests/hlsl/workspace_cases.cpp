@@ -1,4 +1,5 @@
-// hlsl/workspace.fxh against docs/conventions.md: places, directions and lengths under any world matrix, in any unit, under both kinds of light.
+// hlsl/workspace.fxh against docs/conventions.md: places, directions and lengths under any world matrix, in any unit, under both kinds of
+// light.
 
 #include "tests/hlsl/function_case.h"
 
@@ -74,13 +75,14 @@ void addWorld(std::vector<FunctionCase>& cases, const glm::dvec3& scale) {
                                    .absolute = 1e-5 + 2e-4 * size,
                                    .why = "three products and sums that may cancel against the translation of 30 mm, or each other"},
                      .globals = globals});
-    cases.push_back({.function = "worldNormal",
-                     .body = "return float4(worldNormal(a0), 0);",
-                     .arguments = {unit()},
-                     .expected = [m](const Inputs& x) { return values(normalInWorld(glm::normalize(x.vec3(0)), m)); },
-                     .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a rounded inverse; sums that may cancel, normalised"},
-                     .globals = globals,
-                     .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 0.5; }});
+    cases.push_back(
+        {.function = "worldNormal",
+         .body = "return float4(worldNormal(a0), 0);",
+         .arguments = {unit()},
+         .expected = [m](const Inputs& x) { return values(normalInWorld(glm::normalize(x.vec3(0)), m)); },
+         .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a rounded inverse; sums that may cancel, normalised"},
+         .globals = globals,
+         .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 0.5; }});
     cases.push_back({.function = "worldTangent",
                      .body = "return worldTangent(float4(a0, a1));",
                      .arguments = {unit(), linear(-1, 1)},
@@ -116,7 +118,13 @@ struct LightView {
 
 /// A pyramid of 40 degrees, and a box 120 units wide, from the same place.
 LightView lightView(bool parallel) {
-    LightView light{.globals = {}, .right = {}, .up = {}, .back = {}, .position = {-300, 250, 400}, .half = parallel ? 60 : std::tan(0.35), .parallel = parallel};
+    LightView light{.globals = {},
+                    .right = {},
+                    .up = {},
+                    .back = {},
+                    .position = {-300, 250, 400},
+                    .half = parallel ? 60 : std::tan(0.35),
+                    .parallel = parallel};
     light.back = glm::normalize(light.position);
     light.right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), light.back));
     light.up = glm::cross(light.back, light.right);
@@ -125,7 +133,8 @@ LightView lightView(bool parallel) {
     glm::dmat4 view(1);
     for (glm::length_t row = 0; row < 3; ++row)
         view[row] = glm::dvec4(light.right[row], light.up[row], light.back[row], 0);
-    view[3] = glm::dvec4(-glm::dot(light.position, light.right), -glm::dot(light.position, light.up), -glm::dot(light.position, light.back), 1);
+    view[3] =
+        glm::dvec4(-glm::dot(light.position, light.right), -glm::dot(light.position, light.up), -glm::dot(light.position, light.back), 1);
     glm::dmat4 projection(0);
     projection[0][0] = projection[1][1] = 1 / light.half;
     projection[2][2] = parallel ? 1 / (nearPlane - farPlane) : farPlane / (nearPlane - farPlane);
@@ -140,19 +149,28 @@ LightView lightView(bool parallel) {
 
 void addLight(std::vector<FunctionCase>& cases, bool parallel) {
     const LightView light = lightView(parallel);
-    const auto add = [&](const std::string& function, const std::string& call, std::function<Values(const Inputs&)> expected, double absolute) {
+    const auto add = [&](const std::string& function, const std::string& call, std::function<Values(const Inputs&)> expected,
+                         double absolute) {
         cases.push_back({.function = function,
                          .body = "return float4(" + call + ");",
                          .arguments = {vector(3, 1e-2, 300)},
                          .expected = std::move(expected),
-                         .tolerance = {.forward = 8, .backward = 4, .absolute = absolute, .why = "columns of a product of matrices, rounded; lengths of 500"},
+                         .tolerance = {.forward = 8,
+                                       .backward = 4,
+                                       .absolute = absolute,
+                                       .why = "columns of a product of matrices, rounded; lengths of 500"},
                          .globals = light.globals});
     };
-    add("lightParallel", "lightParallel() ? 1.0 : 0.0, 0, 0, 0", [parallel](const Inputs&) { return values(parallel ? 1 : 0); }, 0);
-    add("lightRays", "lightRays(), 0", [light](const Inputs&) { return values(-light.back); }, 2e-6);
-    add("lightRight", "lightRight(), 0", [light](const Inputs&) { return values(light.right); }, 2e-6);
-    add("lightUp", "lightUp(), 0", [light](const Inputs&) { return values(light.up); }, 2e-6);
-    add("lightSpread", "lightSpread(), 0, 0, 0", [light](const Inputs&) { return values(25.4 * light.half); }, 25.4 * light.half * 1e-6);
+    add(
+        "lightParallel", "lightParallel() ? 1.0 : 0.0, 0, 0, 0", [parallel](const Inputs&) { return values(parallel ? 1 : 0); }, 0);
+    add(
+        "lightRays", "lightRays(), 0", [light](const Inputs&) { return values(-light.back); }, 2e-6);
+    add(
+        "lightRight", "lightRight(), 0", [light](const Inputs&) { return values(light.right); }, 2e-6);
+    add(
+        "lightUp", "lightUp(), 0", [light](const Inputs&) { return values(light.up); }, 2e-6);
+    add(
+        "lightSpread", "lightSpread(), 0, 0, 0", [light](const Inputs&) { return values(25.4 * light.half); }, 25.4 * light.half * 1e-6);
     add(
         "lightVector", "lightVector(a0), 0",
         [light](const Inputs& x) {

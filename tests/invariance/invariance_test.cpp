@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 using namespace tegument;
@@ -102,6 +103,26 @@ TEST_F(Invariance, no_effect_of_the_library_is_left_out) {
             ++there;
         }
     EXPECT_EQ(found.size(), there);
+}
+
+TEST(InvarianceTable, shows_the_largest_of_a_column_and_names_what_is_beyond_its_limit) {
+    const InvarianceCell good{.effect = "A.fx", .technique = "A", .column = "unit", .name = "in metres", .relativeL2 = 2e-4, .limit = 1e-3};
+    InvarianceCell bad = good;
+    bad.name = "in inches";
+    bad.relativeL2 = 0.5;
+    EXPECT_TRUE(good.pass());
+    EXPECT_FALSE(bad.pass());
+    EXPECT_NE(invarianceMarkdown({good}).find("| A | 2.0e-04 |"), std::string::npos);
+    const std::string both = invarianceMarkdown({good, bad});
+    EXPECT_NE(both.find("| A | **5.0e-01** |"), std::string::npos) << both;
+    EXPECT_NE(both.find("* in inches: 5.0e-01"), std::string::npos) << both;
+    InvarianceCell lost = good;
+    lost.error = inputError(4040, {}, "no mesh");
+    EXPECT_FALSE(lost.pass());
+    EXPECT_NE(invarianceMarkdown({lost}).find("**error**"), std::string::npos);
+    InvarianceCell nothing = good;
+    nothing.relativeL2 = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(nothing.pass());
 }
 
 TEST(InvarianceExceptions, are_at_most_three_each_with_its_cause) {

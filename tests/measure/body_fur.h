@@ -45,8 +45,8 @@ public:
     BodyFur& operator=(BodyFur&&) noexcept;
     ~BodyFur();
 
-    /// Of so many layers `fewest` at least, whatever the view; as many: all. `fringes`: in two rounds, so that what lies behind a soft fringe
-    /// is drawn.
+    /// Of so many layers `fewest` at least, whatever the view; as many: all. `fringes`: in two rounds, so that what lies behind a soft
+    /// fringe is drawn.
     [[nodiscard]] Result<BodyPicture> draw(const BodyView& view, int layers, int fewest, bool fringes = true) const;
     [[nodiscard]] BodyPicture truth(const BodyView& view, reference::FurShape shape) const;
 

@@ -82,7 +82,8 @@ Changed changed(const BodyPicture& one, const BodyPicture& two, const BodyPictur
 
 /// Rows of a fringe before the far side's coat: in one round and in two, and of the pixels that differ.
 void measureFringes(gpu::Device& device, const BodyCoat& coat, BodyView view) {
-    fmt::print("\n| pixel, spacings | in one round | in two | pixels that differ | there: in one round | in two |\n|---|---|---|---|---|---|\n");
+    fmt::print(
+        "\n| pixel, spacings | in one round | in two | pixels that differ | there: in one round | in two |\n|---|---|---|---|---|---|\n");
     const BodyFur fur = need(BodyFur::create(device, {.ring = 2, .radius = 1}, coat));
     view.tilt = radians(90);
     view.around = radians(110);

@@ -23,8 +23,8 @@ struct ExpectedTechnique {
     std::vector<ExpectedPass> passes;
 };
 
-const Names kLightOnMesh = {"gWorld",    "gWorldInverseTranspose", "gLightViewProjection", "gLightPosition", "gLightColor",
-                            "gUnitMm",   "gShadowTolerance"};
+const Names kLightOnMesh = {"gWorld",  "gWorldInverseTranspose", "gLightViewProjection", "gLightPosition", "gLightColor",
+                            "gUnitMm", "gShadowTolerance"};
 
 Names with(Names names, const Names& more) {
     names.insert(more.begin(), more.end());
@@ -32,7 +32,7 @@ Names with(Names names, const Names& more) {
 }
 
 ExpectedPass convolution(const std::string& name, const std::string& source) {
-    return {name, {"gGaussianSigma"}, {"gStretchMap", source}};
+    return {name, {"gGaussianSigma", "gLightViewProjection", "gLightNear", "gLightFar", "gUnitMm"}, {"gStretchMap", source}};
 }
 
 const ExpectedPass kPrePass1{"PrePass1", {}, {"gSkinMap"}};

@@ -1,4 +1,5 @@
-// Effects in worlds of other units, scaled, turned and mirrored: the same picture. And light that no map can hold: nothing of it reaches a neighbour.
+// Effects in worlds of other units, scaled, turned and mirrored: the same picture. And light that no map can hold: nothing of it reaches a
+// neighbour.
 
 #include "tests/run/fixture.h"
 
@@ -43,7 +44,8 @@ Image relief() {
     Image image = blankImage(64);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) {
-            const glm::vec3 normal = glm::normalize(glm::vec3(0.4F * std::sin(0.5F * static_cast<float>(x)), 0.3F * std::sin(0.4F * static_cast<float>(y)), 1));
+            const glm::vec3 normal =
+                glm::normalize(glm::vec3(0.4F * std::sin(0.5F * static_cast<float>(x)), 0.3F * std::sin(0.4F * static_cast<float>(y)), 1));
             for (int c = 0; c < 3; ++c)
                 image.at(x, y, c) = 0.5F + 0.5F * normal[c];
         }
@@ -61,13 +63,14 @@ struct Picture {
     const char* technique;
 };
 
-const std::vector<Picture> kPictures = {
-    {"Main.fx", "DEonLuebke"},           {"Main.fx", "DEonLuebkeCulled"}, {"Main.fx", "Gosselin"},
-    {"Main.fx", "GosselinCulled"},       {"Main.fx", "Lambert"},          {"Specular.fx", "Specular"},
-    {"Irradiance.fx", "Irradiance"},     {"TSM.fx", "TSM"},               {"ShadowMap.fx", "ShadowMap"},
-    {"ShadowMap.fx", "Shadow"},          {"Stretch.fx", "Stretch"},       {"Convolution.fx", "Convolution"},
-    {"Convolution.fx", "Poisson"},       {"peers/Separable.fx", "Separable11"}, {"peers/Burley.fx", "Burley20"},
-    {"peers/Preintegrated.fx", "PreintegratedPenumbra"}};
+const std::vector<Picture> kPictures = {{"Main.fx", "DEonLuebke"},       {"Main.fx", "DEonLuebkeCulled"},
+                                        {"Main.fx", "Gosselin"},         {"Main.fx", "GosselinCulled"},
+                                        {"Main.fx", "Lambert"},          {"Specular.fx", "Specular"},
+                                        {"Irradiance.fx", "Irradiance"}, {"TSM.fx", "TSM"},
+                                        {"ShadowMap.fx", "ShadowMap"},   {"ShadowMap.fx", "Shadow"},
+                                        {"Stretch.fx", "Stretch"},       {"Convolution.fx", "Convolution"},
+                                        {"Convolution.fx", "Poisson"},   {"peers/Separable.fx", "Separable11"},
+                                        {"peers/Burley.fx", "Burley20"}, {"peers/Preintegrated.fx", "PreintegratedPenumbra"}};
 
 Workspace lit() {
     Workspace workspace;
@@ -205,10 +208,9 @@ Mesh hostileSheet() {
 class HostileLight : public Run {
 protected:
     Result<RunResult> draw(const Picture& picture, const Mesh& mesh, const std::string& bits, const std::string& setting, double light) {
-        const auto effect = loadEffect(std::filesystem::path("effects") / picture.effect, {.defines = {{"TEGUMENT_SETTING", setting},
-                                                                                                       {"TEGUMENT_MAP_SIZE", "128"},
-                                                                                                       {"TEGUMENT_MAP_BITS", bits}},
-                                                                                           .includeFolders = {}});
+        const auto effect = loadEffect(
+            std::filesystem::path("effects") / picture.effect,
+            {.defines = {{"TEGUMENT_SETTING", setting}, {"TEGUMENT_MAP_SIZE", "128"}, {"TEGUMENT_MAP_BITS", bits}}, .includeFolders = {}});
         if (!effect) return effect.error();
         return runEffect(*device_, *effect, &mesh, lit(),
                          {.technique = picture.technique,

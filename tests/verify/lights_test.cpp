@@ -17,16 +17,20 @@ struct LightCase {
 
 /// The body is 40 x 80 mm, its bounding sphere 45 mm wide about the origin; the usual light stands at (-330, 280, 420).
 const std::vector<LightCase>& lights() {
-    static const std::vector<LightCase> kLights = {
-        {"parallel", [](Light& light) { light.direction = glm::vec3(330, -280, -420); }},
-        {"parallel_narrow",
-         [](Light& light) {
-             light.direction = glm::vec3(330, -280, -420);
-             light.width = 36.0F;
-         }},
-        {"narrow", [](Light& light) { light.fov = 4.0F; }},
-        {"wide", [](Light& light) { light.position = {-20, 16, 46}; }}, // opens by 110 degrees: most of it is far off its axis
-        {"inside", [](Light& light) { light.position = {-12, 10, 28}; }}};
+    static const std::vector<LightCase> kLights = {{"parallel", [](Light& light) { light.direction = glm::vec3(330, -280, -420); }},
+                                                   {"parallel_narrow",
+                                                    [](Light& light) {
+                                                        light.direction = glm::vec3(330, -280, -420);
+                                                        light.width = 36.0F;
+                                                    }},
+                                                   {"narrow", [](Light& light) { light.fov = 4.0F; }},
+                                                   {"wide",
+                                                    [](Light& light) {
+                                                        light.position = {-20, 16, 46};
+                                                    }}, // opens by 110 degrees: most of it is far off its axis
+                                                   {"inside", [](Light& light) {
+                                                        light.position = {-12, 10, 28};
+                                                    }}};
     return kLights;
 }
 

@@ -91,7 +91,7 @@ private:
     }
     D3DXMATRIX world_, camera_, lightPyramid_;
     D3DXVECTOR3 eye_, light_, color_{1.7F, 1.7F, 1.7F}; // irradiance / pi
-    float near_ = 0, far_ = 0, unit_ = 1; // mm in one unit of all the lengths above
+    float near_ = 0, far_ = 0, unit_ = 1;               // mm in one unit of all the lengths above
 };
 
 // The effects give linear radiance. Tone map and sRGB are the engine's; this is what `tegument` does (docs/images.md).

@@ -131,6 +131,41 @@ TEST_F(Worlds, a_world_of_metres_shows_what_one_of_millimetres_does) {
     }
 }
 
+/// The sheet and a copy 4 mm behind it that looks the other way, each in its half of the map.
+Mesh slab() {
+    const Mesh front = sheet();
+    Mesh mesh = front;
+    const auto count = static_cast<std::uint32_t>(front.positions.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        mesh.uvs[i].x *= 0.5F;
+        mesh.uvs.emplace_back(1 - mesh.uvs[i].x, mesh.uvs[i].y);
+        mesh.positions.push_back(front.positions[i] - glm::vec3(0, 0, 4));
+        mesh.normals.push_back(-front.normals[i]);
+        mesh.tangents.push_back(front.tangents[i]);
+    }
+    for (std::size_t i = 0; i < front.indices.size(); i += 3)
+        for (const std::size_t corner : {0U, 2U, 1U})
+            mesh.indices.push_back(front.indices[i + corner] + count);
+    mesh.parts.front().indexCount = static_cast<std::uint32_t>(mesh.indices.size());
+    computeBounds(mesh);
+    return mesh;
+}
+
+TEST_F(Worlds, light_through_a_body_is_the_same_in_metres) {
+    const Mesh mesh = slab();
+    Workspace behind = lit();
+    behind.light.position = {-1, 1, -4};
+    behind.light.color = glm::vec3(10);
+    Workspace metres = behind;
+    metres.worldUnitMm = 1000;
+    for (const char* setting : {"0", "1", "2"}) {
+        const Picture picture{"Main.fx", "DEonLuebke"};
+        const auto there = draw(picture, mesh, {}, behind, setting);
+        expectSame(picture, there, draw(picture, mesh, {}, metres, setting));
+        EXPECT_GT(there->image.at(kPicture / 2, kPicture / 2, 0), 0.02F) << "nothing comes through";
+    }
+}
+
 TEST_F(Worlds, the_printed_settings_follow_too) {
     const Mesh mesh = reliefSheet();
     const Mesh metres = scaled(mesh, glm::vec3(1e-3F));

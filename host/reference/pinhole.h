@@ -20,6 +20,9 @@ struct Pinhole {
     [[nodiscard]] glm::dvec3 ray(int x, int y) const;
     /// Where a point appears, in 0..1 from the upper left.
     [[nodiscard]] glm::dvec2 project(const glm::dvec3& point) const;
+    /// The point, moved aside at its own depth to where it appears at a corner of a grid of this many pixels a side: rasterisers round the
+    /// corners of triangles so. In front of the eye only.
+    [[nodiscard]] glm::dvec3 onGrid(const glm::dvec3& point, double grid) const;
     /// mm across a pixel at this distance along the view.
     [[nodiscard]] double footprint(double distance) const { return 2 * distance * tangentX / width; }
 };

@@ -1,7 +1,7 @@
 #pragma once
 // Inside host/verify: coats whose strands grow on the surface, made from formulas, as the effect and as the reference see them.
 
-#include "host/reference/fur_swept.h"
+#include "host/reference/fur_regression.h"
 #include "host/verify/scene.h"
 
 #include <map>

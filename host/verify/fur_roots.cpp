@@ -1,5 +1,6 @@
 // Module FurRoots.
 
+#include "host/verify/fur_exact.h"
 #include "host/verify/fur_regression.h"
 #include "host/verify/work.h"
 
@@ -8,7 +9,9 @@ namespace tegument::verify {
 Result<ModuleReport> verifyFurRoots(const Context& context) {
     ModuleReport report{
         .module = "FurRoots",
-        .summary = "Every pixel against the fragments of every layer by rays, each swept through the strands near it, blended in order"};
+        .summary = "Every pixel against rays that meet strands, cones that bend in space, and skin, several to a pixel, lit and shadowed by "
+                   "rays. Regression: the effect said again in double precision, fragment by fragment of every layer"};
+    if (const auto judged = judgeStrands(report, context); !judged) return judged.error();
     if (const auto checked = checkSwept(report, context); !checked) return checked.error();
     return report;
 }

@@ -66,9 +66,12 @@ std::array<glm::dvec3, 3> cornersOf(const Mesh& mesh, std::uint32_t triangle) {
 
 } // namespace
 
-std::optional<OnSkin> nearestSkin(const RayScene& skin, const glm::dvec3& point, double radius, const glm::dvec3& facing) {
+namespace {
+
+/// The nearest place within `radius`, and how far it is.
+std::optional<Place> nearestPlace(const RayScene& skin, const glm::dvec3& point, const glm::dvec3& facing, double radius, double& least) {
     std::optional<Place> nearest;
-    double least = radius;
+    least = radius;
     for (const std::uint32_t triangle : skin.around(point, radius)) {
         if (glm::dot(faceNormal(skin.mesh(), triangle), facing) < 0) continue;
         const auto corners = cornersOf(skin.mesh(), triangle);
@@ -78,9 +81,21 @@ std::optional<OnSkin> nearestSkin(const RayScene& skin, const glm::dvec3& point,
         least = distance;
         nearest = Place{triangle, weights};
     }
-    if (!nearest) return std::nullopt;
-    const SurfacePoint there = interpolate(skin.mesh(), *nearest);
-    return OnSkin{.position = there.position, .normal = unit(there.normal), .distance = least};
+    return nearest;
+}
+
+} // namespace
+
+std::optional<OnSkin> nearestSkin(const RayScene& skin, const glm::dvec3& point, double radius, const glm::dvec3& facing) {
+    constexpr double kFirst = 1.0 / 64; // of the radius: most points are near the skin, and what lies around them is much
+    for (double within = kFirst * radius;; within = std::min(4 * within, radius)) {
+        double distance = 0;
+        if (const auto nearest = nearestPlace(skin, point, facing, within, distance)) {
+            const SurfacePoint there = interpolate(skin.mesh(), *nearest);
+            return OnSkin{.position = there.position, .normal = unit(there.normal), .distance = distance};
+        }
+        if (within >= radius) return std::nullopt;
+    }
 }
 
 namespace {
@@ -244,6 +259,7 @@ struct FurExact::State {
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST); // no ray slips past a piece
         rtcCommitScene(scene);
     }
 };

@@ -26,13 +26,13 @@ struct FurStrandShape {
 
 /// A strand as it is given.
 struct FurGrown {
-    glm::dvec3 root{0};  // on the skin
-    glm::dvec3 lean{0};  // of its tip besides the shape's, share of the coat
-    double length = 1;   // share of the coat
-    double radius = 0;   // at the root
-    double stray = 1;    // share of the shape's scatter and curls
-    glm::dvec3 side{0};  // towards which it strays: what of this lies along the skin
-    double tint = 1;     // its colour is multiplied by that
+    glm::dvec3 root{0}; // on the skin
+    glm::dvec3 lean{0}; // of its tip besides the shape's, share of the coat
+    double length = 1;  // share of the coat
+    double radius = 0;  // at the root
+    double stray = 1;   // share of the shape's scatter and curls
+    glm::dvec3 side{0}; // towards which it strays: what of this lies along the skin
+    double tint = 1;    // its colour is multiplied by that
 };
 
 /// The nearest point of a mesh, with its interpolated normal, unit.
@@ -65,9 +65,9 @@ public:
 
     struct Hit {
         double distance = 0;
-        glm::dvec3 normal{0}; // of the skin below, unit
-        double height = 0;    // in the coat
-        double along = 0;     // the strand, 0 root, 1 tip
+        glm::dvec3 normal{0};             // of the skin below, unit
+        double height = 0;                // in the coat
+        double along = 0;                 // the strand, 0 root, 1 tip
         const FurGrown* strand = nullptr; // null: the skin
     };
     /// What a ray meets first. `direction`: unit.

@@ -76,9 +76,12 @@ Result<Image> drawPlaces(const Context& context, const Mesh& mesh) {
     if (!effect) return effect.error();
     Workspace workspace;
     workspace.head = false;
-    auto run = runEffect(
-        context.device, *effect, &mesh, workspace,
-        {.technique = "Places", .width = static_cast<int>(kSize), .height = static_cast<int>(kSize), .compiler = context.options.compiler, .dump = {"gPlaceMap"}});
+    auto run = runEffect(context.device, *effect, &mesh, workspace,
+                         {.technique = "Places",
+                          .width = static_cast<int>(kSize),
+                          .height = static_cast<int>(kSize),
+                          .compiler = context.options.compiler,
+                          .dump = {"gPlaceMap"}});
     if (!run) return run.error();
     return std::move(run->dumped.at("gPlaceMap"));
 }

@@ -44,8 +44,8 @@ private:
 struct View {
     View(const StrandsScene& strands, const VerifyOptions& options, double grid)
         : scene(strands), truth(truthOf(strands.scene, options)),
-          shells(strands.scene.mesh, strands.coat, truth.camera, strands.grown, grid),
-          light{truth.light.eye, truth.skin.lightColour()}, eye{truth.camera.eye, 2 * truth.camera.tangentX / truth.camera.width},
+          shells(strands.scene.mesh, strands.coat, truth.camera, strands.grown, grid), light{truth.light.eye, truth.skin.lightColour()},
+          eye{truth.camera.eye, 2 * truth.camera.tangentX / truth.camera.width},
           tolerance(kTolerance * static_cast<double>(strands.scene.mesh.bounds.radius)), filtered(options.setting == "corrected") {}
 
     const StrandsScene& scene;
@@ -193,6 +193,7 @@ Result<void> checkPart(ModuleReport& report, const Context& context, const Stran
     const auto compared =
         compare(report, context, {subject, *rendered, swept.picture, swept.counts, swept.covered}, limitsOf(context, far));
     if (!compared) return compared;
+    addMetric(report, context, subject + ": set apart", shareApart(swept.counts, swept.covered), far ? 0.1 : 0.25, kShadowApart);
     noteApart(report, subject, swept.counts, swept.covered,
               "outlines of any layer within 1/128 pixel; strands, and skin in the printed settings, half a texel of the shadow map from "
               "where light is cut off, or outside of it; skin " +

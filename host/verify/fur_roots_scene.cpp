@@ -107,10 +107,8 @@ Result<StrandsScene> sceneOn(FurScene fur, const VerifyOptions& options, const s
     scene.fur.density = kLatticeDensity;
     if (technique == "Cellular")
         scene.strands = reference::latticeStrands(scene.fur.radius, scene.fur.shortest);
-    else if (const auto grown = growRoots(scene, {.density = 1 / (scene.fur.spacing * scene.fur.spacing),
-                                                  .reach = kReach,
-                                                  .lean = 0.3,
-                                                  .comb = {0.6, -0.5, 0.6}});
+    else if (const auto grown = growRoots(
+                 scene, {.density = 1 / (scene.fur.spacing * scene.fur.spacing), .reach = kReach, .lean = 0.3, .comb = {0.6, -0.5, 0.6}});
              !grown)
         return grown.error();
     return scene;

@@ -28,14 +28,16 @@ struct Bends {
 struct View {
     const char* name;
     Mesh (*mesh)();
-    glm::dvec3 from;
-    glm::dvec3 to;
-    double tilt; // of the skin, degrees
+    glm::dvec3 from{0};
+    glm::dvec3 to{0};
+    double tilt = 0; // of the skin, degrees
     Bends bends;
-    double coat = 5;       // spacings
-    double spacing = 0.02; // radii
-    double pixel = 0.125;  // spacings
-    WindowLimits limits;
+    double fewest = 4;                    // of 32 layers; 32: all are drawn, else what the view asks for
+    double coat = 5;                      // spacings
+    double spacing = 0.02;                // radii
+    double pixel = 0.125;                 // spacings
+    int pieces = 12;         // of an exact strand
+    std::array<WindowLimits, 2> limits{}; // of Cellular and of Roots
 };
 
 Mesh plane() {
@@ -98,17 +100,55 @@ Mesh fineTorus() {
     return verificationTorus(384, 160);
 }
 
-constexpr Bends kDefaults{.scatter = 0.4, .curls = 0.15, .tufts = 1.5, .lean = 0.25, .comb = 0.3};
-constexpr Bends kNoTufts{.scatter = 0.4, .curls = 0.15, .tufts = 0, .lean = 0.25, .comb = 0.3};
+constexpr Bends kAll{.scatter = 0.4, .curls = 0.15, .tufts = 1.5, .lean = 0.25, .comb = 0.3};
+constexpr Bends kNoTufts{.scatter = 0.4, .curls = 0.15, .lean = 0.25, .comb = 0.3};
 
-const char* const kWhy = "to be measured";
+// Limits: a tenth to a seventh more than lavapipe draws with 64 or 128 pixels a side. All of it is the effect's own: one sample to a pixel
+// and edges of strands as soft as one, 0.016 to 0.037 of brightness (docs/fur-layers.md), which is 0.06 to 0.1 of the mean; and
+const char* const kOnPlane = "one sample to a pixel; strands bend evenly from layer to layer, and their sections where tufts draw together";
+const char* const kOnBall = "one sample to a pixel; rays that cross several spacings are bent to the second order only";
+const char* const kOnTorus = "one sample to a pixel; strands are straight between the four layers that the view asks for";
+const char* const kOnRough = "one sample to a pixel; normals that differ from vertex to vertex make layers rougher than the skin";
+const char* const kFromAfar =
+    "one sample to a pixel at outlines; strands counted as independent, not as they stand (docs/modules/FurRoots.md)";
 
+/// One after the other: everything that bends strands; a bent skin alone, seen so aslant that rays take several steps; both, by as few
+/// layers as the view asks for; all of it on a mesh as scanners give them; coverage to expect.
 const std::array kViews = {
-    View{"plane", plane, {0.1, 3, 0.2}, {0.1, 0, 0.2}, 45, kNoTufts, 5, 0.02, 0.125, {0.1, 0.03, 0.05, kWhy}},
-    View{"ball", fineBall, {1, 1, 2}, {0, 0, 0}, 50, {}, 5, 0.02, 0.125, {0.1, 0.03, 0.05, kWhy}},
-    View{"torus", fineTorus, {2, 2, 2}, {0.6, 0, 0.4}, 35, kNoTufts, 5, 0.02, 0.125, {0.1, 0.03, 0.05, kWhy}},
-    View{"rough ball", roughBall, {-1, 1, 2}, {0, 0, 0}, 30, kDefaults, 5, 0.02, 0.125, {0.1, 0.03, 0.05, kWhy}},
-    View{"ball from afar", fineBall, {0, 0.3, 2}, {0, 0, 0}, 0, kDefaults, 4, 0.03, 1.5, {0.1, 0.03, 0.05, kWhy}},
+    View{.name = "plane",
+         .mesh = plane,
+         .from = {0.1, 3, 0.2},
+         .to = {0.1, 0, 0.2},
+         .tilt = 45,
+         .bends = kAll,
+         .fewest = 32,
+         .limits = {{{0.065, 0.012, kOnPlane}, {0.1, 0.012, kOnPlane}}}},
+    View{.name = "ball", .mesh = fineBall, .from = {1, 1, 2}, .tilt = 70, .limits = {{{0.165, 0.015, kOnBall}, {0.14, 0.03, kOnBall}}}},
+    View{.name = "torus",
+         .mesh = fineTorus,
+         .from = {2, 2, 2},
+         .to = {0.6, 0, 0.4},
+         .tilt = 35,
+         .bends = kNoTufts,
+         .coat = 3,
+         .limits = {{{0.15, 0.015, kOnTorus}, {0.13, 0.03, kOnTorus}}}},
+    View{.name = "rough ball",
+         .mesh = roughBall,
+         .from = {-1, 1, 2},
+         .tilt = 30,
+         .bends = kAll,
+         .fewest = 32,
+         .coat = 3,
+         .limits = {{{0.085, 0.01, kOnRough}, {0.08, 0.015, kOnRough}}}},
+    View{.name = "ball from afar",
+         .mesh = fineBall,
+         .from = {0, 0.3, 2},
+         .bends = kAll,
+         .coat = 4,
+         .spacing = 0.02,
+         .pixel = 1.5,
+         .pieces = 5,
+         .limits = {{{0.2, 0.045, kFromAfar}, {0.2, 0.045, kFromAfar}}}},
 };
 
 void place(StrandsScene& scene, const View& view, int size) {
@@ -134,8 +174,7 @@ void place(StrandsScene& scene, const View& view, int size) {
         static_cast<float>(glm::degrees(2 * std::atan(view.pixel * scene.fur.spacing * size / 2 / (kAway * radius))));
     workspace.camera.nearPlane = static_cast<float>((kAway - 3) * radius);
     workspace.camera.farPlane = static_cast<float>((kAway + 3) * radius);
-    workspace.light.position =
-        glm::vec3(centre + 8 * radius * glm::normalize(normal + 0.5 * glm::cross(normal, across) - 0.4 * across));
+    workspace.light.position = glm::vec3(centre + 8 * radius * glm::normalize(normal + 0.35 * glm::cross(normal, across) - 0.25 * across));
     workspace.light.color = {1.5F, 1.2F, 1.0F};
     workspace.background = {0.02F, 0.03F, 0.04F};
 }
@@ -162,19 +201,41 @@ std::vector<std::string> windowNames(const VerifyOptions& options) {
     return names;
 }
 
-Result<FurWindow> makeWindow(const VerifyOptions& options, const std::string& technique, const std::string& name) {
+namespace {
+
+/// As the name says, but for what is changed. A mesh of the options is looked at as the rough ball is.
+View viewOf(const std::string& name, const WindowChange& change) {
     const auto found = std::ranges::find_if(kViews, [&](const View& view) { return name == view.name; });
-    const View& view = found == kViews.end() ? kViews[3] : *found; // a mesh is looked at as the rough ball is
+    View view = found == kViews.end() ? kViews[3] : *found;
+    view.bends.scatter = change.scatter.value_or(view.bends.scatter);
+    view.bends.curls = change.curls.value_or(view.bends.curls);
+    view.bends.tufts = change.tufts.value_or(view.bends.tufts);
+    view.bends.lean = change.lean.value_or(view.bends.lean);
+    view.bends.comb = change.comb.value_or(view.bends.comb);
+    view.pixel = change.pixel.value_or(view.pixel);
+    view.tilt = change.tilt.value_or(view.tilt);
+    view.coat = change.coat.value_or(view.coat);
+    return view;
+}
+
+} // namespace
+
+Result<FurWindow> makeWindow(const VerifyOptions& options, const std::string& technique, const std::string& name,
+                             const WindowChange& change) {
+    const View view = viewOf(name, change);
     FurWindow window{.strands = {.name = name, .technique = technique}, .lattice = technique == "Cellular"};
+    window.pieces = view.pieces;
     window.size = std::max(32, options.pictureSize / 2);
-    window.limits = view.limits;
+    window.limits = view.limits[window.lattice ? 0 : 1];
     StrandsScene& scene = window.strands;
     scene.scene.mesh = options.mesh ? *options.mesh : view.mesh();
     const auto radius = static_cast<double>(scene.scene.mesh.bounds.radius);
-    scene.coat = {.layers = 32, .length = view.coat * view.spacing, .lean = view.bends.lean, .fill = {0.05, 0.1, 0.15}};
+    scene.coat = {
+        .layers = change.layers.value_or(32), .length = view.coat * view.spacing, .lean = view.bends.lean, .fill = {0.05, 0.1, 0.15}};
     scene.fur = {.spacing = view.spacing * radius,
                  .thickness = scene.coat.length * radius,
                  .layers = scene.coat.layers,
+                 .fewest = change.fewest.value_or(view.fewest),
                  .scatter = view.bends.scatter,
                  .curls = view.bends.curls,
                  .tufts = view.bends.tufts,

@@ -20,6 +20,9 @@ struct SweptPicture {
 /// The scene by the effect.
 [[nodiscard]] Result<Image> renderStrands(const Context& context, const StrandsScene& scene);
 
+/// The share of pixels near where light is cut off grows with the texels of the shadow map: `share` of those at 256 along a side.
+[[nodiscard]] double mostApart(double share, const VerifyOptions& options);
+
 /// Both techniques, near by and far away.
 [[nodiscard]] Result<void> checkSwept(ModuleReport& report, const Context& context);
 

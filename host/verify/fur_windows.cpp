@@ -36,7 +36,7 @@ struct View {
     double coat = 5;                      // spacings
     double spacing = 0.02;                // radii
     double pixel = 0.125;                 // spacings
-    int pieces = 12;         // of an exact strand
+    int pieces = 12;                      // of an exact strand
     std::array<WindowLimits, 2> limits{}; // of Cellular and of Roots
 };
 
@@ -112,6 +112,11 @@ const char* const kOnRough = "one sample to a pixel; normals that differ from ve
 const char* const kFromAfar =
     "one sample to a pixel at outlines; strands counted as independent, not as they stand (docs/modules/FurRoots.md)";
 
+const char* const kOnScan =
+    "one sample to a pixel; normals of a scan differ from vertex to vertex; roots lean as the coat around them does, "
+    "smoothed over four cells";
+constexpr double kRim = 0.15; // of the ball's disc, which the light sees edge-on
+
 /// One after the other: everything that bends strands; a bent skin alone, seen so aslant that rays take several steps; both, by as few
 /// layers as the view asks for; all of it on a mesh as scanners give them; coverage to expect.
 const std::array kViews = {
@@ -148,7 +153,7 @@ const std::array kViews = {
          .spacing = 0.02,
          .pixel = 1.5,
          .pieces = 5,
-         .limits = {{{0.2, 0.045, kFromAfar}, {0.2, 0.045, kFromAfar}}}},
+         .limits = {{{0.22, 0.06, kFromAfar, kRim}, {0.2, 0.06, kFromAfar, kRim}}}},
 };
 
 void place(StrandsScene& scene, const View& view, int size) {
@@ -207,6 +212,7 @@ namespace {
 View viewOf(const std::string& name, const WindowChange& change) {
     const auto found = std::ranges::find_if(kViews, [&](const View& view) { return name == view.name; });
     View view = found == kViews.end() ? kViews[3] : *found;
+    if (found == kViews.end()) view.limits = {{{0.12, 0.03, kOnScan, 0.13}, {0.25, 0.03, kOnScan, 0.13}}};
     view.bends.scatter = change.scatter.value_or(view.bends.scatter);
     view.bends.curls = change.curls.value_or(view.bends.curls);
     view.bends.tufts = change.tufts.value_or(view.bends.tufts);
@@ -230,8 +236,11 @@ Result<FurWindow> makeWindow(const VerifyOptions& options, const std::string& te
     StrandsScene& scene = window.strands;
     scene.scene.mesh = options.mesh ? *options.mesh : view.mesh();
     const auto radius = static_cast<double>(scene.scene.mesh.bounds.radius);
-    scene.coat = {
-        .layers = change.layers.value_or(32), .length = view.coat * view.spacing, .lean = view.bends.lean, .fill = {0.05, 0.1, 0.15}};
+    scene.coat = {.layers = change.layers.value_or(32),
+                  .length = view.coat * view.spacing,
+                  .lean = view.bends.lean,
+                  .kajiyaKay = options.setting == "seed" ? 0.0 : 1.0,
+                  .fill = {0.05, 0.1, 0.15}};
     scene.fur = {.spacing = view.spacing * radius,
                  .thickness = scene.coat.length * radius,
                  .layers = scene.coat.layers,

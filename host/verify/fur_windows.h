@@ -14,6 +14,7 @@ struct WindowLimits {
     double relativeL2 = 0;
     double bias = 0;
     const char* why = "";
+    double apart = 0.05; // share of pixels that may be set apart with 256 texels along a side of the shadow map
 };
 
 struct FurWindow {

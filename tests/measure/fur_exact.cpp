@@ -45,6 +45,10 @@ int main(int argc, char** argv) {
     int samples = 4;
     CLI::App app{"effects/FurRoots.fx beside exact strands in space"};
     app.add_option("names", names, "windows; else all");
+    std::string meshFile;
+    double unitMm = 1;
+    app.add_option("--mesh", meshFile, "file, in place of the windows");
+    app.add_option("--unit-mm", unitMm, "of the file")->capture_default_str();
     app.add_option("--technique", techniques, "Cellular, Roots")->capture_default_str();
     app.add_option("--effects", options.effects, "folder of the effect files")->capture_default_str();
     app.add_option("--size", options.pictureSize, "twice the pixels along a side")->capture_default_str();
@@ -62,6 +66,13 @@ int main(int argc, char** argv) {
     app.add_option("--coat", change.coat, "spacings");
     CLI11_PARSE(app, argc, argv);
     options.compiler = defaultCompiler();
+    Mesh mesh;
+    const Workspace workspace;
+    if (!meshFile.empty()) {
+        mesh = need(loadMesh(meshFile, {.unitMm = unitMm}));
+        options.mesh = &mesh;
+        options.workspace = &workspace;
+    }
     gpu::Device device = need(gpu::Device::create({.validation = false, .prefer = {}}));
     fmt::print("| window | relative L2 | bias | set apart | seconds of rays |\n|---|---|---|---|---|\n");
     for (const std::string& name : names.empty() ? verify::windowNames(options) : names)

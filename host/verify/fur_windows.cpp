@@ -212,7 +212,7 @@ namespace {
 View viewOf(const std::string& name, const WindowChange& change) {
     const auto found = std::ranges::find_if(kViews, [&](const View& view) { return name == view.name; });
     View view = found == kViews.end() ? kViews[3] : *found;
-    if (found == kViews.end()) view.limits = {{{0.12, 0.03, kOnScan, 0.13}, {0.25, 0.03, kOnScan, 0.13}}};
+    if (found == kViews.end()) view.limits = {{{0.24, 0.03, kOnScan, 0.13}, {0.25, 0.03, kOnScan, 0.13}}};
     view.bends.scatter = change.scatter.value_or(view.bends.scatter);
     view.bends.curls = change.curls.value_or(view.bends.curls);
     view.bends.tufts = change.tufts.value_or(view.bends.tufts);

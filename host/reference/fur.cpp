@@ -60,8 +60,8 @@ double mirrored(const FurCoat& coat, const glm::dvec3& strand, const glm::dvec3&
 
 } // namespace
 
-FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec4> grown)
-    : mesh_(mesh), coat_(coat), view_(view), grown_(std::move(grown)) {
+FurShells::FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec4> grown, double grid)
+    : mesh_(mesh), coat_(coat), view_(view), grown_(std::move(grown)), grid_(grid) {
     pixels_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
     aside_.resize(pixels_.size());
     draw(0, 0);
@@ -117,8 +117,17 @@ std::array<glm::dvec3, 3> FurShells::corners(std::uint32_t triangle, double heig
     return points;
 }
 
+/// Where the device has them: each at its own depth, on the grid.
+std::array<glm::dvec3, 3> FurShells::placed(std::array<glm::dvec3, 3> points) const {
+    if (grid_ > 0)
+        for (glm::dvec3& point : points)
+            point = view_.onGrid(point, grid_);
+    return points;
+}
+
 FurFragment FurShells::meet(int layer, std::uint32_t triangle, double height, const glm::dvec3& direction, glm::dvec3& weights) const {
-    const auto [a, b, c] = corners(triangle, height);
+    const std::array<glm::dvec3, 3> exact = corners(triangle, height);
+    const auto [a, b, c] = placed(exact);
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double distance = glm::dot(a - view_.eye, normal) / glm::dot(direction, normal);
     const glm::dvec3 within = view_.eye + distance * direction - a;
@@ -137,7 +146,7 @@ FurFragment FurShells::meet(int layer, std::uint32_t triangle, double height, co
             .depth = distance * glm::dot(direction, view_.forward),
             .rest = skin.position - glm::dvec3(mesh_.bounds.centre),
             .normal = skin.normal,
-            .position = weights.x * a + weights.y * b + weights.z * c,
+            .position = weights.x * exact[0] + weights.y * exact[1] + weights.z * exact[2],
             .lean = glm::dvec3(grown),
             .share = grown.w,
             .weights = weights};
@@ -149,7 +158,7 @@ void FurShells::draw(int layer, double height) {
 }
 
 void FurShells::draw(int layer, std::uint32_t triangle, double height) {
-    const auto [a, b, c] = corners(triangle, height);
+    const auto [a, b, c] = placed(corners(triangle, height));
     if (glm::dot(glm::cross(b - a, c - a), a - view_.eye) >= 0) return; // turned away
     const glm::dvec2 size(view_.width, view_.height);
     const std::array<glm::dvec2, 3> points{view_.project(a) * size - 0.5, view_.project(b) * size - 0.5, view_.project(c) * size - 0.5};

@@ -68,8 +68,9 @@ struct FurFootprint {
 class FurShells {
 public:
     /// `mesh` must outlive the shells; the eye must be outside of the coat. `grown`: how the tips
-    /// of each vertex lean besides the coat's, and share of the full density; empty: as the coat.
-    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec4> grown = {});
+    /// of each vertex lean besides the coat's, and share of the full density; empty: as the coat. `grid`: pixels to which a device rounds
+    /// the corners between which it interpolates; 0: it does not.
+    FurShells(const Mesh& mesh, const FurCoat& coat, const Pinhole& view, std::vector<glm::dvec4> grown = {}, double grid = 0);
 
     /// Front faces that a pixel's ray meets, in the order in which they are drawn.
     [[nodiscard]] const std::vector<FurFragment>& at(int x, int y) const { return pixels_[index(x, y)]; }
@@ -89,6 +90,7 @@ private:
     }
     [[nodiscard]] glm::dvec3 extruded(std::uint32_t vertex, double height) const;
     [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle, double height) const;
+    [[nodiscard]] std::array<glm::dvec3, 3> placed(std::array<glm::dvec3, 3> points) const;
     [[nodiscard]] FurFragment meet(int layer, std::uint32_t triangle, double height, const glm::dvec3& direction,
                                    glm::dvec3& weights) const;
     void drawBehindFirst();
@@ -100,6 +102,7 @@ private:
     FurCoat coat_;
     Pinhole view_;
     std::vector<glm::dvec4> grown_;
+    double grid_ = 0;
     std::vector<std::vector<FurFragment>> pixels_;
     static constexpr std::array<glm::dvec2, 4> kAside = {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
     std::vector<std::array<std::uint16_t, 4>> aside_; // front faces a little aside of each pixel's centre

@@ -76,6 +76,11 @@ private:
 
 } // namespace
 
+LatticePoint latticePoint(const glm::i64vec3& cube) {
+    const Whole random = mixed(mixed(Whole(cube)));
+    return {.place = glm::dvec3(cube) + share(random), .random = share(mixed(random))};
+}
+
 FurStrandsAt latticeStrands(double radius, double shortest) {
     return [radius, shortest](const FurPlace& place, std::vector<FurStand>& strands) {
         strands.clear();
@@ -88,11 +93,10 @@ FurStrandsAt latticeStrands(double radius, double shortest) {
                 for (std::int64_t x = low.x; x <= high.x; ++x) {
                     const Whole cube(x, y, z);
                     if (std::abs(glm::dot(glm::dvec3(cube) + 0.5 - place.begin, place.normal)) > beyond) continue;
-                    const Whole random = mixed(mixed(cube));
-                    const glm::dvec3 point = glm::dvec3(cube) + share(random);
+                    const auto [point, random] = latticePoint(cube);
                     const double distance = std::abs(glm::dot(place.begin - point, place.normal));
                     if (distance >= kRho) continue;
-                    FurStand strand{.root = point, .length = 0, .radius = radius, .stray = 1, .random = share(mixed(random))};
+                    FurStand strand{.root = point, .length = 0, .radius = radius, .stray = 1, .random = random};
                     strand.length = std::max((shortest + (1 - shortest) * strand.random.y) * nearness(distance), kShortest);
                     strands.push_back(strand);
                 }

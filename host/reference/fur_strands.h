@@ -3,6 +3,7 @@
 // centre of the mesh's ball.
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
 
 #include <functional>
 #include <vector>
@@ -29,6 +30,14 @@ struct FurPlace {
 
 /// Replaces the list by all strands that may be near, in the order in which they are met.
 using FurStrandsAt = std::function<void(const FurPlace& place, std::vector<FurStand>& strands)>;
+
+/// What technique Cellular has in a cube of side 1 of its lattice: a point, and random numbers in (0, 1) of its strand.
+struct LatticePoint {
+    glm::dvec3 place{0};
+    glm::dvec3 random{0.5};
+};
+/// `cube`: its lowest corner.
+[[nodiscard]] LatticePoint latticePoint(const glm::i64vec3& cube);
 
 /// Technique Cellular: one point to each cube of side 1, at a place that a random number of the cube gives; the skin grows its strand where
 /// it passes nearer than half a side.

@@ -41,6 +41,13 @@ glm::dvec2 Pinhole::project(const glm::dvec3& point) const {
     return {0.5 + 0.5 * glm::dot(offset, right) / (distance * tangentX), 0.5 - 0.5 * glm::dot(offset, up) / (distance * tangentY)};
 }
 
+glm::dvec3 Pinhole::onGrid(const glm::dvec3& point, double grid) const {
+    const glm::dvec2 size(width, height);
+    const glm::dvec2 place = grid * glm::floor(project(point) * size / grid + 0.5) / size;
+    const double distance = glm::dot(point - eye, forward);
+    return eye + distance * (forward + (2 * place.x - 1) * tangentX * right - (2 * place.y - 1) * tangentY * up);
+}
+
 Pinhole pinhole(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up, double horizontalFov, int width, int height) {
     Pinhole view{.eye = eye, .width = width, .height = height};
     view.forward = glm::normalize(target - eye);

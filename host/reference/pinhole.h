@@ -29,6 +29,9 @@ struct Pinhole {
     [[nodiscard]] glm::dvec2 project(const glm::dvec3& point) const;
     /// In front of the eye and in the picture; within `margin` pixels of its border too.
     [[nodiscard]] bool shows(const glm::dvec3& point, double margin = 0) const;
+    /// The point, moved aside at its own depth to where it appears at a corner of a grid of this many pixels a side: rasterisers round the
+    /// corners of triangles so. In front of the eye only.
+    [[nodiscard]] glm::dvec3 onGrid(const glm::dvec3& point, double grid) const;
     /// mm across a pixel at this distance along the view.
     [[nodiscard]] double footprint(double distance) const { return 2 * (parallel ? 1 : distance) * tangentX / width; }
 

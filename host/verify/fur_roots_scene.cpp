@@ -54,19 +54,24 @@ std::vector<glm::dvec4> grownAt(const Mesh& mesh, const Image& roots) {
     return grown;
 }
 
-Result<void> growRoots(StrandsScene& scene) {
+} // namespace
+
+glm::dvec3 randomOf(const Root& root) {
+    return spread(static_cast<double>(root.random));
+}
+
+Result<void> growRoots(StrandsScene& scene, const RootOptions& options) {
     const Mesh& mesh = scene.scene.mesh;
-    const RootOptions options{
-        .density = 1 / (scene.fur.spacing * scene.fur.spacing), .reach = kReach, .lean = 0.3, .comb = {0.6, -0.5, 0.6}};
     auto set = makeRoots(mesh, options);
     if (!set) return set.error();
-    auto texture = buildRootTexture(*set); // sorts the roots
+    scene.set = std::move(*set);
+    auto texture = buildRootTexture(scene.set); // sorts the roots
     if (!texture) return texture.error();
     scene.fur.density = 1;
     scene.fur.shortest = 1;
     std::vector<reference::FurRoot> roots;
-    for (const Root& root : set->roots) {
-        roots.push_back(rootOf(root, scene, *set));
+    for (const Root& root : scene.set.roots) {
+        roots.push_back(rootOf(root, scene, scene.set));
         scene.fur.shortest = std::min(scene.fur.shortest, static_cast<double>(root.share));
     }
     scene.strands = reference::rootedStrands(std::move(roots));
@@ -74,6 +79,8 @@ Result<void> growRoots(StrandsScene& scene) {
     scene.roots = std::move(texture->image);
     return {};
 }
+
+namespace {
 
 double areaOf(const Mesh& mesh) {
     double area = 0;
@@ -100,7 +107,9 @@ Result<StrandsScene> sceneOn(FurScene fur, const VerifyOptions& options, const s
     scene.fur.density = kLatticeDensity;
     if (technique == "Cellular")
         scene.strands = reference::latticeStrands(scene.fur.radius, scene.fur.shortest);
-    else if (const auto grown = growRoots(scene); !grown)
+    else if (const auto grown = growRoots(
+                 scene, {.density = 1 / (scene.fur.spacing * scene.fur.spacing), .reach = kReach, .lean = 0.3, .comb = {0.6, -0.5, 0.6}});
+             !grown)
         return grown.error();
     return scene;
 }

@@ -1,8 +1,9 @@
 #pragma once
 // Inside host/verify: coats whose strands grow on the surface, made from formulas, as the effect and as the reference see them.
 
-#include "host/reference/fur_swept.h"
+#include "host/reference/fur_regression.h"
 #include "host/verify/scene.h"
+#include "meshprep/fur/roots/roots.h"
 
 #include <map>
 #include <string>
@@ -18,8 +19,15 @@ struct StrandsScene {
     reference::FurSwept fur;
     reference::FurStrandsAt strands;
     std::vector<glm::dvec4> grown; // lean of the vertices' tips, share of the density; empty: none, all
-    Image roots;                   // the texture of technique Roots
+    RootSet set;                   // of technique Roots,
+    Image roots;                   // and its texture
 };
+
+/// Three random numbers of a root, in [0, 1).
+[[nodiscard]] glm::dvec3 randomOf(const Root& root);
+
+/// Fills the roots of a scene that has all else.
+[[nodiscard]] Result<void> growRoots(StrandsScene& scene, const RootOptions& options);
 
 /// Strands wider than pixels, technique Cellular or Roots, on a torus whose parts shadow each other; or on the options' mesh.
 [[nodiscard]] Result<StrandsScene> strandsNearBy(const VerifyOptions& options, const std::string& technique);

@@ -37,13 +37,15 @@ void finish(Mesh& mesh) {
     computeBounds(mesh);
 }
 
-Mesh torus() {
+} // namespace
+
+Mesh verificationTorus(int around, int across) {
     constexpr float kRadius = 60; // mm
     constexpr float kThickness = 22;
     const auto normal = [](float u, float v) {
         return glm::vec3(std::cos(kTurn * v) * std::cos(kTurn * u), std::sin(kTurn * v), -std::cos(kTurn * v) * std::sin(kTurn * u));
     };
-    Mesh mesh = surface("torus", 96, 40, [&](float u, float v) {
+    Mesh mesh = surface("torus", around, across, [&](float u, float v) {
         return kRadius * glm::vec3(std::cos(kTurn * u), 0, -std::sin(kTurn * u)) + kThickness * normal(u, v);
     });
     for (const glm::vec2& uv : mesh.uvs)
@@ -52,17 +54,27 @@ Mesh torus() {
     return mesh;
 }
 
-Mesh ball() {
+Mesh verificationBall(int around, int down) {
     constexpr float kRadius = 80; // mm
     const auto normal = [](float u, float v) {
         const float theta = kTurn / 2 * (1 - v);
         return glm::vec3(std::sin(theta) * std::cos(kTurn * u), std::cos(theta), -std::sin(theta) * std::sin(kTurn * u));
     };
-    Mesh mesh = surface("ball", 96, 48, [&](float u, float v) { return kRadius * normal(u, v); });
+    Mesh mesh = surface("ball", around, down, [&](float u, float v) { return kRadius * normal(u, v); });
     for (const glm::vec2& uv : mesh.uvs)
         mesh.normals.push_back(normal(uv.x, uv.y));
     finish(mesh);
     return mesh;
+}
+
+namespace {
+
+Mesh torus() {
+    return verificationTorus(96, 40);
+}
+
+Mesh ball() {
+    return verificationBall(96, 48);
 }
 
 FurScene sceneWith(const VerifyOptions& options, Mesh (*make)(), const char* name) {

@@ -25,6 +25,10 @@ struct FurScene {
 /// A ball, opaque layers from the outermost inwards; or the options' mesh.
 [[nodiscard]] FurScene furBall(const VerifyOptions& options);
 
+/// Of 80 mm, and a torus of 60 and 22 mm, with so many quads around and from pole to pole, or along the tube's circle.
+[[nodiscard]] Mesh verificationBall(int around, int down);
+[[nodiscard]] Mesh verificationTorus(int around, int across);
+
 /// The coat as parameters of Fur.fx.
 [[nodiscard]] std::map<std::string, std::vector<double>> parametersOf(const reference::FurCoat& coat);
 

@@ -1,6 +1,8 @@
 // Strands on the surface where it is hard: no value that is not finite, no light out of nothing. And on a ball, beside exact rays.
 
 #include "host/image/dds.h"
+#include "host/verify/corner_grid.h"
+#include "host/verify/fur_exact.h"
 #include "host/verify/fur_roots_scene.h"
 #include "host/verify/fur_scene.h"
 #include "tests/measure/body_fur.h"
@@ -194,6 +196,42 @@ TEST_P(FurRoots, meshes_a_thousandth_and_a_million_in_size_look_alike) {
         computeBounds(sized);
         grow({.mapSize = 64, .pictureSize = 2 * kSize, .mesh = &sized, .workspace = &around});
         EXPECT_NEAR(mean(draw()), usual, 0.03 * usual) << factor; // rounding moves outlines, and roots from one place to the next
+    }
+}
+
+/// Exact strands on what is no body of formulas.
+class FurOnScan : public Verify {
+protected:
+    static Mesh bunny() {
+        const char* const file = "/usr/share/glmark2/models/bunny.obj"; // Debian's glmark2-data
+        if (!fs::exists(file)) return {};
+        auto mesh = loadMesh(file, {.unitMm = 75});
+        EXPECT_TRUE(mesh) << format(mesh.error());
+        return mesh ? std::move(*mesh) : Mesh{};
+    }
+};
+
+TEST_F(FurOnScan, the_bunny_s_strands_are_where_exact_ones_are) {
+    const Mesh mesh = bunny();
+    if (mesh.positions.empty()) GTEST_SKIP() << "no bunny.obj: install Debian's glmark2-data";
+    const Workspace workspace;
+    const VerifyOptions options{.compiler = defaultCompiler(), .mapSize = 256, .pictureSize = 128, .mesh = &mesh, .workspace = &workspace};
+    ModuleReport report{.module = "FurRoots"};
+    const auto judged = verify::judgeStrands(report, {*device_, options});
+    ASSERT_TRUE(judged) << format(judged.error());
+    expectPass(report);
+    EXPECT_EQ(report.metrics.size(), 6U); // of both techniques
+}
+
+TEST_F(Verify, a_device_s_corners_are_exact_or_on_a_grid_that_explains_them) {
+    const VerifyOptions options{.compiler = defaultCompiler()};
+    const auto grid = verify::measureCornerGrid({*device_, options});
+    ASSERT_TRUE(grid) << format(grid.error());
+    // Places are 32-bit floats of up to 64 pixels, interpolated by a few operations: 1e-5 pixels at most. Vulkan asks for 4 bits at least.
+    EXPECT_LT(grid->remaining, 2e-5);
+    EXPECT_LE(grid->step, 1.0 / 16);
+    if (grid->step == 0) {
+        EXPECT_EQ(grid->remaining, grid->exact);
     }
 }
 

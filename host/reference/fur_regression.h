@@ -1,7 +1,8 @@
 #pragma once
-// What a layer of effects/FurRoots.fx shows at a point: what its ray meets of the strands between this layer and the next, as
-// docs/fur-layers.md and docs/modules/FurRoots.md define it. Places by intersecting rays with planes, strands by searching along the ray,
-// sums by quadrature.
+// A regression check, not a reference: effects/FurRoots.fx said again in double precision, its approximations and their constants with it.
+// What a layer shows at a point is what its ray meets of the strands between this layer and the next. Places by intersecting rays with
+// planes, strands by searching along the ray, sums by quadrature. It tells what the shader's arithmetic and the device lose of that, not
+// whether it is right: that is fur_exact's to say.
 
 #include "host/reference/fur.h"
 #include "host/reference/fur_strands.h"

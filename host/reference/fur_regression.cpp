@@ -1,4 +1,4 @@
-#include "host/reference/fur_swept.h"
+#include "host/reference/fur_regression.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "host/effect/condition.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -146,10 +147,11 @@ private:
         while (at_ < tokens_.size() && (is("!") || is("-") || is("+") || is("~")))
             signs += tokens_[at_++].text[0];
         std::int64_t value = primary(evaluated);
-        for (auto sign = signs.rbegin(); sign != signs.rend(); ++sign) {
-            if (*sign == '!') value = value == 0;
-            if (*sign == '-') value = arithmetic('-', 0, value);
-            if (*sign == '~') value = ~value;
+        std::ranges::reverse(signs);
+        for (const char sign : signs) {
+            if (sign == '!') value = value == 0;
+            if (sign == '-') value = arithmetic('-', 0, value);
+            if (sign == '~') value = ~value;
         }
         return value;
     }

@@ -150,9 +150,8 @@ std::optional<Token> Macros::next(Frames& frames) {
 }
 
 bool Macros::nextIsOpen(Frames& frames) const {
-    for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame)
-        if (frame->at < frame->tokens.size()) return frame->tokens[frame->at].is('(');
-    return false;
+    const auto unread = std::find_if(frames.rbegin(), frames.rend(), [](const Frame& frame) { return frame.at < frame.tokens.size(); });
+    return unread != frames.rend() && unread->tokens[unread->at].is('(');
 }
 
 std::optional<Macros::Arguments> Macros::collect(Frames& frames, const Macro& macro, const Token& call) {

@@ -197,7 +197,7 @@ Result<std::string> encodeJpeg(const Samples8& samples, const std::map<std::stri
     assert(samples.channels == 1 || samples.channels == 3);
     std::string comment;
     for (const auto& [key, value] : metadata)
-        comment += key + ": " + value + "\n";
+        comment.append(key).append(": ").append(value).append("\n");
     comment.resize(std::min<std::size_t>(comment.size(), 65533)); // what a marker holds
     Writer writer;
     writer.jpeg.err = jpeg_std_error(&writer.errors.errors);

@@ -139,12 +139,14 @@ std::optional<double> FurOnBody::meetCones(const glm::dvec3& origin, const glm::
 
 std::optional<double> FurOnBody::meetSections(const glm::dvec3& origin, const glm::dvec3& direction, const Stretch& part,
                                               double step) const {
-    for (double t = part.begin; t < part.end; t += step * radius_) {
+    const auto steps = static_cast<std::size_t>(std::ceil((part.end - part.begin) / (step * radius_)));
+    for (std::size_t i = 0; i < steps; ++i) {
+        const double t = part.begin + static_cast<double>(i) * step * radius_;
         const glm::dvec3 point = origin + t * direction;
         const OnFurBody at = onFurBody(body_, point);
         std::optional<double> lowest;
-        for (const std::uint32_t i : grid_[cell(point)]) {
-            const FurCone& cone = strands_[i];
+        for (const std::uint32_t strand : grid_[cell(point)]) {
+            const FurCone& cone = strands_[strand];
             const double along = at.distance / cone.length;
             const glm::dvec3 aside = at.skin - cone.root;
             const double distance = glm::length(aside - at.normal * glm::dot(aside, at.normal));

@@ -318,8 +318,7 @@ std::vector<FurGrown> latticeOn(const RayScene& skin, const FurLattice& lattice,
     }
     const auto less = [](const glm::i64vec3& a, const glm::i64vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     std::ranges::sort(cubes, less);
-    const auto repeated = std::ranges::unique(cubes);
-    cubes.erase(repeated.begin(), repeated.end());
+    cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
 
     std::vector<std::optional<FurGrown>> grown(cubes.size());
     forEachInParallel(cubes.size(), [&](std::size_t i) {

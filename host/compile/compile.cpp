@@ -2,7 +2,6 @@
 
 #include "host/compile/backend.h"
 #include "host/compile/cache.h"
-#include "host/compile/patch.h"
 #include "host/compile/reflect.h"
 #include "host/compile/validate.h"
 #include "host/support/file.h"
@@ -50,18 +49,15 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
             3003, fmt::format("{}: {} wrote SPIR-V for {} that is not valid: {}", request.file, compilerName(compiler), request.entry, why),
             "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
-    if (raw.spirv.size() <= spirv::kHeaderWords) return invalid("it is empty");
-    spirv::assignDescriptors(raw.spirv, descriptorSet(request.stage));
-    auto reflection = spirv::reflect(spirv::Module(raw.spirv), request.stage, request.file);
+    if (const std::string why = spirv::validate(raw.spirv); !why.empty()) return invalid(why);
+    auto reflection = spirv::reflect(raw.spirv, request.stage, descriptorSet(request.stage), request.file);
     if (!reflection) return reflection.error();
-    Shader shader{.stage = request.stage,
+    return Shader{.stage = request.stage,
                   .file = request.file,
                   .entry = request.entry,
                   .spirv = spirv::withoutReflectionDecorations(raw.spirv),
                   .reflection = std::move(*reflection),
                   .warnings = std::move(raw.warnings)};
-    if (const std::string why = spirv::validate(shader.spirv); !why.empty()) return invalid(why);
-    return shader;
 }
 
 } // namespace

@@ -1,9 +1,12 @@
 #include "host/compile/compile.h"
-#include "host/compile/patch.h"
+#include "host/compile/reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <optional>
 
 namespace tegument {
 
@@ -44,10 +47,8 @@ struct Move {
     std::uint32_t to;
 };
 
-std::uint32_t slots(const spirv::Module& module, spirv::Id type) {
-    const spirv::Type& t = module.type(type);
-    if (t.op == spv::Op::OpTypeArray) return module.constant(t.operands[1]).value_or(1) * slots(module, t.operands[0]);
-    return t.op == spv::Op::OpTypeMatrix ? t.operands[1] : 1;
+std::uint32_t slots(const spirv_cross::SPIRType& type) {
+    return std::accumulate(type.array.begin(), type.array.end(), type.columns, std::multiplies());
 }
 
 /// Where an input variable must start for each of its elements to meet its output; nothing when none of its elements is read.
@@ -67,6 +68,23 @@ Result<std::optional<std::uint32_t>> newStart(const Shader& pixel, const std::ve
     return start;
 }
 
+/// In the words and in the reflection, or in neither.
+Result<void> moveInputs(Shader& pixel, const std::vector<Move>& moves) {
+    const spirv_cross::Compiler module(pixel.spirv);
+    std::vector<std::uint32_t> words = pixel.spirv;
+    for (const spirv_cross::Resource& input : module.get_shader_resources().stage_inputs) {
+        const std::uint32_t location = module.get_decoration(input.id, spv::DecorationLocation);
+        const auto start = newStart(pixel, moves, location, slots(module.get_type(input.type_id)));
+        if (!start) return start.error();
+        if (*start) spirv::redecorate(module, words, input.id, spv::DecorationLocation, **start);
+    }
+    pixel.spirv = std::move(words);
+    for (std::size_t i = 0; i < moves.size(); ++i)
+        pixel.reflection.inputs[i].location = moves[i].to;
+    std::ranges::sort(pixel.reflection.inputs, {}, &StageVariable::location);
+    return {};
+}
+
 } // namespace
 
 Result<void> linkStages(const Shader& vertex, Shader& pixel) {
@@ -77,25 +95,11 @@ Result<void> linkStages(const Shader& vertex, Shader& pixel) {
         moves.push_back({input.location, (*output)->location});
     }
     if (std::ranges::all_of(moves, [](const Move& move) { return move.from == move.to; })) return {};
-
-    std::map<spirv::Id, std::uint32_t> starts;
-    const spirv::Module module(pixel.spirv);
-    for (const spirv::Variable& variable : module.variables()) {
-        const auto location = module.value(variable.id, spv::Decoration::Location);
-        if (variable.storage != spv::StorageClass::Input || !location) continue;
-        const auto start = newStart(pixel, moves, *location, slots(module, variable.pointee));
-        if (!start) return start.error();
-        if (*start) starts.emplace(variable.id, **start);
+    try {
+        return moveInputs(pixel, moves);
+    } catch (const spirv_cross::CompilerError& error) {
+        return machineError(3003, fmt::format("{}: SPIRV-Cross cannot read the SPIR-V of {}: {}", pixel.file, pixel.entry, error.what()));
     }
-    spirv::replaceDecorations(pixel.spirv, spv::Decoration::Location, [&](spirv::Id id, std::uint32_t) -> std::optional<std::uint32_t> {
-        const auto found = starts.find(id);
-        if (found == starts.end()) return {};
-        return found->second;
-    });
-    for (std::size_t i = 0; i < moves.size(); ++i)
-        pixel.reflection.inputs[i].location = moves[i].to;
-    std::ranges::sort(pixel.reflection.inputs, {}, &StageVariable::location);
-    return {};
 }
 
 } // namespace tegument

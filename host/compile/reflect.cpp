@@ -1,120 +1,121 @@
 #include "host/compile/reflect.h"
 
-#include "host/compile/patch.h"
-#include "host/compile/usage.h"
+#include "host/compile/reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
 #include <tuple>
 
 namespace tegument::spirv {
 
 namespace {
 
+using spirv_cross::SPIRType;
+using Declared = spirv_cross::Resource;
+
 constexpr std::string_view kGlobals = "$Globals";
 
-bool isDescriptor(const Variable& variable) {
-    return variable.storage == spv::StorageClass::UniformConstant || variable.storage == spv::StorageClass::Uniform ||
-           variable.storage == spv::StorageClass::StorageBuffer;
-}
+/// What is bound through a descriptor; a uniform block has no kind of resource.
+struct Descriptor {
+    Declared declared;
+    std::string name;
+    bool block = false;
+    std::uint32_t set = 0;
+    std::uint32_t binding = 0;
 
-bool isUniformBlock(const Module& module, const Variable& variable) {
-    return variable.storage == spv::StorageClass::Uniform && module.has(variable.pointee, spv::Decoration::Block);
-}
+    /// $Globals, then constant buffers, then all else, each by name.
+    [[nodiscard]] auto order() const {
+        return std::tuple(!block ? 2 : name == kGlobals ? 0 : 1, name, static_cast<std::uint32_t>(declared.id));
+    }
+};
 
 /// DXC calls the block's type "type.$Globals", glslang "$Global" and leaves the variable without a name.
-std::string descriptorName(const Module& module, const Variable& variable) {
-    if (!isUniformBlock(module, variable)) return module.name(variable.id);
-    std::string name = module.name(variable.pointee);
+std::string blockName(const Reader& module, const Declared& block) {
+    std::string name = module.get_name(block.base_type_id);
     if (name.starts_with("type.")) name.erase(0, 5);
     return name == "$Global" ? std::string(kGlobals) : name;
+}
+
+std::vector<Descriptor> descriptors(const Reader& module) {
+    const spirv_cross::ShaderResources all = module.get_shader_resources();
+    std::vector<Descriptor> found;
+    for (const Declared& block : all.uniform_buffers)
+        found.push_back({.declared = block, .name = blockName(module, block), .block = true});
+    for (const auto* kind : {&all.storage_buffers, &all.storage_images, &all.separate_images, &all.separate_samplers, &all.sampled_images,
+                             &all.subpass_inputs, &all.acceleration_structures})
+        for (const Declared& resource : *kind)
+            found.push_back({.declared = resource, .name = module.get_name(resource.id)});
+    return found;
+}
+
+void number(const Reader& module, std::vector<Descriptor>& descriptors, std::uint32_t set, std::vector<std::uint32_t>& words) {
+    std::ranges::sort(descriptors, {}, &Descriptor::order);
+    for (std::uint32_t i = 0; i < descriptors.size(); ++i) {
+        descriptors[i].set = set;
+        descriptors[i].binding = i;
+        redecorate(module, words, descriptors[i].declared.id, spv::DecorationDescriptorSet, set);
+        redecorate(module, words, descriptors[i].declared.id, spv::DecorationBinding, i);
+    }
 }
 
 Error notExpressible(const std::string& file, std::string what, std::string hint) {
     return inputError(3006, {.file = file, .byte = {}}, std::move(what), std::move(hint));
 }
 
-MemberBase baseOf(const Type& scalar) {
-    if (scalar.op == spv::Op::OpTypeBool) return MemberBase::Bool;
-    if (scalar.op == spv::Op::OpTypeFloat) return MemberBase::Float;
-    return scalar.operands.size() > 1 && scalar.operands[1] != 0 ? MemberBase::Int : MemberBase::Uint;
-}
-
-/// A scalar, vector or matrix. HLSL's float3x4 is SPIR-V's matrix of 3 vectors of 4: HLSL rows are SPIR-V columns.
-struct Shape {
-    MemberBase base = MemberBase::Float;
-    std::uint32_t rows = 1;
-    std::uint32_t columns = 1;
-    bool matrix = false;
-};
-
-std::optional<Shape> shapeOf(const Module& module, Id id) {
-    const Type& type = module.type(id);
-    switch (type.op) {
-    case spv::Op::OpTypeBool: return Shape{.base = MemberBase::Bool};
-    case spv::Op::OpTypeInt:
-    case spv::Op::OpTypeFloat:
-        if (type.operands[0] != 32) return {};
-        return Shape{.base = baseOf(type)};
-    case spv::Op::OpTypeVector: return Shape{.base = baseOf(module.type(type.operands[0])), .columns = type.operands[1]};
-    case spv::Op::OpTypeMatrix: {
-        const Type& vector = module.type(type.operands[0]);
-        return Shape{
-            .base = baseOf(module.type(vector.operands[0])), .rows = type.operands[1], .columns = vector.operands[1], .matrix = true};
-    }
+std::optional<MemberBase> baseOf(const SPIRType& type) {
+    switch (type.basetype) {
+    case SPIRType::Boolean: return MemberBase::Bool;
+    case SPIRType::Int: return MemberBase::Int;
+    case SPIRType::UInt: return MemberBase::Uint;
+    case SPIRType::Float: return MemberBase::Float;
     default: return {};
     }
 }
 
-std::uint32_t valueSize(const Shape& shape, const BlockMember& member) {
-    if (!shape.matrix) return 4 * shape.columns;
-    const std::uint32_t vectors = member.spirvRowMajor ? shape.columns : shape.rows;
-    const std::uint32_t length = member.spirvRowMajor ? shape.rows : shape.columns;
+/// Of a value that is no array. HLSL's float3x4 is SPIR-V's matrix of 3 vectors of 4: HLSL rows are SPIR-V columns.
+std::uint32_t valueSize(const BlockMember& member) {
+    if (member.rows == 1) return 4 * member.columns;
+    const std::uint32_t vectors = member.spirvRowMajor ? member.columns : member.rows;
+    const std::uint32_t length = member.spirvRowMajor ? member.rows : member.columns;
     return (vectors - 1) * member.matrixStride + 4 * length;
 }
 
-std::optional<BlockMember> readMember(const Module& module, Id structure, std::uint32_t index, Id typeId) {
-    BlockMember member{.name = module.memberName(structure, index)};
-    member.offset = module.value(structure, spv::Decoration::Offset, index).value_or(0);
-    member.matrixStride = module.value(structure, spv::Decoration::MatrixStride, index).value_or(0);
-    member.spirvRowMajor = module.has(structure, spv::Decoration::RowMajor, index);
-    Id valueType = typeId;
-    if (const Type& type = module.type(typeId); type.op == spv::Op::OpTypeArray) {
-        member.elements = module.constant(type.operands[1]).value_or(0);
-        member.arrayStride = module.value(typeId, spv::Decoration::ArrayStride).value_or(0);
-        valueType = type.operands[0];
-    }
-    const auto shape = shapeOf(module, valueType);
-    if (!shape) return {};
-    member.base = shape->base;
-    member.rows = shape->rows;
-    member.columns = shape->columns;
-    member.size = (member.elements == 0 ? 0 : (member.elements - 1) * member.arrayStride) + valueSize(*shape, member);
+std::optional<BlockMember> readMember(const Reader& module, spirv_cross::TypeID structure, std::uint32_t index) {
+    const SPIRType& block = module.get_type(structure);
+    const SPIRType& type = module.get_type(block.member_types[index]);
+    const auto base = baseOf(type);
+    if (!base || type.array.size() > 1) return {};
+    BlockMember member{.name = module.get_member_name(structure, index),
+                       .base = *base,
+                       .offset = module.type_struct_member_offset(block, index),
+                       .rows = type.columns,
+                       .columns = type.vecsize,
+                       .spirvRowMajor = module.has_member_decoration(structure, index, spv::DecorationRowMajor)};
+    if (type.columns > 1) member.matrixStride = module.type_struct_member_matrix_stride(block, index);
+    member.size = valueSize(member);
+    if (type.array.empty()) return member;
+    member.elements = type.array[0];
+    member.arrayStride = module.type_struct_member_array_stride(block, index);
+    member.size += (member.elements - 1) * member.arrayStride;
     return member;
 }
 
-std::uint32_t bound(const Module& module, const Variable& variable, spv::Decoration decoration) {
-    return module.value(variable.id, decoration).value_or(0);
-}
-
-Result<UniformBlock> readBlock(const Module& module, const Variable& variable, const Usage& usage, const std::string& file) {
-    UniformBlock block{.name = descriptorName(module, variable),
-                       .set = bound(module, variable, spv::Decoration::DescriptorSet),
-                       .binding = bound(module, variable, spv::Decoration::Binding),
-                       .members = {}};
-    const Words members = module.type(variable.pointee).operands;
+Result<UniformBlock> readBlock(const Reader& module, const Descriptor& descriptor, const std::string& file) {
+    UniformBlock block{.name = descriptor.name, .set = descriptor.set, .binding = descriptor.binding, .members = {}};
+    const spirv_cross::TypeID structure = descriptor.declared.base_type_id;
     std::uint32_t end = 0;
-    for (std::uint32_t i = 0; i < members.size(); ++i) {
-        auto member = readMember(module, variable.pointee, i, members[i]);
+    for (std::uint32_t i = 0; i < module.get_type(structure).member_types.size(); ++i) {
+        auto member = readMember(module, structure, i);
         if (!member)
             return notExpressible(file,
                                   fmt::format("parameter {} is neither a number, a vector, a matrix nor an array of these",
-                                              module.memberName(variable.pointee, i)),
+                                              module.get_member_name(structure, i)),
                                   "declare the members of a struct as parameters of their own, in 32-bit types");
-        member->used = usage.reads(variable.id, i);
+        member->used = module.reads(descriptor.declared.id, i);
         end = std::max(end, member->offset + member->size);
         block.members.push_back(std::move(*member));
     }
@@ -122,35 +123,32 @@ Result<UniformBlock> readBlock(const Module& module, const Variable& variable, c
     return block;
 }
 
-std::optional<ResourceKind> imageKind(const Type& image) {
-    const auto dimension = static_cast<spv::Dim>(image.operands[1]);
-    const bool arrayed = image.operands[3] != 0;
-    const bool multisampled = image.operands[4] != 0;
-    const bool sampled = image.operands[5] == 1;
-    if (arrayed || multisampled || dimension == spv::Dim::Buffer) return {};
-    if (!sampled) return ResourceKind::StorageImage;
-    switch (dimension) {
-    case spv::Dim::Dim1D: return ResourceKind::Texture1D;
-    case spv::Dim::Dim2D: return ResourceKind::Texture2D;
-    case spv::Dim::Dim3D: return ResourceKind::Texture3D;
-    case spv::Dim::Cube: return ResourceKind::TextureCube;
+std::optional<ResourceKind> imageKind(const SPIRType::ImageType& image) {
+    if (image.arrayed || image.ms || image.dim == spv::DimBuffer) return {};
+    if (image.sampled != 1) return ResourceKind::StorageImage;
+    switch (image.dim) {
+    case spv::Dim1D: return ResourceKind::Texture1D;
+    case spv::Dim2D: return ResourceKind::Texture2D;
+    case spv::Dim3D: return ResourceKind::Texture3D;
+    case spv::DimCube: return ResourceKind::TextureCube;
     default: return {};
     }
 }
 
-std::optional<ResourceKind> resourceKind(const Module& module, const Variable& variable, const Usage& usage) {
-    const Type& type = module.type(variable.pointee);
-    switch (type.op) {
-    case spv::Op::OpTypeSampler: return usage.comparing.contains(variable.id) ? ResourceKind::CompareSampler : ResourceKind::Sampler;
-    case spv::Op::OpTypeImage: return imageKind(type);
-    case spv::Op::OpTypeStruct: return ResourceKind::StorageBuffer;
+std::optional<ResourceKind> resourceKind(const Reader& module, const Declared& declared) {
+    const SPIRType& type = module.get_type(declared.type_id);
+    if (!type.array.empty()) return {};
+    switch (type.basetype) {
+    case SPIRType::Sampler: return module.compares(declared.id) ? ResourceKind::CompareSampler : ResourceKind::Sampler;
+    case SPIRType::Image: return imageKind(type.image);
+    case SPIRType::Struct: return ResourceKind::StorageBuffer;
     default: return {};
     }
 }
 
-Result<void> readDescriptor(const Module& module, const Variable& variable, const Usage& usage, const std::string& file, Reflection& into) {
-    if (isUniformBlock(module, variable)) {
-        auto block = readBlock(module, variable, usage, file);
+Result<void> readDescriptor(const Reader& module, const Descriptor& descriptor, const std::string& file, Reflection& into) {
+    if (descriptor.block) {
+        auto block = readBlock(module, descriptor, file);
         if (!block) return block.error();
         if (block->name == kGlobals)
             into.globals = std::move(*block);
@@ -158,16 +156,15 @@ Result<void> readDescriptor(const Module& module, const Variable& variable, cons
             into.constantBuffers.push_back(std::move(*block));
         return {};
     }
-    const auto kind = resourceKind(module, variable, usage);
-    const std::string name = module.name(variable.id);
+    const auto kind = resourceKind(module, descriptor.declared);
     if (!kind)
-        return notExpressible(file, fmt::format("resource {} has a type that is not supported", name),
+        return notExpressible(file, fmt::format("resource {} has a type that is not supported", descriptor.name),
                               "supported: Texture1D, 2D, 3D, Cube, samplers, structured buffers, RWTexture");
-    into.resources.push_back({.name = name,
+    into.resources.push_back({.name = descriptor.name,
                               .kind = *kind,
-                              .set = bound(module, variable, spv::Decoration::DescriptorSet),
-                              .binding = bound(module, variable, spv::Decoration::Binding),
-                              .used = usage.reads(variable.id)});
+                              .set = descriptor.set,
+                              .binding = descriptor.binding,
+                              .used = module.reads(descriptor.declared.id)});
     return {};
 }
 
@@ -185,46 +182,42 @@ std::uint32_t flattenedElement(const std::string& name) {
 }
 
 /// Appends one entry per location that the variable takes and the code reads (every one, for outputs).
-Result<void> readStageVariable(const Module& module, const Variable& variable, const Usage& usage, const std::string& file,
-                               Reflection& into) {
-    const bool input = variable.storage == spv::StorageClass::Input;
-    const std::string written = module.text(variable.id, spv::Decoration::UserSemantic);
-    const auto location = module.value(variable.id, spv::Decoration::Location);
-    if (!location || isSystemValue(canonicalSemantic(written))) return {};
-    Id valueType = variable.pointee;
-    std::uint32_t elements = 1;
-    if (const Type& type = module.type(valueType); type.op == spv::Op::OpTypeArray) {
-        elements = module.constant(type.operands[1]).value_or(1);
-        valueType = type.operands[0];
-    }
-    const auto shape = shapeOf(module, valueType);
-    if (!shape || written.empty())
-        return notExpressible(file,
-                              fmt::format("stage variable {} has no semantic or is no number, vector or matrix", module.name(variable.id)),
+Result<void> readStageVariable(const Reader& module, const Declared& variable, bool input, const std::string& file,
+                               std::vector<StageVariable>& into) {
+    const std::string& written = module.get_decoration_string(variable.id, spv::DecorationUserSemantic);
+    if (!module.has_decoration(variable.id, spv::DecorationLocation) || isSystemValue(canonicalSemantic(written))) return {};
+    const SPIRType& type = module.get_type(variable.type_id);
+    const auto base = baseOf(type);
+    const std::string& name = module.get_name(variable.id);
+    if (!base || type.array.size() > 1 || written.empty())
+        return notExpressible(file, fmt::format("stage variable {} has no semantic or is no number, vector or matrix", name),
                               "write it as a vector with a semantic");
-    const std::uint32_t first = flattenedElement(module.name(variable.id)) * shape->rows;
-    for (std::uint32_t i = 0; i < elements * shape->rows; ++i) {
-        if (input && !usage.reads(variable.id, elements == 1 ? i : i / shape->rows)) continue;
-        (input ? into.inputs : into.outputs)
-            .push_back({.semantic = canonicalSemantic(written, first + i),
-                        .location = *location + i,
-                        .components = shape->columns,
-                        .base = shape->base});
+    const std::uint32_t elements = type.array.empty() ? 1 : type.array[0];
+    const std::uint32_t first = flattenedElement(name) * type.columns;
+    for (std::uint32_t i = 0; i < elements * type.columns; ++i) {
+        if (input && !module.reads(variable.id, elements == 1 ? i : i / type.columns)) continue;
+        into.push_back({.semantic = canonicalSemantic(written, first + i),
+                        .location = module.get_decoration(variable.id, spv::DecorationLocation) + i,
+                        .components = type.vecsize,
+                        .base = *base});
     }
     return {};
 }
 
-void readLocalSize(const Module& module, Reflection& into) {
-    forEachInstruction(module.words(), [&](const Instruction& instruction, std::size_t) {
-        const Words& w = instruction.words;
-        if (instruction.op == spv::Op::OpExecutionMode && static_cast<spv::ExecutionMode>(w[2]) == spv::ExecutionMode::LocalSize)
-            std::copy_n(w.begin() + 3, 3, into.localSize);
-    });
-}
-
-bool isStageVariable(const Module& module, const Variable& variable) {
-    return (variable.storage == spv::StorageClass::Input || variable.storage == spv::StorageClass::Output) &&
-           !module.has(variable.id, spv::Decoration::BuiltIn);
+Result<Reflection> readAll(const Reader& module, std::vector<Descriptor> descriptors, Stage stage, const std::string& file) {
+    Reflection reflection;
+    for (const Descriptor& descriptor : descriptors)
+        if (const auto read = readDescriptor(module, descriptor, file, reflection); !read) return read.error();
+    const spirv_cross::ShaderResources all = module.get_shader_resources();
+    for (const Declared& input : all.stage_inputs)
+        if (const auto read = readStageVariable(module, input, true, file, reflection.inputs); !read) return read.error();
+    for (const Declared& output : all.stage_outputs)
+        if (const auto read = readStageVariable(module, output, false, file, reflection.outputs); !read) return read.error();
+    for (std::uint32_t i = 0; stage == Stage::Compute && i < 3; ++i)
+        reflection.localSize[i] = module.get_execution_mode_argument(spv::ExecutionModeLocalSize, i);
+    std::ranges::sort(reflection.inputs, {}, &StageVariable::location);
+    std::ranges::sort(reflection.outputs, {}, &StageVariable::location);
+    return reflection;
 }
 
 } // namespace
@@ -241,36 +234,26 @@ std::string canonicalSemantic(std::string_view written, std::uint32_t element) {
     return fmt::format("{}{}", name, index + element);
 }
 
-void assignDescriptors(std::vector<std::uint32_t>& words, std::uint32_t set) {
-    const Module module(words);
-    std::map<std::tuple<int, std::string, Id>, Id> order;
-    for (const Variable& variable : module.variables()) {
-        if (!isDescriptor(variable)) continue;
-        const std::string name = descriptorName(module, variable);
-        const int rank = !isUniformBlock(module, variable) ? 2 : name == kGlobals ? 0 : 1;
-        order.emplace(std::tuple(rank, name, variable.id), variable.id);
+Result<Reflection> reflect(std::vector<std::uint32_t>& words, Stage stage, std::uint32_t set, const std::string& file) {
+    try {
+        const Reader module(words);
+        std::vector<Descriptor> found = descriptors(module);
+        number(module, found, set, words);
+        return readAll(module, std::move(found), stage, file);
+    } catch (const spirv_cross::CompilerError& error) {
+        return machineError(3003, fmt::format("{}: SPIRV-Cross cannot read the SPIR-V: {}", file, error.what()),
+                            "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     }
-    std::map<Id, std::uint32_t> bindings;
-    for (const auto& [key, id] : order)
-        bindings.emplace(id, static_cast<std::uint32_t>(bindings.size()));
-    replaceDecorations(words, spv::Decoration::Binding, [&](Id id, std::uint32_t) { return bindings.at(id); });
-    replaceDecorations(words, spv::Decoration::DescriptorSet, [&](Id, std::uint32_t) { return set; });
 }
 
-Result<Reflection> reflect(const Module& module, Stage stage, const std::string& file) {
-    const Usage usage = findUsage(module);
-    Reflection reflection;
-    for (const Variable& variable : module.variables()) {
-        Result<void> read;
-        if (isDescriptor(variable)) read = readDescriptor(module, variable, usage, file, reflection);
-        if (isStageVariable(module, variable)) read = readStageVariable(module, variable, usage, file, reflection);
-        if (!read) return read.error();
+bool writesPosition(std::span<const std::uint32_t> words) {
+    try {
+        const spirv_cross::Compiler module(words.data(), words.size());
+        return std::ranges::any_of(module.get_shader_resources().builtin_outputs,
+                                   [](const auto& output) { return output.builtin == spv::BuiltInPosition; });
+    } catch (const spirv_cross::CompilerError&) {
+        return false;
     }
-    if (stage == Stage::Compute) readLocalSize(module, reflection);
-    std::ranges::sort(reflection.resources, {}, &Resource::binding);
-    std::ranges::sort(reflection.inputs, {}, &StageVariable::location);
-    std::ranges::sort(reflection.outputs, {}, &StageVariable::location);
-    return reflection;
 }
 
 } // namespace tegument::spirv

@@ -2,15 +2,18 @@
 // Reflection of a SPIR-V module in the terms of HLSL.
 
 #include "host/compile/compile.h"
-#include "host/compile/module.h"
+
+#include <span>
 
 namespace tegument::spirv {
 
-/// The order that compile.h promises: $Globals 0, constant buffers by name, then all else by name.
-void assignDescriptors(std::vector<std::uint32_t>& words, std::uint32_t set);
+/// Numbers the descriptors in the order that compile.h promises ($Globals 0, constant buffers by name, then all else by name), inside the
+/// words too, and reads blocks, resources and stage variables. The module is valid and still has its semantics. TG3003 for what SPIRV-Cross
+/// cannot read, TG3006 for what a Reflection cannot express.
+[[nodiscard]] Result<Reflection> reflect(std::vector<std::uint32_t>& words, Stage stage, std::uint32_t set, const std::string& file);
 
-/// Reads blocks, resources and stage variables; the semantics must still be there. TG3006 for what a Reflection cannot express.
-[[nodiscard]] Result<Reflection> reflect(const Module& module, Stage stage, const std::string& file);
+/// Whether a vertex shader has the position among its outputs.
+[[nodiscard]] bool writesPosition(std::span<const std::uint32_t> words);
 
 /// "normal" -> "NORMAL0".
 [[nodiscard]] std::string canonicalSemantic(std::string_view written, std::uint32_t element = 0);

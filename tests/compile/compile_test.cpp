@@ -1,7 +1,8 @@
 #include "tests/compile/support.h"
 
-#include "host/compile/module.h"
 #include "host/support/file.h"
+
+#include <spirv_cross/spirv_cross.hpp>
 
 #include <set>
 #include <thread>
@@ -33,18 +34,15 @@ INSTANTIATE_TEST_SUITE_P(By, Compile, testing::Values(Compiler::Dxc, Compiler::G
 
 TEST_P(Compile, the_entry_point_keeps_its_name_in_the_spirv) {
     const Shader shader = compile(kTextured, "PS", Stage::Pixel);
-    std::string name;
-    spirv::forEachInstruction(shader.spirv, [&](const spirv::Instruction& i, std::size_t) {
-        if (i.op == spv::Op::OpEntryPoint) name = spirv::literalString(i.words.subspan(3));
-    });
-    EXPECT_EQ(name, "PS");
+    const auto entries = spirv_cross::Compiler(shader.spirv).get_entry_points_and_stages();
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].name, "PS");
 }
 
 TEST_P(Compile, no_extension_is_left_that_a_vulkan_device_need_not_have) {
     const Shader shader = compile(kTextured, "VS", Stage::Vertex);
-    spirv::forEachInstruction(shader.spirv, [&](const spirv::Instruction& i, std::size_t) {
-        if (i.op == spv::Op::OpExtension) ADD_FAILURE() << spirv::literalString(i.words.subspan(1));
-    });
+    for (const std::string& extension : spirv_cross::Compiler(shader.spirv).get_declared_extensions())
+        ADD_FAILURE() << extension;
 }
 
 TEST_P(Compile, stages_of_a_pipeline_use_different_descriptor_sets) {
@@ -62,15 +60,17 @@ TEST_P(Compile, bindings_within_a_stage_are_unique) {
 
 TEST_P(Compile, the_bindings_in_the_spirv_are_those_of_the_reflection) {
     const Shader shader = compile(kTextured, "PS", Stage::Pixel);
-    const spirv::Module module(shader.spirv);
+    const spirv_cross::Compiler module(shader.spirv);
+    const spirv_cross::ShaderResources all = module.get_shader_resources();
     std::size_t seen = 0;
-    for (const spirv::Variable& variable : module.variables()) {
-        const Resource* r = resource(shader, module.name(variable.id));
-        if (r == nullptr) continue;
-        ++seen;
-        EXPECT_EQ(module.value(variable.id, spv::Decoration::DescriptorSet), r->set) << r->name;
-        EXPECT_EQ(module.value(variable.id, spv::Decoration::Binding), r->binding) << r->name;
-    }
+    for (const auto* variables : {&all.separate_images, &all.separate_samplers})
+        for (const auto& variable : *variables) {
+            const Resource* r = resource(shader, module.get_name(variable.id));
+            if (r == nullptr) continue;
+            ++seen;
+            EXPECT_EQ(module.get_decoration(variable.id, spv::DecorationDescriptorSet), r->set) << r->name;
+            EXPECT_EQ(module.get_decoration(variable.id, spv::DecorationBinding), r->binding) << r->name;
+        }
     EXPECT_EQ(seen, 2U);
 }
 

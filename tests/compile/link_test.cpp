@@ -1,7 +1,8 @@
 #include "tests/compile/support.h"
 
-#include "host/compile/module.h"
 #include "host/compile/validate.h"
+
+#include <spirv_cross/spirv_cross.hpp>
 
 namespace tegument::test {
 namespace {
@@ -12,14 +13,12 @@ Varying VS(float3 position : POSITION)
 { Varying o; o.position = float4(position, 1); o.colour = 1; o.uv = position.xy; o.normal = position; o.kind = 3; o.taps[0] = 1; o.taps[1] = position.yz; return o; }
 )";
 
-/// Locations of the input variables as the SPIR-V has them, by name.
+/// How many input variables the SPIR-V has at each location.
 std::map<std::uint32_t, int> inputLocations(const Shader& shader) {
     std::map<std::uint32_t, int> found;
-    const spirv::Module module(shader.spirv);
-    for (const spirv::Variable& variable : module.variables())
-        if (const auto location = module.value(variable.id, spv::Decoration::Location);
-            location && variable.storage == spv::StorageClass::Input)
-            ++found[*location];
+    const spirv_cross::Compiler module(shader.spirv);
+    for (const auto& input : module.get_shader_resources().stage_inputs)
+        ++found[module.get_decoration(input.id, spv::DecorationLocation)];
     return found;
 }
 

@@ -1,10 +1,7 @@
 #include "host/emit/emit.h"
 
 #include "host/compile/glsl.h"
-#include "host/compile/module.h"
-#include "host/compile/validate.h"
 #include "host/emit/cross.h"
-#include "host/emit/widen.h"
 #include "host/support/file.h"
 #include "tests/check/effect_files.h"
 
@@ -174,19 +171,25 @@ Shader narrowPixel() {
     return shader ? *shader : Shader{};
 }
 
-TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
+/// What a pixel shader that reads two components declares where the vertex shader writes so many.
+void expectDeclared(CrossLanguage language, std::uint32_t components, const std::string& declaration) {
     const Shader pixel = narrowPixel();
-    const Varyings written{{0, {.semantic = "TEXCOORD0", .location = 0, .components = 4}}};
-    const auto words = withWholeInputs(pixel.spirv, written);
-    EXPECT_EQ(spirv::validate(words), "");
-    const auto text = crossCompile(pixel, CrossLanguage::Glsl, written);
+    const auto text = crossCompile(pixel, language, {{0, {.semantic = "TEXCOORD0", .location = 0, .components = components}}});
     ASSERT_TRUE(text) << format(text.error());
-    EXPECT_NE(text->text.find("in vec4 varying_TEXCOORD0;"), std::string::npos) << text->text;
+    EXPECT_NE(text->text.find(declaration), std::string::npos) << text->text;
+    if (language == CrossLanguage::Msl) return;
+    EXPECT_EQ(checkGlsl(Stage::Pixel, text->text), "") << text->text;
+}
+
+TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
+    expectDeclared(CrossLanguage::Glsl, 4, "in vec4 varying_TEXCOORD0;");
+    expectDeclared(CrossLanguage::GlslEs, 4, "in vec4 varying_TEXCOORD0;");
+    expectDeclared(CrossLanguage::Msl, 4, "float4 varying_TEXCOORD0 [[user(locn0)]];");
 }
 
 TEST(WholeInputs, leave_a_shader_alone_that_reads_everything) {
-    const Shader pixel = narrowPixel();
-    EXPECT_EQ(withWholeInputs(pixel.spirv, {{0, {.semantic = "TEXCOORD0", .location = 0, .components = 2}}}), pixel.spirv);
+    expectDeclared(CrossLanguage::Glsl, 2, "in vec2 varying_TEXCOORD0;");
+    expectDeclared(CrossLanguage::Msl, 2, "float2 varying_TEXCOORD0 [[user(locn0)]];");
 }
 
 TEST(Glsl, two_stages_that_do_not_meet_make_no_program) {

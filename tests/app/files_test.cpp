@@ -206,6 +206,12 @@ TEST(Sheet, wrong_labels_are_refused) {
     EXPECT_FALSE(fs::exists(scratch() / "refused.png"));
 }
 
+TEST(Sheet, pictures_of_different_sizes_are_refused) {
+    const Ran ran = tegument({"sheet", grey("g", 0.5F), grey("h", 0.5F, 90), "-o", (scratch() / "sizes.png").string()});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_NE(ran.err.find("TG8030"), std::string::npos) << ran.err;
+}
+
 TEST(Sheet, another_ending_is_refused) {
     const Ran ran = tegument({"sheet", grey("d", 0.5F), "-o", (scratch() / "sheet.gif").string()});
     EXPECT_NE(ran.err.find("TG8032"), std::string::npos) << ran.err;

@@ -144,6 +144,23 @@ TEST_F(Emit, an_effect_that_fails_is_not_written) {
     EXPECT_FALSE(fs::exists(folder()));
 }
 
+TEST_F(Emit, an_effect_whose_glsl_is_not_valid_is_not_written) {
+    const fs::path source = folder() / "buffer.fx"; // GLSL 330 has no storage buffers
+    const auto prelude = readFile("hlsl/platform.fxh");
+    ASSERT_TRUE(prelude && writeFile(source, *prelude + R"(
+StructuredBuffer<float4> gTable;
+float4 VS(float3 position : POSITION) : SV_Position { return float4(position, 1); }
+float4 PS(float4 position : SV_Position) : SV_Target0 { return gTable[int(position.x)]; }
+#ifdef FX_TECHNIQUES
+technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+#endif
+)"));
+    const auto written = emitEffect(checkEffects({source}, spirvTargets()).files.at(0), {.folder = folder() / "out", .defines = {}});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().diagnostics[0].code, 3303);
+    EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
 TEST_F(Emit, a_folder_that_holds_something_else_is_left_alone) {
     ASSERT_TRUE(writeFile(folder() / "TSM/notes.txt", "mine"));
     const auto written =
@@ -190,6 +207,15 @@ TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
 TEST(WholeInputs, leave_a_shader_alone_that_reads_everything) {
     expectDeclared(CrossLanguage::Glsl, 2, "in vec2 varying_TEXCOORD0;");
     expectDeclared(CrossLanguage::Msl, 2, "float2 varying_TEXCOORD0 [[user(locn0)]];");
+}
+
+TEST(Translation, of_words_that_are_no_module_is_an_error) {
+    const Shader broken{.stage = Stage::Pixel, .file = "broken.fx", .entry = "PS", .spirv = {1, 2, 3}};
+    for (const CrossLanguage language : {CrossLanguage::Glsl, CrossLanguage::GlslEs, CrossLanguage::Msl}) {
+        const auto text = crossCompile(broken, language, {});
+        ASSERT_FALSE(text);
+        EXPECT_EQ(text.error().diagnostics[0].code, 3302);
+    }
 }
 
 TEST(Glsl, two_stages_that_do_not_meet_make_no_program) {

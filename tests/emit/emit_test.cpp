@@ -1,7 +1,7 @@
 #include "host/emit/emit.h"
 
-#include "host/compile/glsl.h"
 #include "host/emit/cross.h"
+#include "host/spirv/glsl.h"
 #include "host/support/file.h"
 #include "tests/check/effect_files.h"
 

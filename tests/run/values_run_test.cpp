@@ -3,7 +3,7 @@
 #include "tests/run/fixture.h"
 
 #include "host/scene/view.h"
-#include "tests/compile/missing.h"
+#include "tests/spirv/missing.h"
 
 namespace tegument::test {
 namespace {

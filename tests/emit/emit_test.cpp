@@ -181,7 +181,7 @@ TEST_F(Emit, what_was_written_before_is_replaced_whole) {
 
 /// A pixel shader that reads two of four components.
 Shader narrowPixel() {
-    constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return uv.xyxy; }\n";
+    constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return float4(uv, 0, 1); }\n";
     auto shader = compileShader(
         {.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {}}, Compiler::Glslang);
     EXPECT_TRUE(shader);

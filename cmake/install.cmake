@@ -6,7 +6,7 @@ endif()
 
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
-set(libraries tegument_options tegument_support tegument_effect tegument_compile tegument_check tegument_emit tegument_gpu tegument_image
+set(libraries tegument_options tegument_support tegument_effect tegument_spirv tegument_direct3d tegument_check tegument_emit tegument_gpu tegument_image
     tegument_scene tegument_run)
 install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)

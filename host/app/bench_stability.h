@@ -1,7 +1,7 @@
 #pragma once
 // tegument bench --stability: every module over its hard cases.
 
-#include "host/compile/compile.h"
+#include "host/spirv/compile.h"
 
 #include <filesystem>
 #include <optional>

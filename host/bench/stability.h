@@ -1,8 +1,8 @@
 #pragma once
 // Every module over its hard cases: values that are not finite, and the largest errors with what causes them (docs/stability.md).
 
-#include "host/compile/compile.h"
 #include "host/gpu/gpu.h"
+#include "host/spirv/compile.h"
 #include "host/support/result.h"
 
 #include <filesystem>

@@ -2,10 +2,10 @@
 // Every technique of every effect draws the same picture of the same scene, however that scene is put: in another unit, turned, mirrored,
 // its triangles in another order (docs/invariance.md).
 
-#include "host/compile/compile.h"
 #include "host/gpu/gpu.h"
 #include "host/scene/mesh.h"
 #include "host/scene/workspace.h"
+#include "host/spirv/compile.h"
 #include "host/support/result.h"
 
 #include <filesystem>

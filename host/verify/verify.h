@@ -1,11 +1,11 @@
 #pragma once
 // Every module of the library against an independent reference in double precision.
 
-#include "host/compile/compile.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
 #include "host/scene/mesh.h"
 #include "host/scene/workspace.h"
+#include "host/spirv/compile.h"
 #include "host/support/result.h"
 
 #include <filesystem>

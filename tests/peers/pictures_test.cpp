@@ -2,9 +2,9 @@
 // known.
 
 #include "host/reference/peers.h"
-#include "tests/compile/missing.h"
 #include "tests/peers/fixture.h"
 #include "tests/peers/forms.h"
+#include "tests/spirv/missing.h"
 
 namespace tegument::test {
 namespace {

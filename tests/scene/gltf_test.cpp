@@ -1,5 +1,6 @@
 #include "tests/scene/files.h"
 
+#include <algorithm>
 #include <limits>
 
 using namespace tegument;
@@ -180,6 +181,21 @@ TEST_F(Gltf, textures_are_found_by_role_embedded_and_beside_the_file) {
         EXPECT_EQ(texture.image.pixels, red.pixels);
     }
     EXPECT_EQ(roles, "color normal kernelSize ");
+}
+
+TEST_F(Gltf, a_second_texture_of_a_role_is_ignored_with_a_warning) {
+    const auto png = encodePng({.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw);
+    ASSERT_TRUE(png);
+    write("red.png", *png);
+    write("other.png", *png);
+    Parts parts;
+    parts.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0},{"attributes":{"POSITION":0},"indices":1,"material":1})";
+    parts.more = R"(,"materials":[{"normalTexture":{"index":0}},{"normalTexture":{"index":1}}],
+        "textures":[{"source":0},{"source":1}],"images":[{"uri":"red.png"},{"uri":"other.png"}])";
+    const auto mesh = load("a.glb", triangle(parts));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->textures.size(), 1U);
+    EXPECT_TRUE(std::ranges::any_of(mesh->warnings, [](const Diagnostic& warning) { return warning.code == 5326; }));
 }
 
 TEST_F(Gltf, a_missing_texture_file_is_named) {

@@ -11,6 +11,8 @@ import shutil
 import subprocess
 import sys
 
+import diagnostics
+
 SKIPPED = 77
 SOURCES = {".cpp", ".h", ".fx", ".fxh"}
 PROSE = {".md"}
@@ -85,16 +87,13 @@ def every_test_that_the_conventions_name_exists(root):
                 yield f"{page}:{number}: no test {suite}.{name}"
 
 
-def documented_codes(root):
-    """Code -> place of every row `| TGnnnn | meaning | what to do |`; a second row of one code is a finding by itself."""
-    places = {}
-    repeated = []
-    for path, number, match in lines_with(root / "docs" / "diagnostics", PROSE, r"^\| *TG(\d{4}) *\|[^|]+\S[^|]*\|[^|]+\|"):
-        code, place = int(match[1]), f"{path}:{number}"
-        if code in places:
-            repeated.append(f"{place}: TG{code} again, first in {places[code]}")
-        places.setdefault(code, place)
-    return places, repeated
+def diagnostic_pages_are_made_from_their_table(root):
+    for path, _ in diagnostics.outdated(root):
+        yield f"{path}: python3 tests/tools/diagnostics.py --write"
+    made = {page["file"] for page in diagnostics.pages(root)}
+    for path in files(root / "docs" / "diagnostics", PROSE):
+        if path.name not in made:
+            yield f"{path}: not in {diagnostics.TABLE}"
 
 
 def program_code(root):
@@ -104,24 +103,37 @@ def program_code(root):
 
 
 def every_diagnostic_code_is_documented(root):
-    documented, repeated = documented_codes(root)
-    yield from repeated
+    documented = [row["code"] for row in diagnostics.codes(root)]
+    yield from (f"{diagnostics.TABLE}: TG{code} again" for code in sorted({code for code in documented if documented.count(code) > 1}))
     raised = r"\b\w*(?:[Ee]rror|[Ww]arning|[Ww]arn|[Nn]ote|[Ff]ail|[Dd]iagnose)\w*\(\s*([1-8]\d{3})\b|\bcode\s*=\s*([1-8]\d{3})\b|\bTG(\d{4})\b"
     for path, code in program_code(root):
         for match in re.finditer(raised, code):
             number = int(next(group for group in match.groups() if group))
             if number not in documented:
-                yield f"{path}:{code.count(chr(10), 0, match.start()) + 1}: TG{number} has no row in docs/diagnostics"
+                yield f"{path}:{code.count(chr(10), 0, match.start()) + 1}: TG{number} is not in {diagnostics.TABLE}"
+
+
+def named_codes(code):
+    """Numbers that stand alone, or behind TG."""
+    return {int(number) for number in re.findall(r"(?<![\w.])(?:TG)?([1-8]\d{3})(?![\w.])", code)}
 
 
 def every_documented_code_can_be_raised(root):
-    literals = set()
-    for _, code in program_code(root):
-        literals |= {int(number) for number in re.findall(r"(?<![\w.])([1-8]\d{3})(?![\w.])", code)}
-        literals |= {int(number) for number in re.findall(r"\bTG(\d{4})\b", code)}
-    for code, place in sorted(documented_codes(root)[0].items()):
-        if code not in literals:
-            yield f"{place}: no source raises TG{code}"
+    literals = set().union(*(named_codes(code) for _, code in program_code(root)))
+    for row in diagnostics.codes(root):
+        if row["code"] not in literals:
+            yield f"{diagnostics.TABLE}: no source raises TG{row['code']}"
+
+
+def every_diagnostic_code_is_tested(root):
+    """A test names it, in code or as the name of a file, or the table says why none can."""
+    tested = set()
+    for path in files(root / "tests", SOURCES | {".py"}):
+        if path.parts[1] != "tools":
+            tested |= named_codes(text_of(path)) | {int(number) for number in re.findall(r"^(\d{4})_", path.name)}
+    for row in diagnostics.codes(root):
+        if (row["code"] in tested) == bool(row.get("untested")):
+            yield f"{diagnostics.TABLE}: TG{row['code']} " + ("is tested, yet has a reason why not" if row.get("untested") else "has no test")
 
 
 def cpp_files_are_formatted(root):
@@ -245,8 +257,10 @@ CHECKS = {
         sources_have_at_most_500_lines,
         no_file_names_a_registry_host_or_a_path_of_one_machine,
         nothing_is_left_unfinished,
+        diagnostic_pages_are_made_from_their_table,
         every_diagnostic_code_is_documented,
         every_documented_code_can_be_raised,
+        every_diagnostic_code_is_tested,
         cpp_files_are_formatted,
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,

@@ -1,15 +1,24 @@
 #!/usr/bin/env python3
 """Each repository check finds the flaw that it is there for, and nothing in a tree without it."""
 
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
+import diagnostics
+
 PROGRAM = pathlib.Path(__file__).with_name("repository.py")
 ROOMS = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tests"]
 GUARDED = "// Purpose.\n#ifndef TEGUMENT_SCATTER_BLUR_FXH\n#define TEGUMENT_SCATTER_BLUR_FXH\n{}\n#endif\n"
+
+
+def table(*codes, **more):
+    """The file of a table of one page with these codes."""
+    rows = [{"code": code, "meaning": "meaning", "do": "what to do", **more} for code in codes]
+    return {diagnostics.TABLE: json.dumps([{"file": "a.md", "title": "A", "sections": [{"title": "", "text": "", "codes": rows}]}])}
 
 
 def run(check, tree):
@@ -60,21 +69,36 @@ class Checks(unittest.TestCase):
     def test_a_raised_code_needs_a_row(self):
         check = "every_diagnostic_code_is_documented"
         source = {"host/a.cpp": 'auto a() { return inputError(\n  5001, "x"); }'}
-        self.accepts(check, {**source, "docs/diagnostics/a.md": "| TG5001 | meaning | what to do |\n"})
-        self.finds(check, source, "TG5001 has no row")
+        self.accepts(check, {**source, **table(5001)})
+        self.finds(check, source, "TG5001 is not in")
 
     def test_a_code_in_a_comment_is_not_raised(self):
         self.accepts("every_diagnostic_code_is_documented", {"host/a.cpp": '// inputError(5001, "x")'})
 
     def test_two_rows_of_one_code_are_found(self):
-        rows = "| TG5001 | meaning | what to do |\n" * 2
-        self.finds("every_diagnostic_code_is_documented", {"docs/diagnostics/a.md": rows}, "TG5001 again")
+        self.finds("every_diagnostic_code_is_documented", table(5001, 5001), "TG5001 again")
 
     def test_a_documented_code_must_be_raised(self):
         check = "every_documented_code_can_be_raised"
-        row = {"docs/diagnostics/a.md": "| TG5001 | meaning | what to do |\n"}
-        self.accepts(check, {**row, "host/a.cpp": "constexpr int kMissing = 5001;"})
-        self.finds(check, {**row, "host/a.cpp": "int a = 15001;"}, "no source raises TG5001")
+        self.accepts(check, {**table(5001), "host/a.cpp": "constexpr int kMissing = 5001;"})
+        self.finds(check, {**table(5001), "host/a.cpp": "int a = 15001;"}, "no source raises TG5001")
+
+    def test_a_documented_code_must_be_tested_or_have_a_reason_why_not(self):
+        check = "every_diagnostic_code_is_tested"
+        named = {"tests/a_test.cpp": "EXPECT_EQ(code, 5001);"}
+        self.accepts(check, {**table(5001), **named})
+        self.accepts(check, {**table(1001), "tests/effect/expect_fail/1001_a.fx": ""})
+        self.accepts(check, table(5001, untested="needs a broken disk"))
+        self.finds(check, table(5001), "TG5001 has no test")
+        self.finds(check, {**table(5001, untested="needs a broken disk"), **named}, "TG5001 is tested")
+
+    def test_a_page_of_codes_that_is_not_made_from_the_table_is_found(self):
+        check = "diagnostic_pages_are_made_from_their_table"
+        page = diagnostics.markdown(json.loads(table(5001)[diagnostics.TABLE])[0])
+        self.assertIn("| TG5001 | meaning | what to do |\n", page)
+        self.accepts(check, {**table(5001), "docs/diagnostics/a.md": page})
+        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page.replace("meaning |", "sense |")}, "a.md: python3")
+        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page, "docs/diagnostics/b.md": ""}, "b.md: not in")
 
     def test_a_test_that_may_hide_a_failure_is_found(self):
         check = "tests_are_registered_where_no_failure_is_lost"

@@ -41,8 +41,8 @@ struct HumanReport {
 };
 
 /// Writes human.glb, color.png, normal.png, kernel_size.png and, last, human.key (what they were made of) into the output folder, each
-/// whole or not at all. The same options give the same bytes. TG5001 when the source is absent, TG7001 to TG7009 when it is not the
-/// MakeHuman body or an option is out of range.
+/// whole or not at all. The same options give the same bytes. TG5001 when the source is absent; what `readQuadObj` says and
+/// TG7004 to TG7009 when it is not the MakeHuman body or an option is out of range.
 [[nodiscard]] Result<HumanReport> prepareHuman(const HumanOptions& options);
 
 } // namespace tegument

@@ -32,8 +32,8 @@ struct QuadMesh {
     std::vector<QuadGroup> groups;
 };
 
-/// Reads the `v`, `vt`, `f` and `g` records of an OBJ text; every face has four corners with texture coordinates. Coordinates are
-/// multiplied by `unitMm`; v stays as it is in the file, pointing up. `file` is for messages: TG7001 to TG7003, with the line.
+/// An OBJ text in which every face has four corners with texture coordinates. Positions are multiplied by `unitMm`; v stays as it is in
+/// the file, pointing up. `file` is for messages: those of `parseObj`, TG7001, TG7002.
 [[nodiscard]] Result<QuadMesh> readQuadObj(std::string_view text, const std::string& file, float unitMm);
 
 /// The quads of every group of that name. TG7004, with the nearest name, when there is none.

@@ -60,20 +60,25 @@ TEST(QuadObj, an_unknown_group_names_the_nearest) {
 
 TEST(QuadObj, a_damaged_number_is_an_error_with_its_line) {
     const Result<QuadMesh> mesh = readQuadObj("v 0 0 0\nv 1 zwei 0\n", "a.obj", 1);
-    EXPECT_EQ(codeOf(mesh), 7001);
+    EXPECT_EQ(codeOf(mesh), 5302);
     EXPECT_EQ(lineOf(mesh), 2);
 }
 
 TEST(QuadObj, a_number_that_is_not_finite_is_an_error) {
-    EXPECT_EQ(codeOf(readQuadObj("v 0 0 inf\n", "a.obj", 1)), 7001);
+    EXPECT_EQ(codeOf(readQuadObj("v 0 0 inf\n", "a.obj", 1)), 5305);
+    EXPECT_EQ(codeOf(readQuadObj("vt 0 nan\n", "a.obj", 1)), 7001);
 }
 
 TEST(QuadObj, a_line_that_breaks_off_is_an_error) {
-    EXPECT_EQ(codeOf(readQuadObj("v 0 0", "a.obj", 1)), 7001);
+    EXPECT_EQ(codeOf(readQuadObj("v 0 0", "a.obj", 1)), 5302);
 }
 
 TEST(QuadObj, a_triangle_is_an_error) {
     EXPECT_EQ(codeOf(readQuadObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n", "a.obj", 1)), 7002);
+}
+
+TEST(QuadObj, a_face_that_is_no_quad_is_named_by_its_line) {
+    EXPECT_EQ(lineOf(readQuadObj(std::string(kTwoGroups) + "f 1/1 2/2 3/3 4/4 5/5\n", "a.obj", 1)), 17);
 }
 
 TEST(QuadObj, a_face_without_texture_coordinates_is_an_error) {
@@ -81,11 +86,11 @@ TEST(QuadObj, a_face_without_texture_coordinates_is_an_error) {
 }
 
 TEST(QuadObj, an_index_beyond_the_vertices_is_an_error) {
-    EXPECT_EQ(codeOf(readQuadObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n", "a.obj", 1)), 7003);
+    EXPECT_EQ(codeOf(readQuadObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n", "a.obj", 1)), 5304);
 }
 
 TEST(QuadObj, index_zero_is_an_error) {
-    EXPECT_EQ(codeOf(readQuadObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 0/1 1/1 2/1 3/1\n", "a.obj", 1)), 7003);
+    EXPECT_EQ(codeOf(readQuadObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 0/1 1/1 2/1 3/1\n", "a.obj", 1)), 5304);
 }
 
 TEST(QuadObj, an_empty_text_is_an_empty_mesh) {

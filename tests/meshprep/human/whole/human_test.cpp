@@ -3,9 +3,11 @@
 #include "meshprep/human/human.h"
 
 #include "host/scene/mesh.h"
+#include "host/scene/welding.h"
 #include "host/support/file.h"
 #include "meshprep/human/head_surface.h"
 #include "meshprep/human/lips.h"
+#include "tests/meshprep/half_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -282,6 +284,18 @@ TEST_F(Human, the_same_options_give_the_same_bytes) {
 
 int codeOf(const Result<HumanReport>& result) {
     return result ? 0 : result.error().diagnostics.front().code;
+}
+
+TEST_F(Human, is_a_manifold_of_three_pieces_by_another_s_count) {
+    std::vector<std::uint32_t> places;
+    const std::vector<std::uint32_t> first = weldPositions(humanMesh()->positions);
+    for (const std::uint32_t v : humanMesh()->indices)
+        places.push_back(first[v]);
+    const testing_prep::HalfEdgeFigures figures = testing_prep::judge(places, first.size());
+    EXPECT_EQ(figures.refused, 0u);
+    EXPECT_EQ(figures.bowTies, 0u);
+    EXPECT_EQ(figures.components, 3u); // skin with its base, two eyeballs
+    EXPECT_EQ(figures.genus(), 0);     // where hidden skin was taken away there are holes, but no handle
 }
 
 TEST(HumanErrors, a_missing_body_is_named_and_nothing_is_written) {

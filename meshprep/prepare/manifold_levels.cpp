@@ -29,10 +29,6 @@ using Vector = HalfEdgeMesh::Point;
 /// Of the border against the surface, as Garland and Heckbert leave it open and meshoptimizer has it.
 constexpr double kBorderWeight = 10;
 
-/// Of the root mean square distance of a vertex from its planes, in the longest side of the mesh. Where nothing better is left, because the
-/// rest stays, a level ends rather than fall in.
-constexpr double kFarthest = 0.02;
-
 Quadric planeThrough(const Vector& point, const Vector& normal, double weight) {
     Quadric quadric(normal[0], normal[1], normal[2], -(normal | point));
     quadric *= weight;
@@ -65,9 +61,7 @@ public:
         if (makesChord(collapse)) return ILLEGAL_COLLAPSE;
         Quadric sum = of(collapse.v0);
         sum += of(collapse.v1);
-        const double cost = std::max(0.0, sum(collapse.p1));
-        const double weight = sum.a() + sum.e() + sum.h(); // of all planes: their normals are unit vectors
-        return static_cast<float>(cost > weight * kFarthest * kFarthest ? double{ILLEGAL_COLLAPSE} : cost);
+        return static_cast<float>(std::max(0.0, sum(collapse.p1)));
     }
 
     void postprocess_collapse(const Info& collapse) override { of(collapse.v1) += of(collapse.v0); }

@@ -12,7 +12,7 @@ namespace tegument::prep {
 
 class ManifoldSimplifier {
 public:
-    /// Positions within a unit cube; with `keepBorder` the vertices of every edge of one triangle stay. Null where the triangles are no
+    /// With `keepBorder` the vertices of every edge of one triangle stay. Null where the triangles are no
     /// 2-manifold of one orientation, or where vertices share a position (seams of texture coordinates): each side would go its own way.
     [[nodiscard]] static std::unique_ptr<ManifoldSimplifier> make(std::span<const std::uint32_t> indices,
                                                                   const std::vector<glm::vec3>& positions, bool keepBorder);

@@ -11,7 +11,7 @@ set(libraries tegument_options tegument_support tegument_effect tegument_spirv t
 install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
-install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN reference EXCLUDE
+install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN reference EXCLUDE PATTERN rays EXCLUDE
         PATTERN verify EXCLUDE PATTERN bench EXCLUDE PATTERN view EXCLUDE)
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
 install(FILES host/bench/plot.py host/bench/flip.py DESTINATION share/tegument/host/bench)

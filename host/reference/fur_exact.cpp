@@ -1,8 +1,7 @@
 #include "host/reference/fur_exact.h"
 
 #include "host/support/parallel.h"
-
-#include <embree3/rtcore.h>
+#include "host/support/rays/box_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -189,40 +188,12 @@ struct Piece {
     }
 };
 
-/// Embree names the pieces that a ray may meet; they are met in double precision.
-struct Ray : RTCIntersectContext {
-    const std::vector<Piece>* pieces = nullptr;
-    glm::dvec3 origin{0};
-    glm::dvec3 direction{0};
-    double nearest = kFar;
-    double part = 0;
-    const Piece* met = nullptr;
-};
-
-void boundsOf(const RTCBoundsFunctionArguments* arguments) {
-    const Piece& piece = (*static_cast<const std::vector<Piece>*>(arguments->geometryUserPtr))[arguments->primID];
+PieceBox boxOf(const Piece& piece) {
     const double wide = std::max(piece.from.radius, piece.to.radius);
     // Somewhat wider, for boxes are in 32-bit floats.
     const glm::dvec3 margin = wide * 1.001 + 1e-5 * glm::abs(piece.from.position) + 1e-9;
-    const glm::vec3 low(glm::min(piece.from.position, piece.to.position) - margin);
-    const glm::vec3 high(glm::max(piece.from.position, piece.to.position) + margin);
-    RTCBounds& box = *arguments->bounds_o;
-    box.lower_x = low.x, box.lower_y = low.y, box.lower_z = low.z;
-    box.upper_x = high.x, box.upper_y = high.y, box.upper_z = high.z;
-}
-
-void meetPiece(const RTCIntersectFunctionNArguments* arguments) {
-    if (arguments->valid[0] == 0) return;
-    Ray& ray = *static_cast<Ray*>(arguments->context);
-    const Piece& piece = (*ray.pieces)[arguments->primID];
-    double part = 0;
-    const double t = piece.enter(ray.origin, ray.direction, part);
-    if (t >= ray.nearest) return;
-    ray.nearest = t;
-    ray.part = part;
-    ray.met = &piece;
-    // A little beyond, for what is left of the tree is cut off by a 32-bit float.
-    RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, arguments->N), arguments->N, 0) = static_cast<float>(t * (1 + 1e-5));
+    return {.low = glm::vec3(glm::min(piece.from.position, piece.to.position) - margin),
+            .high = glm::vec3(glm::max(piece.from.position, piece.to.position) + margin)};
 }
 
 } // namespace
@@ -231,16 +202,9 @@ struct FurExact::State {
     const RayScene& skin;
     std::vector<FurGrown> strands;
     std::vector<Piece> pieces;
-    RTCDevice device = rtcNewDevice("threads=1");
-    RTCScene scene = rtcNewScene(device);
+    std::optional<BoxTree> tree;
 
     State(const RayScene& on, std::vector<FurGrown> all) : skin(on), strands(std::move(all)) {}
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
 
     void grow(const FurStrandShape& shape, int count) {
         std::vector<std::vector<FurJoint>> axes(strands.size());
@@ -251,16 +215,9 @@ struct FurExact::State {
     }
 
     void commit() {
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(pieces.size()));
-        rtcSetGeometryUserData(geometry, &pieces);
-        rtcSetGeometryBoundsFunction(geometry, boundsOf, nullptr);
-        rtcSetGeometryIntersectFunction(geometry, meetPiece);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST); // no ray slips past a piece
-        rtcCommitScene(scene);
+        std::vector<PieceBox> boxes(pieces.size());
+        std::ranges::transform(pieces, boxes.begin(), boxOf);
+        tree.emplace(boxes);
     }
 };
 
@@ -273,27 +230,26 @@ FurExact::FurExact(const RayScene& skin, const FurStrandShape& shape, std::vecto
 FurExact::~FurExact() = default;
 
 std::optional<FurExact::Hit> FurExact::meet(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    Ray ray;
-    rtcInitIntersectContext(&ray);
-    ray.pieces = &state_->pieces;
-    ray.origin = origin;
-    ray.direction = direction;
+    constexpr double kBeyond = 1 + 1e-5; // what is left of the tree is cut off by a 32-bit float
     const auto skin = state_->skin.nearest(origin, direction);
-    if (skin) ray.nearest = skin->distance;
-    RTCRayHit query{};
-    const glm::vec3 from(origin);
-    const glm::vec3 way(direction);
-    query.ray.org_x = from.x, query.ray.org_y = from.y, query.ray.org_z = from.z;
-    query.ray.dir_x = way.x, query.ray.dir_y = way.y, query.ray.dir_z = way.z;
-    query.ray.tfar = skin ? static_cast<float>(skin->distance * (1 + 1e-5)) : std::numeric_limits<float>::infinity();
-    query.ray.mask = ~0U;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(state_->scene, &ray, &query);
-    if (ray.met) {
-        const FurGrown& strand = state_->strands[ray.met->strand];
-        const double height = std::lerp(ray.met->from.height, ray.met->to.height, ray.part);
-        return Hit{.distance = ray.nearest,
-                   .normal = unit(glm::mix(ray.met->from.normal, ray.met->to.normal, ray.part)),
+    double nearest = skin ? skin->distance : kFar;
+    double part = 0;
+    const Piece* met = nullptr;
+    state_->tree->meetAlong(glm::vec3(origin), glm::vec3(direction), static_cast<float>(nearest * kBeyond), [&](std::uint32_t i) {
+        const Piece& piece = state_->pieces[i];
+        double at = 0;
+        if (const double t = piece.enter(origin, direction, at); t < nearest) {
+            nearest = t;
+            part = at;
+            met = &piece;
+        }
+        return static_cast<float>(nearest * kBeyond);
+    });
+    if (met) {
+        const FurGrown& strand = state_->strands[met->strand];
+        const double height = std::lerp(met->from.height, met->to.height, part);
+        return Hit{.distance = nearest,
+                   .normal = unit(glm::mix(met->from.normal, met->to.normal, part)),
                    .height = height,
                    .along = height / strand.length,
                    .strand = &strand};

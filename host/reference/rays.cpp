@@ -1,39 +1,10 @@
 #include "host/reference/surface.h"
 
-#include <embree3/rtcore.h>
+#include "host/support/rays/surface_tree.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace tegument::reference {
-
-struct RayScene::State {
-    RTCDevice device = rtcNewDevice("threads=1");
-    RTCScene scene = rtcNewScene(device);
-
-    ~State() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-};
-
-RayScene::RayScene(const Mesh& mesh) : mesh_(mesh), state_(std::make_unique<State>()) {
-    RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
-    for (const glm::vec3& p : mesh.positions)
-        points = std::copy_n(&p.x, 3, points);
-    auto* indices = static_cast<std::uint32_t*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.indices.size() / 3));
-    std::ranges::copy(mesh.indices, indices);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(state_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST); // no ray slips through an edge
-    rtcCommitScene(state_->scene);
-}
-
-RayScene::~RayScene() = default;
 
 namespace {
 
@@ -54,22 +25,15 @@ Hit refine(const Mesh& mesh, std::uint32_t triangle, const glm::dvec3& origin, c
 
 } // namespace
 
+RayScene::RayScene(const Mesh& mesh)
+    : mesh_(mesh), tree_(std::make_unique<SurfaceTree>(mesh.positions, mesh.indices, TreeOptions{.watertight = true})) {}
+
+RayScene::~RayScene() = default;
+
 std::optional<Hit> RayScene::nearest(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    RTCRayHit ray{};
-    ray.ray.org_x = static_cast<float>(origin.x);
-    ray.ray.org_y = static_cast<float>(origin.y);
-    ray.ray.org_z = static_cast<float>(origin.z);
-    ray.ray.dir_x = static_cast<float>(direction.x);
-    ray.ray.dir_y = static_cast<float>(direction.y);
-    ray.ray.dir_z = static_cast<float>(direction.z);
-    ray.ray.tfar = std::numeric_limits<float>::infinity();
-    ray.ray.mask = ~0U;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(state_->scene, &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return refine(mesh_, ray.hit.primID, origin, direction);
+    const auto hit = tree_->nearest(glm::vec3(origin), glm::vec3(direction));
+    if (!hit) return std::nullopt;
+    return refine(mesh_, hit->face, origin, direction);
 }
 
 bool RayScene::reaches(const glm::dvec3& light, const glm::dvec3& point, double slack) const {
@@ -80,19 +44,12 @@ bool RayScene::reaches(const glm::dvec3& light, const glm::dvec3& point, double 
 
 std::vector<std::uint32_t> RayScene::around(const glm::dvec3& centre, double radius) const {
     constexpr double kWidened = 1 + 1e-5; // the query is in 32-bit floats
-    RTCPointQuery query{};
-    query.x = static_cast<float>(centre.x);
-    query.y = static_cast<float>(centre.y);
-    query.z = static_cast<float>(centre.z);
-    query.radius = static_cast<float>(radius * kWidened);
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
+    const auto widened = static_cast<float>(radius * kWidened);
     std::vector<std::uint32_t> found;
-    const auto take = [](RTCPointQueryFunctionArguments* arguments) {
-        static_cast<std::vector<std::uint32_t>*>(arguments->userPtr)->push_back(arguments->primID);
-        return false; // the radius stays
-    };
-    rtcPointQuery(state_->scene, &query, &context, take, &found);
+    tree_->visitNear(glm::vec3(centre), widened, [&](std::uint32_t triangle) {
+        found.push_back(triangle);
+        return widened;
+    });
     std::ranges::sort(found);
     return found;
 }

@@ -11,6 +11,10 @@
 #include <optional>
 #include <vector>
 
+namespace tegument {
+class SurfaceTree;
+}
+
 namespace tegument::reference {
 
 /// A place on a triangle; weights sum to 1.
@@ -77,9 +81,8 @@ public:
     [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
 private:
-    struct State;
     const Mesh& mesh_;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<const SurfaceTree> tree_;
 };
 
 } // namespace tegument::reference

@@ -2,6 +2,7 @@
 // Inside host/scene only: the readers behind loadMesh, and the errors they share. A reader checks everything that comes from the file; what
 // it returns has equally long attribute arrays (or empty ones), indices in range, and lengths already multiplied by the unit.
 
+#include "host/scene/obj_file.h"
 #include "host/scene/read_mesh.h"
 
 #include <cmath>
@@ -31,6 +32,8 @@ struct Source {
 };
 
 [[nodiscard]] Result<ReadMesh> readPly(const Source& source);
+/// With `dropBadFaces`, corners may name what the file lacks.
+[[nodiscard]] Result<ObjFile> parseObj(const Source& source);
 [[nodiscard]] Result<ReadMesh> readObj(const Source& source);
 [[nodiscard]] Result<ReadMesh> readStl(const Source& source);
 [[nodiscard]] Result<ReadMesh> readOff(const Source& source);

@@ -31,6 +31,7 @@ struct PrepOptions {
     order::CacheModel cache = order::kWarp;
     bool overdraw = false;
     int levels = 4; // the full mesh counts as one
+    LevelMethod levelMethod = LevelMethod::Meshoptimizer;
     VertexPrecision precision = VertexPrecision::Float;
     bool chunk16 = false;
     bool mappingReport = false;

@@ -136,6 +136,20 @@ def every_diagnostic_code_is_tested(root):
             yield f"{diagnostics.TABLE}: TG{row['code']} " + ("is tested, yet has a reason why not" if row.get("untested") else "has no test")
 
 
+def rooms_include_each_other_without_a_cycle(root):
+    """A room is a folder with sources, `app` above all: what it includes from others is an edge."""
+    includes = {}
+    for path, code in ((path, text_of(path)) for folder in ("host", "meshprep") for path in files(root / folder, {".cpp", ".h"})):
+        room = path.relative_to(root).parent.as_posix()
+        found = re.findall(r'^#include "((?:host|meshprep)/[^"]+)/[^/"]+"', code, re.MULTILINE)
+        includes.setdefault(room, set()).update(other for other in found if other != room)
+    free = set()  # rooms from which no way leads back
+    while ready := {room for room, others in includes.items() if room not in free and others & includes.keys() <= free}:
+        free |= ready
+    for room in sorted(includes.keys() - free):
+        yield f"{room}: includes, among others in a cycle or above one, {', '.join(sorted(includes[room] - free))}"
+
+
 def cpp_files_are_formatted(root):
     if not shutil.which("clang-format"):
         raise Skip("clang-format is not installed")
@@ -261,6 +275,7 @@ CHECKS = {
         every_diagnostic_code_is_documented,
         every_documented_code_can_be_raised,
         every_diagnostic_code_is_tested,
+        rooms_include_each_other_without_a_cycle,
         cpp_files_are_formatted,
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,

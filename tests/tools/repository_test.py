@@ -130,6 +130,12 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"hlsl/scatter.fxh": '// All of scatter.\n#include "scatter/blur.fxh"\n'})
         self.finds(check, {"hlsl/blur.fxh": GUARDED}, "TEGUMENT_BLUR_FXH")
 
+    def test_rooms_that_include_each_other_are_found(self):
+        check = "rooms_include_each_other_without_a_cycle"
+        down = {"host/run/a.h": '#include "host/gpu/b.h"\n#include "host/run/c.h"\n', "host/gpu/b.h": '#include "meshprep/base/d.h"\n'}
+        self.accepts(check, {**down, "meshprep/base/d.h": ""})
+        self.finds(check, {**down, "meshprep/base/d.h": '#include "host/run/a.h"\n'}, "meshprep/base: includes")
+
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"
         self.accepts(check, {"host/run/README.md": "What belongs here.\n"})

@@ -7,14 +7,16 @@ endif()
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
 set(libraries tegument_options tegument_support tegument_effect tegument_spirv tegument_direct3d tegument_check tegument_emit tegument_gpu tegument_image
-    tegument_scene tegument_run)
+    tegument_mesh tegument_scene tegument_run)
 install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
-install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN reference EXCLUDE PATTERN rays EXCLUDE
-        PATTERN verify EXCLUDE PATTERN bench EXCLUDE PATTERN view EXCLUDE)
+install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN lab EXCLUDE
+        PATTERN view EXCLUDE)
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
-install(FILES host/bench/plot.py host/bench/flip.py DESTINATION share/tegument/host/bench)
+if(TEGUMENT_LAB)
+  install(FILES host/lab/bench/plot.py host/lab/bench/flip.py DESTINATION share/tegument/host/lab/bench)
+endif()
 install(FILES LICENSE README.md DESTINATION share/doc/tegument)
 
 include(CMakePackageConfigHelpers)

@@ -12,9 +12,7 @@ void addPrep(CLI::App& program, Action& action) {
     command->require_subcommand(0, 1);
     addPrepMesh(*command, action);
     addPrepShape(*command, action);
-#ifdef TEGUMENT_HAVE_HUMAN
     addPrepHuman(*command, action);
-#endif
 }
 
 } // namespace tegument::app

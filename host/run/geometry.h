@@ -4,7 +4,7 @@
 
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/spirv/compile.h"
 
 #include <cstdint>

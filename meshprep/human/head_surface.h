@@ -1,7 +1,7 @@
 #pragma once
 // The head as the effects get it: triangles with atlas coordinates, still knowing where each corner lies in the source's region masks.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "meshprep/human/bust.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 #include "meshprep/human/human.h"
 
 #include "host/image/image.h"
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/support/file.h"
 #include "meshprep/human/bake.h"
 #include "meshprep/human/brows.h"

@@ -1,6 +1,6 @@
 #include "meshprep/human/quad_mesh.h"
 
-#include "host/scene/obj_file.h"
+#include "host/mesh/obj_file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>

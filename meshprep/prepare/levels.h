@@ -1,7 +1,7 @@
 #pragma once
 // Coarser levels over the same vertices.
 
-#include "host/scene/glb.h"
+#include "host/mesh/glb.h"
 #include "meshprep/prepare/distance.h"
 
 namespace tegument::prep {

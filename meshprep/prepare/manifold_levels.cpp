@@ -4,7 +4,7 @@
 
 #include "meshprep/prepare/manifold_levels.h"
 
-#include "host/scene/welding.h"
+#include "host/mesh/welding.h"
 #include "meshprep/prepare/topology.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh> // before the others: QuadricT.hh uses what it does not include

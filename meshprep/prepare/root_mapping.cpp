@@ -1,6 +1,6 @@
 #include "meshprep/prepare/root_mapping.h"
 
-#include "host/scene/normals.h"
+#include "host/mesh/normals.h"
 #include "host/support/parallel.h"
 #include "meshprep/base/noise.h"
 #include "meshprep/fur/roots/point_grid.h"

@@ -206,7 +206,6 @@ TEST(BadUsage, every_mistake_has_its_code) {
         {8021, kUsage, {"check", effect, "--emit", (scratch() / "codes").string(), "--emit-kind", "basic"}},
         {8022, kUsage, {"check", effect, twin, "--target", "spirv-glslang", "--emit", (scratch() / "codes").string()}},
         {8050, kUsage, {"fur", "texture", "-o", (scratch() / "codes").string(), "--seeds", "16..1"}},
-        {8060, kInput, {"verify", "--effects", (scratch() / "other").string()}},
     };
     for (const Refused& refused : all) {
         const Ran ran = tegument::test::tegument(refused.arguments, {{"TEGUMENT_DXC", "/nonexistent.so"}});

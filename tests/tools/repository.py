@@ -150,6 +150,16 @@ def rooms_include_each_other_without_a_cycle(root):
         yield f"{room}: includes, among others in a cycle or above one, {', '.join(sorted(includes[room] - free))}"
 
 
+def nothing_but_the_laboratory_includes_it(root):
+    """The program reaches it by one function, which a build without it defines as nothing."""
+    for path in files(root / "host", {".cpp", ".h"}) + files(root / "meshprep", {".cpp", ".h"}):
+        if path.relative_to(root).parts[:2] == ("host", "lab"):
+            continue
+        for number, line in enumerate(text_of(path).splitlines(), 1):
+            if re.match(r'#include "host/lab/', line):
+                yield f"{path}:{number}: {line}"
+
+
 def cpp_files_are_formatted(root):
     if not shutil.which("clang-format"):
         raise Skip("clang-format is not installed")
@@ -230,7 +240,8 @@ def includes_of_shaders_are_guarded_by_their_name(root):
 
 def folders_explain_themselves_in_at_most_30_lines(root):
     folders = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tests"]
-    folders += sorted(f"host/{path.name}" for path in (root / "host").iterdir() if path.is_dir())
+    for above in ("host", "host/lab"):
+        folders += sorted(f"{above}/{path.name}" for path in (root / above).glob("*") if path.is_dir())
     for folder in folders:
         readme = root / folder / "README.md"
         if not readme.exists():
@@ -276,6 +287,7 @@ CHECKS = {
         every_documented_code_can_be_raised,
         every_diagnostic_code_is_tested,
         rooms_include_each_other_without_a_cycle,
+        nothing_but_the_laboratory_includes_it,
         cpp_files_are_formatted,
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,

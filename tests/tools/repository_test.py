@@ -136,6 +136,13 @@ class Checks(unittest.TestCase):
         self.accepts(check, {**down, "meshprep/base/d.h": ""})
         self.finds(check, {**down, "meshprep/base/d.h": '#include "host/run/a.h"\n'}, "meshprep/base: includes")
 
+    def test_a_room_that_includes_the_laboratory_is_found(self):
+        check = "nothing_but_the_laboratory_includes_it"
+        include = '#include "host/lab/bench/a.h"\n'
+        self.accepts(check, {"host/lab/app/b.cpp": include, "tests/lab/bench/a_test.cpp": include})
+        self.finds(check, {"host/app/b.cpp": include}, "host/app/b.cpp:1")
+        self.finds(check, {"meshprep/order/b.h": include}, "meshprep/order/b.h:1")
+
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"
         self.accepts(check, {"host/run/README.md": "What belongs here.\n"})

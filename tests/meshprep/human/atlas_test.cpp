@@ -1,6 +1,6 @@
 #include "meshprep/human/atlas.h"
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 

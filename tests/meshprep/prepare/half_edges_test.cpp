@@ -1,6 +1,6 @@
 // OpenMesh's half-edges as a referee: of our figures of topology, and of both ways to make levels.
-#include "host/scene/triangles.h"
-#include "host/scene/welding.h"
+#include "host/mesh/triangles.h"
+#include "host/mesh/welding.h"
 #include "meshprep/prepare/levels.h"
 #include "meshprep/prepare/topology.h"
 #include "tests/meshprep/half_edges.h"

@@ -2,8 +2,8 @@
 
 #include "meshprep/human/human.h"
 
-#include "host/scene/mesh.h"
-#include "host/scene/welding.h"
+#include "host/mesh/mesh.h"
+#include "host/mesh/welding.h"
 #include "host/support/file.h"
 #include "meshprep/human/head_surface.h"
 #include "meshprep/human/lips.h"

@@ -11,8 +11,18 @@ set(libraries tegument_options tegument_support tegument_effect tegument_spirv t
 install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
-install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN lab EXCLUDE
-        PATTERN view EXCLUDE)
+# What a program may include: these, and no other header of host. A repository check keeps them from including what is not installed.
+set(public_headers
+    host/support/file.h host/support/result.h host/support/state.h
+    host/effect/model.h host/effect/script.h host/effect/script_run.h
+    host/spirv/compile.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
+    host/image/compare.h host/image/dds.h host/image/image.h
+    host/mesh/mesh.h host/scene/placement.h host/scene/view.h host/scene/workspace.h
+    host/gpu/gpu.h host/run/geometry.h host/run/run.h host/run/session.h)
+foreach(header IN LISTS public_headers)
+  cmake_path(GET header PARENT_PATH room)
+  install(FILES ${header} DESTINATION include/tegument/${room})
+endforeach()
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
 if(TEGUMENT_LAB)
   install(FILES host/lab/bench/plot.py host/lab/bench/flip.py DESTINATION share/tegument/host/lab/bench)

@@ -160,6 +160,43 @@ def nothing_but_the_laboratory_includes_it(root):
                 yield f"{path}:{number}: {line}"
 
 
+def some_libraries_are_known_to_one_room(root):
+    """What stands behind a wrapper of ours, or serves one subcommand, is included there alone: other rooms build without it."""
+    rooms = {"embree3": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "host/app", "GLFW": "host/view"}
+    for path in files(root / "host", {".cpp", ".h"}) + files(root / "meshprep", {".cpp", ".h"}):
+        for library in re.findall(r"^#include <(\w+)[./]", text_of(path), re.MULTILINE):
+            if library in rooms and path.relative_to(root).parent.as_posix() != rooms[library]:
+                yield f"{path}: includes {library}, which is for {rooms[library]}"
+
+
+def public_headers(root):
+    listed = re.search(r"set\(public_headers\s+([^)]*)\)", text_of(root / "cmake" / "install.cmake"))
+    return listed[1].split() if listed else []
+
+
+def public_headers_are_meant_for_users(root):
+    """What is installed says what it is for, is no room's own, and includes nothing that is not installed."""
+    listed = public_headers(root)
+    for name in listed:
+        text = text_of(root / name)
+        if not re.match(r"#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
+            yield f"{name}: is installed, yet does not say what a user has of it"
+        for other in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE):
+            if other not in listed:
+                yield f"{name}: is installed and includes {other}, which is not"
+
+
+def the_changelog_knows_the_version_that_is_built(root):
+    """Its newest release is the project's version; nothing can be broken for users before there are any: not in the oldest."""
+    page = text_of(root / "CHANGELOG.md")
+    versions = re.findall(r"^## \[(\d[^\]]*)\] - \d{4}-\d\d-\d\d$", page, re.MULTILINE)
+    built = re.search(r"^project\(\w+ VERSION ([\d.]+)", text_of(root / "CMakeLists.txt"), re.MULTILINE)
+    if built and built[1] not in versions[:1]:
+        yield f"CHANGELOG.md: its newest release is {', '.join(versions[:1]) or 'none'}, CMakeLists.txt builds {built[1]}"
+    if versions and "**Breaking**" in page[page.index(f"## [{versions[-1]}]") :]:
+        yield f"CHANGELOG.md: something is **Breaking** in {versions[-1]}, the first release"
+
+
 def cpp_files_are_formatted(root):
     if not shutil.which("clang-format"):
         raise Skip("clang-format is not installed")
@@ -288,6 +325,9 @@ CHECKS = {
         every_diagnostic_code_is_tested,
         rooms_include_each_other_without_a_cycle,
         nothing_but_the_laboratory_includes_it,
+        some_libraries_are_known_to_one_room,
+        public_headers_are_meant_for_users,
+        the_changelog_knows_the_version_that_is_built,
         cpp_files_are_formatted,
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,

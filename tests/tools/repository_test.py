@@ -143,6 +143,32 @@ class Checks(unittest.TestCase):
         self.finds(check, {"host/app/b.cpp": include}, "host/app/b.cpp:1")
         self.finds(check, {"meshprep/order/b.h": include}, "meshprep/order/b.h:1")
 
+    def test_a_library_in_a_room_that_should_not_know_it_is_found(self):
+        check = "some_libraries_are_known_to_one_room"
+        include = "#include <embree3/rtcore.h>\n"
+        self.accepts(check, {"host/support/rays/a.cpp": include, "host/run/a.cpp": "#include <vector>\n"})
+        self.finds(check, {"host/lab/reference/a.cpp": include}, "host/lab/reference/a.cpp: includes embree3")
+        self.finds(check, {"host/app/a.cpp": "#include <ft2build.h>\n", "host/run/b.cpp": "#include <ft2build.h>\n"}, "host/run/b.cpp")
+
+    def test_a_changelog_of_another_version_is_found(self):
+        check = "the_changelog_knows_the_version_that_is_built"
+        built = {"CMakeLists.txt": "cmake_minimum_required(VERSION 3.25)\nproject(a VERSION 0.2.0 LANGUAGES CXX)\n"}
+        first = "## [0.1.0] - 2026-11-22\n* a\n"
+        self.accepts(check, {**built, "CHANGELOG.md": "## [Unreleased]\n## [0.2.0] - 2026-12-01\n* **Breaking**: b\n" + first})
+        self.finds(check, {**built, "CHANGELOG.md": first}, "its newest release is 0.1.0, CMakeLists.txt builds 0.2.0")
+        self.finds(check, {**built, "CHANGELOG.md": "## [Unreleased]\n* a\n"}, "its newest release is none")
+        self.finds(check, {**built, "CHANGELOG.md": "## [0.2.0] - 2026-12-01\n* **Breaking**: b\n"}, "something is **Breaking** in 0.2.0")
+
+    def test_an_installed_header_that_is_not_for_users_is_found(self):
+        check = "public_headers_are_meant_for_users"
+        listed = {"cmake/install.cmake": "set(public_headers\n    host/run/a.h host/gpu/b.h)\n", "host/gpu/b.h": "#pragma once\n// A device.\n"}
+        purpose = "#pragma once\n// Runs an effect.\n"
+        self.accepts(check, {**listed, "host/run/a.h": purpose + '#include "host/gpu/b.h"\n#include <map>\n'})
+        self.finds(check, {**listed, "host/run/a.h": purpose + '#include "host/gpu/c.h"\n'}, "host/run/a.h: is installed and includes host/gpu/c.h")
+        self.finds(check, {**listed, "host/run/a.h": "#pragma once\n// Inside host/run: a plan.\n"}, "host/run/a.h: is installed, yet")
+        self.finds(check, {**listed, "host/run/a.h": "#pragma once\nint a;\n"}, "host/run/a.h: is installed, yet")
+        self.finds(check, listed, "host/run/a.h: is installed, yet")
+
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"
         self.accepts(check, {"host/run/README.md": "What belongs here.\n"})

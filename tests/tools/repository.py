@@ -12,6 +12,7 @@ import subprocess
 import sys
 
 import diagnostics
+import rooms
 
 SKIPPED = 77
 SOURCES = {".cpp", ".h", ".fx", ".fxh"}
@@ -137,17 +138,10 @@ def every_diagnostic_code_is_tested(root):
 
 
 def rooms_include_each_other_without_a_cycle(root):
-    """A room is a folder with sources, `app` above all: what it includes from others is an edge."""
-    includes = {}
-    for path, code in ((path, text_of(path)) for folder in ("host", "meshprep") for path in files(root / folder, {".cpp", ".h"})):
-        room = path.relative_to(root).parent.as_posix()
-        found = re.findall(r'^#include "((?:host|meshprep)/[^"]+)/[^/"]+"', code, re.MULTILINE)
-        includes.setdefault(room, set()).update(other for other in found if other != room)
-    free = set()  # rooms from which no way leads back
-    while ready := {room for room, others in includes.items() if room not in free and others & includes.keys() <= free}:
-        free |= ready
-    for room in sorted(includes.keys() - free):
-        yield f"{room}: includes, among others in a cycle or above one, {', '.join(sorted(includes[room] - free))}"
+    includes = rooms.includes(root)
+    _, cyclic = rooms.ordered(includes)
+    for room in cyclic:
+        yield f"{room}: includes, among others in a cycle or above one, {', '.join(sorted(includes[room] & set(cyclic)))}"
 
 
 def nothing_but_the_laboratory_includes_it(root):

@@ -6,15 +6,27 @@ endif()
 
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
-set(libraries tegument_options tegument_support tegument_effect tegument_compile tegument_check tegument_emit tegument_gpu tegument_image
-    tegument_scene tegument_run)
+set(libraries tegument_options tegument_support tegument_effect tegument_spirv tegument_direct3d tegument_check tegument_emit tegument_gpu tegument_image
+    tegument_mesh tegument_scene tegument_run)
 install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
-install(DIRECTORY host DESTINATION include/tegument FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN microsoft EXCLUDE PATTERN reference EXCLUDE
-        PATTERN verify EXCLUDE PATTERN bench EXCLUDE PATTERN view EXCLUDE)
+# What a program may include: these, and no other header of host. A repository check keeps them from including what is not installed.
+set(public_headers
+    host/support/file.h host/support/result.h host/support/state.h
+    host/effect/model.h host/effect/script.h host/effect/script_run.h
+    host/spirv/compile.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
+    host/image/compare.h host/image/dds.h host/image/image.h
+    host/mesh/mesh.h host/scene/placement.h host/scene/view.h host/scene/workspace.h
+    host/gpu/gpu.h host/run/geometry.h host/run/run.h host/run/session.h)
+foreach(header IN LISTS public_headers)
+  cmake_path(GET header PARENT_PATH room)
+  install(FILES ${header} DESTINATION include/tegument/${room})
+endforeach()
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
-install(FILES host/bench/plot.py host/bench/flip.py DESTINATION share/tegument/host/bench)
+if(TEGUMENT_LAB)
+  install(FILES host/lab/bench/plot.py host/lab/bench/flip.py DESTINATION share/tegument/host/lab/bench)
+endif()
 install(FILES LICENSE README.md DESTINATION share/doc/tegument)
 
 include(CMakePackageConfigHelpers)

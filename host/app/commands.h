@@ -24,8 +24,8 @@ void addFur(CLI::App& program, Action& action);
 void addSheet(CLI::App& program, Action& action);
 void addCompare(CLI::App& program, Action& action);
 void addView(CLI::App& program, Action& action);
-void addBench(CLI::App& program, Action& action);
-void addVerify(CLI::App& program, Action& action);
-void addInvariance(CLI::App& program, Action& action);
+
+/// Those of the laboratory, with their lines in the footer: in host/lab/app. Nothing where the build leaves it out: TEGUMENT_LAB.
+void addLab(CLI::App& program, Action& action);
 
 } // namespace tegument::app

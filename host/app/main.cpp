@@ -13,16 +13,16 @@ namespace {
 constexpr int kUsage = 2;
 constexpr int kMachine = 3;
 
-constexpr const char* kFooter = R"(
+constexpr const char* kStart = R"(
 Start here:
   tegument info effects/Main.fx               what an effect offers
   tegument check effects/Main.fx              does it compile for every Direct3D and for SPIR-V?
   tegument prep human                         make the default head, once
   tegument render effects/Main.fx -o head.png
   tegument render effects/Main.fx --dump all  the same, with every intermediate target as EXR
-  tegument view effects/Main.fx               the same in a window; edits of the source show at once
-  tegument verify                             every module against its reference in double precision
-  tegument bench                              every technique: milliseconds and error against brute force
+  tegument view effects/Main.fx               the same in a window; edits of the source show at once)";
+
+constexpr const char* kExitCodes = R"(
 
 Exit codes: 0 success, 1 the input is at fault, 2 the command line is, 3 the machine is.)";
 
@@ -30,7 +30,7 @@ int run(int argc, char** argv) {
     CLI::App program("Skin and fur effects in HLSL: check them, look into them, render them.", "tegument");
     program.require_subcommand(1);
     program.set_version_flag("--version", TEGUMENT_VERSION);
-    program.footer(kFooter);
+    program.footer(kStart);
 
     tegument::app::Action action;
     tegument::app::addRender(program, action);
@@ -42,9 +42,8 @@ int run(int argc, char** argv) {
     tegument::app::addSheet(program, action);
     tegument::app::addCompare(program, action);
     tegument::app::addView(program, action);
-    tegument::app::addVerify(program, action);
-    tegument::app::addInvariance(program, action);
-    tegument::app::addBench(program, action);
+    tegument::app::addLab(program, action);
+    program.footer(program.get_footer() + kExitCodes);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -142,6 +142,11 @@ void addStoring(CLI::App& command, prep::PrepOptions& options) {
     command.add_option("--levels", options.levels, "Levels of detail in a glb, the full mesh counted; each has a quarter of the triangles")
         ->check(CLI::Range(1, 16))
         ->capture_default_str();
+    command
+        .add_option("--levels-by", options.levelMethod,
+                    "meshoptimizer (default): fast; openmesh: slow; what is a 2-manifold without seams stays one (docs/meshprep.md)")
+        ->transform(
+            names<prep::LevelMethod>({{"meshoptimizer", prep::LevelMethod::Meshoptimizer}, {"openmesh", prep::LevelMethod::OpenMesh}}));
     command.add_option("--vertex", options.precision, "Numbers of a vertex: float (default), half, unorm16; the report states the error")
         ->transform(names<VertexPrecision>(
             {{"float", VertexPrecision::Float}, {"half", VertexPrecision::Half}, {"unorm16", VertexPrecision::Unorm16}}));

@@ -7,5 +7,6 @@ namespace tegument::app {
 
 void addPrepMesh(CLI::App& prep, Action& action);
 void addPrepShape(CLI::App& prep, Action& action);
+void addPrepHuman(CLI::App& prep, Action& action); // nothing where the build leaves it out: TEGUMENT_HUMAN
 
 } // namespace tegument::app

@@ -1,8 +1,8 @@
 // tegument sheet: pictures side by side in one, with labels of columns and rows.
 
 #include "host/app/commands.h"
-#include "host/app/letters.h"
 #include "host/app/output.h"
+#include "host/app/typeface.h"
 #include "host/image/image.h"
 #include "host/support/text.h"
 
@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace tegument::app {
 
@@ -26,10 +27,14 @@ struct SheetArguments {
     int gap = 8;
     std::vector<std::string> columnLabels;
     std::vector<std::string> rowLabels;
+    std::string font = kUsualTypeface;
+
+    [[nodiscard]] bool labelled() const { return !columnLabels.empty() || !rowLabels.empty(); }
 };
 
 constexpr float kPaper = 1.0F; // white, as the page that shows the sheet
-constexpr int kDot = 2;        // pixels of a letter's dot
+constexpr int kTextSize = 18;  // pixels of the em: readable where a page shows a sheet at half its size
+constexpr int kMargin = 4;     // pixels between text and picture
 
 Result<std::vector<Image>> loadAll(const std::vector<std::string>& paths) {
     std::vector<Image> images;
@@ -60,26 +65,29 @@ struct Grid {
     int gap = 0;
     int left = 0; // of the first picture: row labels stand before it
     int top = 0;  // column labels above it
+    int line = 0; // height of text
 
     [[nodiscard]] int x(int column) const { return left + column * (width + gap); }
     [[nodiscard]] int y(int row) const { return top + row * (height + gap); }
 };
 
-Grid layOut(const SheetArguments& arguments, const std::vector<Image>& images) {
+Grid layOut(const SheetArguments& arguments, const std::vector<Image>& images, const std::optional<Typeface>& typeface) {
     const int count = static_cast<int>(images.size());
     Grid grid{.columns = std::min(arguments.columns, count),
               .width = images.front().width,
               .height = images.front().height,
               .gap = arguments.gap};
     grid.rows = (count + grid.columns - 1) / grid.columns;
-    if (!arguments.columnLabels.empty()) grid.top = (kLetterHeight + 2) * kDot;
+    if (!typeface) return grid;
+    grid.line = typeface->height();
+    if (!arguments.columnLabels.empty()) grid.top = grid.line + kMargin;
     for (const std::string& label : arguments.rowLabels)
-        grid.left = std::max(grid.left, textWidth(label, kDot) + 4 * kDot);
+        grid.left = std::max(grid.left, typeface->width(label) + 2 * kMargin);
     return grid;
 }
 
 /// Every column and row has its label, and it fits.
-Result<void> checkLabels(const SheetArguments& arguments, const Grid& grid) {
+Result<void> checkLabels(const SheetArguments& arguments, const Grid& grid, const std::optional<Typeface>& typeface) {
     const auto check = [](const std::vector<std::string>& labels, int count, const char* what) -> Result<void> {
         if (labels.empty() || static_cast<int>(labels.size()) == count) return {};
         return usageError(8031, fmt::format("{} labels for {} {}", labels.size(), count, what), "give one for each, separated by commas");
@@ -87,9 +95,9 @@ Result<void> checkLabels(const SheetArguments& arguments, const Grid& grid) {
     if (const auto columns = check(arguments.columnLabels, grid.columns, "columns"); !columns) return columns.error();
     if (const auto rows = check(arguments.rowLabels, grid.rows, "rows"); !rows) return rows.error();
     for (const std::string& label : arguments.columnLabels)
-        if (textWidth(label, kDot) > grid.width)
-            return usageError(8031, fmt::format("'{}' is wider than a picture of {} pixels", label, grid.width),
-                              fmt::format("at most {} characters", (grid.width / kDot + 1) / kLetterWidth));
+        if (const int width = typeface->width(label); width > grid.width)
+            return usageError(8031, fmt::format("'{}' takes {} pixels, a picture {}", label, width, grid.width),
+                              "shorten it, or render larger pictures");
     return {};
 }
 
@@ -122,15 +130,15 @@ Image arrange(const std::vector<Image>& images, const Grid& grid) {
 }
 
 /// Centred over their columns, right-aligned before their rows.
-void drawLabels(const SheetArguments& arguments, const Grid& grid, Image& sheet) {
+void drawLabels(const SheetArguments& arguments, const Grid& grid, const Typeface& typeface, Image& sheet) {
     for (int column = 0; column < static_cast<int>(arguments.columnLabels.size()); ++column) {
         const std::string& label = arguments.columnLabels[static_cast<std::size_t>(column)];
-        drawText(sheet, grid.x(column) + (grid.width - textWidth(label, kDot)) / 2, kDot, label, kDot);
+        typeface.draw(sheet, grid.x(column) + (grid.width - typeface.width(label)) / 2, 0, label);
     }
     for (int row = 0; row < static_cast<int>(arguments.rowLabels.size()); ++row) {
         const std::string& label = arguments.rowLabels[static_cast<std::size_t>(row)];
-        const int y = grid.y(row) + (grid.height - kLetterHeight * kDot) / 2;
-        drawText(sheet, grid.left - 3 * kDot - textWidth(label, kDot), y, label, kDot);
+        const int y = grid.y(row) + (grid.height - grid.line) / 2;
+        typeface.draw(sheet, grid.left - kMargin - typeface.width(label), y, label);
     }
 }
 
@@ -144,10 +152,16 @@ Result<void> write(const std::filesystem::path& path, const Image& sheet) {
 Result<void> makeSheet(const SheetArguments& arguments) {
     const auto images = loadAll(arguments.pictures);
     if (!images) return images.error();
-    const Grid grid = layOut(arguments, *images);
-    if (const auto checked = checkLabels(arguments, grid); !checked) return checked.error();
+    std::optional<Typeface> typeface; // only labels need one
+    if (arguments.labelled()) {
+        auto opened = Typeface::open(arguments.font, kTextSize);
+        if (!opened) return opened.error();
+        typeface = std::move(*opened);
+    }
+    const Grid grid = layOut(arguments, *images, typeface);
+    if (const auto checked = checkLabels(arguments, grid, typeface); !checked) return checked.error();
     Image sheet = arrange(*images, grid);
-    drawLabels(arguments, grid, sheet);
+    if (typeface) drawLabels(arguments, grid, *typeface, sheet);
     return write(arguments.output, sheet);
 }
 
@@ -169,6 +183,7 @@ void addSheet(CLI::App& program, Action& action) {
     command->add_option("--gap", arguments->gap, "White pixels between pictures")->check(CLI::Range(0, 1024))->capture_default_str();
     command->add_option("--column-labels", arguments->columnLabels, "Text above each column, separated by commas")->delimiter(',');
     command->add_option("--row-labels", arguments->rowLabels, "Text before each row, separated by commas")->delimiter(',');
+    command->add_option("--font", arguments->font, "TrueType file of the labels")->capture_default_str();
     command->callback([arguments, &action] { action = [arguments] { return sheet(*arguments); }; });
 }
 

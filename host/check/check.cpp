@@ -1,7 +1,7 @@
 #include "host/check/check.h"
 
 #include "host/check/work.h"
-#include "host/compile/messages.h"
+#include "host/spirv/messages.h"
 #include "host/support/file.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #pragma once
 // Does an effect compile everywhere? Every target's own compiler is asked; what could not be asked is `not checked`, never passed.
 
-#include "host/compile/compile.h"
-#include "host/compile/microsoft.h"
+#include "host/direct3d/microsoft.h"
 #include "host/effect/model.h"
+#include "host/spirv/compile.h"
 #include "host/support/result.h"
 
 #include <array>

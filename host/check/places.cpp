@@ -2,7 +2,7 @@
 
 #include "host/check/work.h"
 
-#include "host/compile/effect_binary.h"
+#include "host/direct3d/effect_binary.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>

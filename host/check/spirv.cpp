@@ -1,6 +1,6 @@
 #include "host/check/work.h"
-#include "host/compile/compile.h"
-#include "host/compile/module.h"
+#include "host/spirv/compile.h"
+#include "host/spirv/reflect.h"
 
 #include <fmt/format.h>
 

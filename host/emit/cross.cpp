@@ -1,13 +1,10 @@
 #include "host/emit/cross.h"
 
-#include "host/emit/widen.h"
-
 #include <fmt/format.h>
 #include <spirv_cross/spirv_glsl.hpp>
 #include <spirv_cross/spirv_msl.hpp>
 
 #include <algorithm>
-#include <set>
 
 namespace tegument {
 
@@ -15,6 +12,40 @@ namespace {
 
 constexpr int kGlslVersion = 330;
 constexpr int kGlslEsVersion = 300;
+
+/// The pixel inputs that are narrower than what the vertex shader writes, by id. GLSL and MSL want both declared alike; SPIR-V and Direct3D
+/// let a pixel shader read fewer components.
+std::map<std::uint32_t, StageVariable> narrowInputs(const spirv_cross::Compiler& compiler, const Varyings& written) {
+    std::map<std::uint32_t, StageVariable> narrow;
+    if (compiler.get_execution_model() != spv::ExecutionModelFragment) return narrow;
+    for (const auto& input : compiler.get_shader_resources().stage_inputs) {
+        const auto found = written.find(compiler.get_decoration(input.id, spv::DecorationLocation));
+        const spirv_cross::SPIRType& type = compiler.get_type(input.type_id);
+        if (found != written.end() && type.array.empty() && type.columns == 1 && type.vecsize < found->second.components)
+            narrow.emplace(input.id, found->second);
+    }
+    return narrow;
+}
+
+/// SPIRV-Cross can widen inputs in MSL, not in GLSL: there declarations and loads are changed where it writes them.
+class GlslWithWholeInputs : public spirv_cross::CompilerGLSL {
+public:
+    GlslWithWholeInputs(const Shader& shader, const Varyings& written)
+        : CompilerGLSL(shader.spirv), narrow_(narrowInputs(*this, written)) {}
+
+private:
+    std::string variable_decl(const spirv_cross::SPIRType& type, const std::string& name, std::uint32_t id) override {
+        spirv_cross::SPIRType whole = type;
+        if (const auto found = narrow_.find(id); found != narrow_.end()) whole.vecsize = found->second.components;
+        return CompilerGLSL::variable_decl(whole, name, id);
+    }
+    void cast_from_variable_load(std::uint32_t source, std::string& expression, const spirv_cross::SPIRType& type) override {
+        CompilerGLSL::cast_from_variable_load(source, expression, type);
+        if (narrow_.contains(source)) expression += std::string_view(".xyzw").substr(0, 1 + type.vecsize);
+    }
+
+    std::map<std::uint32_t, StageVariable> narrow_;
+};
 
 /// HLSL's name of a texture or sampler as GLSL can have it.
 std::string withoutSigns(std::string name) {
@@ -84,13 +115,8 @@ std::vector<CombinedSampler> nameSamplers(spirv_cross::Compiler& compiler) {
     return combined;
 }
 
-/// Both languages want a pixel shader to declare the types that the vertex shader writes.
-std::vector<std::uint32_t> wordsFor(const Shader& shader, const Varyings& written) {
-    return shader.stage == Stage::Pixel ? withWholeInputs(shader.spirv, written) : shader.spirv;
-}
-
 CrossShader toGlsl(const Shader& shader, bool es, const Varyings& written) {
-    spirv_cross::CompilerGLSL compiler(wordsFor(shader, written));
+    GlslWithWholeInputs compiler(shader, written);
     auto options = compiler.get_common_options();
     options.version = es ? kGlslEsVersion : kGlslVersion;
     options.es = es;
@@ -122,7 +148,9 @@ std::map<std::string, std::uint32_t> metalSlots(const spirv_cross::CompilerMSL& 
 }
 
 CrossShader toMsl(const Shader& shader, const Varyings& written) {
-    spirv_cross::CompilerMSL compiler(wordsFor(shader, written));
+    spirv_cross::CompilerMSL compiler(shader.spirv);
+    for (const auto& [id, whole] : narrowInputs(compiler, written))
+        compiler.add_msl_shader_input({.location = whole.location, .vecsize = whole.components});
     auto options = compiler.get_msl_options();
     options.set_msl_version(2, 0);
     options.pad_fragment_output_components = true;

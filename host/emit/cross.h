@@ -1,7 +1,7 @@
 #pragma once
 // SPIR-V to other engines' languages, by SPIRV-Cross.
 
-#include "host/compile/compile.h"
+#include "host/spirv/compile.h"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 #include "host/emit/emit.h"
 
-#include "host/compile/glsl.h"
 #include "host/emit/products.h"
+#include "host/spirv/glsl.h"
 #include "host/support/file.h"
 
 #include <fmt/format.h>

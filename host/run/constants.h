@@ -1,9 +1,9 @@
 #pragma once
 // Lays parameter values out in a uniform block as the SPIR-V's reflection says.
 
-#include "host/compile/compile.h"
 #include "host/effect/model.h"
 #include "host/run/values.h"
+#include "host/spirv/compile.h"
 
 #include <cstddef>
 #include <span>

@@ -2,10 +2,10 @@
 // The vertex stream (docs/conventions.md): POSITION float3, NORMAL float3, TANGENT float4, TEXCOORD0 float2, interleaved. The full-screen
 // quad has the same stream, so a pipeline serves both kinds of drawing.
 
-#include "host/compile/compile.h"
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
+#include "host/spirv/compile.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,10 +1,10 @@
 #pragma once
 // A pass compiled and linked, and what it uses.
 
-#include "host/compile/compile.h"
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
 #include "host/run/plan.h"
+#include "host/spirv/compile.h"
 
 #include <optional>
 #include <set>

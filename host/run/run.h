@@ -1,12 +1,12 @@
 #pragma once
 // Runs an effect on a scene: creates its targets, uploads its parameters, executes its scripts, reads targets back by name.
 
-#include "host/compile/compile.h"
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/scene/workspace.h"
+#include "host/spirv/compile.h"
 #include "host/support/result.h"
 
 #include <filesystem>

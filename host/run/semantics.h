@@ -2,8 +2,8 @@
 // Values that the host binds to parameters by semantic (docs/conventions.md, "What the host binds").
 
 #include "host/effect/model.h"
+#include "host/mesh/mesh.h"
 #include "host/run/target_desc.h"
-#include "host/scene/mesh.h"
 #include "host/scene/view.h"
 #include "host/scene/workspace.h"
 

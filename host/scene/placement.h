@@ -1,7 +1,7 @@
 #pragma once
 // Where an object of a scene stands: scaled, turned, moved.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 #include <glm/glm.hpp>
 

@@ -6,7 +6,7 @@
 //  * GLM's `m * glm::vec4(v)` computes mul(v, M), and GLM's `b * a` is the matrix "first a, then b": mul(mul(v, A), B).
 //  * an HLSL constant with the default packing (column_major) takes the transpose of this memory: glm::transpose(m).
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/scene/workspace.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // The workspace of seed-style tools: global values that effects take by semantic or name. JSON, schema in docs/workspace.md.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/scene/placement.h"
 #include "host/support/result.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Textured triangles on an 8-bit target: the picture as the window shows it, and the text on top.
 
-#include "host/compile/compile.h"
 #include "host/gpu/gpu.h"
+#include "host/spirv/compile.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "meshprep/fur/strands.h"
 
+#include "meshprep/base/noise.h"
 #include "meshprep/fur/root_grid.h"
-#include "meshprep/noise.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "meshprep/prepare/chunks.h"
 
-#include "host/scene/triangles.h"
+#include "host/mesh/triangles.h"
 #include "meshprep/prepare/figures.h"
 
 namespace tegument::prep {

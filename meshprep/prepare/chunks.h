@@ -1,7 +1,7 @@
 #pragma once
 // A large mesh as pieces whose indices have 16 bits.
 
-#include "host/scene/glb.h"
+#include "host/mesh/glb.h"
 
 #include <span>
 

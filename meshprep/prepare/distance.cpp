@@ -1,80 +1,45 @@
-// Nearest points by Embree's point queries over its tree of boxes. Embree works in single precision, so the surfaces are brought to unit
+// Nearest points by a tree of boxes. It works in single precision, so the surfaces are brought to unit
 // size around the origin first.
 
 #include "meshprep/prepare/distance.h"
 
+#include "host/support/rays/surface_tree.h"
 #include "meshprep/prepare/nearest.h"
-
-#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace tegument::prep {
 
 namespace {
 
-struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-
-/// A point's way to the nearest triangle: Embree shows the triangles near it, nearest boxes first.
-struct Search {
-    const std::vector<glm::dvec3>* positions = nullptr;
-    std::span<const std::uint32_t> triangles;
-    glm::dvec3 point{0};
-    double squared = std::numeric_limits<double>::infinity();
-};
-
-bool visit(RTCPointQueryFunctionArguments* arguments) {
-    auto& search = *static_cast<Search*>(arguments->userPtr);
-    const std::uint32_t* t = &search.triangles[3 * std::size_t{arguments->primID}];
-    const auto& p = *search.positions;
-    const glm::dvec3 offset = nearestOnTriangle(search.point, p[t[0]], p[t[1]], p[t[2]]) - search.point;
-    const double squared = glm::dot(offset, offset);
-    if (squared >= search.squared) return false;
-    search.squared = squared;
-    arguments->query->radius = std::nextafter(static_cast<float>(std::sqrt(squared)), 1e30f);
-    return true;
-}
-
 class Surface {
 public:
     Surface(const std::vector<glm::dvec3>& positions, std::span<const std::uint32_t> triangles)
-        : positions_(positions), triangles_(triangles), device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_.get())) {
-        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
-        for (const glm::dvec3& p : positions)
-            for (glm::length_t i = 0; i < 3; ++i)
-                *vertices++ = static_cast<float>(p[i]);
-        auto* indices = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size() / 3));
-        std::ranges::copy(triangles, indices);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_.get(), geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_.get());
-    }
+        : positions_(positions), triangles_(triangles), tree_(std::vector<glm::vec3>(positions.begin(), positions.end()), triangles, {}) {}
 
     [[nodiscard]] double squaredDistance(const glm::dvec3& point) const {
-        Search search{.positions = &positions_, .triangles = triangles_, .point = point};
-        RTCPointQuery query{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z), 0,
-                            std::numeric_limits<float>::infinity()};
-        RTCPointQueryContext context;
-        rtcInitPointQueryContext(&context);
-        rtcPointQuery(scene_.get(), &query, &context, visit, &search);
-        return search.squared;
+        constexpr float kAll = std::numeric_limits<float>::infinity();
+        double least = kAll;
+        float radius = kAll;
+        tree_.visitNear(glm::vec3(point), kAll, [&](std::uint32_t triangle) {
+            const std::uint32_t* t = &triangles_[3 * std::size_t{triangle}];
+            const glm::dvec3 offset = nearestOnTriangle(point, positions_[t[0]], positions_[t[1]], positions_[t[2]]) - point;
+            const double squared = glm::dot(offset, offset);
+            if (squared < least) { // not a number where two corners are equal: such a triangle is a side of others
+                least = squared;
+                radius = std::nextafter(static_cast<float>(std::sqrt(squared)), 1e30f);
+            }
+            return radius;
+        });
+        return least;
     }
 
 private:
     const std::vector<glm::dvec3>& positions_;
     std::span<const std::uint32_t> triangles_;
-    std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
-    std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> scene_;
+    SurfaceTree tree_;
 };
 
 } // namespace

@@ -1,19 +1,29 @@
 #pragma once
 // Coarser levels over the same vertices.
 
-#include "host/scene/glb.h"
+#include "host/mesh/glb.h"
 #include "meshprep/prepare/distance.h"
 
 namespace tegument::prep {
+
+enum class LevelMethod {
+    Meshoptimizer, // fast, any connectivity; may join and tear what lies close together
+    OpenMesh       // slow; parts that are 2-manifolds without seams stay so. Other parts are left to meshoptimizer
+};
 
 struct Level {
     MeshLevel mesh;
     SurfaceDistance error; // of the full surface's corners and centroids from this level, mm
 };
 
+struct Levels {
+    std::vector<Level> levels;
+    std::size_t leftOver = 0; // parts of the full mesh that LevelMethod::OpenMesh left to meshoptimizer
+};
+
 /// At most `count` - 1 levels, each of a quarter of the triangles of the one before; the series ends early where that is not possible, or
 /// where fewer than kLeastTriangles would be left. Borders between parts stay where they are, so that no gap opens.
 inline constexpr std::size_t kLeastTriangles = 32;
-[[nodiscard]] std::vector<Level> makeLevels(const Mesh& mesh, int count);
+[[nodiscard]] Levels makeLevels(const Mesh& mesh, int count, LevelMethod method = LevelMethod::Meshoptimizer);
 
 } // namespace tegument::prep

@@ -1,6 +1,6 @@
 #include "meshprep/prepare/mapping.h"
 
-#include "host/scene/normals.h"
+#include "host/mesh/normals.h"
 #include "meshprep/prepare/edges.h"
 #include "meshprep/prepare/patches.h"
 

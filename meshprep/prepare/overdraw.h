@@ -1,7 +1,7 @@
 #pragma once
 // Triangles in the order in which those that hide others tend to come first.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 namespace tegument::prep {
 

@@ -1,6 +1,6 @@
 #include "meshprep/prepare/points.h"
 
-#include "host/scene/welding.h"
+#include "host/mesh/welding.h"
 
 #include <cmath>
 

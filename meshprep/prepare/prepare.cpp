@@ -174,9 +174,10 @@ private:
 
     std::optional<Error> addLevels() {
         begin("levels");
-        std::vector<Level> levels = makeLevels(surface_.mesh, options_.levels);
-        std::string text = fmt::format("{} coarser", levels.size());
-        for (Level& level : levels) {
+        Levels made = makeLevels(surface_.mesh, options_.levels, options_.levelMethod);
+        std::string text = fmt::format("{} coarser", made.levels.size());
+        if (made.leftOver > 0) text += fmt::format("; {} parts with seams or of no manifold went to meshoptimizer", made.leftOver);
+        for (Level& level : made.levels) {
             if (options_.order)
                 if (auto error = reorderParts(level.mesh.indices, level.mesh.parts)) return error;
             const std::size_t triangles = level.mesh.indices.size() / 3;
@@ -184,7 +185,7 @@ private:
             text += fmt::format("; {} triangles, at most {:.4g} mm off, {:.4g} rms", triangles, level.error.greatest, level.error.rms);
             glb_.levels.push_back(std::move(level.mesh));
         }
-        end("levels", levels.size(), std::move(text));
+        end("levels", made.levels.size(), std::move(text));
         return std::nullopt;
     }
 

@@ -1,8 +1,8 @@
 #pragma once
 // The whole way of `tegument prep`: a mesh file read, cleaned, centred, given normals, indexed and put in order. docs/meshprep.md.
 
-#include "host/scene/glb.h"
-#include "host/scene/read_mesh.h"
+#include "host/mesh/glb.h"
+#include "host/mesh/read_mesh.h"
 #include "meshprep/order/order.h"
 #include "meshprep/prepare/centre.h"
 #include "meshprep/prepare/chunks.h"
@@ -31,6 +31,7 @@ struct PrepOptions {
     order::CacheModel cache = order::kWarp;
     bool overdraw = false;
     int levels = 4; // the full mesh counts as one
+    LevelMethod levelMethod = LevelMethod::Meshoptimizer;
     VertexPrecision precision = VertexPrecision::Float;
     bool chunk16 = false;
     bool mappingReport = false;

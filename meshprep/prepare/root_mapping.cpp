@@ -1,11 +1,11 @@
 #include "meshprep/prepare/root_mapping.h"
 
-#include "host/scene/normals.h"
+#include "host/mesh/normals.h"
 #include "host/support/parallel.h"
+#include "meshprep/base/noise.h"
 #include "meshprep/fur/roots/point_grid.h"
 #include "meshprep/fur/roots/roots.h"
 #include "meshprep/fur/roots/scatter.h"
-#include "meshprep/noise.h"
 #include "meshprep/prepare/edges.h"
 #include "meshprep/prepare/nearest.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Meshes with known counts, to try preparation on: the source document's two small ones, and two large ones with the roughness of scans.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 #include <string_view>
 

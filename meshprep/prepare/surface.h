@@ -1,7 +1,7 @@
 #pragma once
 // A mesh under preparation.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 namespace tegument::prep {
 

@@ -1,6 +1,6 @@
 #include "meshprep/prepare/topology.h"
 
-#include "host/scene/normals.h"
+#include "host/mesh/normals.h"
 #include "meshprep/prepare/clean.h"
 
 #include <numeric>

@@ -1,7 +1,7 @@
 #pragma once
 // For algorithms that work in single precision: their squares and reciprocals neither vanish nor overflow at unit size.
 
-#include "host/scene/extent.h"
+#include "host/mesh/extent.h"
 
 namespace tegument::prep {
 

@@ -1,6 +1,6 @@
 #include "meshprep/prepare/vertex_format.h"
 
-#include "host/scene/glb.h"
+#include "host/mesh/glb.h"
 
 #include <glm/gtc/packing.hpp>
 

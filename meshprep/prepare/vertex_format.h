@@ -1,7 +1,7 @@
 #pragma once
 // Vertices of fewer bytes, with what that costs.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 namespace tegument::prep {
 

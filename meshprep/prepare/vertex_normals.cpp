@@ -1,8 +1,8 @@
 #include "meshprep/prepare/vertex_normals.h"
 
-#include "host/scene/normals.h"
-#include "host/scene/triangles.h"
-#include "host/scene/welding.h"
+#include "host/mesh/normals.h"
+#include "host/mesh/triangles.h"
+#include "host/mesh/welding.h"
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/topology.h"
 

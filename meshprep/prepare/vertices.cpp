@@ -1,7 +1,7 @@
 #include "meshprep/prepare/vertices.h"
 
-#include "host/scene/triangles.h"
-#include "host/scene/welding.h"
+#include "host/mesh/triangles.h"
+#include "host/mesh/welding.h"
 
 #include <array>
 

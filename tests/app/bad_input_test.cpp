@@ -113,7 +113,7 @@ TEST(BadEffect, wrong_number_of_values_says_how_many_are_wanted) {
 }
 
 TEST(BadScene, missing_texture_names_the_file) {
-    expectMessage(renderBall({"--set", "gSkinMap=no_such.png"}), kInput, {"no_such.png"});
+    expectMessage(renderBall({"--set", "gSkinMap=no_such.png"}), kInput, {"no_such.png", "TG4031"});
 }
 
 TEST(BadScene, truncated_texture_names_the_byte) {
@@ -182,6 +182,36 @@ TEST(BadUsage, sizes_of_zero_or_nonsense_are_refused) {
 
 TEST(BadUsage, picture_of_unknown_kind_is_refused_before_work) {
     expectMessage(renderBall({"-o", (scratch() / "x.bmp").string()}), kUsage, {"x.bmp", ".png"});
+}
+
+struct Refused {
+    int code;
+    int exit;
+    std::vector<std::string> arguments;
+};
+
+TEST(BadUsage, every_mistake_has_its_code) {
+    const std::string effect = write("codes.fx", kEffect);
+    const std::string twin = write("other/codes.fx", kEffect);
+    const std::string out = (scratch() / "codes.png").string();
+    const std::vector<Refused> all = {
+        {8010, kUsage, {"render", effect, "-o", out, "--size", "16"}},
+        {8011, kUsage, {"render", effect, "-o", out, "--set", "gTint"}},
+        {8012, kInput, {"render", effect, "-o", out, "--set", "gHue=1"}},
+        {8013, kUsage, {"render", effect, "-o", out, "--set", "gTint=red"}},
+        {8014, kUsage, {"render", "effects/OriginalTexture.fx", "-o", out, "-w", write("empty.json", "{}")}},
+        {8015, kMachine, {"render", effect, "-o", out, "--compiler", "dxc"}},
+        {8016, kUsage, {"render", effect, "-o", (scratch() / "codes.gif").string()}},
+        {8020, kUsage, {"check", effect, "--target", "fx_9_0"}},
+        {8021, kUsage, {"check", effect, "--emit", (scratch() / "codes").string(), "--emit-kind", "basic"}},
+        {8022, kUsage, {"check", effect, twin, "--target", "spirv-glslang", "--emit", (scratch() / "codes").string()}},
+        {8050, kUsage, {"fur", "texture", "-o", (scratch() / "codes").string(), "--seeds", "16..1"}},
+    };
+    for (const Refused& refused : all) {
+        const Ran ran = tegument::test::tegument(refused.arguments, {{"TEGUMENT_DXC", "/nonexistent.so"}});
+        expectMessage(ran, refused.exit, {fmt::format("TG{}", refused.code)});
+    }
+    EXPECT_FALSE(fs::exists(out));
 }
 
 TEST(BadUsage, unknown_option_and_missing_subcommand_exit_with_two) {

@@ -128,26 +128,72 @@ std::string grey(const std::string& name, float value, int side = 100) {
     return path;
 }
 
-TEST(Sheet, labels_stand_above_columns_and_before_rows) {
+constexpr std::string_view kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; // the program's default
+
+/// Sum of 1 - value over a rectangle: how many pixels of black lie there.
+double ink(const Image& image, int left, int top, int right, int bottom) {
+    double sum = 0;
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x)
+            sum += 1 - image.at(x, y, 0);
+    return sum;
+}
+
+/// A sheet of two grey pictures of 100 x 100 side by side, 4 pixels apart, with one label of the row.
+Image labelled(const std::string& columns, const std::string& row) {
     const std::string out = (scratch() / "labelled.png").string();
-    const Ran ran = tegument({"sheet", grey("a", 0.5F), grey("b", 0.5F), "--columns", "2", "--gap", "4", "--column-labels", "I,II",
-                              "--row-labels", "-", "-o", out});
-    ASSERT_EQ(ran.code, 0) << ran.err;
-    const auto sheet = loadImage(out);
-    ASSERT_TRUE(sheet);
-    const int top = 22;      // 9 + 2 dots of 2 pixels
-    const int left = 10 + 8; // 5 dots, and 4 free
-    EXPECT_EQ(sheet->height, top + 100);
-    EXPECT_EQ(sheet->width, left + 100 + 4 + 100);
-    int black = 0;
-    for (int y = 0; y < top; ++y)
-        for (int x = left; x < left + 100; ++x)
-            black += sheet->at(x, y, 0) == 0 ? 1 : 0;
-    EXPECT_EQ(black, 4 * 11) << "the letter I has 11 dots of 2 x 2 pixels";
-    EXPECT_EQ(sheet->metadata.at("attribution"), "a; b");
+    const Ran ran = tegument({"sheet", grey("a", 0.5F), grey("b", 0.5F), "--columns", "2", "--gap", "4", "--column-labels", columns,
+                              "--row-labels", row, "-o", out});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    auto sheet = loadImage(out);
+    EXPECT_TRUE(sheet);
+    return sheet ? *sheet : Image{};
+}
+
+TEST(Sheet, labels_stand_above_columns_and_before_rows) {
+    if (!fs::exists(kFont)) GTEST_SKIP() << "fonts-dejavu-core is not installed";
+    const Image sheet = labelled("I,HH", "-");
+    const int top = sheet.height - 100;
+    const int left = sheet.width - 204;
+    EXPECT_GE(top, 18) << "the line holds text of 18 pixels";
+    EXPECT_GT(left, 8) << "the row's label and its margins";
+    // DejaVu Sans (2048 to the em) draws I as one stem of 201 x 1493, and H as two with a bar of 170 x 1098 between them less the stems'
+    // parts: in pixels of an em of 18, 23.2 and 2 x 23.2 + 14.4. Anti-aliasing keeps the area but for hinting, which moves edges by up to
+    // half a pixel: a fifth.
+    const double stem = 201.0 * 1493 * 18 * 18 / 2048 / 2048;
+    const double bar = 170.0 * 938 * 18 * 18 / 2048 / 2048;
+    EXPECT_NEAR(ink(sheet, left, 0, left + 100, top), stem, stem / 5);
+    EXPECT_NEAR(ink(sheet, left + 104, 0, left + 204, top), 2 * (2 * stem + bar), (2 * stem + bar) * 2 / 5);
+    EXPECT_GT(ink(sheet, 0, top, left, sheet.height), 4) << "the minus sign before the row";
+    EXPECT_EQ(ink(sheet, 0, 0, left, top), 0) << "nothing in the corner";
+    EXPECT_NEAR(ink(sheet, left + 30, 0, left + 70, top), stem, stem / 5) << "centred";
+    EXPECT_EQ(sheet.metadata.at("attribution"), "a; b");
+}
+
+TEST(Sheet, labels_are_utf_8) {
+    if (!fs::exists(kFont)) GTEST_SKIP() << "fonts-dejavu-core is not installed";
+    const Image degree = labelled("10\xc2\xb0,\xff", "-"); // a degree sign is one glyph; bytes that are no UTF-8 become a question mark
+    const Image letters = labelled("10oo,?", "-");
+    const int left = degree.width - 204;
+    const int top = degree.height - 100;
+    EXPECT_LT(ink(degree, left, 0, left + 100, top), ink(letters, left, 0, left + 100, top));
+    EXPECT_EQ(ink(degree, left + 104, 0, left + 204, top), ink(letters, left + 104, 0, left + 204, top));
+}
+
+TEST(Sheet, without_a_typeface_labels_are_one_clear_error_and_pictures_are_laid_out_all_the_same) {
+    const std::string out = (scratch() / "unlabelled.png").string();
+    std::vector<std::string> arguments = {"sheet", grey("f", 0.5F), "--font", write("no.ttf", "no typeface"), "-o", out};
+    EXPECT_EQ(tegument(arguments).code, 0);
+    EXPECT_TRUE(fs::exists(out));
+    arguments.insert(arguments.end(), {"--column-labels", "I"});
+    const Ran ran = tegument(arguments);
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_NE(ran.err.find("TG8033"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("fonts-dejavu-core"), std::string::npos) << ran.err;
 }
 
 TEST(Sheet, wrong_labels_are_refused) {
+    if (!fs::exists(kFont)) GTEST_SKIP() << "fonts-dejavu-core is not installed";
     const std::string picture = grey("c", 0.5F, 16);
     for (const std::vector<std::string>& labels :
          {std::vector<std::string>{"--column-labels", "one,two"}, {"--row-labels", "1,2"}, {"--column-labels", "too wide"}}) {
@@ -158,6 +204,12 @@ TEST(Sheet, wrong_labels_are_refused) {
         EXPECT_NE(ran.err.find("TG8031"), std::string::npos) << ran.err;
     }
     EXPECT_FALSE(fs::exists(scratch() / "refused.png"));
+}
+
+TEST(Sheet, pictures_of_different_sizes_are_refused) {
+    const Ran ran = tegument({"sheet", grey("g", 0.5F), grey("h", 0.5F, 90), "-o", (scratch() / "sizes.png").string()});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_NE(ran.err.find("TG8030"), std::string::npos) << ran.err;
 }
 
 TEST(Sheet, another_ending_is_refused) {

@@ -1,6 +1,6 @@
 #include "tests/check/broken.h"
 
-#include "host/compile/compile.h"
+#include "host/spirv/compile.h"
 
 namespace tegument::test {
 namespace {

@@ -1,9 +1,9 @@
 #include "host/check/check.h"
 
-#include "host/compile/compile.h"
+#include "host/spirv/compile.h"
 #include "host/support/file.h"
 #include "tests/check/effect_files.h"
-#include "tests/compile/missing.h"
+#include "tests/spirv/missing.h"
 
 #include <gtest/gtest.h>
 

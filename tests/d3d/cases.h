@@ -3,7 +3,7 @@
 
 #include "host/effect/model.h"
 #include "host/image/image.h"
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/scene/workspace.h"
 
 #include <array>

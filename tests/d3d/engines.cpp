@@ -1,8 +1,8 @@
 #include "tests/d3d/engines.h"
 
-#include "host/compile/microsoft.h"
-#include "host/compile/microsoft_messages.h"
-#include "host/compile/wine.h"
+#include "host/direct3d/microsoft.h"
+#include "host/direct3d/microsoft_messages.h"
+#include "host/direct3d/wine.h"
 #include "host/support/file.h"
 #include "tests/d3d/job_file.h"
 

@@ -1,8 +1,8 @@
 // The samples of docs/samples, run as a reader would run them.
 
-#include "host/compile/microsoft.h"
-#include "host/compile/microsoft_messages.h"
-#include "host/compile/wine.h"
+#include "host/direct3d/microsoft.h"
+#include "host/direct3d/microsoft_messages.h"
+#include "host/direct3d/wine.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
 #include "host/support/file.h"

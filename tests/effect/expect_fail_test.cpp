@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 
 namespace tegument::test {
@@ -72,20 +71,6 @@ TEST(Diagnostics, every_documented_code_has_an_effect_that_shows_it) {
         EXPECT_TRUE(shown.contains(line.substr(2, 6))) << line;
     }
     EXPECT_EQ(documented, static_cast<int>(shown.size()));
-}
-
-TEST(Diagnostics, every_code_in_the_sources_is_documented) {
-    std::ifstream page("docs/diagnostics/effect.md");
-    const std::string documented{std::istreambuf_iterator<char>(page), {}};
-    const std::regex call(R"((?:fail|warn|failure|inputError)\(([0-9]{4})|\.code = ([0-9]{4}))");
-    for (const fs::directory_entry& entry : fs::directory_iterator("host/effect")) {
-        std::ifstream stream(entry.path());
-        const std::string text{std::istreambuf_iterator<char>(stream), {}};
-        for (std::sregex_iterator match(text.begin(), text.end(), call), end; match != end; ++match) {
-            const std::string code = (*match)[1].matched ? (*match)[1] : (*match)[2];
-            EXPECT_NE(documented.find("| TG" + code + " |"), std::string::npos) << entry.path() << ": " << code;
-        }
-    }
 }
 
 } // namespace

@@ -1,10 +1,7 @@
 #include "host/emit/emit.h"
 
-#include "host/compile/glsl.h"
-#include "host/compile/module.h"
-#include "host/compile/validate.h"
 #include "host/emit/cross.h"
-#include "host/emit/widen.h"
+#include "host/spirv/glsl.h"
 #include "host/support/file.h"
 #include "tests/check/effect_files.h"
 
@@ -147,6 +144,23 @@ TEST_F(Emit, an_effect_that_fails_is_not_written) {
     EXPECT_FALSE(fs::exists(folder()));
 }
 
+TEST_F(Emit, an_effect_whose_glsl_is_not_valid_is_not_written) {
+    const fs::path source = folder() / "buffer.fx"; // GLSL 330 has no storage buffers
+    const auto prelude = readFile("hlsl/platform.fxh");
+    ASSERT_TRUE(prelude && writeFile(source, *prelude + R"(
+StructuredBuffer<float4> gTable;
+float4 VS(float3 position : POSITION) : SV_Position { return float4(position, 1); }
+float4 PS(float4 position : SV_Position) : SV_Target0 { return gTable[int(position.x)]; }
+#ifdef FX_TECHNIQUES
+technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+#endif
+)"));
+    const auto written = emitEffect(checkEffects({source}, spirvTargets()).files.at(0), {.folder = folder() / "out", .defines = {}});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().diagnostics[0].code, 3303);
+    EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
 TEST_F(Emit, a_folder_that_holds_something_else_is_left_alone) {
     ASSERT_TRUE(writeFile(folder() / "TSM/notes.txt", "mine"));
     const auto written =
@@ -167,26 +181,41 @@ TEST_F(Emit, what_was_written_before_is_replaced_whole) {
 
 /// A pixel shader that reads two of four components.
 Shader narrowPixel() {
-    constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return uv.xyxy; }\n";
+    constexpr std::string_view kCode = "float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return float4(uv, 0, 1); }\n";
     auto shader = compileShader(
         {.code = kCode, .file = "narrow.fx", .entry = "PS", .stage = Stage::Pixel, .defines = {}, .includeFolders = {}}, Compiler::Glslang);
     EXPECT_TRUE(shader);
     return shader ? *shader : Shader{};
 }
 
-TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
+/// What a pixel shader that reads two components declares where the vertex shader writes so many.
+void expectDeclared(CrossLanguage language, std::uint32_t components, const std::string& declaration) {
     const Shader pixel = narrowPixel();
-    const Varyings written{{0, {.semantic = "TEXCOORD0", .location = 0, .components = 4}}};
-    const auto words = withWholeInputs(pixel.spirv, written);
-    EXPECT_EQ(spirv::validate(words), "");
-    const auto text = crossCompile(pixel, CrossLanguage::Glsl, written);
+    const auto text = crossCompile(pixel, language, {{0, {.semantic = "TEXCOORD0", .location = 0, .components = components}}});
     ASSERT_TRUE(text) << format(text.error());
-    EXPECT_NE(text->text.find("in vec4 varying_TEXCOORD0;"), std::string::npos) << text->text;
+    EXPECT_NE(text->text.find(declaration), std::string::npos) << text->text;
+    if (language == CrossLanguage::Msl) return;
+    EXPECT_EQ(checkGlsl(Stage::Pixel, text->text), "") << text->text;
+}
+
+TEST(WholeInputs, make_a_pixel_shader_declare_what_the_vertex_shader_writes) {
+    expectDeclared(CrossLanguage::Glsl, 4, "in vec4 varying_TEXCOORD0;");
+    expectDeclared(CrossLanguage::GlslEs, 4, "in vec4 varying_TEXCOORD0;");
+    expectDeclared(CrossLanguage::Msl, 4, "float4 varying_TEXCOORD0 [[user(locn0)]];");
 }
 
 TEST(WholeInputs, leave_a_shader_alone_that_reads_everything) {
-    const Shader pixel = narrowPixel();
-    EXPECT_EQ(withWholeInputs(pixel.spirv, {{0, {.semantic = "TEXCOORD0", .location = 0, .components = 2}}}), pixel.spirv);
+    expectDeclared(CrossLanguage::Glsl, 2, "in vec2 varying_TEXCOORD0;");
+    expectDeclared(CrossLanguage::Msl, 2, "float2 varying_TEXCOORD0 [[user(locn0)]];");
+}
+
+TEST(Translation, of_words_that_are_no_module_is_an_error) {
+    const Shader broken{.stage = Stage::Pixel, .file = "broken.fx", .entry = "PS", .spirv = {1, 2, 3}};
+    for (const CrossLanguage language : {CrossLanguage::Glsl, CrossLanguage::GlslEs, CrossLanguage::Msl}) {
+        const auto text = crossCompile(broken, language, {});
+        ASSERT_FALSE(text);
+        EXPECT_EQ(text.error().diagnostics[0].code, 3302);
+    }
 }
 
 TEST(Glsl, two_stages_that_do_not_meet_make_no_program) {

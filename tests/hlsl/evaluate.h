@@ -1,8 +1,8 @@
 #pragma once
 // Runs a function of hlsl/ on every argument list in one draw.
 
-#include "host/compile/compile.h"
 #include "host/gpu/gpu.h"
+#include "host/spirv/compile.h"
 #include "tests/hlsl/samples.h"
 
 #include <array>

@@ -1,6 +1,7 @@
-// hlsl/peers on the pixels of a picture: geometry, the separable kernel, Burley's disc. References: docs/peers.md, host/reference/peers.h.
+// hlsl/peers on the pixels of a picture: geometry, the separable kernel, Burley's disc. References: docs/peers.md,
+// host/lab/reference/peers.h.
 
-#include "host/reference/peers.h"
+#include "host/lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"
 
 #include <map>

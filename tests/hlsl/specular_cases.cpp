@@ -1,6 +1,6 @@
-// hlsl/specular against host/reference and the formulas of docs/modules/Beckmann.md and EnergyAttenuation.md.
+// hlsl/specular against host/lab/reference and the formulas of docs/modules/Beckmann.md and EnergyAttenuation.md.
 
-#include "host/reference/specular.h"
+#include "host/lab/reference/specular.h"
 #include "tests/hlsl/function_case.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "tests/measure/body_fur.h"
 
 #include "host/image/dds.h"
-#include "host/reference/pinhole.h"
+#include "host/lab/reference/pinhole.h"
 #include "host/support/parallel.h"
 #include "meshprep/fur/roots/root_texture.h"
 

@@ -2,7 +2,7 @@
 // Straight strands on a ball and on a torus, drawn by effects/FurRoots.fx, technique Roots, beside exact rays against the same strands.
 
 #include "host/gpu/gpu.h"
-#include "host/reference/fur_body.h"
+#include "host/lab/reference/fur_body.h"
 #include "host/run/run.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
-// The flat patch of host/reference/fur_patch.h, drawn by effects/Fur.fx: what its shells show beside exact rays against the cones.
+// The flat patch of host/lab/reference/fur_patch.h, drawn by effects/Fur.fx: what its shells show beside exact rays against the cones.
 
 #include "host/gpu/gpu.h"
-#include "host/reference/fur_patch.h"
+#include "host/lab/reference/fur_patch.h"
 #include "host/run/run.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
-// The view of the flat patch of host/reference/fur_patch.h, as a workspace: who draws the patch with an effect looks at it from here.
+// The view of the flat patch of host/lab/reference/fur_patch.h, as a workspace: who draws the patch with an effect looks at it from here.
 
-#include "host/reference/fur_patch.h"
-#include "host/reference/pinhole.h"
+#include "host/lab/reference/fur_patch.h"
+#include "host/lab/reference/pinhole.h"
 #include "host/scene/workspace.h"
 
 #include <glm/glm.hpp>

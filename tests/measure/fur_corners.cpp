@@ -2,8 +2,8 @@
 // precision, with corners as they are and with corners on the device's grid (docs/reference.md, "Corners on a grid").
 
 #include "host/image/compare.h"
-#include "host/verify/corner_grid.h"
-#include "host/verify/fur_regression.h"
+#include "host/lab/verify/corner_grid.h"
+#include "host/lab/verify/fur_regression.h"
 #include "tests/measure/need.h"
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,9 @@
 // effects/FurRoots.fx beside exact strands in space, through the windows of `tegument verify`: what bends of strands, and how many layers,
 // are worth (docs/fur-layers.md, "Against exact strands that bend").
 
-#include "host/verify/fur_exact.h"
+#include "host/lab/verify/fur_exact.h"
 #include "host/image/compare.h"
-#include "host/verify/fur_regression.h"
+#include "host/lab/verify/fur_regression.h"
 #include "tests/measure/need.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // Tables of docs/fur-layers.md: what layers of fur lose of a patch of strands whose picture is known, however many there are and however
 // they are spread; how many are needed; what the adaptive count chooses. --plot FILE.svg draws the errors.
 
-#include "host/reference/fur_patch.h"
+#include "host/lab/reference/fur_patch.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

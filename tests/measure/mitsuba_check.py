@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Light that layered tissue gives back, by Mitsuba 3's volumetric path tracer: a second opinion on host/reference/tissue.
+"""Light that layered tissue gives back, by Mitsuba 3's volumetric path tracer: a second opinion on host/lab/reference/tissue.
 
     pip install mitsuba==3.9.1 numpy
     mitsuba_check.py [--samples N] [--variant scalar_rgb]

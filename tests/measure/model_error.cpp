@@ -1,7 +1,7 @@
 // The tables of docs/model-error.md: diffusion profiles against simulated skin.
 //   model_error [--photons N] [--seed N]
 
-#include "host/reference/skin_profiles.h"
+#include "host/lab/reference/skin_profiles.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "tests/order/meshes.h"
 
-#include "host/scene/read_mesh.h"
+#include "host/mesh/read_mesh.h"
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/points.h"
 #include "meshprep/prepare/shapes.h"

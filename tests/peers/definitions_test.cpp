@@ -1,8 +1,8 @@
-// host/reference/peers against published numbers, and the settings of docs/peers.md against the profile that they are fitted to.
+// host/lab/reference/peers against published numbers, and the settings of docs/peers.md against the profile that they are fitted to.
 
-#include "host/reference/edge_study.h"
-#include "host/reference/peers.h"
-#include "host/reference/quadrature.h"
+#include "host/lab/reference/edge_study.h"
+#include "host/lab/reference/peers.h"
+#include "host/lab/reference/quadrature.h"
 
 #include <gtest/gtest.h>
 

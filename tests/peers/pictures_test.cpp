@@ -1,10 +1,10 @@
 // The peers as wholes: the same light, shadow and reflection as Main.fx, both compilers, every form; balls and shadows whose shading is
 // known.
 
-#include "host/reference/peers.h"
-#include "tests/compile/missing.h"
+#include "host/lab/reference/peers.h"
 #include "tests/peers/fixture.h"
 #include "tests/peers/forms.h"
+#include "tests/spirv/missing.h"
 
 namespace tegument::test {
 namespace {

@@ -1,8 +1,8 @@
 // Both compilers see the same interface in every entry point of every effect: parameters, types, offsets, resources, semantics.
 
-#include "host/compile/compile.h"
 #include "host/effect/model.h"
-#include "tests/compile/missing.h"
+#include "host/spirv/compile.h"
+#include "tests/spirv/missing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // effects/Main.fx as a whole, on a small sphere: the whole way from the file to the picture.
 
-#include "tests/compile/missing.h"
 #include "tests/run/fixture.h"
+#include "tests/spirv/missing.h"
 
 #include <algorithm>
 #include <numbers>

@@ -234,6 +234,7 @@ TEST_F(Textures, a_producer_without_that_target_is_an_error_that_says_who_asked)
     ASSERT_EQ(code(result), 4036);
     EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gProductMap'?");
     EXPECT_NE(format(result.error()).find("gNoTargetMap is drawn by"), std::string::npos);
+    EXPECT_EQ(result.error().diagnostics.back().code, 4037);
 }
 
 TEST_F(Textures, producers_in_a_circle_are_an_error) {

@@ -1,8 +1,8 @@
 // Numbers on their way from the effect file to the shader, by both compilers.
 
 #include "host/scene/view.h"
-#include "tests/compile/missing.h"
 #include "tests/run/fixture.h"
+#include "tests/spirv/missing.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Real files: skipped visibly where they are absent.
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 #include "host/scene/view.h"
 #include "host/scene/workspace.h"
 #include "host/support/file.h"

@@ -1,5 +1,5 @@
 #include "host/scene/workspace.h"
-#include "tests/scene/files.h"
+#include "tests/mesh/files.h"
 
 #include <cstdlib>
 

@@ -33,7 +33,7 @@ PASSING = 0.90
 FUNCTIONS = ("tests/hlsl/hlsl_tests", "Hlsl/*")
 STAGES = [
     ("functions", *FUNCTIONS),
-    ("modules", "tests/verify/verify_tests", "Quick/Modules.*:ErrataMeasured.*"),
+    ("modules", "tests/lab/verify/verify_tests", "Quick/Modules.*:ErrataMeasured.*"),
     ("runs", "tests/run/run_tests", "PublishedValues.*:MainEffect.*:*Inputs.*"),
     ("pictures", "tests/app/app_tests", "Pictures.*:EnergyAttenuation.*:Beckmann.*:Modules.*:WhiteIrradiance.*:LightUnits.*"),
 ]

@@ -1,9 +1,9 @@
 // The snippets of README.md do what they say.
 
-#include "host/compile/compile.h"
 #include "host/effect/model.h"
+#include "host/spirv/compile.h"
 #include "host/support/file.h"
-#include "tests/compile/missing.h"
+#include "tests/spirv/missing.h"
 
 #include <gtest/gtest.h>
 

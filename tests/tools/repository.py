@@ -11,6 +11,9 @@ import shutil
 import subprocess
 import sys
 
+import diagnostics
+import rooms
+
 SKIPPED = 77
 SOURCES = {".cpp", ".h", ".fx", ".fxh"}
 PROSE = {".md"}
@@ -85,16 +88,13 @@ def every_test_that_the_conventions_name_exists(root):
                 yield f"{page}:{number}: no test {suite}.{name}"
 
 
-def documented_codes(root):
-    """Code -> place of every row `| TGnnnn | meaning | what to do |`; a second row of one code is a finding by itself."""
-    places = {}
-    repeated = []
-    for path, number, match in lines_with(root / "docs" / "diagnostics", PROSE, r"^\| *TG(\d{4}) *\|[^|]+\S[^|]*\|[^|]+\|"):
-        code, place = int(match[1]), f"{path}:{number}"
-        if code in places:
-            repeated.append(f"{place}: TG{code} again, first in {places[code]}")
-        places.setdefault(code, place)
-    return places, repeated
+def diagnostic_pages_are_made_from_their_table(root):
+    for path, _ in diagnostics.outdated(root):
+        yield f"{path}: python3 tests/tools/diagnostics.py --write"
+    made = {page["file"] for page in diagnostics.pages(root)}
+    for path in files(root / "docs" / "diagnostics", PROSE):
+        if path.name not in made:
+            yield f"{path}: not in {diagnostics.TABLE}"
 
 
 def program_code(root):
@@ -104,24 +104,91 @@ def program_code(root):
 
 
 def every_diagnostic_code_is_documented(root):
-    documented, repeated = documented_codes(root)
-    yield from repeated
+    documented = [row["code"] for row in diagnostics.codes(root)]
+    yield from (f"{diagnostics.TABLE}: TG{code} again" for code in sorted({code for code in documented if documented.count(code) > 1}))
     raised = r"\b\w*(?:[Ee]rror|[Ww]arning|[Ww]arn|[Nn]ote|[Ff]ail|[Dd]iagnose)\w*\(\s*([1-8]\d{3})\b|\bcode\s*=\s*([1-8]\d{3})\b|\bTG(\d{4})\b"
     for path, code in program_code(root):
         for match in re.finditer(raised, code):
             number = int(next(group for group in match.groups() if group))
             if number not in documented:
-                yield f"{path}:{code.count(chr(10), 0, match.start()) + 1}: TG{number} has no row in docs/diagnostics"
+                yield f"{path}:{code.count(chr(10), 0, match.start()) + 1}: TG{number} is not in {diagnostics.TABLE}"
+
+
+def named_codes(code):
+    """Numbers that stand alone, or behind TG."""
+    return {int(number) for number in re.findall(r"(?<![\w.])(?:TG)?([1-8]\d{3})(?![\w.])", code)}
 
 
 def every_documented_code_can_be_raised(root):
-    literals = set()
-    for _, code in program_code(root):
-        literals |= {int(number) for number in re.findall(r"(?<![\w.])([1-8]\d{3})(?![\w.])", code)}
-        literals |= {int(number) for number in re.findall(r"\bTG(\d{4})\b", code)}
-    for code, place in sorted(documented_codes(root)[0].items()):
-        if code not in literals:
-            yield f"{place}: no source raises TG{code}"
+    literals = set().union(*(named_codes(code) for _, code in program_code(root)))
+    for row in diagnostics.codes(root):
+        if row["code"] not in literals:
+            yield f"{diagnostics.TABLE}: no source raises TG{row['code']}"
+
+
+def every_diagnostic_code_is_tested(root):
+    """A test names it, in code or as the name of a file, or the table says why none can."""
+    tested = set()
+    for path in files(root / "tests", SOURCES | {".py"}):
+        if path.parts[1] != "tools":
+            tested |= named_codes(text_of(path)) | {int(number) for number in re.findall(r"^(\d{4})_", path.name)}
+    for row in diagnostics.codes(root):
+        if (row["code"] in tested) == bool(row.get("untested")):
+            yield f"{diagnostics.TABLE}: TG{row['code']} " + ("is tested, yet has a reason why not" if row.get("untested") else "has no test")
+
+
+def rooms_include_each_other_without_a_cycle(root):
+    includes = rooms.includes(root)
+    _, cyclic = rooms.ordered(includes)
+    for room in cyclic:
+        yield f"{room}: includes, among others in a cycle or above one, {', '.join(sorted(includes[room] & set(cyclic)))}"
+
+
+def nothing_but_the_laboratory_includes_it(root):
+    """The program reaches it by one function, which a build without it defines as nothing."""
+    for path in files(root / "host", {".cpp", ".h"}) + files(root / "meshprep", {".cpp", ".h"}):
+        if path.relative_to(root).parts[:2] == ("host", "lab"):
+            continue
+        for number, line in enumerate(text_of(path).splitlines(), 1):
+            if re.match(r'#include "host/lab/', line):
+                yield f"{path}:{number}: {line}"
+
+
+def some_libraries_are_known_to_one_room(root):
+    """What stands behind a wrapper of ours, or serves one subcommand, is included there alone: other rooms build without it."""
+    rooms = {"embree3": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "host/app", "GLFW": "host/view"}
+    for path in files(root / "host", {".cpp", ".h"}) + files(root / "meshprep", {".cpp", ".h"}):
+        for library in re.findall(r"^#include <(\w+)[./]", text_of(path), re.MULTILINE):
+            if library in rooms and path.relative_to(root).parent.as_posix() != rooms[library]:
+                yield f"{path}: includes {library}, which is for {rooms[library]}"
+
+
+def public_headers(root):
+    listed = re.search(r"set\(public_headers\s+([^)]*)\)", text_of(root / "cmake" / "install.cmake"))
+    return listed[1].split() if listed else []
+
+
+def public_headers_are_meant_for_users(root):
+    """What is installed says what it is for, is no room's own, and includes nothing that is not installed."""
+    listed = public_headers(root)
+    for name in listed:
+        text = text_of(root / name)
+        if not re.match(r"#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
+            yield f"{name}: is installed, yet does not say what a user has of it"
+        for other in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE):
+            if other not in listed:
+                yield f"{name}: is installed and includes {other}, which is not"
+
+
+def the_changelog_knows_the_version_that_is_built(root):
+    """Its newest release is the project's version; nothing can be broken for users before there are any: not in the oldest."""
+    page = text_of(root / "CHANGELOG.md")
+    versions = re.findall(r"^## \[(\d[^\]]*)\] - \d{4}-\d\d-\d\d$", page, re.MULTILINE)
+    built = re.search(r"^project\(\w+ VERSION ([\d.]+)", text_of(root / "CMakeLists.txt"), re.MULTILINE)
+    if built and built[1] not in versions[:1]:
+        yield f"CHANGELOG.md: its newest release is {', '.join(versions[:1]) or 'none'}, CMakeLists.txt builds {built[1]}"
+    if versions and "**Breaking**" in page[page.index(f"## [{versions[-1]}]") :]:
+        yield f"CHANGELOG.md: something is **Breaking** in {versions[-1]}, the first release"
 
 
 def cpp_files_are_formatted(root):
@@ -204,7 +271,8 @@ def includes_of_shaders_are_guarded_by_their_name(root):
 
 def folders_explain_themselves_in_at_most_30_lines(root):
     folders = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tests"]
-    folders += sorted(f"host/{path.name}" for path in (root / "host").iterdir() if path.is_dir())
+    for above in ("host", "host/lab"):
+        folders += sorted(f"{above}/{path.name}" for path in (root / above).glob("*") if path.is_dir())
     for folder in folders:
         readme = root / folder / "README.md"
         if not readme.exists():
@@ -245,8 +313,15 @@ CHECKS = {
         sources_have_at_most_500_lines,
         no_file_names_a_registry_host_or_a_path_of_one_machine,
         nothing_is_left_unfinished,
+        diagnostic_pages_are_made_from_their_table,
         every_diagnostic_code_is_documented,
         every_documented_code_can_be_raised,
+        every_diagnostic_code_is_tested,
+        rooms_include_each_other_without_a_cycle,
+        nothing_but_the_laboratory_includes_it,
+        some_libraries_are_known_to_one_room,
+        public_headers_are_meant_for_users,
+        the_changelog_knows_the_version_that_is_built,
         cpp_files_are_formatted,
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,

@@ -1,15 +1,24 @@
 #!/usr/bin/env python3
 """Each repository check finds the flaw that it is there for, and nothing in a tree without it."""
 
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
+import diagnostics
+
 PROGRAM = pathlib.Path(__file__).with_name("repository.py")
 ROOMS = ["cmake", "docs", "effects", "hlsl", "host", "meshprep", "tests"]
 GUARDED = "// Purpose.\n#ifndef TEGUMENT_SCATTER_BLUR_FXH\n#define TEGUMENT_SCATTER_BLUR_FXH\n{}\n#endif\n"
+
+
+def table(*codes, **more):
+    """The file of a table of one page with these codes."""
+    rows = [{"code": code, "meaning": "meaning", "do": "what to do", **more} for code in codes]
+    return {diagnostics.TABLE: json.dumps([{"file": "a.md", "title": "A", "sections": [{"title": "", "text": "", "codes": rows}]}])}
 
 
 def run(check, tree):
@@ -60,21 +69,36 @@ class Checks(unittest.TestCase):
     def test_a_raised_code_needs_a_row(self):
         check = "every_diagnostic_code_is_documented"
         source = {"host/a.cpp": 'auto a() { return inputError(\n  5001, "x"); }'}
-        self.accepts(check, {**source, "docs/diagnostics/a.md": "| TG5001 | meaning | what to do |\n"})
-        self.finds(check, source, "TG5001 has no row")
+        self.accepts(check, {**source, **table(5001)})
+        self.finds(check, source, "TG5001 is not in")
 
     def test_a_code_in_a_comment_is_not_raised(self):
         self.accepts("every_diagnostic_code_is_documented", {"host/a.cpp": '// inputError(5001, "x")'})
 
     def test_two_rows_of_one_code_are_found(self):
-        rows = "| TG5001 | meaning | what to do |\n" * 2
-        self.finds("every_diagnostic_code_is_documented", {"docs/diagnostics/a.md": rows}, "TG5001 again")
+        self.finds("every_diagnostic_code_is_documented", table(5001, 5001), "TG5001 again")
 
     def test_a_documented_code_must_be_raised(self):
         check = "every_documented_code_can_be_raised"
-        row = {"docs/diagnostics/a.md": "| TG5001 | meaning | what to do |\n"}
-        self.accepts(check, {**row, "host/a.cpp": "constexpr int kMissing = 5001;"})
-        self.finds(check, {**row, "host/a.cpp": "int a = 15001;"}, "no source raises TG5001")
+        self.accepts(check, {**table(5001), "host/a.cpp": "constexpr int kMissing = 5001;"})
+        self.finds(check, {**table(5001), "host/a.cpp": "int a = 15001;"}, "no source raises TG5001")
+
+    def test_a_documented_code_must_be_tested_or_have_a_reason_why_not(self):
+        check = "every_diagnostic_code_is_tested"
+        named = {"tests/a_test.cpp": "EXPECT_EQ(code, 5001);"}
+        self.accepts(check, {**table(5001), **named})
+        self.accepts(check, {**table(1001), "tests/effect/expect_fail/1001_a.fx": ""})
+        self.accepts(check, table(5001, untested="needs a broken disk"))
+        self.finds(check, table(5001), "TG5001 has no test")
+        self.finds(check, {**table(5001, untested="needs a broken disk"), **named}, "TG5001 is tested")
+
+    def test_a_page_of_codes_that_is_not_made_from_the_table_is_found(self):
+        check = "diagnostic_pages_are_made_from_their_table"
+        page = diagnostics.markdown(json.loads(table(5001)[diagnostics.TABLE])[0])
+        self.assertIn("| TG5001 | meaning | what to do |\n", page)
+        self.accepts(check, {**table(5001), "docs/diagnostics/a.md": page})
+        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page.replace("meaning |", "sense |")}, "a.md: python3")
+        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page, "docs/diagnostics/b.md": ""}, "b.md: not in")
 
     def test_a_test_that_may_hide_a_failure_is_found(self):
         check = "tests_are_registered_where_no_failure_is_lost"
@@ -105,6 +129,45 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"hlsl/scatter/blur.fxh": GUARDED})
         self.accepts(check, {"hlsl/scatter.fxh": '// All of scatter.\n#include "scatter/blur.fxh"\n'})
         self.finds(check, {"hlsl/blur.fxh": GUARDED}, "TEGUMENT_BLUR_FXH")
+
+    def test_rooms_that_include_each_other_are_found(self):
+        check = "rooms_include_each_other_without_a_cycle"
+        down = {"host/run/a.h": '#include "host/gpu/b.h"\n#include "host/run/c.h"\n', "host/gpu/b.h": '#include "meshprep/base/d.h"\n'}
+        self.accepts(check, {**down, "meshprep/base/d.h": ""})
+        self.finds(check, {**down, "meshprep/base/d.h": '#include "host/run/a.h"\n'}, "meshprep/base: includes")
+
+    def test_a_room_that_includes_the_laboratory_is_found(self):
+        check = "nothing_but_the_laboratory_includes_it"
+        include = '#include "host/lab/bench/a.h"\n'
+        self.accepts(check, {"host/lab/app/b.cpp": include, "tests/lab/bench/a_test.cpp": include})
+        self.finds(check, {"host/app/b.cpp": include}, "host/app/b.cpp:1")
+        self.finds(check, {"meshprep/order/b.h": include}, "meshprep/order/b.h:1")
+
+    def test_a_library_in_a_room_that_should_not_know_it_is_found(self):
+        check = "some_libraries_are_known_to_one_room"
+        include = "#include <embree3/rtcore.h>\n"
+        self.accepts(check, {"host/support/rays/a.cpp": include, "host/run/a.cpp": "#include <vector>\n"})
+        self.finds(check, {"host/lab/reference/a.cpp": include}, "host/lab/reference/a.cpp: includes embree3")
+        self.finds(check, {"host/app/a.cpp": "#include <ft2build.h>\n", "host/run/b.cpp": "#include <ft2build.h>\n"}, "host/run/b.cpp")
+
+    def test_a_changelog_of_another_version_is_found(self):
+        check = "the_changelog_knows_the_version_that_is_built"
+        built = {"CMakeLists.txt": "cmake_minimum_required(VERSION 3.25)\nproject(a VERSION 0.2.0 LANGUAGES CXX)\n"}
+        first = "## [0.1.0] - 2026-11-22\n* a\n"
+        self.accepts(check, {**built, "CHANGELOG.md": "## [Unreleased]\n## [0.2.0] - 2026-12-01\n* **Breaking**: b\n" + first})
+        self.finds(check, {**built, "CHANGELOG.md": first}, "its newest release is 0.1.0, CMakeLists.txt builds 0.2.0")
+        self.finds(check, {**built, "CHANGELOG.md": "## [Unreleased]\n* a\n"}, "its newest release is none")
+        self.finds(check, {**built, "CHANGELOG.md": "## [0.2.0] - 2026-12-01\n* **Breaking**: b\n"}, "something is **Breaking** in 0.2.0")
+
+    def test_an_installed_header_that_is_not_for_users_is_found(self):
+        check = "public_headers_are_meant_for_users"
+        listed = {"cmake/install.cmake": "set(public_headers\n    host/run/a.h host/gpu/b.h)\n", "host/gpu/b.h": "#pragma once\n// A device.\n"}
+        purpose = "#pragma once\n// Runs an effect.\n"
+        self.accepts(check, {**listed, "host/run/a.h": purpose + '#include "host/gpu/b.h"\n#include <map>\n'})
+        self.finds(check, {**listed, "host/run/a.h": purpose + '#include "host/gpu/c.h"\n'}, "host/run/a.h: is installed and includes host/gpu/c.h")
+        self.finds(check, {**listed, "host/run/a.h": "#pragma once\n// Inside host/run: a plan.\n"}, "host/run/a.h: is installed, yet")
+        self.finds(check, {**listed, "host/run/a.h": "#pragma once\nint a;\n"}, "host/run/a.h: is installed, yet")
+        self.finds(check, listed, "host/run/a.h: is installed, yet")
 
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"

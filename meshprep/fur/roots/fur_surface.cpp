@@ -1,6 +1,6 @@
 #include "meshprep/fur/roots/fur_surface.h"
 
-#include "meshprep/noise.h"
+#include "meshprep/base/noise.h"
 
 #include <algorithm>
 #include <cmath>

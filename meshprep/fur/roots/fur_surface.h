@@ -1,7 +1,7 @@
 #pragma once
 // The surface on which fur grows, brought to unit size, and points on it evenly by area.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 #include <cstdint>
 #include <span>

@@ -1,13 +1,11 @@
 #include "meshprep/fur/roots/limits.h"
 
 #include "host/support/parallel.h"
+#include "host/support/rays/surface_tree.h"
 #include "meshprep/fur/roots/point_grid.h"
-
-#include <embree3/rtcore.h>
 
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace tegument {
 
@@ -15,56 +13,16 @@ namespace {
 
 constexpr float kFarthest = 2; // no strand is longer than the ball's radius: what is further away than twice that limits none
 
-struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
+/// One short ray a root does not repay a better tree.
+SurfaceTree treeOf(const FurSurface& surface, unsigned threads) {
+    return {surface.positions(), surface.mesh().indices, {.quick = true, .threads = threads}};
+}
 
-/// The surface as Embree's tree.
-class Rays {
-public:
-    Rays(const FurSurface& surface, unsigned threads)
-        : device_(rtcNewDevice(threads == 1 ? "threads=1" : nullptr)), scene_(rtcNewScene(device_.get())) {
-        const auto& positions = surface.positions();
-        const auto& indices = surface.mesh().indices;
-        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW); // one short ray a root does not repay a better tree
-        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        // Embree reads 16 bytes at the last vertex: a buffer of its own has them
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
-        for (const glm::vec3& p : positions)
-            for (glm::length_t i = 0; i < 3; ++i)
-                *vertices++ = p[i];
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, 3 * sizeof(std::uint32_t),
-                                   indices.size() / 3);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_.get(), geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_.get());
-    }
-
-    [[nodiscard]] float along(const glm::vec3& from, const glm::vec3& direction, float start) const {
-        RTCRayHit query{};
-        query.ray = {.org_x = from.x,
-                     .org_y = from.y,
-                     .org_z = from.z,
-                     .tnear = start,
-                     .dir_x = direction.x,
-                     .dir_y = direction.y,
-                     .dir_z = direction.z,
-                     .tfar = kFarthest,
-                     .mask = UINT32_MAX};
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene_.get(), &context, &query);
-        return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : query.ray.tfar;
-    }
-
-private:
-    std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
-    std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> scene_;
-};
+/// Along the normal to the next surface, infinite where there is none. `start` lies beyond the rounding of the root's own triangle.
+float opposite(const SurfaceTree& tree, const SurfacePoint& root, float start) {
+    const auto hit = tree.nearest(root.position, root.normal, {.first = start, .last = kFarthest});
+    return hit ? hit->distance : std::numeric_limits<float>::infinity();
+}
 
 /// Two directions that are perpendicular to a unit vector and each other (T. Duff et al., Building an Orthonormal Basis, Revisited, JCGT
 /// 6(1), 2017).
@@ -122,13 +80,12 @@ std::vector<LengthLimits> lengthLimits(const FurSurface& surface, const std::vec
     PointGrid grid(reach, roots.size());
     for (const SurfacePoint& root : roots)
         grid.add(root.position, root.normal, 0);
-    const Rays rays(surface, threads);
+    const SurfaceTree tree = treeOf(surface, threads);
     std::vector<LengthLimits> limits(roots.size());
-    const float start = 1e-3F * reach; // beyond the rounding of the root's own triangle
+    const float start = 1e-3F * reach;
     inChunks(roots.size(), threads, [&](std::size_t first, std::size_t last, std::size_t) {
         for (std::size_t i = first; i < last; ++i)
-            limits[i] = {.curvature = curvatureAt(grid, roots[i], reach),
-                         .opposite = rays.along(roots[i].position, roots[i].normal, start)};
+            limits[i] = {.curvature = curvatureAt(grid, roots[i], reach), .opposite = opposite(tree, roots[i], start)};
     });
     return limits;
 }

@@ -1,7 +1,7 @@
 #include "meshprep/fur/roots/vertex_maps.h"
 
-#include "host/scene/vertex_values.h"
-#include "host/scene/welding.h"
+#include "host/mesh/vertex_values.h"
+#include "host/mesh/welding.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>

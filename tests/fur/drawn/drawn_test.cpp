@@ -4,7 +4,7 @@
 #include "tests/gpu/with_device.h"
 #include "tests/measure/body_fur.h"
 
-#include "host/reference/fur_body.h"
+#include "host/lab/reference/fur_body.h"
 
 #include <algorithm>
 #include <cmath>

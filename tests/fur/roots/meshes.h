@@ -1,7 +1,7 @@
 #pragma once
 // Meshes whose curvature, area and distances are known.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 

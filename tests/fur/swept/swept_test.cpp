@@ -2,7 +2,7 @@
 // beside exact rays through the same pixels.
 
 #include "host/image/dds.h"
-#include "host/reference/fur_patch.h"
+#include "host/lab/reference/fur_patch.h"
 #include "host/run/run.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "tests/gpu/with_device.h"

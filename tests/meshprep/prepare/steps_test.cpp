@@ -147,6 +147,14 @@ TEST(Distance, of_a_plane_above_a_plane_is_its_height) {
     EXPECT_NEAR(d.rms, 0.5, 1e-6);
 }
 
+TEST(Distance, does_not_stumble_over_triangles_of_two_equal_corners) {
+    const std::vector<glm::vec3> positions = {{0, 0, 0},    {4, 0, 0},  {0, 4, 0},  {1, 1, 0.5f}, {2, 1, 0.5f},
+                                              {1, 2, 0.5f}, {0, 0, -9}, {4, 0, -9}, {0, 4, -9}};
+    const std::vector<std::uint32_t> to = {6, 7, 8, 1, 1, 2, 0, 1, 2, 1, 1, 2, 6, 8, 7}; // the nearest between such, and others behind
+    const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, to);
+    EXPECT_NEAR(d.greatest, 0.5, 1e-6);
+}
+
 TEST(Distance, reaches_edges_and_corners) {
     const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-3, -4, 0}, {-3, -4, 1e-3f}, {-3, -4.001f, 0}};
     const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, std::vector<std::uint32_t>{0, 1, 2});

@@ -1,7 +1,7 @@
 #pragma once
 // What the mesh fuzzers share: the bytes go through a file, because loadMesh reads files, and the result must keep loadMesh's promises.
 
-#include "host/scene/mesh.h"
+#include "host/mesh/mesh.h"
 
 #include <cmath>
 #include <cstdint>

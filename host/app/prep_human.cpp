@@ -1,0 +1,95 @@
+// tegument prep human: the default head.
+
+#include "host/app/commands.h"
+#include "host/app/output.h"
+#include "host/app/prep_mesh.h"
+#include "meshprep/human/human.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct HumanArguments {
+    std::string source;
+    std::string output;
+    int mapSize = 2048;
+    int levels = 2;
+    std::uint32_t seed = 1;
+    bool keep = false;
+    bool json = false;
+};
+
+Json humanJson(const HumanReport& report) {
+    return {{"mesh", report.mesh.string()},
+            {"color_map", report.colorMap.string()},
+            {"normal_map", report.normalMap.string()},
+            {"kernel_size_map", report.kernelMap.string()},
+            {"kept", report.kept},
+            {"vertices", report.vertices},
+            {"triangles", report.triangles},
+            {"hidden_quads", report.hiddenQuads},
+            {"chin_to_crown_mm", report.chinToCrownMm},
+            {"uv_coverage", report.uvCoverage},
+            {"texels_per_mm_at_1024", report.texelsPerMmAt1024},
+            {"seconds", report.seconds},
+            {"notes", report.notes}};
+}
+
+void printHuman(const HumanReport& report) {
+    if (report.kept) {
+        fmt::print("{} is current\n", report.mesh.string());
+        return;
+    }
+    for (const std::string& note : report.notes)
+        fmt::print("{}\n", note);
+    fmt::print(
+        "\n{} vertices, {} triangles, {:.0f} mm from chin to crown; charts cover {:.0f} % of the map, {:.2f} texels/mm at 1024; {:.1f} s\n",
+        report.vertices, report.triangles, report.chinToCrownMm, 100 * report.uvCoverage, report.texelsPerMmAt1024, report.seconds);
+    for (const fs::path& path : {report.mesh, report.colorMap, report.normalMap, report.kernelMap})
+        fmt::print("wrote {}\n", path.string());
+}
+
+int prepHuman(const HumanArguments& arguments) {
+    HumanOptions options{
+        .source = arguments.source, .output = arguments.output, .seed = arguments.seed, .keep = arguments.keep, .progress = {}};
+    options.colorMapSize = options.normalMapSize = arguments.mapSize;
+    options.subdivisionLevels = arguments.levels;
+    Progress progress;
+    options.progress = [&](const std::string& step) { progress.say(step); };
+    const auto report = prepareHuman(options);
+    progress.clear();
+    if (!report) return fail(report.error(), arguments.json);
+    if (arguments.json) {
+        print(humanJson(*report));
+    } else {
+        printHuman(*report);
+    }
+    return 0;
+}
+
+} // namespace
+
+void addPrepHuman(CLI::App& command, Action& action) {
+    auto arguments = std::make_shared<HumanArguments>();
+    CLI::App* human =
+        command.add_subcommand("human", "Make the default head from the MakeHuman base body, once, in the cache (docs/human.md)");
+    human->add_option("--source", arguments->source, "Folder with base.obj and textures/; default: what ./bootstrap fetched");
+    human->add_option("-o,--output", arguments->output, "Folder to write to; default: the cache, where the workspaces look for it");
+    human->add_option("--texture-size", arguments->mapSize, "Side of the colour and the normal map in texels")
+        ->check(CLI::Range(64, 8192))
+        ->capture_default_str();
+    human->add_option("--levels", arguments->levels, "Catmull-Clark subdivisions")->check(CLI::Range(0, 4))->capture_default_str();
+    human->add_option("--seed", arguments->seed, "Seed of spots, pores and hairs")->capture_default_str();
+    human->add_flag("--keep", arguments->keep, "Do nothing when the folder holds what this version makes of these options");
+    human->add_flag("--json", arguments->json, "Print JSON");
+    human->callback([arguments, &action] { action = [arguments] { return prepHuman(*arguments); }; });
+}
+
+} // namespace tegument::app

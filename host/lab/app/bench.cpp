@@ -1,0 +1,341 @@
+// tegument bench: techniques against each other, milliseconds beside error.
+
+#include "host/app/effect_options.h"
+#include "host/app/job.h"
+#include "host/app/output.h"
+#include "host/lab/app/bench_stability.h"
+#include "host/lab/app/commands.h"
+#include "host/lab/bench/choice.h"
+#include "host/lab/bench/python.h"
+#include "host/lab/bench/report.h"
+#include "host/support/file.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <ctime>
+#include <memory>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct BenchArguments {
+    std::vector<std::string> scenes = {"head"};
+    std::vector<std::string> techniques;
+    std::vector<std::string> settings;
+    std::string size;
+    std::vector<int> mapSizes;
+    int frames = 0;
+    std::string reference = "1024";
+    std::string keepScenes;
+    std::string catalogue = "effects/catalogue.json";
+    std::string compiler;
+    std::string device;
+    std::string json;
+    std::string csv;
+    std::string plot;
+    bool pick = false;
+    double maxError = 0;
+    double maxMs = 0;
+    std::string markdown;
+    bool growth = false;
+    bool ablation = false;
+    bool stability = false;
+    std::vector<std::string> parts;
+    std::vector<std::string> modules;
+};
+
+/// What is small enough for a processor, and what a graphics card is measured at.
+struct Defaults {
+    const char* size;
+    int mapSize;
+    int warmUp;
+    int frames;
+};
+
+Defaults defaultsFor(const gpu::Device& device) {
+    return device.info().cpu ? Defaults{"320x320", 1024, 2, 5} : Defaults{"1920x1080", 1024, 10, 50};
+}
+
+/// "full", or a number of pixels.
+Result<std::size_t> referencePixels(const std::string& text) {
+    if (text == "full") return std::size_t{0};
+    std::size_t count = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || count == 0)
+        return usageError(8077, fmt::format("--reference {}: neither 'full' nor a number of pixels", text), "for example --reference 1024");
+    return count;
+}
+
+Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu::Device& device) {
+    const Defaults defaults = defaultsFor(device);
+    const auto size = parseSize(arguments.size.empty() ? defaults.size : arguments.size);
+    if (!size) return size.error();
+    const auto compiler = chosenCompiler(arguments.compiler);
+    if (!compiler) return compiler.error();
+    const auto pixels = referencePixels(arguments.reference);
+    if (!pixels) return pixels.error();
+    bench::BenchOptions options{.effects = effectPath(arguments.catalogue).parent_path(),
+                                .sceneFolder = arguments.keepScenes,
+                                .scenes = arguments.scenes,
+                                .width = size->first,
+                                .height = size->second,
+                                .mapSizes = arguments.mapSizes.empty() ? std::vector{defaults.mapSize} : arguments.mapSizes,
+                                .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
+                                .compiler = *compiler,
+                                .pixels = *pixels};
+    return options;
+}
+
+bench::Machine machineOf(const gpu::Device& device, Compiler compiler) {
+    return {.device = device.info().name,
+            .driver = device.info().driver,
+            .compiler = compilerName(compiler),
+            .date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),
+            .version = TEGUMENT_VERSION,
+            .cpu = device.info().cpu};
+}
+
+void printRows(const std::vector<bench::Row>& rows, const bench::Machine& machine) {
+    const bench::Table cells = bench::toTable(rows);
+    fmt::print("{}\n{}, driver {}; {} x {}, {:.0f} % of the first picture is skin{}\n", table(cells.header, cells.rows), machine.device,
+               machine.driver, rows.front().width, rows.front().height, 100 * rows.front().coverage,
+               machine.cpu ? "; a software device: its times are good as ratios only" : "");
+}
+
+/// For each scene its own choice; the worst exit code.
+int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::Row>& rows) {
+    bench::Limit limit;
+    if (arguments.maxError > 0) limit.error = arguments.maxError;
+    if (arguments.maxMs > 0) limit.milliseconds = arguments.maxMs;
+    int code = 0;
+    for (std::size_t first = 0; first < rows.size();) {
+        std::vector<bench::Row> ofScene;
+        for (; first < rows.size() && (ofScene.empty() || rows[first].scene == ofScene.front().scene); ++first)
+            ofScene.push_back(rows[first]);
+        const auto chosen = bench::pick(ofScene, limit);
+        if (!chosen) {
+            fmt::print("{}: nothing measured keeps that limit\n", ofScene.front().scene);
+            code = static_cast<int>(Blame::Input);
+            continue;
+        }
+        const bench::Row& row = ofScene[*chosen];
+        fmt::print("{}: {} {}, maps of {}: {:.3f} ms, relative L2 {:.4f}\n{}\n", row.scene, row.contender.name(), row.contender.setting,
+                   row.mapSize, row.drawn.milliseconds.median, row.errors.relativeL2, bench::renderCommand(row));
+    }
+    return code;
+}
+
+Result<void> writeTo(const std::string& target, const std::string& text) {
+    if (target != "-") return writeFile(target, text);
+    fmt::print("{}", text);
+    return {};
+}
+
+/// The table first: a file that cannot be written must not take it along.
+Result<int> report(const BenchArguments& arguments, const std::vector<bench::Row>& rows, const bench::Machine& machine) {
+    for (const bench::Row& row : rows)
+        if (row.failure)
+            fmt::print(stderr, "{} {} on {}:\n{}\n", row.contender.name(), row.contender.setting, row.scene, format(*row.failure));
+    const bool quiet = arguments.json == "-" || arguments.csv == "-";
+    if (!quiet) printRows(rows, machine);
+    if (!arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, bench::toJson(rows, machine)); !written) return written.error();
+    if (!arguments.csv.empty())
+        if (const auto written = writeTo(arguments.csv, bench::toCsv(rows, machine)); !written) return written.error();
+    return arguments.pick ? pickForEachScene(arguments, rows) : 0;
+}
+
+constexpr const char* kPlotScript = "host/lab/bench/plot.py";
+constexpr const char* kFlipScript = "host/lab/bench/flip.py";
+
+/// The device and what to do on it, for every kind of measurement.
+struct Work {
+    gpu::Device device;
+    bench::BenchOptions options;
+    bench::Machine machine;
+};
+
+Result<Work> workOf(const BenchArguments& arguments) {
+    auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
+    if (!device) return device.error();
+    auto options = optionsOf(arguments, *device);
+    if (!options) return options.error();
+    bench::Machine machine = machineOf(*device, options->compiler);
+    return Work{std::move(*device), std::move(*options), std::move(machine)};
+}
+
+/// Measures, with what is being done shown meanwhile.
+template <class Measure>
+auto shown(Measure measure) {
+    Progress progress;
+    auto result = measure([&](const std::string& what) { progress.say(what); });
+    progress.clear();
+    return result;
+}
+
+/// JSON into a file of the plots' folder, then the plots.
+Result<void> plot(const BenchArguments& arguments, const char* kind, const std::string& json) {
+    const fs::path data = fs::path(arguments.plot) / (std::string(kind) + ".json");
+    if (const auto written = writeFile(data, json); !written) return written.error();
+    const auto plotted = bench::runHelper(effectPath(kPlotScript), {kind, data.string(), arguments.plot});
+    if (!plotted) return plotted.error();
+    std::fflush(stdout); // the table before what follows it
+    fmt::print(stderr, "{}", *plotted);
+    return {};
+}
+
+Result<int> growth(const BenchArguments& arguments, Work& work) {
+    const auto measured = shown([&](const bench::Say& say) {
+        return bench::measureGrowth(
+            work.device,
+            {.effects = work.options.effects, .compiler = work.options.compiler, .frames = work.options.frames, .large = !work.machine.cpu},
+            say);
+    });
+    if (!measured) return measured.error();
+    const std::string json = bench::toJson(*measured, work.machine);
+    if (arguments.growth && !arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, json); !written) return written.error();
+    const bench::Table cells = bench::toTable(*measured);
+    if (arguments.json != "-" && arguments.csv != "-") fmt::print("\n{}", table(cells.header, cells.rows));
+    if (!arguments.plot.empty())
+        if (const auto plotted = plot(arguments, "growth", json); !plotted) return plotted.error();
+    return 0;
+}
+
+Result<int> ablation(const BenchArguments& arguments, Work& work) {
+    const auto measured =
+        shown([&](const bench::Say& say) { return bench::measureAblation(work.device, work.options, {.say = say, .flip = nullptr}); });
+    if (!measured) return measured.error();
+    if (!arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, bench::toJson(*measured, work.machine, work.options.scenes.front())); !written)
+            return written.error();
+    const bench::Table cells = bench::toTable(*measured);
+    if (arguments.json != "-")
+        fmt::print("{}\n{}, driver {}; {}, {} x {}, maps of {}\n", table(cells.header, cells.rows), work.machine.device,
+                   work.machine.driver, work.options.scenes.front(), work.options.width, work.options.height,
+                   work.options.mapSizes.front());
+    return 0;
+}
+
+Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto rows = shown([&](const bench::Say& say) {
+        return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(effectPath(kFlipScript))});
+    });
+    if (!rows) return rows.error();
+    auto code = report(arguments, *rows, work.machine);
+    if (!code || arguments.plot.empty()) return code;
+    if (const auto plotted = plot(arguments, "pareto", bench::toJson(*rows, work.machine)); !plotted) return plotted.error();
+    const auto grown = growth(arguments, work);
+    return grown ? code : grown;
+}
+
+Result<int> writeMarkdown(const std::string& file) {
+    const auto json = readFile(file);
+    if (!json) return json.error();
+    if (const auto tables = stabilityTables(*json)) {
+        fmt::print("{}", *tables);
+        return 0;
+    }
+    const auto markdown = bench::toMarkdown(*json, file);
+    if (!markdown) return markdown.error();
+    fmt::print("{}", *markdown);
+    return 0;
+}
+
+Result<int> stability(const BenchArguments& arguments) {
+    const auto compiler = chosenCompiler(arguments.compiler);
+    if (!compiler) return compiler.error();
+    StabilityArguments chosen{.effects = effectPath(arguments.catalogue).parent_path(),
+                              .parts = arguments.parts,
+                              .modules = arguments.modules,
+                              .compiler = *compiler,
+                              .device = arguments.device,
+                              .json = arguments.json};
+    if (!arguments.mapSizes.empty()) chosen.size = arguments.mapSizes.front();
+    return benchStability(chosen);
+}
+
+Result<int> runChosen(const BenchArguments& arguments) {
+    if (!arguments.markdown.empty()) return writeMarkdown(arguments.markdown);
+    if (arguments.stability) return stability(arguments);
+    if (arguments.pick && arguments.maxError <= 0 && arguments.maxMs <= 0)
+        return usageError(8079, "--pick needs a limit", "add --max-error E or --max-ms T");
+    const auto catalogue = bench::loadCatalogue(effectPath(arguments.catalogue));
+    if (!catalogue) return catalogue.error();
+    const auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
+    if (!contenders) return contenders.error();
+    for (const std::string& scene : arguments.scenes)
+        if (const auto known = bench::checkSceneName(scene); !known) return known.error();
+    auto work = workOf(arguments);
+    if (!work) return work.error();
+    if (arguments.growth) return growth(arguments, *work);
+    if (arguments.ablation) return ablation(arguments, *work);
+    return compare(arguments, *contenders, *work);
+}
+
+int run(const BenchArguments& arguments) {
+    const auto result = runChosen(arguments);
+    return result ? *result : fail(result.error(), arguments.json == "-");
+}
+
+} // namespace
+
+void addBench(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<BenchArguments>();
+    CLI::App* command = program.add_subcommand("bench", "Time every technique and hold its picture against light by brute force");
+    command->add_option("--scene", arguments->scenes, "Names as in docs/bench.md (sphere-10, head@90+4px ...) or workspace files")
+        ->capture_default_str();
+    command->add_option("-t,--technique", arguments->techniques, "Techniques of the catalogue; default: all");
+    command->add_option("--setting", arguments->settings, "Settings of them; default: all");
+    command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
+    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 1024")
+        ->check(CLI::Range(16, 8192));
+    command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--reference", arguments->reference, "Pixels that get a reference, or 'full'")->capture_default_str();
+    command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");
+    command->add_option("--catalogue", arguments->catalogue, "What can be compared (docs/bench.md)")->capture_default_str();
+    command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")
+        ->check(CLI::IsMember({"dxc", "glslang"}));
+    command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
+    command->add_option("--json", arguments->json, "Write the results as JSON; -: to standard output");
+    command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
+    CLI::Option* pick = command->add_flag("--pick", arguments->pick, "Name the technique to take, and the command that draws with it");
+    command->add_option("--max-error", arguments->maxError, "With --pick: the cheapest within this relative L2")
+        ->check(CLI::PositiveNumber)
+        ->needs(pick);
+    command->add_option("--max-ms", arguments->maxMs, "With --pick: the most accurate within this time")
+        ->check(CLI::PositiveNumber)
+        ->needs(pick);
+    command->get_option("--max-ms")->excludes("--max-error");
+    command->add_option("--plot", arguments->plot,
+                        "Folder for the plots of time against error and of growth, PNG and SVG, with their JSON");
+    CLI::Option* growth =
+        command->add_flag("--growth", arguments->growth, "Only measure how cost grows with texels, pixels, passes, layers and faces");
+    CLI::Option* ablation =
+        command->add_flag("--ablation", arguments->ablation, "Only measure what each optimisation is worth, on the first scene");
+    growth->excludes(ablation)->excludes(pick);
+    ablation->excludes(pick);
+    CLI::Option* stability =
+        command->add_flag("--stability", arguments->stability,
+                          "Only draw every module's hard cases: values that are not finite, largest errors and their causes");
+    stability->excludes(pick)->excludes(growth)->excludes(ablation);
+    command->add_option("--part", arguments->parts, "With --stability: parts of the report (docs/stability.md); default: all")
+        ->needs(stability);
+    command->add_option("--module", arguments->modules, "With --stability: names of effects, Main for Main.fx; default: all")
+        ->needs(stability);
+    command->add_option("--markdown", arguments->markdown, "Measure nothing: print the tables of a file that --json wrote, as Markdown")
+        ->check(CLI::ExistingFile);
+    command->footer(
+        "Scenes: plane-edge, plane-disc, sphere-5, sphere-10, sphere-20, cylinder, lobes, head; each as NAME[@LIGHT][+shadow][+bumps]\n"
+        "[+checker][+Npx] with LIGHT in degrees from the camera or 'behind', and N pixels to the mm. docs/bench.md explains the columns.");
+    command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace tegument::app

@@ -1,0 +1,71 @@
+#include "host/lab/bench/choice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace tegument::bench {
+
+namespace {
+
+double milliseconds(const Row& row) {
+    return row.drawn.milliseconds.median;
+}
+
+/// In quotes where a shell would read it as several words or more.
+std::string word(const std::string& text) {
+    const bool plain =
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/@:") == std::string::npos;
+    if (plain && !text.empty()) return text;
+    std::string quoted = "'";
+    for (const char letter : text)
+        quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+    return quoted + "'";
+}
+
+std::string define(const std::string& name, const std::string& value) {
+    static const std::vector<std::string> kSettings = {"seed", "deon2007", "corrected"};
+    if (name == "TEGUMENT_SETTING" && value.size() == 1 && value[0] >= '0' && value[0] <= '2')
+        return " --setting " + kSettings[static_cast<std::size_t>(value[0] - '0')];
+    return " -D " + word(name + "=" + value);
+}
+
+} // namespace
+
+std::vector<std::size_t> paretoFront(const std::vector<Row>& rows) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!rows[i].failure) order.push_back(i);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::pair(milliseconds(rows[i]), rows[i].errors.relativeL2); });
+    std::vector<std::size_t> front;
+    double best = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : order) {
+        if (rows[i].errors.relativeL2 >= best) continue;
+        best = rows[i].errors.relativeL2;
+        front.push_back(i);
+    }
+    return front;
+}
+
+std::optional<std::size_t> pick(const std::vector<Row>& rows, const Limit& limit) {
+    const std::vector<std::size_t> front = paretoFront(rows); // faster to slower, the error falls
+    std::optional<std::size_t> chosen;
+    for (const std::size_t i : front) {
+        if (limit.error && rows[i].errors.relativeL2 <= *limit.error) return i;
+        if (limit.milliseconds && milliseconds(rows[i]) <= *limit.milliseconds) chosen = i;
+    }
+    return chosen;
+}
+
+std::string renderCommand(const Row& row) {
+    std::string command = fmt::format("tegument render {} -t {}", word(row.contender.effect.string()), word(row.contender.technique));
+    for (const auto& [name, value] : row.contender.defines)
+        command += define(name, value);
+    for (const auto& [name, numbers] : row.contender.parameters)
+        command += " -s " + word(fmt::format("{}={}", name, fmt::join(numbers, ",")));
+    return command + fmt::format(" --map-size {} --size {}x{} -w {}", row.mapSize, row.width, row.height, word(row.workspace.string()));
+}
+
+} // namespace tegument::bench

@@ -1,0 +1,153 @@
+#include "host/lab/bench/measure.h"
+
+#include "host/image/compare.h"
+#include "host/run/pixels.h"
+#include "host/run/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace tegument::bench {
+
+namespace {
+
+/// A contender in the ring. What the session points to stays where it is.
+struct Entrant {
+    std::unique_ptr<Effect> effect;
+    std::unique_ptr<EffectSession> session;
+    RunOptions options;
+    std::uint64_t bytes = 0;
+    std::uint64_t targetBytes = 0;
+    std::vector<double> frames;
+    std::vector<std::string> passNames; // in order of the frame
+    std::map<std::string, std::vector<double>> passes;
+};
+
+std::uint64_t bytesOfTargets(Entrant& entrant, const SessionFrame& frame) {
+    std::uint64_t bytes = 0;
+    for (const std::string& name : frame.targets)
+        if (const gpu::Texture* target = entrant.session->target(name)) bytes += target->bytes();
+    return bytes;
+}
+
+Result<Entrant> enter(gpu::Device& device, const Contest& contest, const Contender& contender) {
+    LoadOptions load{.defines = contender.defines, .includeFolders = {}};
+    load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(contest.mapSize));
+    auto effect = loadEffect(contender.effect, load);
+    if (!effect) return effect.error();
+    Entrant entrant;
+    entrant.effect = std::make_unique<Effect>(std::move(*effect));
+    entrant.options = {.technique = contender.technique,
+                       .width = contest.width,
+                       .height = contest.height,
+                       .compiler = contest.compiler,
+                       .parameters = contender.parameters};
+    const std::uint64_t before = device.allocatedBytes();
+    entrant.session = std::make_unique<EffectSession>(device, *entrant.effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
+    const auto frame = entrant.session->draw(contest.scene.workspace, entrant.options);
+    if (!frame) return frame.error();
+    entrant.bytes = device.allocatedBytes() - before;
+    entrant.targetBytes = bytesOfTargets(entrant, *frame);
+    return entrant;
+}
+
+Result<void> drawOnce(const Contest& contest, Entrant& entrant, bool timed) {
+    const auto frame = entrant.session->draw(contest.scene.workspace, entrant.options);
+    if (!frame) return frame.error();
+    if (!timed) return {};
+    std::map<std::string, double> sums;
+    double whole = 0;
+    for (const SessionPass& pass : frame->passes) {
+        if (entrant.frames.empty() && !sums.contains(pass.name)) entrant.passNames.push_back(pass.name);
+        sums[pass.name] += pass.milliseconds;
+        whole += pass.milliseconds;
+    }
+    entrant.frames.push_back(whole);
+    for (const auto& [name, milliseconds] : sums)
+        entrant.passes[name].push_back(milliseconds);
+    return {};
+}
+
+Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
+    Drawn drawn{
+        .milliseconds = spreadOf(entrant.frames), .passes = {}, .bytes = entrant.bytes, .targetBytes = entrant.targetBytes, .picture = {}};
+    for (const std::string& name : entrant.passNames)
+        drawn.passes.push_back({name, quantile(entrant.passes.at(name), 0.5)});
+    gpu::Texture& target = *entrant.session->target("");
+    const auto texels = device.readback(target);
+    if (!texels) return texels.error();
+    drawn.picture =
+        run::imageFrom(*texels, static_cast<int>(target.desc().width), static_cast<int>(target.desc().height), target.desc().format);
+    return drawn;
+}
+
+} // namespace
+
+std::vector<Entry> entriesOf(const Contest& contest, const std::vector<Contender>& contenders) {
+    std::vector<Entry> entries;
+    entries.reserve(contenders.size());
+    for (const Contender& contender : contenders)
+        entries.push_back({contest, contender});
+    return entries;
+}
+
+std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,
+                                       const std::function<void(const std::string&)>& say) {
+    std::vector<Result<Entrant>> entrants;
+    for (const Entry& entry : entries) {
+        say(fmt::format("preparing {} {} ({} of {})", entry.contender.name(), entry.contender.setting, entrants.size() + 1,
+                        entries.size()));
+        entrants.push_back(enter(device, entry.contest, entry.contender));
+    }
+    for (int frame = -frames.warmUp; frame < frames.timed; ++frame) {
+        say(fmt::format("frame {} of {}", frame + frames.warmUp + 1, frames.warmUp + frames.timed));
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            if (entrants[i])
+                if (const auto drawn = drawOnce(entries[i].contest, *entrants[i], frame >= 0); !drawn) entrants[i] = drawn.error();
+    }
+    std::vector<Result<Drawn>> outcomes;
+    for (Result<Entrant>& entrant : entrants) {
+        if (entrant)
+            outcomes.push_back(outcome(device, *entrant));
+        else
+            outcomes.emplace_back(entrant.error());
+    }
+    return outcomes;
+}
+
+Result<Errors> errorsOf(const Image& picture, const Sample& sample, const std::vector<glm::dvec3>& truth) {
+    const int count = static_cast<int>(sample.points.size());
+    Image drawn{.width = count, .height = 1, .channels = 3, .pixels = {}, .metadata = {}};
+    Image exact = drawn;
+    double squares = 0;
+    double peak = 0;
+    double interior = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < sample.points.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const float value = picture.at(sample.points[i].x, sample.points[i].y, c);
+            const double error = static_cast<double>(value) - truth[i][c];
+            drawn.pixels.push_back(value);
+            exact.pixels.push_back(static_cast<float>(truth[i][c]));
+            squares += error * error;
+            peak = std::max(peak, truth[i][c]);
+            sum += truth[i][c];
+            if (sample.interior[i] != 0) interior = std::max(interior, std::abs(error));
+        }
+    const auto difference = compareImages(drawn, exact);
+    if (!difference) return difference.error();
+    const double values = 3.0 * count;
+    return Errors{.relativeL2 = difference->relativeL2,
+                  .p99 = difference->p99,
+                  .p999 = difference->p999,
+                  .largestInterior = interior * values / sum,
+                  .bias = difference->bias,
+                  .psnr = 10 * std::log10(peak * peak * values / squares),
+                  .flip = std::nullopt};
+}
+
+} // namespace tegument::bench

@@ -1,0 +1,70 @@
+#pragma once
+// Techniques drawn in turns on one device, and how far each picture is from the truth.
+
+#include "host/gpu/gpu.h"
+#include "host/lab/bench/statistics.h"
+#include "host/lab/bench/truth.h"
+#include "host/run/run.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument::bench {
+
+struct Frames {
+    int warmUp = 0;
+    int timed = 1;
+};
+
+struct PassTime {
+    std::string name;
+    double milliseconds = 0; // median
+};
+
+/// What drawing cost, and the last picture.
+struct Drawn {
+    Spread milliseconds;          // of all passes of a frame
+    std::vector<PassTime> passes; // of one name: together
+    std::uint64_t bytes = 0;      // everything the technique holds on the device: targets, textures, mesh
+    std::uint64_t targetBytes = 0;
+    Image picture;
+};
+
+struct Contest {
+    const Scene& scene;
+    int width = 0;
+    int height = 0;
+    int mapSize = 0;
+    Compiler compiler = Compiler::Dxc;
+};
+
+/// Who is drawn, and on what.
+struct Entry {
+    Contest contest;
+    Contender contender;
+};
+
+/// All of them on the same.
+[[nodiscard]] std::vector<Entry> entriesOf(const Contest& contest, const std::vector<Contender>& contenders);
+
+/// Each entry's outcome, in their order: one that cannot be drawn does not stop the others. All are alive at once and drawn in turns, frame
+/// by frame, so that a clock that changes changes for all. `say`: what is being done.
+[[nodiscard]] std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,
+                                                     const std::function<void(const std::string&)>& say);
+
+/// Relative figures are to the mean of the truth over the compared pixels.
+struct Errors {
+    double relativeL2 = 0;
+    double p99 = 0;
+    double p999 = 0;
+    double largestInterior = 0;
+    double bias = 0;
+    double psnr = 0; // dB, the peak being the truth's largest value
+    std::optional<double> flip;
+};
+/// TG5261 when the truth is black or the picture holds something that is not finite.
+[[nodiscard]] Result<Errors> errorsOf(const Image& picture, const Sample& sample, const std::vector<glm::dvec3>& truth);
+
+} // namespace tegument::bench

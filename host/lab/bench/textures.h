@@ -1,0 +1,21 @@
+#pragma once
+// Maps no finer than the picture's pixels.
+
+#include "host/lab/bench/scenes.h"
+#include "host/lab/reference/bssrdf.h"
+
+#include <vector>
+
+namespace tegument::bench {
+
+/// Half the size, each texel the mean of four; `srgb`: of the light that they encode, but for alpha. At least one texel.
+[[nodiscard]] Image halved(const Image& image, bool srgb);
+
+/// Texels of a map of `size` texels a side that a pixel crosses: the third quartile over neighbouring pixels.
+[[nodiscard]] double texelsPerPixel(const std::vector<reference::ShadedPoint>& points, int size);
+
+/// Halves the scene's maps until a pixel crosses one texel at most, and has everybody read these: a sample in the middle of a pixel that
+/// covers several bumps would tell nothing of their mean, which every technique takes from mip levels and a reference by samples does not.
+void fitTextures(Scene& scene, const std::vector<reference::ShadedPoint>& points);
+
+} // namespace tegument::bench

@@ -1,0 +1,147 @@
+#include "host/lab/bench/truth.h"
+
+#include "host/support/file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::bench {
+
+namespace {
+
+constexpr double kSkin = 0.99; // alpha of the colour map
+
+double parameterOf(const Workspace& workspace, const std::string& name, double fallback) {
+    const auto found = workspace.parameters.find(name);
+    return found == workspace.parameters.end() || found->second.empty() ? fallback : found->second.front();
+}
+
+/// Setting `corrected` with what the scene sets itself.
+reference::SkinSettings settingsOf(const Workspace& workspace) {
+    reference::SkinSettings settings = reference::skinSettings("corrected");
+    settings.mix = parameterOf(workspace, "gMix", settings.mix);
+    settings.roughness = parameterOf(workspace, "gRoughness", settings.roughness);
+    settings.intensity = parameterOf(workspace, "gSpecularIntensity", settings.intensity);
+    settings.attenuation = settings.intensity;
+    return settings;
+}
+
+struct Neighbours {
+    bool covered = true;
+    bool interior = true;
+};
+
+/// The picture's pixels with the points that they show, or -1.
+class Seen {
+public:
+    Seen(const std::vector<reference::ShadedPoint>& points, const reference::Pinhole& camera)
+        : points_(points), camera_(camera), index_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height), -1) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            index_[place(points[i].x, points[i].y)] = static_cast<std::int32_t>(i);
+    }
+
+    /// Whether all eight neighbours show something, and something near.
+    [[nodiscard]] Neighbours neighbours(const reference::ShadedPoint& point) const {
+        Neighbours found;
+        constexpr double kOneSurface = 8; // pixels of distance: a surface seen at 7 degrees
+        const double near = kOneSurface * camera_.footprint(glm::length(point.point.position - camera_.eye));
+        for (int j = -1; j <= 1; ++j)
+            for (int i = -1; i <= 1; ++i) {
+                const reference::ShadedPoint* other = at(point.x + i, point.y + j);
+                found.covered = found.covered && other;
+                found.interior = found.interior && other && glm::length(other->point.position - point.point.position) < near;
+            }
+        return found;
+    }
+
+private:
+    [[nodiscard]] std::size_t place(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] const reference::ShadedPoint* at(int x, int y) const {
+        if (x < 0 || y < 0 || x >= camera_.width || y >= camera_.height) return nullptr;
+        const std::int32_t index = index_[place(x, y)];
+        return index < 0 ? nullptr : &points_[static_cast<std::size_t>(index)];
+    }
+
+    const std::vector<reference::ShadedPoint>& points_;
+    const reference::Pinhole& camera_;
+    std::vector<std::int32_t> index_;
+};
+
+std::string identify(const Scene& scene, const reference::Pinhole& camera, const Sample& sample) {
+    std::string bytes = scene.name;
+    const auto add = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    add(camera.eye);
+    add(camera.forward);
+    add(camera.tangentX);
+    add(camera.width);
+    add(camera.height);
+    for (const reference::ShadedPoint& point : sample.points) {
+        add(point.x);
+        add(point.y);
+        add(point.point.position);
+    }
+    return contentHash(bytes).substr(0, 12);
+}
+
+std::vector<glm::dvec3> lightOf(const TruthScene& truth, const Sample& sample, reference::RadialProfile profile, const Progress& progress) {
+    const reference::BssrdfOptions options{.profile = std::move(profile), .progress = progress};
+    std::vector<glm::dvec3> light;
+    for (const reference::Radiance& radiance : reference::radiance(truth.skin, sample.points, truth.camera.eye, options))
+        light.push_back(radiance.total());
+    return light;
+}
+
+/// Every point sends back what enters it.
+std::vector<glm::dvec3> undiffusedLight(const TruthScene& truth, const Sample& sample) {
+    std::vector<glm::dvec3> light;
+    for (const reference::ShadedPoint& pixel : sample.points) {
+        const reference::SurfacePoint& point = pixel.point;
+        const bool lit = truth.skin.lit(point);
+        light.push_back(truth.skin.entering(point, lit) * truth.skin.leaving(point, truth.camera.eye) +
+                        truth.skin.reflected(point, truth.skin.mappedNormal(point), truth.camera.eye, lit));
+    }
+    return light;
+}
+
+} // namespace
+
+TruthScene truthScene(const Scene& scene, int width, int height) {
+    const PlacedScene placed = placeScene(scene.workspace, scene.mesh.bounds);
+    constexpr int kMapSize = 1024; // of no importance: rays decide
+    const auto light = reference::lightView(placed.light, scene.mesh.bounds, kMapSize);
+    return {.camera = reference::pinhole(glm::dvec3(placed.camera.position), glm::dvec3(placed.camera.target), glm::dvec3(placed.camera.up),
+                                         glm::radians(static_cast<double>(placed.camera.horizontalFov)), width, height),
+            .skin = reference::SkinScene(scene.mesh, light, glm::dvec3(placed.light.color), settingsOf(scene.workspace))};
+}
+
+Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t count) {
+    const auto all = reference::visiblePoints(truth.skin, truth.camera, 0);
+    const Seen seen(all, truth.camera);
+    std::size_t skin = 0;
+    std::vector<reference::ShadedPoint> kept;
+    for (const reference::ShadedPoint& point : all) {
+        if (truth.skin.colour(point.point).w < kSkin) continue;
+        ++skin;
+        if (seen.neighbours(point).covered) kept.push_back(point);
+    }
+    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}};
+    for (const reference::ShadedPoint& point : sample.points)
+        sample.interior.push_back(seen.neighbours(point).interior ? 1 : 0);
+    sample.coverage = static_cast<double>(skin) / (static_cast<double>(truth.camera.width) * truth.camera.height);
+    sample.whole = sample.points.size() == kept.size();
+    sample.id = identify(scene, truth.camera, sample);
+    return sample;
+}
+
+std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, const Progress& progress) {
+    return lightOf(truth, sample, reference::radial(reference::skinProfile()), progress);
+}
+
+std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender, const Progress& progress) {
+    if (contender.claim == Claim::Delta) return undiffusedLight(truth, sample);
+    return lightOf(truth, sample, reference::burley({contender.burley[0], contender.burley[1], contender.burley[2]}), progress);
+}
+
+} // namespace tegument::bench

@@ -1,0 +1,43 @@
+#pragma once
+// What the pixels of a scene should show: skin that the camera sees, and its light by brute force (host/lab/reference/bssrdf.h).
+
+#include "host/lab/bench/catalogue.h"
+#include "host/lab/bench/scenes.h"
+#include "host/lab/reference/bssrdf.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tegument::bench {
+
+/// The pixels that are compared.
+struct Sample {
+    std::vector<reference::ShadedPoint> points;
+    std::vector<std::uint8_t> interior; // of each point: 1 where the eight neighbours show the same piece of surface
+    double coverage = 0;                // share of the picture that shows skin
+    bool whole = false;                 // every pixel that can be compared
+    std::string id;                     // names scene, camera and pixels
+};
+
+/// The scene as the references see it.
+struct TruthScene {
+    reference::Pinhole camera;
+    reference::SkinScene skin;
+};
+[[nodiscard]] TruthScene truthScene(const Scene& scene, int width, int height);
+
+/// Pixels that show skin (alpha of the colour map 1) and whose eight neighbours show the mesh too: at the outline a rasteriser, which snaps
+/// vertices to 1/256 pixel, may see the background. `count` of them, spread evenly; 0: all.
+[[nodiscard]] Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t count);
+
+using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+/// Light of each point by the six Gaussians.
+[[nodiscard]] std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, const Progress& progress);
+/// Of a contender that has a definition of its own.
+[[nodiscard]] std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
+                                                   const Progress& progress);
+
+} // namespace tegument::bench

@@ -1,0 +1,101 @@
+// Every technique of every effect on hostile scenes: no value of any target may be NaN or infinite.
+
+#include "host/lab/stability/work.h"
+#include "host/run/pixels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace tegument::bench::stability {
+
+namespace {
+
+/// What the techniques of one effect did over all scenes.
+struct Tally {
+    std::size_t values = 0; // that are not finite
+    std::set<std::string> scenes;
+    std::string first;
+    std::set<std::string> refusals;
+};
+
+Result<Image> readTarget(const Context& context, gpu::Texture& target) {
+    const auto bytes = context.device.readback(target);
+    if (!bytes) return bytes.error();
+    const gpu::TextureDesc& desc = target.desc();
+    return run::imageFrom(*bytes, static_cast<int>(desc.width), static_cast<int>(desc.height), desc.format);
+}
+
+Result<void> scan(const Context& context, EffectSession& session, const SessionFrame& frame, const std::string& what, Tally& tally) {
+    std::vector<std::string> names = frame.targets;
+    names.emplace_back();
+    for (const std::string& name : names) {
+        gpu::Texture* target = session.target(name);
+        if (!target) continue;
+        const auto image = readTarget(context, *target);
+        if (!image) return image.error();
+        const NotFinite found = notFinite(*image);
+        if (found.count == 0) continue;
+        tally.values += found.count;
+        tally.scenes.insert(what);
+        if (tally.first.empty())
+            tally.first = fmt::format("{}: {} ({}, {}) is {}", what, name.empty() ? "picture" : name, found.x, found.y, found.value);
+    }
+    return {};
+}
+
+Result<void> drawScene(const Context& context, const Effect& effect, const std::string& setting, const HardScene& scene, Tally& tally) {
+    EffectSession session(context.device, effect, {.mesh = &scene.mesh, .objects = {}});
+    for (const Technique& technique : effect.techniques) {
+        const RunOptions options = runOptions(context, effect, technique.name, scene, context.options.size);
+        const auto frame = session.draw(scene.workspace, options);
+        if (!frame && frame.error().blame == Blame::Machine) return frame.error();
+        if (!frame)
+            tally.refusals.insert(fmt::format("{}: TG{}", scene.name, frame.error().diagnostics.front().code));
+        else if (const auto scanned =
+                     scan(context, session, *frame, fmt::format("{} [{}], {}", technique.name, setting, scene.name), tally);
+                 !scanned)
+            return scanned.error();
+    }
+    return {};
+}
+
+std::string causes(const Tally& tally) {
+    std::string text = tally.first;
+    if (tally.scenes.size() > 1) text += fmt::format("; and {} more scenes", tally.scenes.size() - 1);
+    if (!tally.refusals.empty()) text += fmt::format("{}refused: {}", text.empty() ? "" : "; ", fmt::join(tally.refusals, ", "));
+    return text.empty() ? "-" : text;
+}
+
+} // namespace
+
+Result<void> measureFinite(const Context& context) {
+    const std::vector<HardScene> scenes = hostileScenes();
+    for (const auto& file : effectFiles(context)) {
+        Tally tally;
+        std::size_t techniques = 0;
+        for (const char* setting : {"seed", "corrected"}) {
+            const auto effect = load(context, file, setting);
+            if (!effect) return effect.error();
+            techniques = effect->techniques.size();
+            for (const HardScene& scene : scenes) {
+                context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
+                if (const auto drawn = drawScene(context, *effect, setting, scene, tally); !drawn) return drawn.error();
+            }
+        }
+        context.report.rows.push_back(
+            {.part = {},
+             .module = file.stem().string(),
+             .hardCase = fmt::format("{} scenes, {} technique{}, seed and corrected", scenes.size(), techniques, techniques > 1 ? "s" : ""),
+             .figure = "values that are not finite, all targets",
+             .value = static_cast<double>(tally.values),
+             .limit = 0,
+             .cause = causes(tally),
+             .notFinite = tally.values,
+             .why = "finite numbers in, finite numbers out"});
+    }
+    return {};
+}
+
+} // namespace tegument::bench::stability

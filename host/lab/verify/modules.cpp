@@ -1,0 +1,63 @@
+#include "host/lab/verify/work.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tegument {
+
+namespace {
+
+struct Module {
+    const char* name;
+    Result<ModuleReport> (*verify)(const verify::Context&);
+};
+
+constexpr std::array kModules = {
+    Module{"OriginalTexture", verify::verifyOriginalTexture},
+    Module{"Beckmann", verify::verifyBeckmann},
+    Module{"EnergyAttenuation", verify::verifyEnergyAttenuation},
+    Module{"Specular", verify::verifySpecular},
+    Module{"ShadowMap", verify::verifyShadowMap},
+    Module{"TSM", verify::verifyTsm},
+    Module{"Stretch", verify::verifyStretch},
+    Module{"Irradiance", verify::verifyIrradiance},
+    Module{"Convolution", verify::verifyConvolution},
+    Module{"Main", verify::verifyMain},
+    Module{"Fur", verify::verifyFur},
+    Module{"FurRoots", verify::verifyFurRoots},
+};
+
+std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (const Module& module : kModules)
+        all.emplace_back(module.name);
+    return all;
+}
+
+} // namespace
+
+bool ModuleReport::pass() const {
+    return !metrics.empty() && std::ranges::all_of(metrics, &Metric::pass);
+}
+
+std::vector<std::string> verifiableModules(const std::filesystem::path& effects) {
+    std::vector<std::string> there = names();
+    std::erase_if(there, [&](const std::string& name) { return !std::filesystem::exists(effects / (name + ".fx")); });
+    return there;
+}
+
+Result<ModuleReport> verifyModule(gpu::Device& device, const std::string& module, const VerifyOptions& options) {
+    const auto found = std::ranges::find_if(kModules, [&](const Module& m) { return equalsIgnoreCase(m.name, module); });
+    const std::vector<std::string> all = names();
+    if (found == kModules.end())
+        return usageError(4050, fmt::format("there is no reference for a module '{}'", module),
+                          fmt::format("{} known: {}", didYouMean(module, all), fmt::join(all, ", ")));
+    if (options.setting != "seed" && options.setting != "deon2007" && options.setting != "corrected")
+        return usageError(4051, fmt::format("there is no setting '{}'", options.setting), "seed, deon2007 or corrected");
+    return found->verify({device, options});
+}
+
+} // namespace tegument

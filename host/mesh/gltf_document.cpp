@@ -1,0 +1,199 @@
+// The glb container (glTF 2.0 specification, 4.4), the JSON, the buffers.
+
+#include "host/mesh/gltf_document.h"
+
+#include "host/support/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tegument::meshfile {
+
+namespace {
+
+constexpr std::string_view kMagic = "glTF";
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+
+std::uint32_t littleEndian32(std::string_view bytes, std::size_t offset) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value |= std::uint32_t{static_cast<unsigned char>(bytes[offset + i])} << (8 * i);
+    return value;
+}
+
+std::optional<std::string> decodeBase64(std::string_view text) {
+    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    while (text.ends_with('='))
+        text.remove_suffix(1);
+    std::string bytes;
+    std::uint32_t bits = 0;
+    unsigned filled = 0;
+    for (const char c : text) {
+        const std::size_t digit = kDigits.find(c);
+        if (digit == std::string_view::npos) return std::nullopt;
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
+        filled += 6;
+        if (filled < 8) continue;
+        filled -= 8;
+        bytes.push_back(static_cast<char>(bits >> filled & 255));
+    }
+    return bytes;
+}
+
+int hexDigit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+/// RFC 3986: %20 is a space.
+std::string decodePercent(std::string_view uri) {
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
+        if (low < 0) {
+            text.push_back(uri[i]);
+            continue;
+        }
+        text.push_back(static_cast<char>(high * 16 + low));
+        i += 2;
+    }
+    return text;
+}
+
+/// Extensions without which the geometry is still right.
+bool isHarmless(const std::string& extension) {
+    return extension.starts_with("KHR_materials_") || extension == "KHR_mesh_quantization" || extension == "KHR_lights_punctual" ||
+           extension == "KHR_texture_transform";
+}
+
+} // namespace
+
+Result<std::unique_ptr<GltfDocument>> GltfDocument::open(const Source& source) {
+    std::unique_ptr<GltfDocument> document(new GltfDocument(source)); // the constructor is private
+    auto error = source.bytes.starts_with(kMagic) ? document->readGlb() : document->parse(source.bytes, 0);
+    if (!error) error = document->checkExtensions();
+    if (!error) error = document->readBuffers();
+    if (error) return *error;
+    return document;
+}
+
+std::optional<Error> GltfDocument::readGlb() {
+    std::string_view bytes = source_->bytes;
+    constexpr std::size_t kHeader = 12;
+    constexpr std::size_t kChunkHeader = 8;
+    if (bytes.size() < kHeader) return truncated(source_->atByte(bytes.size()), "a glb header has 12 bytes");
+    if (const std::uint32_t version = littleEndian32(bytes, 4); version != 2)
+        return unsupported(source_->atByte(4), fmt::format("glb version {} cannot be read", version), "export it as glTF 2.0");
+    const std::size_t length = littleEndian32(bytes, 8);
+    if (length > bytes.size())
+        return truncated(source_->atByte(bytes.size()), fmt::format("its header announces {} bytes, {} are there", length, bytes.size()));
+    bytes = bytes.substr(0, length);
+
+    std::string_view text;
+    std::size_t textOffset = 0;
+    for (std::size_t offset = kHeader; offset < bytes.size();) {
+        if (bytes.size() - offset < kChunkHeader) return truncated(source_->atByte(offset), "a chunk's header is cut off");
+        const std::size_t size = littleEndian32(bytes, offset);
+        const std::uint32_t type = littleEndian32(bytes, offset + 4);
+        const std::size_t start = offset + kChunkHeader;
+        if (size > bytes.size() - start)
+            return overclaimed(source_->atByte(offset), fmt::format("a chunk announces {} bytes, {} are left", size, bytes.size() - start));
+        if (type == kJsonChunk && text.empty()) {
+            text = bytes.substr(start, size);
+            textOffset = start;
+        } else if (type == kBinaryChunk && !hasGlbBuffer_) {
+            glbBuffer_ = bytes.substr(start, size);
+            hasGlbBuffer_ = true;
+        }
+        offset = start + size;
+    }
+    if (text.empty()) return malformed(source_->atByte(kHeader), "the glb has no JSON chunk");
+    return parse(text, textOffset);
+}
+
+std::optional<Error> GltfDocument::parse(std::string_view text, std::size_t offset) {
+    try {
+        json_ = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        return malformed(source_->atByte(offset + error.byte), "the JSON of the glTF file cannot be read here");
+    } catch (const Json::exception&) { // a number beyond double
+        return malformed(source_->atByte(offset), "the JSON of the glTF file holds a number that is too large");
+    }
+    if (!json_.is_object() || !root().has("asset"))
+        return malformed(source_->atByte(offset), "the JSON is not a glTF file: it has no 'asset'");
+    if (const std::string version = root()["asset"].text("version"); !version.starts_with("2."))
+        return unsupported(source_->atByte(offset), fmt::format("glTF version '{}' cannot be read", version), "export it as glTF 2.0");
+    return std::nullopt;
+}
+
+std::optional<Error> GltfDocument::checkExtensions() const {
+    const GltfValue required = root()["extensionsRequired"];
+    for (std::size_t i = 0; i < required.size(); ++i) {
+        const Json& name = required.json()[i];
+        if (name.is_string() && isHarmless(name.get<std::string>())) continue;
+        return unsupported(source_->whole(),
+                           fmt::format("the file requires the glTF extension {}", name.dump(-1, ' ', true, Json::error_handler_t::replace)),
+                           "export it without compression");
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> GltfDocument::readBuffers() {
+    const GltfValue buffers = root()["buffers"];
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const GltfValue buffer = buffers[i];
+        const auto length = buffer.whole("byteLength", std::size_t{1} << 40, {});
+        if (!length) return length.error();
+        std::string_view bytes = glbBuffer_;
+        if (buffer.has("uri")) {
+            auto read = resolveUri(buffer, buffer.text("uri"));
+            if (!read) return read.error();
+            bytes = owned_.emplace_back(std::move(*read));
+        } else if (i != 0 || !hasGlbBuffer_) {
+            return buffer.wrong("has no 'uri', and the file has no binary chunk for it");
+        }
+        if (*length > bytes.size())
+            return overclaimed(source_->whole(), fmt::format("{} announces {} bytes, {} are there", buffer.path(), *length, bytes.size()));
+        buffers_.push_back(bytes.substr(0, *length));
+    }
+    return std::nullopt;
+}
+
+Result<std::string> GltfDocument::resolveUri(const GltfValue& owner, const std::string& uri) const {
+    if (uri.starts_with("data:")) {
+        const std::size_t start = uri.find(";base64,");
+        auto bytes = start == std::string::npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(start + 8));
+        if (!bytes) return owner.wrong("has a data URI that is not base64");
+        return std::move(*bytes);
+    }
+    if (uri.empty() || uri.find("://") != std::string::npos || uri.find('\0') != std::string::npos)
+        return owner.wrong(fmt::format("has a uri that is no file: '{}'", uri.substr(0, 60)));
+    return readFile(source_->path.parent_path() / decodePercent(uri));
+}
+
+Result<GltfValue> GltfDocument::item(const char* list, std::size_t index) const {
+    const GltfValue values = root()[list];
+    if (index >= values.size()) return malformed(source_->whole(), fmt::format("{}[{}] does not exist", list, index));
+    return values[index];
+}
+
+Result<std::string_view> GltfDocument::view(std::size_t bufferView) const {
+    const auto value = item("bufferViews", bufferView);
+    if (!value) return value.error();
+    const auto buffer = value->whole("buffer", buffers_.size(), {});
+    if (!buffer) return buffer.error();
+    const std::string_view bytes = buffers_[*buffer];
+    const auto offset = value->whole("byteOffset", bytes.size() + 1, 0);
+    if (!offset) return offset.error();
+    const auto length = value->whole("byteLength", bytes.size() - *offset + 1, {});
+    if (!length) return length.error();
+    return bytes.substr(*offset, *length);
+}
+
+} // namespace tegument::meshfile

@@ -1,0 +1,140 @@
+// loadMesh: what holds for every format once the file is read.
+
+#include "host/mesh/mesh.h"
+
+#include "host/mesh/mesh_file.h"
+#include "host/mesh/triangles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+namespace tegument {
+
+namespace {
+
+using meshfile::Source;
+
+/// Triangles that repeat a corner have no area and no normal.
+void dropDegenerate(Mesh& mesh, const Source& source) {
+    const std::size_t dropped =
+        keepTriangles(mesh, [](std::span<const std::uint32_t, 3> t, std::size_t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
+    if (dropped > 0) meshfile::warn(mesh, 5322, source.whole(), fmt::format("{} triangles that repeat a vertex are left out", dropped));
+}
+
+/// Rounding alone leaves a float unit vector within this of length 1, so such vectors are kept bit for bit.
+constexpr double kUnitTolerance = 1e-6;
+
+/// Makes the file's normals unit; false when one is not usable.
+bool normalise(std::vector<glm::vec3>& vectors) {
+    for (glm::vec3& vector : vectors) {
+        const glm::dvec3 exact(vector);
+        const double length = glm::length(exact);
+        if (!std::isfinite(length) || !(length > 0)) return false;
+        if (std::abs(length - 1) > kUnitTolerance) vector = glm::vec3(exact / length);
+    }
+    return true;
+}
+
+bool usableTangents(const Mesh& mesh) {
+    return std::ranges::all_of(mesh.tangents, [](const glm::vec4& tangent) {
+        const double length = glm::length(glm::dvec3(tangent));
+        return std::abs(length - 1) < 1e-3 && (tangent.w == 1 || tangent.w == -1);
+    });
+}
+
+void finishFrames(Mesh& mesh, const Source& source) {
+    if (!mesh.normals.empty() && !normalise(mesh.normals)) {
+        meshfile::warn(mesh, 5324, source.whole(), "some normals of the file have no length: all are made anew");
+        mesh.normals.clear();
+        mesh.tangents.clear();
+    }
+    computeNormals(mesh);
+    if (mesh.uvs.empty() || !usableTangents(mesh)) mesh.tangents.clear();
+    if (mesh.tangents.empty() && !mesh.uvs.empty()) computeTangents(mesh);
+}
+
+std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOptions& options) {
+    if (mesh.uvs.empty()) {
+        if (!options.requireUvs) return std::nullopt;
+        return inputError(5308, source.whole(), "the mesh has no texture coordinates",
+                          "unwrap it before export: skin is lit in texture space");
+    }
+    if (!std::ranges::all_of(mesh.uvs, [](const glm::vec2& uv) { return std::isfinite(uv.x) && std::isfinite(uv.y); }))
+        return meshfile::notFinite(source.whole(), "a texture coordinate is not finite");
+    const UvReport report = examineUvs(mesh);
+    if (report.overlapping > options.overlapWarning)
+        meshfile::warn(mesh, 5320, source.whole(),
+                       fmt::format("{:.1f} % of the UV area is used by more than one triangle", 100 * report.overlapping),
+                       "light that is gathered in texture space will mix there: unwrap the mesh without overlap");
+    if (report.outside > options.overlapWarning)
+        meshfile::warn(mesh, 5321, source.whole(),
+                       fmt::format("{:.1f} % of the UV area lies outside the unit square", 100 * report.outside),
+                       "it is not lit in texture space: move the charts into the square");
+    return std::nullopt;
+}
+
+constexpr double kLeastHead = 150; // mm: a small child's head without neck
+constexpr double kMostHead = 700;  // mm: a bust to below the chest
+
+/// The unit that makes a height of `height` units a head: a common one if it fits, else what makes it 280 mm, head and neck.
+double likelyUnit(double height) {
+    for (const double unit : {1.0, 10.0, 100.0, 1000.0})
+        if (height * unit >= kLeastHead && height * unit <= kMostHead) return unit;
+    const double exact = 280 / height;
+    const double step = std::pow(10, std::floor(std::log10(exact)) - 1); // two digits
+    return std::round(exact / step) * step;
+}
+
+/// `scale`: of the mesh's height where it stands.
+std::optional<Error> checkHead(const Mesh& mesh, const Source& source, double scale) {
+    const double height = scale * (static_cast<double>(mesh.bounds.maximum.y) - static_cast<double>(mesh.bounds.minimum.y));
+    if (height >= kLeastHead && height <= kMostHead) return std::nullopt;
+    const std::string suggestion = height > 0 ? fmt::format(": try {:g}", likelyUnit(height / source.unitMm)) : "";
+    return inputError(5309, source.whole(),
+                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit{}; {:g} to {:g} mm is plausible", height, source.unitMm,
+                                  scale == 1 ? "" : fmt::format(", scaled by {:g}", scale), kLeastHead, kMostHead),
+                      fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}", suggestion));
+}
+
+/// The file's tangents were made for the other direction, so they go.
+void flipV(Mesh& mesh) {
+    for (glm::vec2& uv : mesh.uvs)
+        uv.y = 1 - uv.y;
+    mesh.tangents.clear();
+}
+
+Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
+    Result<ReadMesh> file = readMesh(path, {.unitMm = options.unitMm});
+    if (!file) return file.error();
+    Mesh mesh = std::move(file->mesh);
+    const Source source{.path = path, .bytes = {}, .unitMm = mesh.unitMm};
+    if (file->counts.smallFaces > 0)
+        meshfile::warn(mesh, 5322, source.whole(),
+                       fmt::format("{} faces of fewer than three corners are left out", file->counts.smallFaces));
+    if (options.flipV) flipV(mesh);
+    dropDegenerate(mesh, source);
+    if (mesh.indices.empty()) return meshfile::noTriangles(source.whole());
+    keepReferenced(mesh); // so that a stray point cannot stretch the bounds
+    computeBounds(mesh);
+    if (options.expectHead)
+        if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
+    if (auto error = checkUvs(mesh, source, options)) return *error;
+    finishFrames(mesh, source);
+    return mesh;
+}
+
+} // namespace
+
+Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options) {
+    try {
+        return load(path, options);
+    } catch (const std::bad_alloc&) {
+        return meshfile::outOfMemory(path);
+    }
+}
+
+} // namespace tegument

@@ -1,0 +1,72 @@
+// The messages that all mesh readers share.
+
+#include "host/mesh/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+
+namespace tegument::meshfile {
+
+Error truncated(SourcePosition at, const std::string& text) {
+    return inputError(5301, std::move(at), "the mesh file ends early: " + text, "fetch or export the file again");
+}
+
+Error malformed(SourcePosition at, const std::string& text, std::string hint) {
+    return inputError(5302, std::move(at), text, std::move(hint));
+}
+
+Error notANumber(SourcePosition at, std::string_view word) {
+    return malformed(std::move(at), fmt::format("'{}' is not a number", word.substr(0, 40)),
+                     word.find(',') != std::string_view::npos ? "write numbers with a decimal point, not a comma"
+                                                              : "export the mesh again");
+}
+
+Error overclaimed(SourcePosition at, const std::string& text) {
+    return inputError(5303, std::move(at), text, "the file is cut off or damaged: fetch or export it again");
+}
+
+Error badIndex(SourcePosition at, const std::string& text) {
+    return inputError(5304, std::move(at), text, "export the mesh again");
+}
+
+Error notFinite(SourcePosition at, const std::string& text) {
+    return inputError(5305, std::move(at), text, "remove such vertices before export");
+}
+
+Error noTriangles(SourcePosition at) {
+    return inputError(5306, std::move(at), "the mesh has no triangles", "points, lines and empty faces cannot be drawn");
+}
+
+Error unsupported(SourcePosition at, const std::string& text, std::string hint) {
+    return inputError(5307, std::move(at), text, std::move(hint));
+}
+
+Error tooLarge(SourcePosition at) {
+    return inputError(5310, std::move(at), fmt::format("the mesh has more than {} vertices or {} indices", kMaxVertices, kMaxIndices),
+                      "reduce it before use");
+}
+
+Error outOfMemory(const std::filesystem::path& path) {
+    return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()));
+}
+
+bool parseReal(std::string_view word, double& value) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || parsed.ptr != word.data() + word.size()) return false;
+    if (parsed.ec == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr); // infinity or next to 0
+    return parsed.ec != std::errc::invalid_argument;
+}
+
+void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint) {
+    mesh.warnings.push_back({.severity = Severity::Warning,
+                             .code = code,
+                             .at = std::move(at),
+                             .text = std::move(text),
+                             .hint = std::move(hint),
+                             .sourceLine = {}});
+}
+
+} // namespace tegument::meshfile

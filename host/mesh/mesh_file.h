@@ -1,0 +1,69 @@
+#pragma once
+// Inside host/mesh only: the readers behind loadMesh, and the errors they share. A reader checks everything that comes from the file; what
+// it returns has equally long attribute arrays (or empty ones), indices in range, and lengths already multiplied by the unit.
+
+#include "host/mesh/obj_file.h"
+#include "host/mesh/read_mesh.h"
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace tegument::meshfile {
+
+/// More vertices or indices than this are refused: 32-bit offsets into a vertex buffer of 48 bytes per vertex stay valid, and a file that
+/// repeats one primitive a million times cannot take the machine's memory.
+inline constexpr std::size_t kMaxVertices = 1u << 26;
+inline constexpr std::size_t kMaxIndices = 1u << 28;
+
+/// A mesh file's bytes, where they came from, and how many millimetres one of its units is.
+struct Source {
+    const std::filesystem::path& path;
+    std::string_view bytes;
+    double unitMm;
+    bool dropBadFaces = false;  // faces that refer to no vertex are counted and left out; otherwise they are an error
+    bool keepNotFinite = false; // whoever reads cares for NaN and infinity; otherwise they are an error
+
+    [[nodiscard]] std::string name() const { return path.string(); }
+    [[nodiscard]] SourcePosition atByte(std::size_t byte) const { return {.file = name(), .byte = byte}; }
+    [[nodiscard]] SourcePosition atLine(int line) const { return {.file = name(), .line = line, .column = 1, .byte = {}}; }
+    [[nodiscard]] SourcePosition whole() const { return {.file = name(), .byte = {}}; }
+};
+
+[[nodiscard]] Result<ReadMesh> readPly(const Source& source);
+/// With `dropBadFaces`, corners may name what the file lacks.
+[[nodiscard]] Result<ObjFile> parseObj(const Source& source);
+[[nodiscard]] Result<ReadMesh> readObj(const Source& source);
+[[nodiscard]] Result<ReadMesh> readStl(const Source& source);
+[[nodiscard]] Result<ReadMesh> readOff(const Source& source);
+/// glb by its magic, else glTF as JSON.
+[[nodiscard]] Result<ReadMesh> readGltf(const Source& source);
+
+[[nodiscard]] Error truncated(SourcePosition at, const std::string& text);                                             // TG5301
+[[nodiscard]] Error malformed(SourcePosition at, const std::string& text, std::string hint = "export the mesh again"); // TG5302
+[[nodiscard]] Error notANumber(SourcePosition at, std::string_view word);                                              // TG5302
+[[nodiscard]] Error overclaimed(SourcePosition at, const std::string& text); // TG5303: counts or offsets that point outside the file
+[[nodiscard]] Error badIndex(SourcePosition at, const std::string& text);    // TG5304
+[[nodiscard]] Error notFinite(SourcePosition at, const std::string& text);   // TG5305
+[[nodiscard]] Error noTriangles(SourcePosition at);                          // TG5306
+[[nodiscard]] Error unsupported(SourcePosition at, const std::string& text, std::string hint); // TG5307
+[[nodiscard]] Error tooLarge(SourcePosition at);                                               // TG5310
+[[nodiscard]] Error outOfMemory(const std::filesystem::path& path);                            // TG5311
+
+void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint = {});
+
+/// The whole word as a number, whatever the locale. Too large is infinity, too small is 0; "nan" and "inf" are numbers (and refused later
+/// as not finite).
+[[nodiscard]] bool parseReal(std::string_view word, double& value);
+
+[[nodiscard]] inline bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Multiplied in double precision and rounded once.
+[[nodiscard]] inline glm::vec3 scaled(const glm::dvec3& v, double unitMm) {
+    return glm::vec3(v * unitMm);
+}
+
+} // namespace tegument::meshfile

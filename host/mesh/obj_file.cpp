@@ -1,0 +1,244 @@
+// The statements of an OBJ file, one logical line after the other.
+
+#include "host/mesh/obj_file.h"
+#include "host/mesh/mesh_file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace tegument {
+
+using namespace meshfile;
+
+namespace {
+
+std::string_view nextWord(std::string_view& line) {
+    line = trim(line);
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string_view word = line.substr(0, end);
+    line.remove_prefix(end);
+    return word;
+}
+
+template <class Number>
+bool parseWhole(std::string_view word, Number& number) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
+    return parsed.ec == std::errc() && parsed.ptr == word.data() + word.size() && !word.empty();
+}
+
+/// Statements that describe something other than polygons, and are passed over in silence.
+bool isIgnored(std::string_view keyword) {
+    static constexpr std::array<std::string_view, 12> kIgnored = {"s",      "mtllib", "l",          "p",         "vp",    "maplib",
+                                                                  "usemap", "lod",    "shadow_obj", "trace_obj", "bevel", "mg"};
+    return std::ranges::find(kIgnored, keyword) != kIgnored.end();
+}
+
+class ObjParser {
+public:
+    explicit ObjParser(const Source& source) : source_(source) {}
+
+    Result<ObjFile> parse() {
+        if (source_.bytes.starts_with("\xff\xfe") || source_.bytes.starts_with("\xfe\xff"))
+            return malformed(source_.atByte(0), "the OBJ file is UTF-16", "save it as UTF-8 or ASCII");
+        std::string_view left = source_.bytes;
+        if (left.starts_with("\xef\xbb\xbf")) left.remove_prefix(3);
+        while (!left.empty() && !error_)
+            readStatement(takeLine(left));
+        if (!source_.dropBadFaces) checkCorners();
+        if (error_) return *error_;
+        return std::move(file_);
+    }
+
+private:
+    /// One logical line: a backslash at the end joins the next line.
+    std::string_view takeLine(std::string_view& left) {
+        joined_.clear();
+        while (true) {
+            ++line_;
+            const std::size_t end = std::min(left.find('\n'), left.size());
+            std::string_view line = left.substr(0, end);
+            left.remove_prefix(std::min(end + 1, left.size()));
+            if (line.ends_with('\r')) line.remove_suffix(1);
+            const bool continued = line.ends_with('\\') && !left.empty();
+            if (joined_.empty() && !continued) return line;
+            if (continued) line.remove_suffix(1);
+            joined_.append(line).push_back(' ');
+            if (!continued) return joined_;
+        }
+    }
+
+    void readStatement(std::string_view line) {
+        if (const std::size_t comment = line.find('#'); comment != std::string_view::npos) line = line.substr(0, comment);
+        const std::string_view keyword = nextWord(line);
+        if (keyword.empty() || isIgnored(keyword)) return;
+        if (keyword == "v")
+            readPosition(line);
+        else if (keyword == "vt")
+            readUv(line);
+        else if (keyword == "vn")
+            readNormal(line);
+        else if (keyword == "f")
+            readFace(line);
+        else if (keyword == "o" || keyword == "g")
+            startGroup(keyword, trim(line));
+        else if (keyword == "usemtl")
+            startMaterial(trim(line));
+        else
+            file_.otherStatements.emplace(std::string(keyword.substr(0, 40)), line_);
+        if (file_.positions.size() > kMaxVertices || indexCount_ > kMaxIndices) fail(tooLarge(here()));
+    }
+
+    /// At least `least` numbers, at most the array's size; the rest of the line is not looked at.
+    template <std::size_t N>
+    std::array<double, N> numbers(std::string_view line, std::size_t least) {
+        std::array<double, N> values{};
+        for (std::size_t i = 0; i < N && !error_; ++i) {
+            const std::string_view word = nextWord(line);
+            if (word.empty() && i >= least) break;
+            if (!parseReal(word, values[i]))
+                fail(word.empty() ? malformed(here(), fmt::format("{} numbers are needed here", least)) : notANumber(here(), word));
+        }
+        return values;
+    }
+
+    void readPosition(std::string_view line) {
+        const auto [x, y, z] = numbers<3>(line, 3);
+        const glm::vec3 position = scaled({x, y, z}, source_.unitMm);
+        if (!source_.keepNotFinite && !isFinite(position)) fail(notFinite(here(), "a coordinate is not finite"));
+        file_.positions.push_back(position);
+    }
+
+    void readUv(std::string_view line) {
+        const auto [u, v] = numbers<2>(line, 1);
+        file_.uvs.emplace_back(u, v);
+    }
+
+    void readNormal(std::string_view line) {
+        const auto [x, y, z] = numbers<3>(line, 3);
+        file_.normals.emplace_back(x, y, z);
+    }
+
+    /// "7", "7/2", "7//3", "7/2/3", each from 1, or negative: counted back from the latest. Nothing for a corner that refers to none.
+    std::optional<ObjCorner> readCorner(std::string_view word) {
+        ObjCorner corner;
+        const std::array<std::pair<std::uint32_t*, std::size_t>, 3> fields = {
+            {{&corner.position, file_.positions.size()}, {&corner.uv, file_.uvs.size()}, {&corner.normal, file_.normals.size()}}};
+        bool usable = true;
+        std::string_view left = word;
+        for (std::size_t field = 0; field < 3 && !error_; ++field) {
+            const std::size_t slash = std::min(left.find('/'), left.size());
+            const std::string_view text = left.substr(0, slash);
+            left.remove_prefix(std::min(slash + 1, left.size()));
+            if (text.empty() && field > 0) continue;
+            std::int64_t index = 0;
+            if (!parseWhole(text, index) || (field == 2 && !left.empty()))
+                fail(malformed(here(), fmt::format("'{}' is not a face corner", word.substr(0, 40))));
+            else
+                usable &= setIndex(*fields[field].first, index, fields[field].second, word);
+        }
+        return usable ? std::optional(corner) : std::nullopt;
+    }
+
+    bool setIndex(std::uint32_t& target, std::int64_t index, std::size_t soFar, std::string_view word) {
+        const std::int64_t fromZero = index < 0 ? index + static_cast<std::int64_t>(soFar) : index - 1;
+        // what is defined further down is found when everything is read
+        const bool possible = fromZero >= 0 && fromZero < static_cast<std::int64_t>(kMaxIndices);
+        if (possible) target = static_cast<std::uint32_t>(fromZero);
+        if (!possible && !source_.dropBadFaces)
+            fail(badIndex(here(), fromZero < 0 ? fmt::format("the corner '{}' refers to an element before the first", word.substr(0, 40))
+                                               : fmt::format("the corner '{}' refers to an element behind the last", word.substr(0, 40))));
+        return possible;
+    }
+
+    void readFace(std::string_view line) {
+        const auto first = static_cast<std::uint32_t>(file_.corners.size());
+        bool usable = true;
+        for (std::string_view word = nextWord(line); !word.empty() && !error_; word = nextWord(line)) {
+            const auto corner = readCorner(word);
+            usable &= corner.has_value();
+            if (corner) file_.corners.push_back(*corner);
+        }
+        const std::size_t count = file_.corners.size() - first;
+        if (!usable) {
+            file_.corners.resize(first);
+            ++file_.badFaces;
+            return;
+        }
+        if (!sectionIsOpen_)
+            file_.sections.push_back({.object = object_, .group = group_, .material = material_, .firstFace = file_.faces.size()});
+        sectionIsOpen_ = true;
+        file_.faces.push_back({.firstCorner = first, .line = line_});
+        indexCount_ += count < 3 ? 0 : 3 * (count - 2);
+    }
+
+    void startGroup(std::string_view keyword, std::string_view name) {
+        (keyword == "g" ? group_ : object_) = name;
+        if (keyword == "o") group_.clear();
+        sectionIsOpen_ = false;
+    }
+
+    void startMaterial(std::string_view name) {
+        material_ = name;
+        sectionIsOpen_ = false;
+    }
+
+    /// What corners name may be defined further down: known when everything is read.
+    void checkCorners() {
+        for (std::size_t face = 0; face < file_.faces.size() && !error_; ++face)
+            for (const ObjCorner& corner : file_.cornersOf(face)) {
+                check(face, corner.position, file_.positions.size(), "vertex");
+                check(face, corner.uv, file_.uvs.size(), "texture coordinate");
+                check(face, corner.normal, file_.normals.size(), "normal");
+            }
+    }
+
+    void check(std::size_t face, std::uint32_t index, std::size_t size, const char* what) {
+        if (index < size || index == ObjCorner::kNone) return;
+        fail(badIndex(source_.atLine(file_.faces[face].line), fmt::format("the face refers to {} {} of {}", what, index + 1, size)));
+    }
+
+    void fail(Error error) {
+        if (!error_) error_ = std::move(error);
+    }
+    [[nodiscard]] SourcePosition here() const { return source_.atLine(line_); }
+
+    const Source& source_;
+    std::string object_, group_, material_, joined_;
+    bool sectionIsOpen_ = false;
+    std::size_t indexCount_ = 0; // of the triangles that the faces will be
+    int line_ = 0;
+    ObjFile file_;
+    std::optional<Error> error_;
+};
+
+} // namespace
+
+std::span<const ObjCorner> ObjFile::cornersOf(std::size_t face) const {
+    const std::size_t first = faces[face].firstCorner;
+    const std::size_t end = face + 1 < faces.size() ? faces[face + 1].firstCorner : corners.size();
+    return std::span(corners).subspan(first, end - first);
+}
+
+std::size_t ObjFile::endOf(std::size_t section) const {
+    return section + 1 < sections.size() ? sections[section + 1].firstFace : faces.size();
+}
+
+bool ObjFile::holds(const ObjCorner& corner) const {
+    const auto has = [](std::size_t size, std::uint32_t index) { return index < size || index == ObjCorner::kNone; };
+    return has(positions.size(), corner.position) && has(uvs.size(), corner.uv) && has(normals.size(), corner.normal);
+}
+
+Result<ObjFile> parseObj(std::string_view text, const std::filesystem::path& file) {
+    return meshfile::parseObj(Source{.path = file, .bytes = text, .unitMm = 1});
+}
+
+Result<ObjFile> meshfile::parseObj(const Source& source) {
+    return ObjParser(source).parse();
+}
+
+} // namespace tegument

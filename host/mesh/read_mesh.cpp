@@ -1,0 +1,96 @@
+// readMesh: which reader, and what it leaves to be dropped.
+
+#include "host/mesh/read_mesh.h"
+
+#include "host/mesh/mesh_file.h"
+#include "host/mesh/triangles.h"
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+namespace tegument {
+
+namespace {
+
+using meshfile::Source;
+using Reader = Result<ReadMesh> (*)(const Source&);
+
+struct MeshFormat {
+    std::string_view extension;
+    Reader read;
+    double unitMm; // of a file that does not say
+};
+
+constexpr std::array<MeshFormat, 6> kFormats = {{{".glb", meshfile::readGltf, 1000},
+                                                 {".gltf", meshfile::readGltf, 1000},
+                                                 {".ply", meshfile::readPly, 1},
+                                                 {".obj", meshfile::readObj, 1},
+                                                 {".stl", meshfile::readStl, 1},
+                                                 {".off", meshfile::readOff, 1}}};
+
+const MeshFormat* formatNamed(std::string_view extension) {
+    const auto* found = std::ranges::find(kFormats, extension, &MeshFormat::extension);
+    return found == kFormats.end() ? nullptr : found;
+}
+
+/// glb and PLY by their first bytes; the others are text or, like binary STL, may begin with anything, so their file names must help.
+const MeshFormat* formatOf(const std::filesystem::path& path, std::string_view bytes) {
+    if (bytes.starts_with("glTF")) return formatNamed(".glb");
+    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ")) return formatNamed(".ply");
+    const std::string extension = toLower(path.extension().string());
+    if (bytes.empty() || extension == ".glb" || extension == ".ply") return nullptr;
+    return formatNamed(extension);
+}
+
+Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
+    const std::string extension = toLower(path.extension().string());
+    std::string text = bytes.empty() ? "the file is empty" : "not a mesh in glb, glTF, PLY, OBJ, STL or OFF form";
+    if (!bytes.empty() && (extension == ".glb" || extension == ".ply"))
+        text = fmt::format("the file is named {} but does not start like one", extension);
+    return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), "convert it to glb");
+}
+
+/// The vertices stay, at the origin: nothing refers to them any more.
+void dropNotFinite(ReadMesh& file) {
+    Mesh& mesh = file.mesh;
+    if (std::ranges::all_of(mesh.positions, meshfile::isFinite)) return;
+    file.counts.notFiniteFaces = keepTriangles(mesh, [&](std::span<const std::uint32_t, 3> corners, std::size_t) {
+        return std::ranges::all_of(corners, [&](std::uint32_t index) { return meshfile::isFinite(mesh.positions[index]); });
+    });
+    for (glm::vec3& position : mesh.positions)
+        if (!meshfile::isFinite(position)) position = glm::vec3(0);
+}
+
+Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& options) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    const MeshFormat* format = formatOf(path, *bytes);
+    if (!format) return unknownFormat(path, *bytes);
+    const double unit = options.unitMm.value_or(format->unitMm);
+    if (!(unit > 0 && std::isfinite(unit)))
+        return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");
+    Result<ReadMesh> file = format->read(
+        {.path = path, .bytes = *bytes, .unitMm = unit, .dropBadFaces = options.dropBadFaces, .keepNotFinite = options.dropNotFinite});
+    if (!file) return file;
+    file->mesh.unitMm = unit;
+    if (file->mesh.name.empty()) file->mesh.name = path.stem().string();
+    if (options.dropNotFinite) dropNotFinite(*file);
+    return file;
+}
+
+} // namespace
+
+Result<ReadMesh> readMesh(const std::filesystem::path& path, const ReadOptions& options) {
+    try {
+        return read(path, options);
+    } catch (const std::bad_alloc&) {
+        return meshfile::outOfMemory(path);
+    }
+}
+
+} // namespace tegument

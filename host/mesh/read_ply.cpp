@@ -1,0 +1,157 @@
+// PLY, text and both byte orders. Elements may come in any order and carry any properties; only vertices and faces are used.
+
+#include "host/mesh/ply_values.h"
+#include "host/mesh/polygons.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::meshfile {
+
+namespace {
+
+/// Which property of a vertex row is what.
+struct VertexLayout {
+    std::optional<std::size_t> x, y, z, nx, ny, nz, u, v;
+
+    explicit VertexLayout(const PlyElement& element)
+        : x(element.find({"x"})), y(element.find({"y"})), z(element.find({"z"})), nx(element.find({"nx"})), ny(element.find({"ny"})),
+          nz(element.find({"nz"})), u(element.find({"u", "s", "texture_u"})), v(element.find({"v", "t", "texture_v"})) {}
+
+    [[nodiscard]] bool hasNormals() const { return nx && ny && nz; }
+    [[nodiscard]] bool hasUvs() const { return u && v; }
+};
+
+class PlyReader {
+public:
+    PlyReader(const Source& source, const PlyHeader& header) : source_(source), header_(header), values_(source, header) {}
+
+    Result<ReadMesh> read() {
+        for (const PlyElement& element : header_.elements) {
+            if (element.name == "vertex" && !verticesRead_)
+                readVertices(element);
+            else if (element.name == "face")
+                readFaces(element);
+            else
+                values_.skip(element);
+            if (values_.error()) return *values_.error();
+        }
+        if (const auto wrong = values_.checkEnd()) return *wrong;
+        if (const auto wrong = checkIndices()) return *wrong;
+        if (const auto wrong = polygons_.cut(source_, mesh().positions, mesh().indices)) return *wrong;
+        mesh().parts.push_back(
+            {.name = source_.path.stem().string(), .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh().indices.size())});
+        return std::move(result_);
+    }
+
+private:
+    Mesh& mesh() { return result_.mesh; }
+
+    void readVertices(const PlyElement& element) {
+        const VertexLayout layout(element);
+        verticesRead_ = true;
+        if (!layout.x || !layout.y || !layout.z)
+            return values_.fail(malformed(source_.atLine(element.line), "the vertices have no x, y and z"));
+        if (element.count > kMaxVertices) return values_.fail(tooLarge(source_.atLine(element.line)));
+        result_.counts.vertices = element.count;
+        reserve(element.count, layout); // the header's counts were held against the file's size
+        std::vector<double> row;
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            values_.nextRow(element, row);
+            const glm::vec3 position = scaled({row[*layout.x], row[*layout.y], row[*layout.z]}, source_.unitMm);
+            if (!source_.keepNotFinite && !isFinite(position))
+                values_.fail(notFinite(values_.at(), fmt::format("vertex {} has a coordinate that is not finite", i)));
+            if (values_.error()) return;
+            mesh().positions.push_back(position);
+            if (layout.hasNormals()) mesh().normals.emplace_back(row[*layout.nx], row[*layout.ny], row[*layout.nz]);
+            if (layout.hasUvs()) mesh().uvs.emplace_back(row[*layout.u], 1 - row[*layout.v]); // PLY's v points up, as in OBJ
+        }
+    }
+
+    void reserve(std::size_t count, const VertexLayout& layout) {
+        mesh().positions.reserve(count);
+        if (layout.hasNormals()) mesh().normals.reserve(count);
+        if (layout.hasUvs()) mesh().uvs.reserve(count);
+    }
+
+    void readFaces(const PlyElement& element) {
+        const auto list = element.find({"vertex_indices", "vertex_index"});
+        if (!list || !element.properties[*list].listCount)
+            return values_.fail(malformed(source_.atLine(element.line), "the faces have no list vertex_indices"));
+        result_.counts.faces += element.count;
+        std::vector<std::uint32_t> corners;
+        for (std::uint64_t face = 0; face < element.count && !values_.error(); ++face) {
+            bool usable = true;
+            for (std::size_t i = 0; i < element.properties.size(); ++i) {
+                const PlyProperty& property = element.properties[i];
+                if (i == *list)
+                    usable = readCorners(property, face, corners);
+                else if (property.listCount)
+                    values_.skipList(property);
+                else
+                    values_.next(property.type);
+            }
+            if (usable && !values_.error()) addFace(corners, face);
+        }
+    }
+
+    /// False for a face that refers to no vertex and is left out. Vertices may follow: then only what no vertex can have is found here.
+    bool readCorners(const PlyProperty& property, std::uint64_t face, std::vector<std::uint32_t>& corners) {
+        const double end = static_cast<double>(verticesRead_ ? mesh().positions.size() : kMaxVertices);
+        bool usable = true;
+        corners.clear();
+        for (std::size_t left = values_.nextCount(property); left > 0 && !values_.error(); --left) {
+            const double index = values_.next(property.type);
+            if (index >= 0 && index < end)
+                corners.push_back(static_cast<std::uint32_t>(index));
+            else if (source_.dropBadFaces)
+                usable = false;
+            else
+                values_.fail(badIndex(values_.at(), badIndexText(face, index)));
+        }
+        result_.counts.badFaces += !usable;
+        return usable;
+    }
+
+    [[nodiscard]] std::string badIndexText(std::uint64_t face, double index) {
+        if (!verticesRead_) return fmt::format("face {} refers to vertex {}", face, index);
+        return fmt::format("face {} refers to vertex {} of {}", face, index, mesh().positions.size());
+    }
+
+    void addFace(const std::vector<std::uint32_t>& corners, std::uint64_t face) {
+        result_.counts.smallFaces += corners.size() < 3;
+        polygons_.add(corners, mesh().indices);
+        if (!verticesRead_) lastIndexOfFace_.emplace_back(mesh().indices.size(), face);
+        if (mesh().indices.size() > kMaxIndices) values_.fail(tooLarge(values_.at()));
+    }
+
+    /// Of faces that came before their vertices: these are refused even with `dropBadFaces`, for a polygon is no longer told from a fan.
+    [[nodiscard]] std::optional<Error> checkIndices() {
+        if (lastIndexOfFace_.empty()) return std::nullopt;
+        const std::vector<std::uint32_t>& indices = mesh().indices;
+        const auto wrong = std::ranges::find_if(indices, [&](std::uint32_t index) { return index >= mesh().positions.size(); });
+        if (wrong == indices.end()) return std::nullopt;
+        const auto at = static_cast<std::size_t>(wrong - indices.begin());
+        const auto face = std::ranges::upper_bound(lastIndexOfFace_, at, {}, &std::pair<std::size_t, std::uint64_t>::first);
+        return badIndex(source_.whole(), badIndexText(face->second, *wrong));
+    }
+
+    const Source& source_;
+    const PlyHeader& header_;
+    PlyValues values_;
+    ReadMesh result_;
+    Polygons polygons_;
+    std::vector<std::pair<std::size_t, std::uint64_t>> lastIndexOfFace_; // (indices so far, face), when vertices follow the faces
+    bool verticesRead_ = false;
+};
+
+} // namespace
+
+Result<ReadMesh> readPly(const Source& source) {
+    const Result<PlyHeader> header = readPlyHeader(source);
+    if (!header) return header.error();
+    return PlyReader(source, *header).read();
+}
+
+} // namespace tegument::meshfile

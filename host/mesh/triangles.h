@@ -1,0 +1,40 @@
+#pragma once
+// Vertices and triangles taken out of a mesh or put in another order, with everything that belongs to them.
+
+#include "host/mesh/mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace tegument {
+
+/// Vertex i becomes what vertex from[i] was; indices are left alone.
+void gatherVertices(Mesh& mesh, std::span<const std::uint32_t> from);
+
+/// Takes out vertices of no triangle; the others keep their order. Gives for each vertex that is left its old number.
+std::vector<std::uint32_t> keepReferenced(Mesh& mesh);
+
+/// Takes out the triangles for which `keep(corners, triangle)` is false; gives their number. Parts that hold nothing any more go too.
+template <class Keep>
+std::size_t keepTriangles(Mesh& mesh, Keep keep) {
+    std::size_t to = 0;
+    std::vector<MeshPart> parts;
+    for (const MeshPart& part : mesh.parts) {
+        const std::size_t first = to;
+        for (std::size_t i = part.firstIndex; i < std::size_t{part.firstIndex} + part.indexCount; i += 3) {
+            if (!keep(std::span<const std::uint32_t, 3>(&mesh.indices[i], 3), i / 3)) continue;
+            std::copy_n(&mesh.indices[i], 3, &mesh.indices[to]);
+            to += 3;
+        }
+        if (to > first)
+            parts.push_back(
+                {.name = part.name, .firstIndex = static_cast<std::uint32_t>(first), .indexCount = static_cast<std::uint32_t>(to - first)});
+    }
+    const std::size_t dropped = (mesh.indices.size() - to) / 3;
+    mesh.indices.resize(to);
+    mesh.parts = std::move(parts);
+    return dropped;
+}
+
+} // namespace tegument

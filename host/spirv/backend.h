@@ -1,0 +1,33 @@
+#pragma once
+// The two compilers behind compileShader: source in, SPIR-V as the compiler wrote it out, semantics still inside.
+
+#include "host/spirv/compile.h"
+#include "host/spirv/includes.h"
+
+namespace tegument {
+
+struct RawShader {
+    std::vector<std::uint32_t> spirv;
+    std::vector<Diagnostic> warnings;
+};
+
+namespace dxc {
+[[nodiscard]] bool available();
+/// "DXC 1.8 (fd7e54bc)"; empty when not available.
+[[nodiscard]] std::string name();
+/// Hash of the library's file.
+[[nodiscard]] std::string identity();
+/// The arguments that do not depend on the request: part of the cache key.
+[[nodiscard]] std::string flags();
+[[nodiscard]] Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes);
+} // namespace dxc
+
+namespace glslang_hlsl {
+/// Once for the process; false: nothing of glslang can be used.
+bool initialise();
+[[nodiscard]] std::string name();
+[[nodiscard]] std::string identity();
+[[nodiscard]] Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes);
+} // namespace glslang_hlsl
+
+} // namespace tegument

@@ -1,0 +1,97 @@
+#include "host/spirv/compile.h"
+
+#include "host/spirv/backend.h"
+#include "host/spirv/cache.h"
+#include "host/spirv/reflect.h"
+#include "host/spirv/validate.h"
+#include "host/support/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument {
+
+namespace {
+
+/// Sets of compile.h: what both stages of a pipeline declare must not meet.
+std::uint32_t descriptorSet(Stage stage) {
+    return stage == Stage::Pixel ? 1 : 0;
+}
+
+/// Messages then name the file as the request does, also where the code brings no #line of its own.
+std::string withLineDirective(const ShaderRequest& request) {
+    std::string name = request.file;
+    std::ranges::replace_if(
+        name, [](char c) { return c == '"' || c == '\n' || c == '\\'; }, '_');
+    return fmt::format("#line 1 \"{}\"\n{}", name, request.code);
+}
+
+std::string cacheKey(const ShaderRequest& request, Compiler compiler) {
+    std::string text = compiler == Compiler::Dxc ? dxc::identity() + dxc::flags() : glslang_hlsl::identity();
+    const auto add = [&](std::string_view part) { text += fmt::format("\n{} {}", part.size(), part); }; // lengths keep parts apart
+    add(spirv::validatorName());
+    add(request.entry);
+    add(fmt::format("{}", static_cast<int>(request.stage)));
+    for (const auto& [name, value] : request.defines) {
+        add(name);
+        add(value);
+    }
+    for (const auto& folder : request.includeFolders)
+        add(folder.string());
+    add(request.code);
+    return contentHash(text);
+}
+
+Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler compiler) {
+    const auto invalid = [&](const std::string& why) {
+        return machineError(
+            3003, fmt::format("{}: {} wrote SPIR-V for {} that is not valid: {}", request.file, compilerName(compiler), request.entry, why),
+            "this is a fault of the compiler: try the other one (--compiler) or another spelling");
+    };
+    if (const std::string why = spirv::validate(raw.spirv); !why.empty()) return invalid(why);
+    auto reflection = spirv::reflect(raw.spirv, request.stage, descriptorSet(request.stage), request.file);
+    if (!reflection) return reflection.error();
+    return Shader{.stage = request.stage,
+                  .file = request.file,
+                  .entry = request.entry,
+                  .spirv = spirv::withoutReflectionDecorations(raw.spirv),
+                  .reflection = std::move(*reflection),
+                  .warnings = std::move(raw.warnings)};
+}
+
+} // namespace
+
+bool compilerAvailable(Compiler compiler) {
+    return compiler == Compiler::Glslang || dxc::available();
+}
+
+std::string compilerName(Compiler compiler) {
+    if (compiler == Compiler::Glslang) return glslang_hlsl::name();
+    static const std::string kDxc = dxc::available() ? dxc::name() : "DXC";
+    return kDxc;
+}
+
+Compiler defaultCompiler() {
+    return compilerAvailable(Compiler::Dxc) ? Compiler::Dxc : Compiler::Glslang;
+}
+
+Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler) {
+    if (!compilerAvailable(compiler))
+        return machineError(3002, "the DXC library is not there, or this program was built without it",
+                            "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
+    const std::string code = withLineDirective(request);
+    ShaderRequest named = request;
+    named.code = code;
+
+    const std::string key = cacheKey(named, compiler);
+    if (auto cached = loadCachedShader(key)) return std::move(*cached);
+    IncludeReader includes(request.file, request.includeFolders);
+    auto raw = compiler == Compiler::Dxc ? dxc::compile(named, includes) : glslang_hlsl::compile(named, includes);
+    if (!raw) return raw.error();
+    auto shader = finish(std::move(*raw), request, compiler);
+    if (shader) storeCachedShader(key, {*shader, includes.files()});
+    return shader;
+}
+
+} // namespace tegument

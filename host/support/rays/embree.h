@@ -1,0 +1,44 @@
+#pragma once
+// Inside host/support/rays: what both trees share of Embree.
+
+#include <embree3/rtcore.h>
+#include <glm/glm.hpp>
+
+namespace tegument {
+
+struct EmbreeScene {
+    RTCDevice device;
+    RTCScene scene;
+
+    explicit EmbreeScene(unsigned threads) : device(rtcNewDevice(threads == 1 ? "threads=1" : nullptr)), scene(rtcNewScene(device)) {}
+    EmbreeScene(const EmbreeScene&) = delete;
+    EmbreeScene& operator=(const EmbreeScene&) = delete;
+    ~EmbreeScene() {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+
+    /// Takes the geometry over and builds the tree.
+    void commit(RTCGeometry geometry) const {
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene);
+    }
+};
+
+inline RTCRay rayFrom(const glm::vec3& origin, const glm::vec3& direction, float first, float last) {
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.tnear = first;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tfar = last;
+    ray.mask = ~0U;
+    return ray;
+}
+
+} // namespace tegument

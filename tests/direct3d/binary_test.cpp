@@ -1,0 +1,151 @@
+#include "host/direct3d/effect_binary.h"
+#include "host/direct3d/sm3.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tegument::test {
+namespace {
+
+std::string bytesOf(const std::vector<std::uint32_t>& words) {
+    return {reinterpret_cast<const char*>(words.data()), words.size() * 4};
+}
+
+/// One parameter with one annotation; two techniques, of one pass with three states and of two passes, the first with an annotation.
+std::string fx2() {
+    return bytesOf({0xfeff0901, 0,                               // tag, tables at byte 8
+                    1,          2, 0, 5,                         // parameters, techniques, unknown, objects
+                    4,          8, 0, 1, 4, 8,                   // parameter: type, value, flags, one annotation
+                    4,          0, 1,                            // technique: name, no annotation, one pass
+                    4,          0, 3,                            // pass: name, no annotation, three states
+                    1,          0, 4, 8, 1, 0, 4, 8, 1, 0, 4, 8, //
+                    4,          1, 2, 4, 8,                      // technique: name, an annotation, two passes
+                    4,          1, 0, 4, 8,                      // pass with an annotation
+                    4,          0, 0});
+}
+
+TEST(EffectBinary, fx_2_0_is_walked_to_its_techniques_and_passes) {
+    const auto content = readEffectBinary(fx2());
+    ASSERT_TRUE(content);
+    EXPECT_EQ(content->techniques, 2);
+    EXPECT_EQ(content->passes, 3);
+}
+
+TEST(EffectBinary, fx_2_0_cut_short_is_no_effect) {
+    const std::string whole = fx2();
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        EXPECT_FALSE(readEffectBinary(std::string_view(whole).substr(0, length))) << length;
+}
+
+TEST(EffectBinary, counts_beyond_the_file_are_no_effect) {
+    EXPECT_FALSE(readEffectBinary(bytesOf({0xfeff0901, 0xffffffff, 1, 1})));
+    EXPECT_FALSE(readEffectBinary(bytesOf({0xfeff0901, 0, 0xffffffff, 0xffffffff, 0, 0})));
+}
+
+/// One float2 parameter "gA" of semantic "S" with default 0.5, 2; one technique of one pass, whose only resource is `object`.
+std::string fx2With(std::uint32_t tag) {
+    return bytesOf({0xfeff0901, 60, // tag, tables at byte 68
+                    0,          3,          1,          32,         40, 0,
+                    2,          1, // byte 8: nothing at offset 0; offset 4: float, vector, name, semantic, elements, columns, rows
+                    3,          0x00004167, 2,          0x00000053,        // offset 32: "gA", offset 40: "S"
+                    0,          0x3f000000, 0x40000000,                    // offset 52: the value
+                    1,          1,          0,          3,                 // parameters, techniques, unknown, objects
+                    4,          52,         0,          0,                 // type, value, flags, annotations
+                    0,          0,          1,          0,          0,  0, // technique and pass without a name
+                    1,          1,                                         // values, resources
+                    1,          3,          0x00636261,                    // a value of three bytes
+                    0,          0,          0xffffffff, 0,          0,  8,
+                    tag,        0x0000ffff});
+}
+
+TEST(EffectBinary, fx_2_0_holds_the_shaders_of_its_passes) {
+    const std::string pixel = fx2With(0xffff0300);
+    const auto shaders = fx2Shaders(pixel);
+    ASSERT_EQ(shaders.size(), 1U);
+    EXPECT_EQ(shaders[0].bytes.size(), 8U);
+    EXPECT_TRUE(isPixelShader(shaders[0]));
+    const std::string vertex = fx2With(0xfffe0300);
+    ASSERT_EQ(fx2Shaders(vertex).size(), 1U);
+    EXPECT_FALSE(isPixelShader(fx2Shaders(vertex)[0]));
+}
+
+TEST(EffectBinary, fx_2_0_holds_parameters_with_semantic_and_default) {
+    const auto parameters = fx2Parameters(fx2With(0xffff0300));
+    ASSERT_EQ(parameters.size(), 1U);
+    EXPECT_EQ(parameters[0].name, "gA");
+    EXPECT_EQ(parameters[0].semantic, "S");
+    EXPECT_EQ(parameters[0].numbers, (std::vector<double>{0.5, 2}));
+}
+
+TEST(EffectBinary, an_effect_cut_short_holds_no_shader_that_reaches_beyond_it) {
+    const std::string whole = fx2With(0xffff0300);
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        EXPECT_TRUE(fx2Shaders(std::string_view(whole).substr(0, length)).empty()) << length;
+}
+
+TEST(EffectBinary, fx_5_0_counts_techniques_and_shaders_in_its_header) {
+    std::vector<std::uint32_t> words(24, 0);
+    words[0] = 0xfeff2001;
+    words[7] = 1;
+    words[17] = 30;
+    const auto content = readEffectBinary(bytesOf(words));
+    ASSERT_TRUE(content);
+    EXPECT_EQ(content->techniques, 1);
+    EXPECT_EQ(content->shaders, 30);
+}
+
+TEST(EffectBinary, fx_4_0_lies_in_a_container) {
+    std::vector<std::uint32_t> words{0x43425844, 0, 0,  0,          0, 0,
+                                     0,          1, 36, 0x30315846, 80}; // "DXBC", ..., one chunk at byte 36, "FX10", its size
+    std::vector<std::uint32_t> chunk(20, 0);
+    chunk[0] = 0xfeff1001;
+    chunk[7] = 2;
+    chunk[17] = 4;
+    words.insert(words.end(), chunk.begin(), chunk.end());
+    const auto content = readEffectBinary(bytesOf(words));
+    ASSERT_TRUE(content);
+    EXPECT_EQ(content->techniques, 2);
+    EXPECT_EQ(content->shaders, 4);
+}
+
+TEST(EffectBinary, a_shader_is_no_effect) {
+    EXPECT_FALSE(readEffectBinary(bytesOf({0xffff0300, 1, 2, 3})));
+    EXPECT_FALSE(readEffectBinary(""));
+}
+
+TEST(Sm3, a_pixel_shader_s_use_is_read_from_its_listing) {
+    const auto usage = readSm3Listing("// Registers:\n//\n//   Name         Reg   Size\n//   ------------ ----- ----\n//   gWorld       c3 "
+                                      "      4\n//   gTsm         s0       1\n//\n"
+                                      "    ps_3_0\n    def c9, 1, 0, 0, 0\n    dcl_texcoord v0.xy\n    dcl_texcoord3 v1\n    dcl vPos.xy\n "
+                                      "   dcl_2d s0\n    dcl_cube s4\n"
+                                      "    mov oC0, c9\n// approximately 86 instruction slots used (2 texture, 84 arithmetic)\n");
+    ASSERT_TRUE(usage);
+    EXPECT_EQ(usage->instructionSlots, 86);
+    EXPECT_EQ(usage->constants, 10) << "c9 is the highest";
+    EXPECT_EQ(usage->samplers, 2);
+    EXPECT_EQ(usage->interpolators, 2) << "vPos is no interpolator";
+}
+
+TEST(Sm3, a_matrix_takes_a_register_for_each_column) {
+    const auto usage = readSm3Listing("//   gWorld       c3       4\n    vs_3_0\n");
+    ASSERT_TRUE(usage);
+    EXPECT_EQ(usage->constants, 7);
+}
+
+TEST(Sm3, a_vertex_shader_s_interpolators_are_its_outputs_without_the_position) {
+    const auto usage = readSm3Listing(
+        "    vs_3_0\n    dcl_position v0\n    dcl_texcoord v1\n    dcl_position o0\n    dcl_texcoord o1.xy\n    dcl_texcoord1 o2.xyz\n");
+    ASSERT_TRUE(usage);
+    EXPECT_EQ(usage->interpolators, 2);
+}
+
+TEST(Sm3, other_listings_are_not_read) {
+    EXPECT_FALSE(readSm3Listing("ps_5_0\ndcl_globalFlags refactoringAllowed\n"));
+    EXPECT_FALSE(readSm3Listing(""));
+}
+
+} // namespace
+} // namespace tegument::test

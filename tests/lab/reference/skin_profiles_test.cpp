@@ -1,0 +1,103 @@
+// Profiles against each other, and against simulated skin.
+
+#include "host/lab/reference/skin_profiles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace tegument::reference;
+
+namespace {
+
+/// Light of a sum of Gaussians, as a simulation without noise would count it.
+RingHistogram ringsOf(const Profile& profile, int channel) {
+    RingHistogram rings;
+    for (std::size_t i = 0; i < RingHistogram::kRings; ++i) {
+        const double near = RingHistogram::edge(i);
+        const double far = RingHistogram::edge(i + 1);
+        rings.add(0.5 * (near + far), discCentre(profile, far)[channel] - discCentre(profile, near)[channel]);
+    }
+    return rings;
+}
+
+SimulatedSkin skinOf(const Profile& profile) {
+    SimulatedSkin skin;
+    for (int c = 0; c < 3; ++c)
+        skin[static_cast<std::size_t>(c)].rings = ringsOf(profile, c);
+    return skin;
+}
+
+const SimulatedSkin& simulated() {
+    static const SimulatedSkin kSkin = simulateSkin(100'000, 3);
+    return kSkin;
+}
+
+/// 100,000 photons find half of the light within 0.2 % of the light, four standard errors; published with three digits.
+constexpr double kNoise = 6e-3;
+
+void expectNear(const glm::dvec3& value, const glm::dvec3& published, double tolerance) {
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(value[c], published[c], tolerance) << "channel " << c;
+}
+
+} // namespace
+
+TEST(SkinProfiles, edge_of_light_from_rings_is_the_closed_form_of_their_profile) {
+    for (const double x : {-1.0, 0.0, 0.02, 0.4, 3.0})
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(halfPlane(ringsOf(skinProfile(), c), x), halfPlane(skinProfile(), x)[c], 2e-4) << x << ": rings 2 % wide";
+}
+
+TEST(SkinProfiles, a_profile_has_no_error_against_itself) {
+    const ModelError error = modelError(named("", "", skinProfile()), skinOf(skinProfile()));
+    expectNear(error.within, glm::dvec3(0), 3e-4); // energy is spread evenly within a ring
+    expectNear(error.halfPlane, glm::dvec3(0), 3e-4);
+}
+
+/// To one unit of the last digit that was published; the refits' coefficients are rounded to three digits too.
+TEST(SkinProfiles, refits_miss_the_six_gaussians_by_what_is_published_of_them) {
+    const auto edgeOf = [](int count) { return modelError(named("", "", refittedProfile(count)), skinOf(skinProfile())).halfPlane; };
+    expectNear(edgeOf(5), {.0003, .0003, .0003}, 6e-4);
+    expectNear(edgeOf(4), {.0015, .0030, .0045}, 6e-4);
+    expectNear(edgeOf(3), {.0069, .0045, .0082}, 6e-4);
+    expectNear(edgeOf(2), {.017, .040, .047}, 1.1e-3);
+}
+
+TEST(SkinProfiles, the_burley_nearest_to_the_six_gaussians_misses_their_edge_by_what_is_published) {
+    const ModelError error = modelError(namedBurley("", "", {.451, .104, .070}), skinOf(skinProfile()));
+    expectNear(error.halfPlane, {.029, .044, .059}, 1e-3);
+}
+
+TEST(SkinProfiles, every_table_is_white) {
+    for (const Profile* profile :
+         {&refittedProfile(2), &refittedProfile(3), &refittedProfile(4), &refittedProfile(5), &conferenceProfile(), &physicalProfile()}) {
+        expectNear(slab(*profile, 0), glm::dvec3(1), 2.1e-3); // the conference's red, as printed, sums to .998
+    }
+}
+
+TEST(SkinProfiles, the_burley_that_fits_best_is_found) {
+    SimulatedSkin skin;
+    for (int c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < RingHistogram::kRings; ++i) {
+            const glm::dvec3 d(0.4, 0.2, 0.1);
+            const double near = RingHistogram::edge(i);
+            const double far = RingHistogram::edge(i + 1);
+            const NamedProfile truth = namedBurley("", "", d);
+            skin[static_cast<std::size_t>(c)].rings.add(0.5 * (near + far), (truth.within(far) - truth.within(near))[c]);
+        }
+    expectNear(fittedBurley(skin), {0.4, 0.2, 0.1}, 2e-3);
+}
+
+TEST(SkinProfiles, six_gaussians_misplace_the_energy_that_is_published) {
+    const ModelError error = modelError(named("", "", skinProfile()), simulated());
+    expectNear(error.within, {.147, .148, .200}, kNoise);
+    expectNear(error.halfPlane, {.056, .066, .077}, kNoise);
+}
+
+TEST(SkinProfiles, the_physical_fit_is_ten_times_closer_at_an_edge_of_light) {
+    const glm::dvec3 table = modelError(named("", "", skinProfile()), simulated()).halfPlane;
+    const glm::dvec3 fit = modelError(named("", "", physicalProfile()), simulated()).halfPlane;
+    for (int c = 0; c < 3; ++c)
+        EXPECT_LT(fit[c], 0.15 * table[c]) << "channel " << c;
+}

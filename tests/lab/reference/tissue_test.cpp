@@ -1,0 +1,160 @@
+// Photons in tissue against closed forms, the theory of isotropic scattering, and published simulations.
+
+#include "host/lab/reference/quadrature.h"
+#include "host/lab/reference/tissue.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace tegument::reference;
+
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kSigmas = 4; // of the simulation's own standard error: one run in 16,000 strays further
+constexpr std::size_t kPhotons = 100'000;
+
+Photons follow(const Tissue& tissue, Launch launch, std::size_t photons = kPhotons) {
+    return followPhotons(tissue, {.photons = photons, .launch = launch});
+}
+
+/// Chandrasekhar's H for isotropic scattering of this single-scattering albedo, at the nodes, by iterating
+///   1 / H(m) = sqrt(1 - a) + a / 2 integral of m' H(m') / (m + m') dm' over [0, 1].
+double chandrasekhar(double albedo, double cosine) {
+    const std::vector<Node> nodes = gaussLegendre(64, 0, 1);
+    std::vector<double> h(nodes.size(), 1.0);
+    const auto at = [&](double m) {
+        double sum = 0;
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+            sum += nodes[j].weight * nodes[j].x * h[j] / (m + nodes[j].x);
+        return 1 / (std::sqrt(1 - albedo) + albedo / 2 * sum);
+    };
+    for (int i = 0; i < 400; ++i) {
+        std::vector<double> next;
+        for (const Node& node : nodes)
+            next.push_back(at(node.x));
+        h = next;
+    }
+    return at(cosine);
+}
+
+void expectPublished(const Photons& photons, double value, double published, const char* what) {
+    constexpr double kRounding = 1e-3; // published with three digits, and simulated themselves
+    EXPECT_NEAR(value, published, kSigmas * std::hypot(photons.reflectedError, photons.transmittedError) + kRounding) << what;
+}
+
+double back(const Photons& photons) {
+    return photons.mirrored + photons.reflected + photons.transmitted;
+}
+
+} // namespace
+
+TEST(Photons, through_a_plate_that_only_absorbs_go_as_fresnel_and_beer_say) {
+    const double absorption = 0.7, thickness = 1.5, index = 1.4;
+    const double mirrored = std::pow((index - 1) / (index + 1), 2);
+    const double passed = std::exp(-absorption * thickness);
+    const double inside = (1 - mirrored) * passed / (1 - std::pow(mirrored * passed, 2)); // reflections between the two faces added up
+    const Photons found = follow({{absorption, 0, thickness, index}}, Launch::Normal);
+    EXPECT_NEAR(found.mirrored, mirrored, 1e-12);
+    EXPECT_NEAR(found.transmitted, inside * (1 - mirrored), kSigmas * found.transmittedError);
+    EXPECT_NEAR(found.reflected, inside * mirrored * passed * (1 - mirrored), kSigmas * found.reflectedError);
+}
+
+TEST(Photons, that_nothing_absorbs_all_come_out) {
+    const Photons found = follow({{0, 3, 0.5, 1.4}, {0, 1, 0.8, 1.34}, {0, 5, 0.2, 1.5}}, Launch::Normal);
+    EXPECT_NEAR(back(found), 1, 1e-3) << "Russian roulette keeps the mean, not the sum";
+}
+
+TEST(Photons, from_an_endless_medium_of_matched_index_come_back_as_chandrasekhar_says) {
+    for (const double albedo : {0.5, 0.9}) {
+        const Photons beam = follow({{1 - albedo, albedo, kEndless, 1}}, Launch::Normal);
+        EXPECT_NEAR(beam.reflected, 1 - std::sqrt(1 - albedo) * chandrasekhar(albedo, 1), kSigmas * beam.reflectedError) << albedo;
+        double cosines = 0; // H averaged over the cosine law
+        for (const Node& node : gaussLegendre(16, 0, 1))
+            cosines += 2 * node.weight * node.x * chandrasekhar(albedo, node.x);
+        const Photons diffuse = follow({{1 - albedo, albedo, kEndless, 1}}, Launch::Diffuse);
+        EXPECT_NEAR(diffuse.reflected, 1 - std::sqrt(1 - albedo) * cosines, kSigmas * diffuse.reflectedError) << albedo;
+    }
+}
+
+TEST(Photons, do_not_notice_an_interface_between_equal_layers) {
+    const Photons one = follow({{0.1, 2, 1.0, 1.4}}, Launch::Diffuse);
+    const Photons two = follow({{0.1, 2, 0.3, 1.4}, {0.1, 2, 0.7, 1.4}}, Launch::Diffuse);
+    EXPECT_NEAR(one.reflected, two.reflected, kSigmas * std::hypot(one.reflectedError, two.reflectedError));
+    EXPECT_NEAR(one.transmitted, two.transmitted, kSigmas * std::hypot(one.transmittedError, two.transmittedError));
+}
+
+TEST(Photons, of_a_thousandth_of_the_absorption_and_scattering_spread_a_thousand_times_as_far) {
+    const Photons near = follow({{0.2, 1.5, kEndless, 1.4}}, Launch::Diffuse);
+    const Photons far = follow({{0.0002, 0.0015, kEndless, 1.4}}, Launch::Diffuse);
+    EXPECT_NEAR(near.reflected, far.reflected, 1e-12) << "the same random numbers";
+    EXPECT_NEAR(1000 * near.rings.radiusOf(0.1), far.rings.radiusOf(0.1), 20) << "rings are 2 % wide";
+}
+
+TEST(Photons, are_the_same_again_and_others_for_another_seed) {
+    const Tissue tissue = layeredSkin(2);
+    const Photons first = followPhotons(tissue, {.photons = 2000, .seed = 7});
+    EXPECT_EQ(first.reflected, followPhotons(tissue, {.photons = 2000, .seed = 7}).reflected);
+    EXPECT_NE(first.reflected, followPhotons(tissue, {.photons = 2000, .seed = 8}).reflected);
+}
+
+/// Values of an independent simulation, confirmed by Mitsuba 3 (docs/model-error.md).
+TEST(Photons, come_back_from_jensen_s_skin_as_published) {
+    constexpr double kScattering[] = {.74, .88, 1.01};
+    constexpr double kAbsorption[] = {.032, .17, .48};
+    constexpr double kPublished[] = {.4168, .2090, .1240};
+    for (int c = 0; c < 3; ++c) {
+        const Photons found = follow({{kAbsorption[c], kScattering[c], kEndless, 1.4}}, Launch::Normal);
+        expectPublished(found, back(found), kPublished[c], "skin1");
+    }
+}
+
+TEST(Photons, leave_the_epidermis_as_published) {
+    constexpr double kPublished[] = {.8385, .8339, .6811};
+    for (int c = 0; c < 3; ++c) {
+        const Photons found = follow({layeredSkin(c).front()}, Launch::Normal);
+        expectPublished(found, back(found), kPublished[c], "both sides");
+    }
+}
+
+TEST(Photons, leave_three_layered_skin_as_published) {
+    constexpr double kAlbedo[] = {.502, .431, .331};
+    constexpr double kRadii[3][3] = {{.45, 3.3, 12.8}, {.255, .65, 1.93}, {.18, .42, .79}};
+    constexpr double kShares[] = {.5, .8, .95};
+    for (int c = 0; c < 3; ++c) {
+        const Photons found = follow(layeredSkin(c), Launch::Diffuse);
+        expectPublished(found, found.reflected, kAlbedo[c], "albedo");
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(found.rings.radiusOf(kShares[i]), kRadii[c][i], 0.03 * kRadii[c][i]) << "two digits, and 100,000 photons";
+    }
+}
+
+TEST(Photons, pass_through_an_ear_as_published) {
+    constexpr double kThrough[4][3] = {{.195, .130, .0068}, {.173, .084, .0003}, {.139, .037, 0}, {.112, .017, 0}};
+    constexpr double kBloody[] = {0.6, 1.6, 3.6, 5.6}; // mm: 0.9 less than the whole
+    for (int i = 0; i < 4; ++i)
+        for (int c = 0; c < 3; ++c) {
+            const Photons found = follow(skinSlab(c, kBloody[i]), Launch::Diffuse, 20'000);
+            expectPublished(found, found.transmitted, kThrough[i][c], "slab");
+        }
+}
+
+TEST(RingHistogram, finds_the_radius_that_holds_a_share) {
+    RingHistogram rings;
+    rings.add(0.0004, 1); // the innermost disc
+    rings.add(0.5, 2);
+    rings.add(30, 1);
+    EXPECT_NEAR(rings.radiusOf(0.125), 0.0005, 1e-12) << "half of the disc's energy";
+    EXPECT_NEAR(rings.radiusOf(0.5), 0.5, 0.02);
+    EXPECT_NEAR(rings.within(1), 3, 1e-12);
+    EXPECT_NEAR(rings.within(rings.radiusOf(0.6)), 2.4, 1e-12);
+}
+
+TEST(RingHistogram, keeps_what_is_further_than_its_last_ring) {
+    RingHistogram rings;
+    rings.add(1e6, 1);
+    EXPECT_EQ(rings.total(), 1);
+    EXPECT_EQ(rings.within(1), 0);
+}

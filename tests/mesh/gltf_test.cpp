@@ -1,0 +1,301 @@
+#include "tests/mesh/files.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace tegument;
+using namespace tegument::testing_scene;
+
+namespace {
+
+using Gltf = SceneFiles;
+
+/// Views: 0 positions of a triangle (36 bytes), 1 indices 0 1 2 as uint16 (6, padded to 8), 2 UVs (24). Accessors likewise.
+std::string triangleBinary() {
+    std::string binary;
+    append(binary, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0});
+    append(binary, std::vector<std::uint16_t>{0, 1, 2, 0});
+    append(binary, std::vector<float>{0, 1, 1, 1, 0, 0});
+    return binary;
+}
+
+struct Parts {
+    std::string asset = R"({"version":"2.0"})";
+    std::string primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1})";
+    std::string nodes = R"([{"mesh":0}])";
+    std::string position = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"})";
+    std::string index = R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"})";
+    std::string buffer = R"({"byteLength":68})";
+    std::string more; // further members of the root
+};
+
+std::string json(const Parts& p) {
+    return R"({"asset":)" + p.asset + R"(,"nodes":)" + p.nodes + R"(,"meshes":[{"name":"m","primitives":[)" + p.primitive +
+           R"(]}],"accessors":[)" + p.position + "," + p.index + R"(,{"bufferView":2,"componentType":5126,"count":3,"type":"VEC2"}],)" +
+           R"("bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":8},{"buffer":0,"byteOffset":44,"byteLength":24}],)" +
+           R"("buffers":[)" + p.buffer + "]" + p.more + "}";
+}
+
+std::string triangle(const Parts& parts = {}) {
+    return glb(json(parts), triangleBinary());
+}
+
+const MeshOptions kMillimetres{.unitMm = 1};
+
+glm::vec3 corner(const Mesh& mesh, std::size_t i) {
+    return mesh.positions[mesh.indices[i]];
+}
+
+} // namespace
+
+TEST_F(Gltf, metres_become_millimetres) {
+    const auto mesh = load("a.glb", triangle());
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->unitMm, 1000);
+    EXPECT_EQ(corner(*mesh, 1), glm::vec3(1000, 0, 0));
+    EXPECT_EQ(mesh->uvs[mesh->indices[0]], glm::vec2(0, 1)) << "v points down in glTF, as here";
+}
+
+TEST_F(Gltf, node_transforms_are_applied_from_the_root_down) {
+    Parts parts;
+    parts.nodes =
+        R"([{"children":[1],"translation":[10,0,0]},{"mesh":0,"rotation":[0,0,0.70710678118654752,0.70710678118654752],"scale":[2,2,2]}])";
+    const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_LT(glm::distance(corner(*mesh, 1), glm::vec3(10, 2, 0)), 1e-6f);
+    EXPECT_LT(glm::distance(corner(*mesh, 2), glm::vec3(8, 0, 0)), 1e-6f);
+}
+
+TEST_F(Gltf, a_matrix_node_is_column_major) {
+    Parts parts;
+    parts.nodes = R"([{"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}])";
+    const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(corner(*mesh, 0), glm::vec3(5, 6, 7));
+}
+
+TEST_F(Gltf, a_mirroring_node_turns_the_winding_so_that_the_normal_stays_outside) {
+    Parts parts;
+    parts.nodes = R"([{"mesh":0,"scale":[-1,1,1]}])";
+    const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST_F(Gltf, only_the_default_scene_is_read) {
+    Parts parts;
+    parts.nodes = R"([{"mesh":0},{"mesh":0,"translation":[5,0,0]}])";
+    parts.more = R"(,"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}])";
+    const auto mesh = load("a.glb", triangle(parts), kMillimetres);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3u);
+    EXPECT_EQ(corner(*mesh, 0), glm::vec3(5, 0, 0));
+}
+
+TEST_F(Gltf, primitives_become_parts_and_share_vertices_where_they_share_accessors) {
+    Parts parts;
+    parts.primitive =
+        R"({"attributes":{"POSITION":0},"indices":1,"material":0},{"attributes":{"POSITION":0},"indices":1,"extras":{"name":"eye"}})";
+    parts.more = R"(,"materials":[{"name":"skin"}])";
+    const auto mesh = load("a.glb", triangle(parts));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->positions.size(), 3u);
+    ASSERT_EQ(mesh->parts.size(), 2u);
+    EXPECT_EQ(mesh->parts[0].name, "skin");
+    EXPECT_EQ(mesh->parts[1].name, "eye");
+    EXPECT_EQ(mesh->parts[1].firstIndex, 3u);
+}
+
+TEST_F(Gltf, strips_and_fans_keep_their_winding) {
+    std::string binary;
+    append(binary, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+    for (const char* mode : {"5", "6"}) {
+        const std::string text =
+            std::string(R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"mode":)") + mode +
+            R"(,"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}],)"
+            R"("bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{"byteLength":48}]})";
+        const auto mesh = load("a.glb", glb(text, binary), kMillimetres);
+        ASSERT_TRUE(mesh) << format(mesh.error());
+        const glm::vec3 a = corner(*mesh, 3), b = corner(*mesh, 4), c = corner(*mesh, 5);
+        EXPECT_EQ(glm::cross(corner(*mesh, 1) - corner(*mesh, 0), corner(*mesh, 2) - corner(*mesh, 0)).z, 1);
+        EXPECT_EQ(glm::cross(b - a, c - a).z, mode[0] == '5' ? 1 : -1) << "these four points as a fan fold back";
+    }
+}
+
+TEST_F(Gltf, normalised_integers_and_sparse_values_are_read) {
+    std::string binary;
+    append(binary, std::vector<std::uint8_t>{0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0, 0}); // three VEC3 of bytes, stride 4
+    append(binary, std::vector<std::uint16_t>{2, 0});                                  // element 2 is replaced
+    append(binary, std::vector<std::uint8_t>{0, 51, 255, 0});
+    const std::string text = R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5121,"normalized":true,"count":3,"type":"VEC3",
+                      "sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":2}}}],
+        "bufferViews":[{"buffer":0,"byteLength":12,"byteStride":4},{"buffer":0,"byteOffset":12,"byteLength":2},{"buffer":0,"byteOffset":16,"byteLength":3}],
+        "buffers":[{"byteLength":20}]})";
+    const auto mesh = load("a.glb", glb(text, binary), kMillimetres);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(corner(*mesh, 1), glm::vec3(1, 0, 0));
+    EXPECT_EQ(corner(*mesh, 2), glm::vec3(0, 0.2f, 1));
+}
+
+TEST_F(Gltf, external_and_data_buffers_are_read) {
+    write("a b.bin", triangleBinary());
+    Parts parts;
+    parts.buffer = R"({"byteLength":68,"uri":"a%20b.bin"})";
+    const auto external = load("a.gltf", json(parts), kMillimetres);
+    ASSERT_TRUE(external) << format(external.error());
+    EXPECT_EQ(corner(*external, 1), glm::vec3(1, 0, 0));
+
+    // the nine bytes 0 0 0, 1 0 0, 0 1 0 in base64
+    const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5121,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":9}],
+        "buffers":[{"byteLength":9,"uri":"data:application/octet-stream;base64,AAAAAQAAAAEA"}]})";
+    const auto embedded = load("b.gltf", text, kMillimetres);
+    ASSERT_TRUE(embedded) << format(embedded.error());
+    EXPECT_EQ(corner(*embedded, 1), glm::vec3(1, 0, 0));
+    EXPECT_EQ(corner(*embedded, 2), glm::vec3(0, 1, 0));
+}
+
+TEST_F(Gltf, textures_are_found_by_role_embedded_and_beside_the_file) {
+    const Image red{.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .bitsPerChannel = 8, .metadata = {}};
+    const auto png = encodePng(red, PngEncoding::Raw);
+    ASSERT_TRUE(png);
+    write("red.png", *png);
+    std::string binary = triangleBinary();
+    const std::size_t at = binary.size();
+    binary += *png;
+    Parts parts;
+    parts.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0})";
+    parts.buffer = R"({"byteLength":)" + std::to_string(binary.size()) + "}";
+    parts.more = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"normalTexture":{"index":1},
+        "extras":{"tegumentTextures":{"kernelSize":1}}}],"textures":[{"source":0},{"source":1}],"images":[{"uri":"red.png"},{"bufferView":3}])";
+    std::string text = json(parts);
+    text.replace(text.find(R"(],"buffers")"), 1,
+                 R"(,{"buffer":0,"byteOffset":)" + std::to_string(at) + R"(,"byteLength":)" + std::to_string(png->size()) + "}]");
+    const auto mesh = load("a.glb", glb(text, binary));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    std::string roles;
+    for (const EmbeddedTexture& texture : mesh->textures) {
+        roles += texture.role + " ";
+        EXPECT_EQ(texture.image.pixels, red.pixels);
+    }
+    EXPECT_EQ(roles, "color normal kernelSize ");
+}
+
+TEST_F(Gltf, a_second_texture_of_a_role_is_ignored_with_a_warning) {
+    const auto png = encodePng({.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw);
+    ASSERT_TRUE(png);
+    write("red.png", *png);
+    write("other.png", *png);
+    Parts parts;
+    parts.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0},{"attributes":{"POSITION":0},"indices":1,"material":1})";
+    parts.more = R"(,"materials":[{"normalTexture":{"index":0}},{"normalTexture":{"index":1}}],
+        "textures":[{"source":0},{"source":1}],"images":[{"uri":"red.png"},{"uri":"other.png"}])";
+    const auto mesh = load("a.glb", triangle(parts));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->textures.size(), 1U);
+    EXPECT_TRUE(std::ranges::any_of(mesh->warnings, [](const Diagnostic& warning) { return warning.code == 5326; }));
+}
+
+TEST_F(Gltf, a_missing_texture_file_is_named) {
+    Parts parts;
+    parts.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0})";
+    parts.more = R"(,"materials":[{"normalTexture":{"index":0}}],"textures":[{"source":0}],"images":[{"uri":"gone.png"}])";
+    const auto mesh = load("a.glb", triangle(parts));
+    EXPECT_EQ(codeOf(mesh), 5001);
+    EXPECT_NE(format(mesh.error()).find("gone.png"), std::string::npos);
+}
+
+TEST_F(Gltf, every_truncation_is_one_error_with_the_byte) {
+    const std::string whole = triangle();
+    for (std::size_t size = 4; size < whole.size(); ++size) {
+        const auto mesh = load("a.glb", whole.substr(0, size));
+        ASSERT_EQ(codeOf(mesh), 5301) << size;
+        EXPECT_EQ(mesh.error().diagnostics.front().at.byte, size);
+    }
+}
+
+TEST_F(Gltf, chunks_that_claim_more_than_is_there_are_refused) {
+    std::string bytes = triangle();
+    bytes[12] = '\xff'; // the JSON chunk's length
+    bytes[15] = '\x7f';
+    EXPECT_EQ(codeOf(load("a.glb", bytes)), 5303);
+}
+
+TEST_F(Gltf, broken_json_names_the_byte) {
+    const auto mesh = load("a.glb", glb(R"({"asset":{"version":"2.0"},,})", ""));
+    ASSERT_EQ(codeOf(mesh), 5302);
+    EXPECT_EQ(mesh.error().diagnostics.front().at.byte, 20u + 28u);
+}
+
+TEST_F(Gltf, json_nested_without_end_is_refused_without_a_crash) {
+    const std::string deep = R"({"asset":{"version":"2.0"},"extras":)" + std::string(300000, '[') + std::string(300000, ']') + "}";
+    EXPECT_EQ(codeOf(load("a.glb", glb(deep, ""))), 5306) << "legal, but there is no mesh in it";
+}
+
+TEST_F(Gltf, hostile_numbers_are_refused) {
+    const auto with = [](std::string Parts::*member, std::string value) {
+        Parts parts;
+        parts.*member = std::move(value);
+        return triangle(parts);
+    };
+    const struct {
+        std::string bytes;
+        int code;
+    } cases[] = {
+        {with(&Parts::position, R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})"), 5303},
+        {with(&Parts::position, R"({"bufferView":0,"componentType":5126,"count":200000000,"type":"VEC3"})"), 5303},
+        {with(&Parts::position, R"({"bufferView":0,"componentType":5126,"count":1e300,"type":"VEC3"})"), 5302},
+        {with(&Parts::position, R"({"bufferView":0,"componentType":5126,"count":-3,"type":"VEC3"})"), 5302},
+        {with(&Parts::position, R"({"bufferView":0,"byteOffset":4,"componentType":5126,"count":3,"type":"VEC3"})"), 5303},
+        {with(&Parts::position, R"({"bufferView":0,"byteOffset":4000,"componentType":5126,"count":3,"type":"VEC3"})"), 5302},
+        {with(&Parts::position, R"({"bufferView":9,"componentType":5126,"count":3,"type":"VEC3"})"), 5302},
+        {with(&Parts::position, R"({"bufferView":0,"componentType":1,"count":3,"type":"VEC3"})"), 5302},
+        {with(&Parts::position, R"({"bufferView":0,"componentType":5126,"count":3,"type":"MAT4"})"), 5302},
+        {with(&Parts::position, R"({"componentType":5126,"count":100000000,"type":"VEC3"})"), 5303},        // zeros cost no bytes
+        {with(&Parts::position, R"({"bufferView":0,"componentType":5126,"count":2,"type":"VEC3"})"), 5302}, // fewer than UVs
+        {with(&Parts::index, R"({"bufferView":1,"componentType":5126,"count":1,"type":"SCALAR"})"), 5302},
+        {with(&Parts::index, R"({"bufferView":0,"byteOffset":12,"componentType":5125,"count":3,"type":"SCALAR"})"), 5304},
+        {with(&Parts::primitive, R"({"attributes":{"POSITION":7}})"), 5302},
+        {with(&Parts::primitive, R"({"attributes":{}})"), 5302},
+        {with(&Parts::primitive, R"({"attributes":{"POSITION":0},"mode":99})"), 5302},
+        {with(&Parts::primitive, R"({"attributes":{"POSITION":0},"mode":1})"), 5306},
+        {with(&Parts::primitive, R"({"attributes":{"POSITION":0},"material":3})"), 5302},
+        {with(&Parts::nodes, R"([{"mesh":0,"children":[0]}])"), 5306}, // no root
+        {with(&Parts::nodes, R"([{"children":[1]},{"children":[2],"mesh":0},{"children":[1]}])"), 5302},
+        {with(&Parts::nodes, R"([{"mesh":0,"scale":[1,2]}])"), 5302},
+        {with(&Parts::nodes, R"([{"mesh":0,"rotation":[0,0,0,0]}])"), 5302},
+        {with(&Parts::nodes, R"([{"mesh":0,"scale":[1e38,1e38,1e38]}])"), 5305},
+        {with(&Parts::nodes, R"([{"mesh":5}])"), 5302},
+        {with(&Parts::buffer, R"({"byteLength":69})"), 5303},
+        {with(&Parts::buffer, R"({"byteLength":68},{"byteLength":1})"), 5302},
+        {with(&Parts::buffer, R"({"byteLength":68,"uri":"https://example.org/a.bin"})"), 5302},
+        {with(&Parts::buffer, R"({"byteLength":68,"uri":"data:;base64,****"})"), 5302},
+        {with(&Parts::asset, R"({"version":"1.0"})"), 5307},
+        {with(&Parts::more, R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"), 5307},
+    };
+    for (std::size_t i = 0; i < std::size(cases); ++i)
+        EXPECT_EQ(codeOf(load("a.glb", cases[i].bytes)), cases[i].code) << "case " << i;
+}
+
+TEST_F(Gltf, a_position_that_is_not_finite_is_refused) {
+    std::string binary = triangleBinary();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(binary.data() + 4, &nan, sizeof nan);
+    EXPECT_EQ(codeOf(load("a.glb", glb(json({}), binary))), 5305);
+}
+
+TEST_F(Gltf, one_primitive_drawn_by_many_nodes_cannot_exhaust_memory) {
+    // 65,536 vertices as zeros from a sparse accessor without data, drawn by 1,100 nodes: more than 2^26
+    std::string nodes = "[";
+    for (int i = 0; i < 1100; ++i)
+        nodes += std::string(i ? "," : "") + R"({"mesh":0})";
+    Parts parts;
+    parts.nodes = nodes + "]";
+    parts.primitive = R"({"attributes":{"POSITION":0}})";
+    parts.position = R"({"componentType":5126,"count":65536,"type":"VEC3"})";
+    std::string binary = triangleBinary();
+    binary.resize(70000);
+    EXPECT_EQ(codeOf(load("a.glb", glb(json(parts), binary))), 5310);
+}

@@ -1,0 +1,108 @@
+// What loadMesh checks whatever the format.
+#include "tests/mesh/files.h"
+
+using namespace tegument;
+using namespace tegument::testing_scene;
+
+namespace {
+
+using Loading = SceneFiles;
+
+/// A flat "head" of this height in file units, with a UV square.
+std::string panel(double height, std::string_view moreFaces = "") {
+    const std::string h = std::to_string(height);
+    return "v 0 0 0\nv 1 0 0\nv 1 " + h + " 0\nv 0 " + h + " 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n" +
+           std::string(moreFaces);
+}
+
+std::string messageOf(const Result<Mesh>& mesh) {
+    return mesh ? std::string("no error") : format(mesh.error());
+}
+
+} // namespace
+
+TEST_F(Loading, a_head_of_plausible_size_is_accepted) {
+    EXPECT_TRUE(load("a.obj", panel(240), {.expectHead = true}));
+    EXPECT_TRUE(load("a.obj", panel(2.4), {.unitMm = 100, .expectHead = true}));
+}
+
+TEST_F(Loading, a_head_of_implausible_size_is_refused_with_the_likely_unit) {
+    EXPECT_NE(messageOf(load("a.obj", panel(2.4), {.expectHead = true})).find("try 100"), std::string::npos);
+    EXPECT_NE(messageOf(load("a.obj", panel(24), {.expectHead = true})).find("try 10"), std::string::npos);
+    EXPECT_NE(messageOf(load("a.obj", panel(0.3), {.expectHead = true})).find("try 1000"), std::string::npos);
+    EXPECT_NE(messageOf(load("a.obj", panel(240), {.unitMm = 1000, .expectHead = true})).find("try 1"), std::string::npos);
+    const std::string lps = messageOf(load("a.obj", panel(7.945), {.unitMm = 1000, .expectHead = true}));
+    EXPECT_NE(lps.find("TG5309"), std::string::npos) << lps;
+    EXPECT_NE(lps.find("--unit-mm X"), std::string::npos) << lps;
+    EXPECT_NE(lps.find("try 35"), std::string::npos) << "no common unit fits: 280 / 7.945. " << lps;
+}
+
+TEST_F(Loading, a_head_is_judged_by_the_size_that_it_is_scaled_to) {
+    EXPECT_TRUE(load("a.obj", panel(0.24), {.expectHead = true, .scale = {1, -1000, 1}}));
+    const std::string message = messageOf(load("a.obj", panel(240), {.expectHead = true, .scale = glm::vec3(10)}));
+    EXPECT_NE(message.find("2400 mm high with 1 mm per unit, scaled by 10"), std::string::npos) << message;
+}
+
+TEST_F(Loading, a_head_without_height_is_refused) {
+    EXPECT_EQ(codeOf(load("a.obj", panel(0), {.expectHead = true})), 5309);
+}
+
+TEST_F(Loading, a_mesh_without_uvs_is_an_error_only_where_they_are_needed) {
+    const std::string_view bare = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_TRUE(load("a.obj", bare));
+    EXPECT_EQ(codeOf(load("a.obj", bare, {.requireUvs = true})), 5308);
+}
+
+TEST_F(Loading, overlapping_uvs_are_warned_of_with_the_share) {
+    const auto mesh = load("a.obj", panel(1, "f 1/1 4/4 3/3\n"));
+    ASSERT_TRUE(mesh);
+    ASSERT_TRUE(hasWarning(*mesh, 5320));
+    EXPECT_NE(mesh->warnings[0].text.find("66.7 % of the UV area"), std::string::npos) << mesh->warnings[0].text;
+    EXPECT_FALSE(mesh->warnings[0].hint.empty());
+}
+
+TEST_F(Loading, uvs_outside_the_square_are_warned_of_with_the_share) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt .5 0\nvt 1.5 0\nvt 1.5 1\nvt .5 1\nf 1/1 2/2 3/3 4/4\n");
+    ASSERT_TRUE(mesh);
+    ASSERT_TRUE(hasWarning(*mesh, 5321));
+    EXPECT_NE(mesh->warnings[0].text.find("50.0 %"), std::string::npos) << mesh->warnings[0].text;
+}
+
+TEST_F(Loading, clean_uvs_are_not_warned_of) {
+    EXPECT_TRUE(load("a.obj", panel(1))->warnings.empty());
+}
+
+TEST_F(Loading, a_uv_that_is_not_finite_is_refused) {
+    EXPECT_EQ(codeOf(load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt nan 0\nf 1/1 2/1 3/1\n")), 5305);
+}
+
+TEST_F(Loading, normals_of_other_lengths_are_made_unit_and_zero_ones_renew_all) {
+    const auto scaled = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 5\nf 1//1 2//1 3//1\n");
+    ASSERT_TRUE(scaled);
+    EXPECT_EQ(scaled->normals[0], glm::vec3(0, 0, 1));
+    const auto zero = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nvn 1 0 0\nf 1//1 2//2 3//2\n");
+    ASSERT_TRUE(zero);
+    EXPECT_EQ(zero->normals[1], glm::vec3(0, 0, 1));
+    EXPECT_TRUE(hasWarning(*zero, 5324));
+}
+
+TEST_F(Loading, unknown_missing_and_empty_files_are_told_apart) {
+    EXPECT_EQ(codeOf(load("a.xyz", "1 2 3\n")), 5300);
+    EXPECT_EQ(codeOf(load("a.glb", "PK\3\4")), 5300);
+    EXPECT_EQ(codeOf(load("a.ply", "")), 5300);
+    EXPECT_EQ(codeOf(loadMesh(folder_ / "none.obj")), 5001);
+    EXPECT_EQ(codeOf(loadMesh(folder_)), 5001);
+}
+
+TEST_F(Loading, glb_and_ply_are_known_by_content_whatever_their_name) {
+    EXPECT_EQ(codeOf(load("a.obj", "glTF")), 5301);
+    EXPECT_EQ(codeOf(load("a.txt", "ply\nformat morse 1.0\nend_header\n")), 5302);
+}
+
+TEST_F(Loading, a_unit_that_is_no_length_is_a_usage_error) {
+    for (const double unit : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        const auto mesh = load("a.obj", panel(1), {.unitMm = unit});
+        ASSERT_EQ(codeOf(mesh), 5312);
+        EXPECT_EQ(mesh.error().blame, Blame::Usage);
+    }
+}

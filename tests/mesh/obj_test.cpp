@@ -1,0 +1,157 @@
+#include "tests/mesh/files.h"
+
+using namespace tegument;
+using namespace tegument::testing_scene;
+
+namespace {
+
+using Obj = SceneFiles;
+
+constexpr std::string_view kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::string positionsOf(const Mesh& mesh) {
+    std::string text;
+    for (const std::uint32_t index : mesh.indices) {
+        const glm::vec3& p = mesh.positions[index];
+        text += "(" + std::to_string(static_cast<int>(p.x)) + std::to_string(static_cast<int>(p.y)) +
+                std::to_string(static_cast<int>(p.z)) + ")";
+    }
+    return text;
+}
+
+} // namespace
+
+TEST_F(Obj, a_triangle_is_read_in_file_units) {
+    const auto mesh = load("a.obj", kTriangle);
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(positionsOf(*mesh), "(000)(100)(010)");
+    EXPECT_EQ(mesh->unitMm, 1);
+    EXPECT_EQ(mesh->name, "a");
+}
+
+TEST_F(Obj, unit_multiplies_every_length) {
+    const auto mesh = load("a.obj", kTriangle, {.unitMm = 25.0});
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->positions[1], glm::vec3(25, 0, 0));
+    EXPECT_EQ(mesh->unitMm, 25);
+}
+
+TEST_F(Obj, v_is_turned_to_point_down) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->uvs[0], glm::vec2(0, 1));
+    EXPECT_EQ(mesh->uvs[2], glm::vec2(0, 0));
+}
+
+TEST_F(Obj, flip_v_turns_it_again) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n", {.flipV = true});
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->uvs[2], glm::vec2(0, 1));
+}
+
+TEST_F(Obj, polygons_become_fans) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(positionsOf(*mesh), "(000)(100)(110)(000)(110)(010)");
+}
+
+TEST_F(Obj, negative_indices_count_back_from_the_latest) {
+    const auto mesh = load("a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(positionsOf(*mesh), "(000)(100)(010)");
+}
+
+TEST_F(Obj, windows_line_ends_comments_continuations_and_byte_order_marks_are_read) {
+    const auto mesh = load("a.obj", "\xef\xbb\xbf# head\r\nv 0 0 0 # first\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 \\\r\n 2 3\r\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3u);
+}
+
+TEST_F(Obj, vertices_are_shared_only_where_position_uv_and_normal_agree) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt .5 .5\nvn 0 0 1\n"
+                                    "f 1/1/1 2/1/1 3/1/1\nf 2/1/1 4/1/1 3/2/1\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->positions.size(), 5u); // 2/1/1 shared, 3 split by its UV
+}
+
+TEST_F(Obj, groups_objects_and_materials_become_parts_that_hold_together) {
+    const auto mesh =
+        load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no head\nf 1 2 3\ng eye\nf 1 2 3\ng skin\nusemtl red\nf 1 2 3\nf 2 3 1\ng eye\n"
+                      "usemtl red\nf 3 2 1\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    std::string text;
+    for (const MeshPart& part : mesh->parts)
+        text += part.name + " " + std::to_string(part.firstIndex) + "+" + std::to_string(part.indexCount) + ";";
+    EXPECT_EQ(text, "head 0+3;eye 3+3;skin:red 6+6;eye:red 12+3;");
+}
+
+TEST_F(Obj, missing_normals_of_some_corners_renew_all) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3\n");
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST_F(Obj, missing_uvs_of_some_corners_are_warned_of) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1 0\nf 1/1 2/1 3\n");
+    ASSERT_TRUE(mesh);
+    EXPECT_TRUE(hasWarning(*mesh, 5325));
+}
+
+TEST_F(Obj, unknown_statements_are_ignored_with_a_warning_that_names_the_line) {
+    const auto mesh = load("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ncurv2 1 2\nf 1 2 3\n");
+    ASSERT_TRUE(mesh);
+    ASSERT_TRUE(hasWarning(*mesh, 5323));
+    EXPECT_EQ(mesh->warnings[0].at.line, 4);
+}
+
+TEST_F(Obj, bad_input_is_one_error_with_its_line) {
+    const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const struct {
+        std::string text;
+        int code;
+        int line;
+    } cases[] = {
+        {three + "f 1 2 9\n", 5304, 4},          // beyond the last vertex
+        {three + "f 0 1 2\n", 5304, 4},          // OBJ counts from 1
+        {three + "f -4 1 2\n", 5304, 4},         // before the first
+        {three + "f 1/1 2/1 3/1\n", 5304, 4},    // there are no texture coordinates
+        {three + "f 1//1 2//1 3//1\n", 5304, 4}, // nor normals
+        {three + "f 1 2 x\n", 5302, 4},
+        {three + "f 1/2/3/4 2 3\n", 5302, 4},
+        {three + "f 99999999999999999999 1 2\n", 5302, 4},
+        {"v 0 0\n", 5302, 1},
+        {"v 0 0,5 0\n", 5302, 1}, // decimal comma
+        {"v 0 0 nan\n", 5305, 1},
+        {"v 0 0 1e39\n", 5305, 1}, // beyond float
+        {"v 0 0 1e999\n", 5305, 1},
+        {"v inf 0 0\n", 5305, 1},
+        {three, 5306, 0},
+        {three + "f 1 2\n", 5306, 0},
+        {three + "f 1 1 2\n", 5306, 0}, // nothing but a degenerate triangle
+        {"", 5300, 0},
+    };
+    for (const auto& test : cases) {
+        const auto mesh = load("a.obj", test.text);
+        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
+        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
+    }
+}
+
+TEST_F(Obj, utf16_is_named) {
+    EXPECT_EQ(codeOf(load("a.obj", std::string_view("\xff\xfev\0 \0", 6))), 5302);
+}
+
+TEST_F(Obj, degenerate_triangles_are_left_out_with_a_count) {
+    const auto mesh = load("a.obj", std::string(kTriangle) + "f 1 1 2\nf 2 3 3\n");
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->indices.size(), 3u);
+    ASSERT_TRUE(hasWarning(*mesh, 5322));
+    EXPECT_NE(mesh->warnings[0].text.find("2 triangles"), std::string::npos);
+}
+
+TEST_F(Obj, an_unreferenced_vertex_does_not_stretch_the_bounds) {
+    const auto mesh = load("a.obj", "v 1e30 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n");
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->positions.size(), 3u);
+    EXPECT_LT(mesh->bounds.radius, 1);
+}

@@ -1,0 +1,59 @@
+#include "tests/mesh/files.h"
+
+using namespace tegument;
+using namespace tegument::testing_scene;
+
+namespace {
+
+using Off = SceneFiles;
+
+} // namespace
+
+TEST_F(Off, polygons_comments_and_face_colours_are_read) {
+    const auto mesh = load("a.off", "OFF # a square\n# made by hand\n4 1 4\n0 0 0\n1 0 0\n1 1 0 # corner\n0 1 0\n4 0 1 2 3 255 0 0\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+}
+
+TEST_F(Off, counts_may_stand_beside_the_keyword) {
+    EXPECT_TRUE(load("a.off", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"));
+}
+
+TEST_F(Off, normals_colours_and_texture_coordinates_are_told_by_the_keyword) {
+    const auto mesh = load("a.off", "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0 0 0 1 1 1 1 1 1 0\n0 1 0 0 0 1 1 1 1 1 0 1\n3 0 1 2\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1));
+    EXPECT_EQ(mesh->uvs[0], glm::vec2(0, 1)) << "v points up in the file";
+    EXPECT_EQ(mesh->positions[1], glm::vec3(1, 0, 0));
+}
+
+TEST_F(Off, bad_input_is_one_error_with_its_line) {
+    const struct {
+        std::string text;
+        int code;
+        int line;
+    } cases[] = {
+        {"MOFF\n3 1 0\n", 5302, 1},
+        {"4OFF\n3 1 0\n", 5302, 1},
+        {"OFF\n-3 1 0\n", 5302, 2},
+        {"OFF\n4000000000 1 0\n0 0 0\n", 5303, 2},
+        {"OFF\n3 2000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 5303, 2},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", 5304, 6},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", 5304, 6},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2147483647 0 1 2\n", 5303, 6},
+        {"OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", 5305, 4},
+        {"OFF\n3 1 0\n0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n", 5302, 4},
+        {"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", 5306, 0},
+    };
+    for (const auto& test : cases) {
+        const auto mesh = load("a.off", test.text);
+        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
+        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
+    }
+}
+
+TEST_F(Off, every_truncation_is_an_error) {
+    const std::string whole = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    for (std::size_t size = 0; size + 1 < whole.size(); ++size)
+        EXPECT_FALSE(load("a.off", whole.substr(0, size))) << size;
+}

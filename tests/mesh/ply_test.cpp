@@ -1,0 +1,153 @@
+#include "tests/mesh/files.h"
+
+#include <algorithm>
+#include <bit>
+
+using namespace tegument;
+using namespace tegument::testing_scene;
+
+namespace {
+
+using Ply = SceneFiles;
+
+constexpr std::string_view kVertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+constexpr std::string_view kFaces = "element face 2\nproperty list uchar int vertex_indices\n";
+
+std::string header(std::string_view format, std::string_view elements) {
+    return "ply\nformat " + std::string(format) + " 1.0\n" + std::string(elements) + "end_header\n";
+}
+
+std::string header(std::string_view format) {
+    return header(format, std::string(kVertices) + std::string(kFaces));
+}
+
+template <class T>
+void put(std::string& bytes, T value, bool swap) {
+    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    if (swap) std::ranges::reverse(raw);
+    bytes.append(raw.data(), raw.size());
+}
+
+/// A unit square of two triangles.
+std::string binarySquare(bool big) {
+    std::string bytes = header(big ? "binary_big_endian" : "binary_little_endian");
+    for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
+        put(bytes, value, big);
+    for (const std::array<int, 3>& face : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+        put(bytes, static_cast<unsigned char>(3), big);
+        for (const int index : face)
+            put(bytes, index, big);
+    }
+    return bytes;
+}
+
+const std::string kSquareText = header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+
+} // namespace
+
+TEST_F(Ply, text_and_both_byte_orders_give_the_same_mesh) {
+    const auto text = load("a.ply", kSquareText);
+    const auto little = load("b.ply", binarySquare(false));
+    const auto big = load("c.ply", binarySquare(true));
+    ASSERT_TRUE(text) << format(text.error());
+    ASSERT_TRUE(little) << format(little.error());
+    ASSERT_TRUE(big) << format(big.error());
+    EXPECT_EQ(text->positions, little->positions);
+    EXPECT_EQ(text->positions, big->positions);
+    EXPECT_EQ(text->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(text->indices, little->indices);
+    EXPECT_EQ(text->indices, big->indices);
+}
+
+TEST_F(Ply, quads_become_fans_and_normals_and_uvs_are_read) {
+    const auto mesh =
+        load("a.ply", header("ascii", "element vertex 4\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\n"
+                                      "property float ny\nproperty float nz\nproperty float s\nproperty float t\n"
+                                      "element face 1\nproperty list uint8 uint32 vertex_index\n") +
+                          "0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n1 1 0 0 0 1 1 1\n0 1 0 0 0 1 0 1\n4 0 1 2 3\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 6u);
+    EXPECT_EQ(mesh->normals[0], glm::vec3(0, 0, 1));
+    EXPECT_EQ(mesh->uvs[0], glm::vec2(0, 1)); // t points up in the file
+}
+
+TEST_F(Ply, faces_may_come_first_and_other_elements_and_properties_anywhere) {
+    const auto mesh =
+        load("a.ply", "ply\r\nformat ascii 1.0\r\ncomment made by hand\r\nobj_info x\r\nelement face 1\r\nproperty uchar red\r\n"
+                      "property list uchar int vertex_indices\r\nproperty list uchar float texcoord\r\nelement edge 1\r\n"
+                      "property int vertex1\r\nproperty int vertex2\r\nelement vertex 3\r\nproperty float quality\r\nproperty float x\r\n"
+                      "property float y\r\nproperty float z\r\nend_header\r\n"
+                      "7 3 0 1 2 2 .5 .5\r\n0 1\r\n9 0 0 0\r\n9 1 0 0\r\n9 0 1 0\r\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3u);
+    EXPECT_EQ(mesh->positions[1], glm::vec3(1, 0, 0));
+}
+
+TEST_F(Ply, faces_of_fewer_than_three_corners_are_left_out_with_a_count) {
+    const auto mesh = load("a.ply", header("ascii", std::string(kVertices) + "element face 4\nproperty list uchar int vertex_indices\n") +
+                                        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0\n1 0\n2 0 1\n3 0 1 2\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3u);
+    EXPECT_TRUE(hasWarning(*mesh, 5322));
+}
+
+TEST_F(Ply, bad_headers_are_named_by_line) {
+    const struct {
+        std::string text;
+        int code;
+        int line;
+    } cases[] = {
+        {"ply\nformat ascii 1.0\nelement vertex -4\nend_header\n", 5302, 3},
+        {"ply\nformat ascii 1.0\nelement vertex 4294967295\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n",
+         5303, 3},
+        {header("binary_little_endian", "element face 2000000000\nproperty list uchar int vertex_indices\n") + "xxxx", 5303, 3},
+        {"ply\nformat ascii 1.0\nelement vertex 18446744073709551615\nproperty double x\nend_header\n", 5303, 3},
+        {"ply\nformat morse 1.0\nend_header\n", 5302, 2},
+        {"ply\nelement vertex 0\nend_header\n", 5302, 2},
+        {"ply\nformat ascii 1.0\nproperty float x\nend_header\n", 5302, 3},
+        {"ply\nformat ascii 1.0\nelement vertex 1\nproperty quaternion x\nend_header\n", 5302, 4},
+        {"ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\nend_header\n", 5302, 4},
+        {"ply\nformat ascii 1.0\nelements\nend_header\n", 5302, 3},
+        {header("ascii", "element vertex 1\nproperty float x\n") + "0\n", 5302, 3}, // no y and z
+        {header("ascii", std::string(kVertices) + "element face 1\nproperty int x\n") + "0 0 0 0 0 0 0 0 0 0 0 0 5\n", 5302, 7},
+    };
+    for (const auto& test : cases) {
+        const auto mesh = load("a.ply", test.text);
+        ASSERT_EQ(codeOf(mesh), test.code) << test.text;
+        EXPECT_EQ(mesh.error().diagnostics.front().at.line, test.line) << test.text << format(mesh.error());
+    }
+}
+
+TEST_F(Ply, bad_data_is_one_error) {
+    const std::string four = header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    EXPECT_EQ(codeOf(load("a.ply", four + "3 0 1 2\n3 0 2 4\n")), 5304);
+    EXPECT_EQ(codeOf(load("a.ply", four + "3 0 1 2\n3 0 2 -1\n")), 5304);
+    EXPECT_EQ(codeOf(load("a.ply", four + "3 0 1 2\n3 0 2 1.5\n")), 5302);
+    EXPECT_EQ(codeOf(load("a.ply", four + "3 0 1 2\n200 0 2 3\n")), 5303);
+    EXPECT_EQ(codeOf(load("a.ply", four + "3 0 1 2\n-3 0 2 3\n")), 5303);
+    EXPECT_EQ(codeOf(load("a.ply", header("ascii") + "0 0 nan\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")), 5305);
+    EXPECT_EQ(codeOf(load("a.ply", header("ascii") + "0 0 0,5\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")), 5302);
+    EXPECT_EQ(codeOf(load("a.ply", four + "2 0 1\n2 0 1\n")), 5306);
+}
+
+TEST_F(Ply, an_index_error_names_the_face) {
+    const auto mesh = load("a.ply", header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 7\n");
+    ASSERT_FALSE(mesh);
+    EXPECT_NE(format(mesh.error()).find("face 1 refers to vertex 7 of 4"), std::string::npos) << format(mesh.error());
+}
+
+TEST_F(Ply, every_truncation_is_an_error) {
+    const std::string binary = binarySquare(false);
+    for (std::size_t size = 0; size < binary.size(); ++size)
+        EXPECT_FALSE(load("a.ply", binary.substr(0, size))) << size;
+    for (std::size_t size = 0; size + 2 < kSquareText.size(); ++size) // the last line is whole without its line end
+        EXPECT_FALSE(load("a.ply", kSquareText.substr(0, size))) << size;
+}
+
+TEST_F(Ply, a_truncated_binary_names_the_byte) {
+    const std::string binary = binarySquare(false);
+    const auto mesh = load("a.ply", binary.substr(0, binary.size() - 5));
+    ASSERT_FALSE(mesh);
+    EXPECT_EQ(mesh.error().diagnostics.front().at.byte, binary.size() - 12) << "behind the length of the list that is cut";
+    EXPECT_NE(format(mesh.error()).find("3 entries, but only 7 bytes are left"), std::string::npos) << format(mesh.error());
+}

@@ -38,9 +38,9 @@ private:
     [[nodiscard]] float above(std::uint32_t position) const { return surface_.positions[position].y - height_; }
 
     void clip(const CornerTriangle& triangle, std::vector<CornerTriangle>& kept) {
-        const auto heights = {above(triangle.position[0]), above(triangle.position[1]), above(triangle.position[2])};
-        if (std::ranges::min(heights) >= 0) {
-            if (std::ranges::max(heights) > 0) kept.push_back(triangle);
+        const auto [lowest, highest] = std::minmax({above(triangle.position[0]), above(triangle.position[1]), above(triangle.position[2])});
+        if (lowest >= 0) {
+            if (highest > 0) kept.push_back(triangle);
             return;
         }
         std::vector<Corner> polygon;

@@ -34,8 +34,7 @@ void restoreEyes(const Bust& bust, Subdivided& fine) {
     }
     for (std::size_t e = 0; e < 2; ++e) {
         std::ranges::sort(vertices[e]);
-        const auto repeated = std::ranges::unique(vertices[e]);
-        vertices[e].erase(repeated.begin(), repeated.end());
+        vertices[e].erase(std::unique(vertices[e].begin(), vertices[e].end()), vertices[e].end());
         for (const std::uint32_t v : vertices[e]) {
             const glm::vec3 outward = glm::normalize(fine.positions[v] - bust.eyes[e].centre);
             fine.positions[v] = bust.eyes[e].centre + outward * bust.eyes[e].radius;

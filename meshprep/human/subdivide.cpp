@@ -13,11 +13,13 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
-/// What OpenSubdiv's refiner asks of a value.
+/// What OpenSubdiv's refiner asks of a value; the names are its own.
 template <class Vector>
 struct Blended {
     Vector value{0};
+    // NOLINTNEXTLINE(readability-identifier-naming)
     void Clear() { value = Vector(0); }
+    // NOLINTNEXTLINE(readability-identifier-naming)
     void AddWithWeight(const Blended& other, float weight) { value += other.value * weight; }
 };
 

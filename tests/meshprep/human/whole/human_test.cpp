@@ -74,8 +74,7 @@ std::vector<std::uint32_t> verticesOf(const std::string& part) {
     std::vector<std::uint32_t> result(humanMesh()->indices.begin() + run.firstIndex,
                                       humanMesh()->indices.begin() + run.firstIndex + run.indexCount);
     std::ranges::sort(result);
-    const auto repeated = std::ranges::unique(result);
-    result.erase(repeated.begin(), repeated.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 

@@ -32,17 +32,33 @@ float2 screenCoordinate(float3 position, float2 frustum)
     return position.xy / (frustum * max(position.z, 1e-3)) * float2(0.5, -0.5) + 0.5;
 }
 
-// From the place seen at uv to that of the next pixel along the surface; `axis` = one pixel in uv. Of the two neighbours the one whose depth is nearer
-// tells, so that an outline leaves the surface beside it as it is; where neither is near, the surface faces the eye.
-float3 screenAcross(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
+// Change of depth from here to the next pixel; `axis` = one pixel in uv. Of the two neighbours the one whose depth is nearer tells, so that an outline leaves
+// the surface beside it as it is; where neither is near, the surface faces the eye.
+float screenSlope(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
 {
     float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
     float before = tex2Dlod(depth, float4(uv - axis, 0.0, 0.0)).x;
     float after = tex2Dlod(depth, float4(uv + axis, 0.0, 0.0)).x;
     float change = abs(after - z) < abs(z - before) ? after - z : z - before;
     float pixel = 2.0 * z * dot(abs(axis), frustum);
-    change = abs(change) < kSteepest * pixel ? change : 0.0;
+    return abs(change) < kSteepest * pixel ? change : 0.0;
+}
+
+// From the place seen at uv to that of the next pixel along the surface.
+float3 screenAcross(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
+{
+    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
+    float change = screenSlope(SAMPLER2D_ARG(depth), uv, axis, frustum);
     return screenPosition(uv + axis, z + change, frustum) - screenPosition(uv, z, frustum);
+}
+
+// Derivative of the place along the surface, by pixel. The way to the next pixel has change times pixel besides, which leans towards the axis: in a mirror its
+// length, and so that of a kernel, would be another one.
+float3 screenTangent(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
+{
+    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
+    float change = screenSlope(SAMPLER2D_ARG(depth), uv, axis, frustum);
+    return screenPosition(uv, change, frustum) + float3(z * axis * float2(2.0, -2.0) * frustum, 0.0);
 }
 
 // A number in 0..1 that neighbouring pixels spread evenly: interleaved gradient noise (Jimenez, Next generation post processing in Call of Duty, 2014).

@@ -129,7 +129,7 @@ float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), SAMPLER
                          float3 strength, int first, int pairs)
 {
     float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
-    float3 across = screenAcross(SAMPLER2D_ARG(depth), uv, axis, frustum);
+    float3 across = screenTangent(SAMPLER2D_ARG(depth), uv, axis, frustum);
     float3 along = safeNormalize(across);
     float2 step = separableStep(axis, across, z, frustum, unit);
     float3 ray = screenPosition(uv, 1.0, frustum);

@@ -34,5 +34,7 @@ inline constexpr const char* kGaussianRows =
 
 /// Place of the next pixel along the surface, from that of uv.
 [[nodiscard]] glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);
+/// Along the surface by pixel: half of the way from the place before to the one behind, so that either direction has the same length.
+[[nodiscard]] glm::dvec3 pixelTangent(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);
 
 } // namespace tegument::test

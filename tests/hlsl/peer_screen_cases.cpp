@@ -8,14 +8,29 @@
 
 namespace tegument::test {
 
-glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
+namespace {
+
+/// Change of depth to the next pixel, by the neighbour whose depth is nearer.
+double slopeOf(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
     const double z = map.at(uv).x;
     const double back = z - map.at(uv - axis).x;
     const double ahead = map.at(uv + axis).x - z;
     const double nearer = std::abs(ahead) < std::abs(back) ? ahead : back;
     const double pixel = 2 * z * (std::abs(axis.x) * frustum.x + std::abs(axis.y) * frustum.y);
-    const double change = std::abs(nearer) < 16 * pixel ? nearer : 0;
-    return viewPlace(uv + axis, z + change, frustum) - viewPlace(uv, z, frustum);
+    return std::abs(nearer) < 16 * pixel ? nearer : 0;
+}
+
+} // namespace
+
+glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
+    const double z = map.at(uv).x;
+    return viewPlace(uv + axis, z + slopeOf(map, uv, axis, frustum), frustum) - viewPlace(uv, z, frustum);
+}
+
+glm::dvec3 pixelTangent(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
+    const double z = map.at(uv).x;
+    const double change = slopeOf(map, uv, axis, frustum);
+    return 0.5 * (viewPlace(uv + axis, z + change, frustum) - viewPlace(uv - axis, z - change, frustum));
 }
 
 namespace {
@@ -49,7 +64,16 @@ std::vector<FunctionCase> geometry() {
                      .tolerance = {.forward = 6, .backward = 2, .absolute = 1e-6, .why = "quotients and a sum with 0.5"},
                      .domain = [](const Inputs& x) { return x.scalar(0, 2) > 1e-2 && x.scalar(1) > 0.04 && x.scalar(1, 1) > 0.04; }});
     for (const auto& [axis, body] :
-         {std::pair(glm::dvec2(kPixel, 0), "float2(1.0 / kMapSize, 0)"), std::pair(glm::dvec2(0, kPixel), "float2(0, 1.0 / kMapSize)")})
+         {std::pair(glm::dvec2(kPixel, 0), "float2(1.0 / kMapSize, 0)"), std::pair(glm::dvec2(0, kPixel), "float2(0, 1.0 / kMapSize)")}) {
+        cases.push_back({.function = "screenSlope",
+                         .body = std::string("return float4(screenSlope(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0, 0, 0);",
+                         .arguments = {peerUv(), linear(0.1, 0.5, 2)},
+                         .expected = [along = axis](const Inputs& x) { return values(slopeOf(halvesMap(), x.vec2(0), along, x.vec2(1))); },
+                         .tolerance = {.forward = 2,
+                                       .backward = 2,
+                                       .absolute = 1.3e-4,
+                                       .why = "a difference of depths of about 600, whose ULP is 6e-5"},
+                         .map = &halvesMap()});
         cases.push_back(
             {.function = "screenAcross",
              .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
@@ -60,6 +84,17 @@ std::vector<FunctionCase> geometry() {
                            .absolute = 1.5e-4,
                            .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
              .map = &halvesMap()});
+        cases.push_back(
+            {.function = "screenTangent",
+             .body = std::string("return float4(screenTangent(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
+             .arguments = {peerUv(), linear(0.1, 0.5, 2)},
+             .expected = [along = axis](const Inputs& x) { return values(pixelTangent(halvesMap(), x.vec2(0), along, x.vec2(1))); },
+             .tolerance = {.forward = 8,
+                           .backward = 2,
+                           .absolute = 1.5e-4,
+                           .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
+             .map = &halvesMap()});
+    }
     cases.push_back({.function = "screenDepthStep", // both halves hold the depth: multiples below 2048, and what is left to 2^-11 of it
                      .body = "float s = screenDepthStep(a0); float2 h = halvesOf(a0, s); return float4(s, abs(h.x / s) <= 2048.0, "
                              "abs(f16tof32(f32tof16(h.x)) + f16tof32(f32tof16(h.y)) - a0) <= s / 2048.0, 0);",
@@ -140,7 +175,7 @@ Values convolved(const glm::dvec2& uv, const glm::dvec2& axis, double unit, cons
     const double z = map.at(uv).x;
     if (z <= 0) return values(0);
     const glm::dvec3 centre = map.at(uv);
-    const glm::dvec3 next = nextPixel(map, uv, axis, kFrustum);
+    const glm::dvec3 next = pixelTangent(map, uv, axis, kFrustum);
     const glm::dvec2 direction = axis / glm::length(axis);
     const glm::dvec2 step = corrected ? axis * unit / glm::length(next) : direction * (0.5 * unit / (kFrustum.y * z));
     glm::dvec3 sum(0);

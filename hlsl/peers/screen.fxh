@@ -44,14 +44,6 @@ float screenSlope(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum
     return abs(change) < kSteepest * pixel ? change : 0.0;
 }
 
-// From the place seen at uv to that of the next pixel along the surface.
-float3 screenAcross(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
-{
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
-    float change = screenSlope(SAMPLER2D_ARG(depth), uv, axis, frustum);
-    return screenPosition(uv + axis, z + change, frustum) - screenPosition(uv, z, frustum);
-}
-
 // Derivative of the place along the surface, by pixel. The way to the next pixel has change times pixel besides, which leans towards the axis: in a mirror its
 // length, and so that of a kernel, would be another one.
 float3 screenTangent(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)

@@ -32,8 +32,6 @@ inline constexpr const char* kGaussianRows =
     return {0.5 + 0.5 * place.x / place.z / frustum.x, 0.5 - 0.5 * place.y / place.z / frustum.y};
 }
 
-/// Place of the next pixel along the surface, from that of uv.
-[[nodiscard]] glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);
 /// Along the surface by pixel: half of the way from the place before to the one behind, so that either direction has the same length.
 [[nodiscard]] glm::dvec3 pixelTangent(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);
 

@@ -22,11 +22,6 @@ double slopeOf(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis,
 
 } // namespace
 
-glm::dvec3 nextPixel(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
-    const double z = map.at(uv).x;
-    return viewPlace(uv + axis, z + slopeOf(map, uv, axis, frustum), frustum) - viewPlace(uv, z, frustum);
-}
-
 glm::dvec3 pixelTangent(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum) {
     const double z = map.at(uv).x;
     const double change = slopeOf(map, uv, axis, frustum);
@@ -74,16 +69,6 @@ std::vector<FunctionCase> geometry() {
                                        .absolute = 1.3e-4,
                                        .why = "a difference of depths of about 600, whose ULP is 6e-5"},
                          .map = &halvesMap()});
-        cases.push_back(
-            {.function = "screenAcross",
-             .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
-             .arguments = {peerUv(), linear(0.1, 0.5, 2)},
-             .expected = [along = axis](const Inputs& x) { return values(nextPixel(halvesMap(), x.vec2(0), along, x.vec2(1))); },
-             .tolerance = {.forward = 8,
-                           .backward = 2,
-                           .absolute = 1.5e-4,
-                           .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
-             .map = &halvesMap()});
         cases.push_back(
             {.function = "screenTangent",
              .body = std::string("return float4(screenTangent(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",

@@ -12,8 +12,8 @@ float4 gather(float2 uv, int count)
     float3 axisV = float3(0.0, 1.0, 0.0);
     if (!kPeersAsPrinted)
     {
-        float3 down = screenAcross(SAMPLER2D_ARG(gDepth), uv, float2(0.0, 1.0 / gViewportSize.y), frustum);
-        axisU = safeNormalize(screenAcross(SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
+        float3 down = screenTangent(SAMPLER2D_ARG(gDepth), uv, float2(0.0, 1.0 / gViewportSize.y), frustum);
+        axisU = safeNormalize(screenTangent(SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
         axisV = cross(safeNormalize(cross(axisU, down)), axisU);
     }
     return burleyGather(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance, gBurleyTurn, count);

@@ -1,7 +1,7 @@
 // Why some pictures differ more than others (docs/invariance.md): the cause is taken out of a copy of the shaders, and the difference goes
 // with it.
 
-#include "host/invariance/invariance.h"
+#include "host/lab/invariance/invariance.h"
 #include "host/support/file.h"
 
 #include <gtest/gtest.h>

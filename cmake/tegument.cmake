@@ -10,7 +10,7 @@ target_compile_options(tegument_options INTERFACE
   "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>>")
 set(sanitizers_address -fsanitize=address,undefined -fno-sanitize-recover=all)
 # GCC 12 also finds false bounds in strings that are moved, once ThreadSanitizer's calls stand between.
-set(sanitizers_thread -fsanitize=thread "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>")
+set(sanitizers_thread -fsanitize=thread "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
 if(TEGUMENT_SANITIZE)
   if(NOT DEFINED sanitizers_${TEGUMENT_SANITIZE})
     message(FATAL_ERROR "TEGUMENT_SANITIZE is '${TEGUMENT_SANITIZE}': address, thread or OFF")

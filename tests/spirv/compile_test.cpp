@@ -41,7 +41,8 @@ TEST_P(Compile, the_entry_point_keeps_its_name_in_the_spirv) {
 
 TEST_P(Compile, no_extension_is_left_that_a_vulkan_device_need_not_have) {
     const Shader shader = compile(kTextured, "VS", Stage::Vertex);
-    for (const std::string& extension : spirv_cross::Compiler(shader.spirv).get_declared_extensions())
+    const spirv_cross::Compiler reader(shader.spirv);
+    for (const std::string& extension : reader.get_declared_extensions())
         ADD_FAILURE() << extension;
 }
 

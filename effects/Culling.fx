@@ -5,6 +5,7 @@
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/cull.fxh"
+#include "passes/annotations.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/tsm.fxh"
@@ -14,13 +15,7 @@
 #include "passes/cull.fxh"
 #include "passes/reach.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=ReachDEonLuebke;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("ReachDEonLuebke") > = 0.8;
 
 float4 gFrustumColor < string UIName = "Outside the view"; string UIWidget = "Color"; > = { 0.02, 0.12, 0.80, 1.0 };
 float4 gBackFaceColor < string UIName = "Facing away"; string UIWidget = "Color"; > = { 0.85, 0.28, 0.02, 1.0 };
@@ -146,68 +141,46 @@ float4 ShowPS(PanelVarying input) : SV_Target0
 }
 
 #ifdef FX_TECHNIQUES
-technique PrePass < string Script =
-    "RenderColorTarget0=gCullingMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
-    "ClearSetColor=gBlackColor; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
-    "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
+// The map of causes, then the four panels.
+#define CAUSES_SCRIPT \
+    UNWRAP_SCRIPT("gCullingMap", "gBlackColor") "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;" \
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"
+#define SHOW_PASSES \
+    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL) \
+    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER) \
+    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID) \
+    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID) \
+    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+
+technique PrePass < string Script = CAUSES_SCRIPT; >
 {
     MESH_PASS(Hidden, HiddenVS, HiddenPS, STATE_BUFFER)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    SHOW_PASSES
 }
 
 technique ReachDEonLuebke < string Script =
-    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
-    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
-    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;"
-    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
-    "RenderColorTarget0=gCullingMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
-    "ClearSetColor=gBlackColor; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
-    "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
+    TSM_SCRIPT
+    REACH_SCRIPT
+    CAUSES_SCRIPT; >
 {
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, CullReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, CullReachVPS, STATE_BUFFER)
+    TSM_PASS
+    CASCADE_REACH_PASSES
     MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    SHOW_PASSES
 }
 
 technique ReachGosselin < string Script =
-    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
-    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;"
-    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
-    "RenderColorTarget0=gCullingMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
-    "ClearSetColor=gBlackColor; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
-    "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
+    REACH_SCRIPT
+    CAUSES_SCRIPT; >
 {
-    MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, STATE_BUFFER)
+    BLUR_REACH_PASSES
     MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    SHOW_PASSES
 }
 #endif

@@ -2,15 +2,10 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
+#include "passes/annotations.fxh"
 #include "passes/quad.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=EnergyAttenuation;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("EnergyAttenuation") > = 0.8;
 
 Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < int Width = 128; int Height = 128; int MipLevels = 1; string Format = "G16R16F"; >;
 SAMPLER2D(gEnergyAttenuation, POINT, CLAMP);

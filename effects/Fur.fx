@@ -4,6 +4,7 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
+#include "passes/annotations.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_rounds.fxh"
@@ -11,24 +12,16 @@
 #include "passes/fur_shadow.fxh"
 #include "passes/fur_shell.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Workspace = "bunny.json";
-    string Script = "Technique=CubePosition;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("CubePosition") string Workspace = "bunny.json"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
 // The six differ in one pixel shader.
 #define FUR_TECHNIQUE(name, shellPS) \
 technique name < string Script = \
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" HULL_SCRIPT \
+    SHADOW_MAP_SCRIPT HULL_SCRIPT \
     ROUNDS_SCRIPT("Skin", "Shells"); > \
 { \
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
+    SHADOW_MAP_PASS \
     HULL_PASSES \
     MESH_PASS(Skin, SkinVS, CoatedSkinPS, STATE_SOLID) \
     MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, STATE_INSIDE) \

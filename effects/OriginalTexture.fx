@@ -1,15 +1,10 @@
 // OriginalTexture: the mesh with its colour map, unlit. Shows that mesh, texture coordinates and colour space are read as meant.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
+#include "passes/annotations.fxh"
 #include "passes/materials.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=OriginalTexture;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("OriginalTexture") > = 0.8;
 
 struct TextureVarying
 {

@@ -2,18 +2,13 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
+#include "passes/annotations.fxh"
 #include "passes/quad.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=ShadowMap;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("ShadowMap") > = 0.8;
 
 // Nearest white, farthest black, black where there is no surface.
 float4 ShowPS(QuadVarying input) : SV_Target0
@@ -38,20 +33,18 @@ float4 ShadowPS(SurfaceVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique ShadowMap < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 
 technique Shadow < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     MESH_PASS(Shadow, ShadowVS, ShadowPS, STATE_SOLID)
 }
 #endif

@@ -4,19 +4,14 @@
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
 #include "../hlsl/shadow.fxh"
+#include "passes/annotations.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Specular;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Specular") > = 0.8;
 
 SurfaceVarying SpecularVS(MeshInput input)
 {
@@ -53,11 +48,10 @@ float4 SpecularSmoothPS(SurfaceVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique Specular < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     MESH_PASS(Specular, SpecularVS, SpecularPS, STATE_SOLID)
 }
 
@@ -67,11 +61,10 @@ technique SpecularUnshadowed < string Script = "RenderColorTarget0=; RenderDepth
 }
 
 technique SpecularSmooth < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     MESH_PASS(Specular, SpecularVS, SpecularSmoothPS, STATE_SOLID)
 }
 #endif

@@ -3,15 +3,10 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
+#include "passes/annotations.fxh"
 #include "passes/quad.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Stretch;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Stretch") > = 0.8;
 
 Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0; string Format = "A32B32G32R32F"; >;
 Texture2D gStretchMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;

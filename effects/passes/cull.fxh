@@ -4,6 +4,11 @@
 
 Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
 
+// The map with the depth target of the prepasses beside it, both cleared; the passes to draw follow. map, clear: strings.
+#define UNWRAP_SCRIPT(map, clear) \
+    "RenderColorTarget0=" map "; RenderDepthStencilTarget=gUnwrapDepthMap;" \
+    "ClearSetColor=" clear "; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
+
 struct CullVarying
 {
     float4 position : SV_Position;

@@ -5,6 +5,10 @@
 Texture2D gIrradianceMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
 SAMPLER2D(gIrradiance, POINT, CLAMP);
 
+// name: of the pass that fills the map, a string. Prepasses that spare texels stand in front of it: UNWRAP_SCRIPT (cull.fxh) instead.
+#define IRRADIANCE_SCRIPT(name) \
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=" name ";"
+
 SurfaceVarying IrradianceVS(MeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);

@@ -13,6 +13,20 @@ SAMPLER2D(gCullTiles, POINT, CLAMP);
 SAMPLER2D(gCullReachU, POINT, CLAMP);
 SAMPLER2D(gCullReach, POINT, CLAMP);
 
+// From the texels that are needed to the tiles from which light reaches them.
+#define REACH_SCRIPT \
+    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;" \
+    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles;" \
+    "RenderColorTarget0=gCullReachUMap; Pass=CullReachU;" \
+    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
+#define REACH_PASSES(needVS, needPS, alongUPS, alongVPS) \
+    MESH_PASS(CullNeed, needVS, needPS, STATE_BUFFER) \
+    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER) \
+    QUAD_PASS(CullReachU, QuadVS, alongUPS, STATE_BUFFER) \
+    QUAD_PASS(CullReachV, QuadVS, alongVPS, STATE_BUFFER)
+#define CASCADE_REACH_PASSES REACH_PASSES(CullNeedVS, CullNeedPS, CullReachUPS, CullReachVPS)
+#define BLUR_REACH_PASSES REACH_PASSES(BlurNeedVS, BlurNeedPS, BlurReachUPS, BlurReachVPS)
+
 // Points this far (mm) behind the surface nearest to the light still count as places where light enters.
 static const float kEntrySlack = 2.0;
 // A triangle may face the eye although its interpolated normal does not: N.V down to this counts as visible.

@@ -6,6 +6,11 @@ Texture2D gShadowMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int He
 Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
 SAMPLER2D(gShadow, POINT, CLAMP);
 
+#define SHADOW_MAP_SCRIPT \
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+#define SHADOW_MAP_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+
 struct ShadowVarying
 {
     float4 position : SV_Position;

@@ -10,10 +10,8 @@ SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #define OWN_SHADOW_SCRIPT ""
 #define OWN_SHADOW_PASS
 #else
-#define OWN_SHADOW_SCRIPT \
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-#define OWN_SHADOW_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+#define OWN_SHADOW_SCRIPT SHADOW_MAP_SCRIPT
+#define OWN_SHADOW_PASS SHADOW_MAP_PASS
 #endif
 
 LitPoint litPoint(SurfaceVarying input)

@@ -6,6 +6,11 @@ Texture2D gTsmMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Heigh
 Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
 SAMPLER2D(gTsm, POINT, CLAMP);
 
+#define TSM_SCRIPT \
+    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+#define TSM_PASS MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+
 struct TsmVarying
 {
     float4 position : SV_Position;

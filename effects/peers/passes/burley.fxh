@@ -19,19 +19,14 @@ float4 gather(float2 uv, int count)
     return burleyGather(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance, gBurleyTurn, count);
 }
 
-float4 Gather20PS(QuadVarying input) : SV_Target0
-{
-    return gather(input.uv, 20);
+#define BURLEY_STEP(samples) \
+float4 Gather##samples##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return gather(input.uv, samples); \
 }
 
-float4 Gather40PS(QuadVarying input) : SV_Target0
-{
-    return gather(input.uv, 40);
-}
-
-float4 Gather80PS(QuadVarying input) : SV_Target0
-{
-    return gather(input.uv, 80);
-}
+BURLEY_STEP(20)
+BURLEY_STEP(40)
+BURLEY_STEP(80)
 
 #endif

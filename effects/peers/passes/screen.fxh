@@ -15,6 +15,18 @@ SAMPLER2D(gDepth, POINT, CLAMP);
 SAMPLER2D(gShade, POINT, CLAMP);
 SAMPLER2D(gScatter, POINT, CLAMP);
 
+// What comes before and what after an effect's own passes, which lead from gLightMap to gScatterMap.
+#define LIGHT_SCRIPT \
+    SHADOW_MAP_SCRIPT \
+    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;" \
+    "Clear=Color; Clear=Depth; Pass=Light;" \
+    "RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=;"
+#define LIGHT_PASSES \
+    SHADOW_MAP_PASS \
+    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
+#define SCATTERED_SCRIPT "RenderColorTarget0=; Pass=Final;"
+#define SCATTERED_PASS MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+
 struct LightOutput
 {
     float4 light : SV_Target0;

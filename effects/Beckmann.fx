@@ -8,7 +8,7 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Beckmann") > = 0.8;
 
-Texture2D gBeckmannMap : RENDERCOLORTARGET < int Width = 512; int Height = 512; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gBeckmannMap : RENDERCOLORTARGET < SQUARE_TARGET(512, "A16B16G16R16F") >;
 SAMPLER2D(gBeckmann, POINT, CLAMP);
 
 float4 BeckmannPS(QuadVarying input) : SV_Target0

@@ -1,6 +1,6 @@
-// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's blurs, gBlurCount
-// of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the charts of the mesh: what comes
-// out is the sum of the weights.
+// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's
+// blurs, gBlurCount of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the
+// charts of the mesh: what comes out is the sum of the weights.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -26,7 +26,7 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Convolution") > = 0.8;
 
-float4 gConstantIrradiance < string UIName = "Light of technique White"; string UIWidget = "Color"; > = { 1.0, 1.0, 1.0, 0.5 };
+float4 gConstantIrradiance < UI_COLOUR("Light of technique White") > = { 1.0, 1.0, 1.0, 0.5 };
 
 struct ConstantVarying
 {

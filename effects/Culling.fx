@@ -1,5 +1,5 @@
-// Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause should be seen;
-// below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
+// Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause
+// should be seen; below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
 // ReachDEonLuebke and ReachGosselin, the form that leaves the picture as it is (DEonLuebkeCulled, GosselinCulled).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
@@ -17,13 +17,13 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("ReachDEonLuebke") > = 0.8;
 
-float4 gFrustumColor < string UIName = "Outside the view"; string UIWidget = "Color"; > = { 0.02, 0.12, 0.80, 1.0 };
-float4 gBackFaceColor < string UIName = "Facing away"; string UIWidget = "Color"; > = { 0.85, 0.28, 0.02, 1.0 };
-float4 gBlackColor < string UIName = "Black in the colour map"; string UIWidget = "Color"; > = { 0.30, 0.03, 0.30, 1.0 };
+float4 gFrustumColor < UI_COLOUR("Outside the view") > = { 0.02, 0.12, 0.80, 1.0 };
+float4 gBackFaceColor < UI_COLOUR("Facing away") > = { 0.85, 0.28, 0.02, 1.0 };
+float4 gBlackColor < UI_COLOUR("Black in the colour map") > = { 0.30, 0.03, 0.30, 1.0 };
 float3 gMeshCenter : BOUNDINGCENTER < string UIWidget = "None"; >;
 float gMeshRadius : BOUNDINGSPHERESIZE < string UIWidget = "None"; >;
 
-Texture2D gCullingMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullingMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 SAMPLER2D(gCulling, POINT, CLAMP);
 
 struct CauseVarying

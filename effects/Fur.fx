@@ -1,6 +1,7 @@
-// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a sphere map
-// (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each technique draws the shadow
-// map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
+// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a
+// sphere map (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each
+// technique draws the shadow map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind
+// the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"

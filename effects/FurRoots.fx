@@ -1,5 +1,6 @@
-// FurRoots: fur whose strands grow on the surface itself, in proportion to area, without texture coordinates, seams or stretch, and few layers that each sweep
-// what lies between them and the next. Technique Cellular needs nothing but the mesh; technique Roots reads roots made by `tegument fur roots`.
+// FurRoots: fur whose strands grow on the surface itself, in proportion to area, without texture coordinates, seams or stretch, and few
+// layers that each sweep what lies between them and the next. Technique Cellular needs nothing but the mesh; technique Roots reads roots
+// made by `tegument fur roots`.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"

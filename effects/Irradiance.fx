@@ -1,5 +1,5 @@
-// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's passes take it
-// (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
+// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's
+// passes take it (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"

@@ -1,6 +1,7 @@
-// Main: human skin, in 15 passes after d'Eon and Luebke 2007 and in 8 after Gosselin, Sander and Mitchell 2004, as seed 000 Tables 3 and 4 order them.
-// Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin; DEonLuebkeCulled and
-// GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without diffusion, to set beside them.
+// Main: human skin, in 15 passes after d'Eon and Luebke 2007 and in 8 after Gosselin, Sander and Mitchell 2004, as seed 000 Tables 3 and 4
+// order them. Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin;
+// DEonLuebkeCulled and GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without
+// diffusion, to set beside them.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"

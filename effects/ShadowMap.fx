@@ -1,4 +1,5 @@
-// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the mesh.
+// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the
+// mesh.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"

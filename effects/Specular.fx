@@ -1,5 +1,5 @@
-// Specular: the light that the surface reflects, alone, on the mesh. Techniques: Specular, shadowed, with the normal map; SpecularUnshadowed, as
-// Gosselin's Final in setting seed has it; SpecularSmooth, shadowed, with the normals of the mesh.
+// Specular: the light that the surface reflects, alone, on the mesh. Techniques: Specular, shadowed, with the normal map;
+// SpecularUnshadowed, as Gosselin's Final in setting seed has it; SpecularSmooth, shadowed, with the normals of the mesh.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"

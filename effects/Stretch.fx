@@ -1,5 +1,5 @@
-// Stretch: uv per mm along U and V, precomputed once per mesh, shown as it is stored. Alpha: 0 inside the charts, 1 outside; there the map holds the
-// mean over the charts, taken from the last mip level.
+// Stretch: uv per mm along U and V, precomputed once per mesh, shown as it is stored. Alpha: 0 inside the charts, 1 outside; there the map
+// holds the mean over the charts, taken from the last mip level.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
@@ -8,8 +8,9 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Stretch") > = 0.8;
 
-Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0; string Format = "A32B32G32R32F"; >;
-Texture2D gStretchMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0;
+    string Format = "A32B32G32R32F"; >;
+Texture2D gStretchMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 SAMPLER2D(gStretchCharts, POINT, CLAMP);
 SAMPLER2D(gStretch, POINT, CLAMP);
 

@@ -1,13 +1,14 @@
-// Passes ConvolutionU1..5 and ConvolutionUV1..5: the cascade. Map 1 is the irradiance itself, map k + 1 its blur; gIrradianceUMap lies between.
+// Passes ConvolutionU1..5 and ConvolutionUV1..5: the cascade. Map 1 is the irradiance itself, map k + 1 its blur; gIrradianceUMap lies
+// between.
 #ifndef TEGUMENT_PASSES_CONVOLUTION_FXH
 #define TEGUMENT_PASSES_CONVOLUTION_FXH
 
-Texture2D gIrradianceUMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance2Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance3Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance4Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance5Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance6Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
+Texture2D gIrradianceUMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance2Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance3Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance4Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance5Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance6Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
 SAMPLER2D(gIrradianceU, POINT, CLAMP);
 SAMPLER2D(gIrradiance2, POINT, CLAMP);
 SAMPLER2D(gIrradiance3, POINT, CLAMP);

@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_PASSES_CULL_FXH
 #define TEGUMENT_PASSES_CULL_FXH
 
-Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_MAP_SIZE) >;
 
 // The map with the depth target of the prepasses beside it, both cleared; the passes to draw follow. map, clear: strings.
 #define UNWRAP_SCRIPT(map, clear) \

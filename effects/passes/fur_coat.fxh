@@ -2,7 +2,8 @@
 #ifndef TEGUMENT_PASSES_FUR_COAT_FXH
 #define TEGUMENT_PASSES_FUR_COAT_FXH
 
-Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur"; string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
+Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur";
+    string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
 SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
 
 static const float kShadowTolerance = 0.005; // share of the mesh's radius
@@ -14,8 +15,9 @@ struct FurInput
     float2 uv : TEXCOORD0; // read with kFurColorMap only
 };
 
-// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far outside of it.
-// But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the plain ones'.
+// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far
+// outside of it. But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the
+// plain ones'.
 struct FurVarying
 {
     float4 position : SV_Position;
@@ -93,7 +95,8 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
     return diffuse + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
 }
 
-// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats let through.
+// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats
+// let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
     float3 normal = worldNormal(input.normal);

@@ -2,7 +2,8 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOTED_FXH
 #define TEGUMENT_PASSES_FUR_ROOTED_FXH
 
-Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots"; string UIHelp = "from tegument fur roots, made from this mesh"; >;
+Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots";
+    string UIHelp = "from tegument fur roots, made from this mesh"; >;
 SAMPLER2D(gFurRoots, POINT, CLAMP);
 
 static const float kFurMostRoots = 64.0; // of a list: what is nearer than the reach of one cell
@@ -54,7 +55,8 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
             float4 lean = furRootTexel(texel, 2.0);
             // Roots of an opposite sheet look the other way.
             float share = max(min(dot(up.xyz, sweep.normal), up.w * abs(data.z)), 0.01);
-            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal), frac(lean.w * float3(1.0, 256.0, 65536.0)));
+            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal),
+                          frac(lean.w * float3(1.0, 256.0, 65536.0)));
         }
     }
     return met;

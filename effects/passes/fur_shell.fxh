@@ -68,8 +68,8 @@ float2 shellSides(float3 v)
     return float2(clamp(min(sides.x, sides.y), 0.01 * longer, longer), longer);
 }
 
-// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the printed settings they
-// keep their own. A curl moves the place, but neighbouring pixels' alike.
+// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the
+// printed settings they keep their own. A curl moves the place, but neighbouring pixels' alike.
 float4 cubeTexel(float3 place, float3 plain, float shrink)
 {
     if (kCorrected)
@@ -84,7 +84,8 @@ float4 sphereTexel(float2 place, float2 plain, float shrink)
     return tex2Dbias(gFurSphere, float4(place, 0.0, log2(shrink)));
 }
 
-// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up anyway.
+// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up
+// anyway.
 float shellShrink(float2 sides)
 {
     return gFurDeviation > 0.0 ? max(sides.x / max(sides.y, 1e-20), 0.01) : 1.0;
@@ -133,7 +134,8 @@ float4 CubeNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 
 float4 CubeCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
+    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal),
+                     furCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 float4 SpherePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
@@ -148,7 +150,8 @@ float4 SphereNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 
 float4 SphereCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
+    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal),
+                       furCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 #endif

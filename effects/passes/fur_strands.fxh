@@ -1,5 +1,5 @@
-// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands, heights in shares of the
-// coat; places in the mesh's own axes.
+// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands,
+// heights in shares of the coat; places in the mesh's own axes.
 #ifndef TEGUMENT_PASSES_FUR_STRANDS_FXH
 #define TEGUMENT_PASSES_FUR_STRANDS_FXH
 
@@ -8,8 +8,8 @@ static const float kFurMostSteps = 8.0;   // of a sweep; what lies beyond is tak
 static const float kFurOpaque = 0.99;      // coverage beyond which nothing further down is looked for
 static const float kFurFarSegment = 64.0; // added to gFurSegment where only coverage is expected
 static const float kFurLeastCosine = 0.01; // between ray and layer, at which a ray goes on for longest
-// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The longest way is
-// 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
+// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The
+// longest way is 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
 static const float kFurFarCosine = 1.0 / 6.0;
 static const float kFurNearest = 1e-4; // that light is, share of the mesh's radius
 
@@ -23,7 +23,8 @@ struct StrandsVarying
     centroid float4 toLight : TEXCOORD3; // mm; how often layers may be halved here (furSpare)
     centroid float4 lightClip : TEXCOORD4;
     centroid float4 lean : TEXCOORD5;  // of the tips, share of the coat; share of the full density of strands
-    centroid float4 coat : TEXCOORD6;  // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
+    // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
+    centroid float4 coat : TEXCOORD6;
     float4 plainRest : TEXCOORD7;      // roots' data: 1 / spacing, 1/mm
     float4 plainNormal : TEXCOORD8;    // roots' data: radius of a strand, spacings, over that of the data, mm
     float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; all times the round (fur_rounds.fxh)
@@ -123,8 +124,8 @@ float2 furBend(float height)
     return height * (float2(gFurScatter * height, 0.0) + gFurCurls * turn);
 }
 
-// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root, 1 tip), brightness.
-// root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
+// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root,
+// 1 tip), brightness. root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
 // random: of the strand, in (0, 1).
 float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float stray, float3 random)
 {
@@ -141,8 +142,8 @@ float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float sh
     return met + (covered.x - met.x * covered.x) * float4(1.0, height, saturate(height / share), tint);
 }
 
-// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square
-// spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
+// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all.
+// density: per square spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
 float4 furExpect(float4 met, float fade, float density, float shortest, float perLength, float2 heights, float way)
 {
     float2 radius = gFurRadius * furMeanRadius(heights, shortest);
@@ -211,7 +212,8 @@ FurPiece furFirstPiece()
     return piece;
 }
 
-// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in which tufts lean together.
+// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in
+// which tufts lean together.
 FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
 {
     float drop = min(steps * sweep.step, sweep.end);
@@ -232,8 +234,8 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     return piece;
 }
 
-// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As shadowLit of shadowDepth, in fewer slots of
-// shader model 3: outside of the light's view and before it all is lit.
+// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As shadowLit of shadowDepth,
+// in fewer slots of shader model 3: outside of the light's view and before it all is lit.
 float furSkinShadow(float4 lightClip, float distance)
 {
     float within = min(lightClip.w - max(abs(lightClip.x), abs(lightClip.y)), lightClip.z);
@@ -253,7 +255,8 @@ float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float
     float3 strand = furAlong(sweep.normal + 2.0 * mean.x * input.lean.xyz);
     float perDistance = rsqrt(dot(input.toLight.xyz, input.toLight.xyz));
     float3 toLight = input.toLight.xyz * perDistance;
-    float open = furSkinShadow(input.lightClip, 1.0 / perDistance) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
+    float open = furSkinShadow(input.lightClip, 1.0 / perDistance) *
+                 furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
     return float4(direct + albedo * gFurFill * furFill(mean.x, gFurDensity, gFurMultiple), met.x);
 }

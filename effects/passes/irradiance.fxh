@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_PASSES_IRRADIANCE_FXH
 #define TEGUMENT_PASSES_IRRADIANCE_FXH
 
-Texture2D gIrradianceMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
+Texture2D gIrradianceMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
 SAMPLER2D(gIrradiance, POINT, CLAMP);
 
 // name: of the pass that fills the map, a string. Prepasses that spare texels stand in front of it: UNWRAP_SCRIPT (cull.fxh) instead.

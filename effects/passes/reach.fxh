@@ -1,13 +1,13 @@
 // Prepasses that leave the picture as it is: they spare every texel that a visible pixel draws light from.
-// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others. The techniques differ in what light reaches a
-// visible pixel: d'Eon and Luebke's passes also through the body, Gosselin's only along the map.
+// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others. The techniques differ in what light
+// reaches a visible pixel: d'Eon and Luebke's passes also through the body, Gosselin's only along the map.
 #ifndef TEGUMENT_PASSES_REACH_FXH
 #define TEGUMENT_PASSES_REACH_FXH
 
-Texture2D gCullNeedMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R16F"; >;
-Texture2D gCullTilesMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gCullReachUMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gCullReachMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullNeedMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R16F") >;
+Texture2D gCullTilesMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
+Texture2D gCullReachUMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
+Texture2D gCullReachMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
 SAMPLER2D(gCullNeed, POINT, CLAMP);
 SAMPLER2D(gCullTiles, POINT, CLAMP);
 SAMPLER2D(gCullReachU, POINT, CLAMP);

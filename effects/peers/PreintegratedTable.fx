@@ -1,4 +1,5 @@
-// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey ground.
+// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey
+// ground.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/workspace.fxh"

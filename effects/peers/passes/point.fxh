@@ -1,5 +1,5 @@
-// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture made of it. As
-// Main.fx has it, with a plain shadow map.
+// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture
+// made of it. As Main.fx has it, with a plain shadow map.
 #ifndef TEGUMENT_PEERS_PASSES_POINT_FXH
 #define TEGUMENT_PEERS_PASSES_POINT_FXH
 

@@ -2,10 +2,12 @@
 #ifndef TEGUMENT_PEERS_PASSES_SEPARABLE_FXH
 #define TEGUMENT_PEERS_PASSES_SEPARABLE_FXH
 
-float3 gSeparableStrength < string UIName = "Strength"; string UIWidget = "Color"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "share of each colour that diffuses"; > = { 1.0, 1.0, 1.0 };
-float gSeparableUnit < string UIName = "Width"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 10.0; float UIStep = 0.01; string UIHelp = "mm for each unit of the kernel; corrected: 1 is the skin profile"; > = PEER_SEPARABLE_UNIT;
+float3 gSeparableStrength < UI_COLOUR("Strength") float UIMin = 0.0; float UIMax = 1.0;
+    string UIHelp = "share of each colour that diffuses"; > = { 1.0, 1.0, 1.0 };
+float gSeparableUnit < UI_SLIDER("Width", 0.0, 10.0, 0.01)
+    string UIHelp = "mm for each unit of the kernel; corrected: 1 is the skin profile"; > = PEER_SEPARABLE_UNIT;
 
-Texture2D gScatterXMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gScatterXMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 SAMPLER2D(gScatterX, LINEAR, CLAMP);
 SAMPLER2D_OF(gBetween, gShadeMap, LINEAR, CLAMP);
 
@@ -23,8 +25,8 @@ float4 AlongY##samples##PS(QuadVarying input) : SV_Target0 \
 float4 along(SAMPLER2D_PARAM(map), float2 uv, float2 axis, int first, int pairs)
 {
     float2 frustum = screenFrustum(gProjection);
-    return separableConvolve(SAMPLER2D_ARG(map), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum, gSeparableUnit,
-                             gSeparableStrength, first, pairs);
+    return separableConvolve(SAMPLER2D_ARG(map), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum,
+                             gSeparableUnit, gSeparableStrength, first, pairs);
 }
 
 SEPARABLE_STEPS(7, 0, 3)

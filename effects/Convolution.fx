@@ -7,6 +7,7 @@
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
@@ -33,8 +34,9 @@ struct ConstantVarying
     float4 position : SV_Position;
 };
 
-ConstantVarying ConstantVS(MeshInput input)
+ConstantVarying ConstantVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     ConstantVarying output;
     output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
     return output;

@@ -6,6 +6,7 @@
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/cull.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/tsm.fxh"
@@ -40,8 +41,9 @@ struct PanelVarying
     float4 clip : TEXCOORD2; // panels of the mesh as a whole: a point in the middle of the view
 };
 
-CauseVarying HiddenVS(MeshInput input)
+CauseVarying HiddenVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     CauseVarying output;
     output.cull = cullVarying(input);
     output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
@@ -98,8 +100,9 @@ float shadeOf(MeshInput input, float3 toEye)
     return 0.3 + 0.7 * saturate(dot(normal, toEye));
 }
 
-PanelVarying ShowViewVS(MeshInput input)
+PanelVarying ShowViewVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     PanelVarying output;
     float3 world = worldPosition(input.position);
     output.clip = mul(float4(world, 1.0), gViewProjection);
@@ -124,14 +127,14 @@ PanelVarying meshPanel(MeshInput input, float side, float2 panel)
     return output;
 }
 
-PanelVarying ShowFrontVS(MeshInput input)
+PanelVarying ShowFrontVS(VertexInput input)
 {
-    return meshPanel(input, 1.0, float2(-0.5, -0.5));
+    return meshPanel(meshVertex(input), 1.0, float2(-0.5, -0.5));
 }
 
-PanelVarying ShowBackVS(MeshInput input)
+PanelVarying ShowBackVS(VertexInput input)
 {
-    return meshPanel(input, -1.0, float2(0.5, -0.5));
+    return meshPanel(meshVertex(input), -1.0, float2(0.5, -0.5));
 }
 
 float4 ShowPS(PanelVarying input) : SV_Target0

@@ -6,6 +6,7 @@
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_rounds.fxh"

@@ -6,6 +6,7 @@
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"

@@ -9,6 +9,7 @@
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/cull.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
@@ -46,7 +47,7 @@ technique DEonLuebke < string Script =
     MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
     CASCADE_PASSES(STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, FinalPS, STATE_SOLID)
 }
 
 technique DEonLuebkeCulled < string Script =
@@ -64,7 +65,7 @@ technique DEonLuebkeCulled < string Script =
     MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
     CASCADE_PASSES(STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, FinalPS, STATE_SOLID)
 }
 
 technique Gosselin < string Script =
@@ -79,9 +80,9 @@ technique Gosselin < string Script =
     MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
     MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
     BLUR_PASSES_1_TO_3(STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, GosselinFinalPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, GosselinFinalPS, STATE_SOLID)
     BLUR_PASSES_4_TO_6(STATE_EQUAL)
-    MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
+    MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, STATE_SOLID)
 }
 
 technique GosselinCulled < string Script =
@@ -98,9 +99,9 @@ technique GosselinCulled < string Script =
     MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
     MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
     BLUR_PASSES_1_TO_3(STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, GosselinFinalPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, GosselinFinalPS, STATE_SOLID)
     BLUR_PASSES_4_TO_6(STATE_EQUAL)
-    MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
+    MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, STATE_SOLID)
 }
 
 technique Lambert < string Script =
@@ -109,6 +110,6 @@ technique Lambert < string Script =
 {
     OWN_SHADOW_PASS
     TSM_PASS
-    MESH_PASS(Final, FinalVS, LambertPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, LambertPS, STATE_SOLID)
 }
 #endif

@@ -4,6 +4,7 @@
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
@@ -17,13 +18,6 @@ float4 ShowPS(QuadVarying input) : SV_Target0
     float texel = shadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
     float depth = kDepthInMillimetres ? (texel - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel;
     return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
-}
-
-SurfaceVarying ShadowVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
 }
 
 float4 ShadowPS(SurfaceVarying input) : SV_Target0
@@ -46,6 +40,6 @@ technique Shadow < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Shadow, ShadowVS, ShadowPS, STATE_SOLID)
+    MESH_PASS(Shadow, SurfaceVS, ShadowPS, STATE_SOLID)
 }
 #endif

@@ -5,6 +5,7 @@
 #include "../hlsl/specular.fxh"
 #include "../hlsl/shadow.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
@@ -12,13 +13,6 @@
 #include "passes/specular.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Specular") > = 0.8;
-
-SurfaceVarying SpecularVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
-}
 
 float4 reflected(SurfaceVarying input, LitPoint p)
 {
@@ -52,12 +46,12 @@ technique Specular < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Specular, SpecularVS, SpecularPS, STATE_SOLID)
+    MESH_PASS(Specular, SurfaceVS, SpecularPS, STATE_SOLID)
 }
 
 technique SpecularUnshadowed < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(Specular, SpecularVS, SpecularUnshadowedPS, STATE_SOLID)
+    MESH_PASS(Specular, SurfaceVS, SpecularUnshadowedPS, STATE_SOLID)
 }
 
 technique SpecularSmooth < string Script =
@@ -65,6 +59,6 @@ technique SpecularSmooth < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Specular, SpecularVS, SpecularSmoothPS, STATE_SOLID)
+    MESH_PASS(Specular, SurfaceVS, SpecularSmoothPS, STATE_SOLID)
 }
 #endif

@@ -4,6 +4,7 @@
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Stretch") > = 0.8;
@@ -23,8 +24,9 @@ struct StretchVarying
     float3 world : TEXCOORD0; // mm
 };
 
-StretchVarying StretchVS(MeshInput input)
+StretchVarying StretchVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     StretchVarying output;
     output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
     output.world = millimetres(worldPosition(input.position));

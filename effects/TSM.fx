@@ -3,6 +3,7 @@
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/workspace.fxh"
 #include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/tsm.fxh"
 

@@ -73,11 +73,11 @@ float4 PrePass1PS(QuadVarying input) : SV_Target0
 }
 
 // Setting seed culls whole vertices, by their depth; corrected culls fragments.
-CullVarying PrePass2VS(MeshInput input)
+CullVarying PrePass2VS(VertexInput input)
 {
-    CullVarying output = cullVarying(input);
+    CullVarying output = cullVarying(meshVertex(input));
     float z = kCullPerPixel || hiddenPoint(output) ? 1.0 : 0.0;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, z), gViewportSize);
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, z), gViewportSize);
     return output;
 }
 

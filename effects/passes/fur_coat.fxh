@@ -8,13 +8,6 @@ SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
 
 static const float kShadowTolerance = 0.005; // share of the mesh's radius
 
-struct FurInput
-{
-    float3 position : POSITION;
-    float3 normal : NORMAL;
-    float2 uv : TEXCOORD0; // read with kFurColorMap only
-};
-
 // centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far
 // outside of it. But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the
 // plain ones'.
@@ -42,11 +35,18 @@ float3 furHang()
     return gFurLean * gFurDown;
 }
 
-FurVarying furVarying(FurInput input, float height)
+// Of the mesh at rest, wherever the pose has brought the vertex: fur is found by it. From the bounding sphere's centre, world units.
+float3 furPlace(VertexInput stored)
 {
+    return meshAxes(worldPosition(stored.position) - gBoundingCenter);
+}
+
+FurVarying furVarying(VertexInput stored, float height)
+{
+    MeshInput input = meshVertex(stored);
     FurVarying output;
     float3 skin = worldPosition(input.position);
-    output.rest = meshAxes(skin - gBoundingCenter);
+    output.rest = furPlace(stored);
     output.normal = input.normal;
     output.plainRest = float4(output.rest, kFurNear);
     output.plainNormal = input.normal;
@@ -59,7 +59,7 @@ FurVarying furVarying(FurInput input, float height)
     return output;
 }
 
-FurVarying SkinVS(FurInput input)
+FurVarying SkinVS(VertexInput input)
 {
     return furVarying(input, 0.0);
 }

@@ -63,11 +63,11 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
 }
 
 // The roots' mesh has the unit that it was prepared in, and stands where it stood then: the balls of both tell how this one came from it.
-StrandsVarying rootsVarying(FurInput input, float layer, float round)
+StrandsVarying rootsVarying(VertexInput input, float layer, float round)
 {
     FurRootGrid grid = furRootGrid();
     float4 ball = furRootsHeader(4.0);
-    float3 place = furRootPlace(meshAxes(worldPosition(input.position) - gBoundingCenter), gMeshRadius, ball);
+    float3 place = furRootPlace(furPlace(input), gMeshRadius, ball);
     float4 coat = furRootCoat(SAMPLER2D_ARG(gFurRoots), place, grid.origin, grid.bricks, grid.rows, furRootsHeader(6.0).y);
     float4 strands = furRootsHeader(3.0);
     FurGrowth growth;
@@ -81,17 +81,17 @@ StrandsVarying rootsVarying(FurInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
+StrandsVarying RootsVS(LAYER_INPUT(VertexInput, input))
 {
     return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying RootsBehindVS(LAYER_INPUT(FurInput, input))
+StrandsVarying RootsBehindVS(LAYER_INPUT(VertexInput, input))
 {
     return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-StrandsVarying RootsEndVS(FurInput input)
+StrandsVarying RootsEndVS(VertexInput input)
 {
     StrandsVarying output = rootsVarying(input, gFurLayers - 1.0, kFurNear);
     output.position = furEndPosition(output.position);

@@ -20,7 +20,7 @@ SAMPLER2D(gHull, POINT, CLAMP);
     MESH_PASS(HullFront, HullVS, HullFrontPS, STATE_TWOSIDED) \
     MESH_PASS(HullBack, HullVS, HullBackPS, STATE_TWOSIDED)
 
-FurVarying HullVS(FurInput input)
+FurVarying HullVS(VertexInput input)
 {
     FurVarying output = furVarying(input, gFurShadowHeight);
     float4 position = output.lightClip;

@@ -17,26 +17,26 @@ float shellNearness(FurVarying input)
     return rsqrt(dot(fromEye, fromEye));
 }
 
-FurVarying shellVarying(FurInput input, float layer)
+FurVarying shellVarying(VertexInput input, float layer)
 {
     FurVarying output = furVarying(input, furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
     output.coat.w = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
     return output;
 }
 
-FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
+FurVarying ShellsVS(LAYER_INPUT(VertexInput, input))
 {
     return shellVarying(input, LAYER_INDEX(gFurLayer));
 }
 
-FurVarying BehindVS(LAYER_INPUT(FurInput, input))
+FurVarying BehindVS(LAYER_INPUT(VertexInput, input))
 {
     FurVarying output = shellVarying(input, LAYER_INDEX(gFurLayer));
     output.plainRest.w = kFurBehind;
     return output;
 }
 
-FurVarying CoatEndVS(FurInput input)
+FurVarying CoatEndVS(VertexInput input)
 {
     FurVarying output = furVarying(input, 1.0);
     output.position = furEndPosition(output.position);

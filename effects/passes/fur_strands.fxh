@@ -83,19 +83,25 @@ float3 furFromAxes(float3 v)
     return v.x * worldUnit(gWorld[0].xyz) + v.y * worldUnit(gWorld[1].xyz) + v.z * worldUnit(gWorld[2].xyz);
 }
 
+// A direction of the world in the axes of the mesh at rest.
+float3 strandsAxes(float3 v, VertexInput stored)
+{
+    return vertexTurnedBack(meshAxes(v), stored);
+}
+
 // Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
-StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, float round)
+StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, float round)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, height);
-    float3 leaning = furFromAxes(growth.lean) * furDistance(gFurLength, gMeshRadius, height) * height;
+    float3 leaning = furFromAxes(vertexTurned(growth.lean, input)) * furDistance(gFurLength, gMeshRadius, height) * height;
     float3 world = coat.world + leaning;
     float4 position = mul(float4(world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
     float thickness = max(gFurLength * gMeshRadius / growth.spacing, 1.0);
-    float3 fromEye = meshAxes(world - gCameraPosition) / growth.spacing;
+    float3 fromEye = strandsAxes(world - gCameraPosition, input) / growth.spacing;
     float width = 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x * length(fromEye);
-    float3 normal = meshAxes(worldNormal(input.normal));
+    float3 normal = strandsAxes(worldNormal(coat.normal), input);
     // By the upright coat, for that alone is the same for all layers.
     float cosine = dot(safeNormalize(fromEye), normal);
     float upright = thickness * furSine(cosine) / max(-cosine, kFurLeastCosine);
@@ -105,10 +111,10 @@ StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, flo
     output.normal = float4(normal, height);
     output.fromEye = float4(fromEye, width);
     // Tips before the near plane of parallel light have the light before them all the same.
-    float3 toLight = meshAxes(lightDirection(world)) * max(furFromLight(world), kFurNearest * millimetres(gMeshRadius));
+    float3 toLight = strandsAxes(lightDirection(world), input) * max(furFromLight(world), kFurNearest * millimetres(gMeshRadius));
     output.toLight = float4(toLight, furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.lean = float4(growth.lean + meshAxes(furHang()), growth.density);
+    output.lean = float4(growth.lean + strandsAxes(furHang(), input), growth.density);
     float least = lerp(kFurLeastCosine, kFurFarCosine, furFade(width));
     output.coat = float4(least * least, thickness, min(growth.shortest, 0.999), 2.0 / (1.0 + growth.shortest));
     output.plainRest = float4(growth.place, growth.data.x);

@@ -9,10 +9,10 @@ SAMPLER2D(gIrradiance, POINT, CLAMP);
 #define IRRADIANCE_SCRIPT(name) \
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=" name ";"
 
-SurfaceVarying IrradianceVS(MeshInput input)
+SurfaceVarying IrradianceVS(VertexInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, 0.0), gViewportSize);
     return output;
 }
 

@@ -39,8 +39,9 @@ struct NeedVarying
     float4 lightClip : TEXCOORD5;
 };
 
-NeedVarying CullNeedVS(MeshInput input)
+NeedVarying CullNeedVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     NeedVarying output;
     output.cull = cullVarying(input);
     output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
@@ -64,10 +65,10 @@ float4 CullNeedPS(NeedVarying input) : SV_Target0
     return float4(mayShow(input.cull) || lit > 0.0 ? 1.0 : 0.0, 0.0, 0.0, 1.0);
 }
 
-CullVarying BlurNeedVS(MeshInput input)
+CullVarying BlurNeedVS(VertexInput input)
 {
-    CullVarying output = cullVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    CullVarying output = cullVarying(meshVertex(input));
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, 0.0), gViewportSize);
     return output;
 }
 
@@ -112,10 +113,10 @@ float4 PrePass1ReachPS(QuadVarying input) : SV_Target0
     return 0.0;
 }
 
-CullVarying PrePass2ReachVS(MeshInput input)
+CullVarying PrePass2ReachVS(VertexInput input)
 {
-    CullVarying output = cullVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 1.0), gViewportSize);
+    CullVarying output = cullVarying(meshVertex(input));
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, 1.0), gViewportSize);
     return output;
 }
 

@@ -18,8 +18,9 @@ struct ShadowVarying
     float4 lightClip : TEXCOORD1;
 };
 
-ShadowVarying ShadowMapVS(MeshInput input)
+ShadowVarying ShadowMapVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     ShadowVarying output;
     float3 world = worldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);

@@ -19,8 +19,9 @@ struct TsmVarying
     float4 lightClip : TEXCOORD2;
 };
 
-TsmVarying TsmVS(MeshInput input)
+TsmVarying TsmVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     TsmVarying output;
     float3 world = worldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);

@@ -16,6 +16,7 @@
 #include "../../hlsl/peers/preintegrated.fxh"
 #include "../../hlsl/peers/penumbra.fxh"
 #include "../passes/annotations.fxh"
+#include "../passes/vertex.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
 #include "../passes/shadow_map.fxh"
@@ -35,7 +36,7 @@ technique Preintegrated < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Final, PeerVS, PreintegratedPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, PreintegratedPS, STATE_SOLID)
 }
 
 technique PreintegratedPenumbra < string Script =
@@ -43,6 +44,6 @@ technique PreintegratedPenumbra < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Final, PeerVS, PreintegratedPenumbraPS, STATE_SOLID)
+    MESH_PASS(Final, SurfaceVS, PreintegratedPenumbraPS, STATE_SOLID)
 }
 #endif

@@ -15,6 +15,7 @@
 #include "../../hlsl/peers/screen.fxh"
 #include "../../hlsl/peers/separable.fxh"
 #include "../passes/annotations.fxh"
+#include "../passes/vertex.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"

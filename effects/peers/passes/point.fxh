@@ -3,13 +3,6 @@
 #ifndef TEGUMENT_PEERS_PASSES_POINT_FXH
 #define TEGUMENT_PEERS_PASSES_POINT_FXH
 
-SurfaceVarying PeerVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
-}
-
 // Without shadow.
 LitPoint peerPoint(SurfaceVarying input)
 {

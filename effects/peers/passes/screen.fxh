@@ -24,9 +24,9 @@ SAMPLER2D(gScatter, POINT, CLAMP);
     "RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=;"
 #define LIGHT_PASSES \
     SHADOW_MAP_PASS \
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
+    MESH_PASS(Light, SurfaceVS, LightPS, STATE_SOLID)
 #define SCATTERED_SCRIPT "RenderColorTarget0=; Pass=Final;"
-#define SCATTERED_PASS MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+#define SCATTERED_PASS MESH_PASS(Final, SurfaceVS, ScreenFinalPS, STATE_SOLID)
 
 struct LightOutput
 {

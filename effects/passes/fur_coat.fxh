@@ -18,10 +18,34 @@ struct FurVarying
     centroid float3 normal : TEXCOORD1; // mesh space
     centroid float3 world : TEXCOORD2;  // in the coat
     centroid float4 lightClip : TEXCOORD3;
-    centroid float4 coat : TEXCOORD4; // height in the coat, uv, height of the layer above
-    float4 plainRest : TEXCOORD5;     // round (fur_rounds.fxh)
+    centroid float4 coat : TEXCOORD4; // furHeights, furMapPlace
+    float4 plainRest : TEXCOORD5;     // furRound
     float3 plainNormal : TEXCOORD6;
 };
+
+// In the coat: 0 skin, 1 tips.
+float furHeight(FurVarying input)
+{
+    return input.coat.x;
+}
+
+// The same, and that of the layer above.
+float2 furHeights(FurVarying input)
+{
+    return input.coat.xw;
+}
+
+// Texture coordinates of the mesh.
+float2 furMapPlace(FurVarying input)
+{
+    return input.coat.yz;
+}
+
+// Of fur_rounds.fxh.
+float furRound(FurVarying input)
+{
+    return input.plainRest.w;
+}
 
 // Of a point of the world from the light, mm. Parallel light has planes of equal distance.
 float furFromLight(float3 world)
@@ -41,17 +65,18 @@ float3 furPlace(VertexInput stored)
     return meshAxes(worldPosition(stored.position) - gBoundingCenter);
 }
 
-FurVarying furVarying(VertexInput stored, float height)
+// heights: as furHeights; round: as furRound.
+FurVarying furVarying(VertexInput stored, float2 heights, float round)
 {
     MeshInput input = meshVertex(stored);
     FurVarying output;
     float3 skin = worldPosition(input.position);
     output.rest = furPlace(stored);
     output.normal = input.normal;
-    output.plainRest = float4(output.rest, kFurNear);
+    output.plainRest = float4(output.rest, round);
     output.plainNormal = input.normal;
-    output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
-    output.world = skin + furStrand(worldNormal(input.normal), furHang(), height) * furDistance(gFurLength, gMeshRadius, height);
+    output.coat = float4(heights.x, kFurColorMap ? input.uv : float2(0.0, 0.0), heights.y);
+    output.world = skin + furStrand(worldNormal(input.normal), furHang(), heights.x) * furDistance(gFurLength, gMeshRadius, heights.x);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
@@ -61,7 +86,7 @@ FurVarying furVarying(VertexInput stored, float height)
 
 FurVarying SkinVS(VertexInput input)
 {
-    return furVarying(input, 0.0);
+    return furVarying(input, float2(0.0, 1.0), kFurNear);
 }
 
 // mm, or z/w.
@@ -82,9 +107,9 @@ float furShadow(FurVarying input, float3 normal, float3 toLight)
 // Albedo of fur at this place: from root to tip, times the colour map.
 float3 furAlbedo(FurVarying input)
 {
-    float3 albedo = lerp(gFurRootColor, gFurTipColor, input.coat.x);
+    float3 albedo = lerp(gFurRootColor, gFurTipColor, furHeight(input));
     if (kFurColorMap)
-        albedo *= tex2D(gFurColor, input.coat.yz).rgb;
+        albedo *= tex2D(gFurColor, furMapPlace(input)).rgb;
     return albedo;
 }
 
@@ -100,16 +125,16 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
     float3 normal = worldNormal(input.normal);
-    float3 strand = furTangent(normal, furHang(), input.coat.x);
+    float3 strand = furTangent(normal, furHang(), furHeight(input));
     float3 toLight = lightDirection(input.world);
     float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
-    float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+    float open = lerp(1.0, furTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
     float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
-    return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);
+    return direct + albedo * gFurFill * furFill(furHeight(input), gFurDensity, gFurMultiple);
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0

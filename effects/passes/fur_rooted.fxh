@@ -108,11 +108,11 @@ float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
     [loop] for (int i = 0; i <= sweep.steps; i++)
     {
         piece = furNextPiece(piece, sweep, i);
-        float3 middle = (piece.begin + 0.5 * piece.along) / input.plainRest.w;
+        float3 middle = (piece.begin + 0.5 * piece.along) / strandsData(input).x;
         [branch] if (i > 0)
         {
             float list = furRootList(SAMPLER2D_ARG(gFurRoots), middle, grid.origin, grid.bricks, grid.rows);
-            met = furRoots(met, sweep, piece, grid, float3(input.plainRest.w, input.plainNormal.w, input.plainFromEye.w), list);
+            met = furRoots(met, sweep, piece, grid, strandsData(input), list);
         }
     }
     return furStrandColor(input, sweep, piece, met, 1.0);

@@ -22,7 +22,7 @@ SAMPLER2D(gHull, POINT, CLAMP);
 
 FurVarying HullVS(VertexInput input)
 {
-    FurVarying output = furVarying(input, gFurShadowHeight);
+    FurVarying output = furVarying(input, float2(gFurShadowHeight, 1.0), kFurNear);
     float4 position = output.lightClip;
     position.z = furNearDepth(position.z, position.w);
     output.position = HALF_PIXEL(position, gViewportSize);
@@ -48,8 +48,8 @@ float furHullShadow(FurVarying input)
 {
     float2 hull = tex2Dlod(gHull, float4(shadowCoordinate(input.lightClip), 0.0, 0.0)).xy;
     float thickness = millimetres(gFurLength * gMeshRadius);
-    float place = furFromLight(input.world) - max(input.coat.x - gFurShadowHeight, 0.0) * thickness;
-    float own = furWay(input.coat.x, dot(worldNormal(input.normal), lightDirection(input.world)), gFurLength);
+    float place = furFromLight(input.world) - max(furHeight(input) - gFurShadowHeight, 0.0) * thickness;
+    float own = furWay(furHeight(input), dot(worldNormal(input.normal), lightDirection(input.world)), gFurLength);
     float foreign = furForeignCoat(place, hull.x - hull.y, hull.x, own, thickness);
     return hull.x > 0.0 ? exp(-gFurDensity * gFurShadow * foreign) : 1.0;
 }

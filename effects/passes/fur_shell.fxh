@@ -17,28 +17,26 @@ float shellNearness(FurVarying input)
     return rsqrt(dot(fromEye, fromEye));
 }
 
-FurVarying shellVarying(VertexInput input, float layer)
+FurVarying shellVarying(VertexInput input, float layer, float round)
 {
-    FurVarying output = furVarying(input, furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
-    output.coat.w = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
-    return output;
+    float height = furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread);
+    float above = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
+    return furVarying(input, float2(height, above), round);
 }
 
 FurVarying ShellsVS(LAYER_INPUT(VertexInput, input))
 {
-    return shellVarying(input, LAYER_INDEX(gFurLayer));
+    return shellVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
 FurVarying BehindVS(LAYER_INPUT(VertexInput, input))
 {
-    FurVarying output = shellVarying(input, LAYER_INDEX(gFurLayer));
-    output.plainRest.w = kFurBehind;
-    return output;
+    return shellVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
 FurVarying CoatEndVS(VertexInput input)
 {
-    FurVarying output = furVarying(input, 1.0);
+    FurVarying output = furVarying(input, float2(1.0, 1.0), kFurNear);
     output.position = furEndPosition(output.position);
     return output;
 }
@@ -54,7 +52,7 @@ float shellSlope(FurVarying input, float side)
 {
     float3 normal = worldNormal(input.normal);
     float3 view = safeNormalize(input.world - gCameraPosition);
-    float3 strand = normal + 2.0 * input.coat.x * furHang();
+    float3 strand = normal + 2.0 * furHeight(input) * furHang();
     float way = furWayOver(view, normal, strand) * gFurLength * gMeshRadius;
     float pixel = max(length(ddx(input.plainRest.xyz)), length(ddy(input.plainRest.xyz)));
     return furHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
@@ -96,10 +94,10 @@ float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 {
     float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
     float afar = furAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
-    float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, sides.y));
-    float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
+    float mean = furMeanCoverage(texel.a, furHeights(input), variance, gFurSoftness, shellSlope(input, sides.y));
+    float coverage = furCoverage(texel.a, furHeight(input), gFurTaper, gFurSoftness);
     float tested = lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar);
-    float left = furInRound(shellNearness(input), pixel, input.plainRest.w) < 0.0 ? -1.0 : tested;
+    float left = furInRound(shellNearness(input), pixel, furRound(input)) < 0.0 ? -1.0 : tested;
     clip(left);
     float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
     float4 color = float4(0.0, 0.0, 0.0, max(drawn, gFurOuterFirst));
@@ -112,13 +110,13 @@ float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 float4 cubeShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     float2 sides = shellSides(plain);
-    return shell(input, pixel, sides, cubeTexel(furCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
+    return shell(input, pixel, sides, cubeTexel(furCurled(v, furHeight(input), gFurCurl), plain, shellShrink(sides)));
 }
 
 float4 sphereShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     float2 sides = shellSides(plain);
-    float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
+    float2 place = furSphereCoordinate(furCurled(v, furHeight(input), gFurCurl));
     return shell(input, pixel, sides, sphereTexel(place, furSphereCoordinate(plain), shellShrink(sides)));
 }
 

@@ -14,21 +14,87 @@ static const float kFurFarCosine = 1.0 / 6.0;
 static const float kFurNearest = 1e-4; // that light is, share of the mesh's radius
 
 // All that shader model 3 has room for. centroid and plain: as in FurVarying; what is the same everywhere takes the places that are left.
+// xyz are what the members are called; w is read by the functions below.
 struct StrandsVarying
 {
     float4 position : SV_Position;
-    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings; layers above this one, and a half
-    centroid float4 normal : TEXCOORD1;  // height in the coat
-    centroid float4 fromEye : TEXCOORD2; // spacings; width of a pixel, spacings
-    centroid float4 toLight : TEXCOORD3; // mm; how often layers may be halved here (furSpare)
+    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings; strandsLayersAbove
+    centroid float4 normal : TEXCOORD1;  // strandsHeight
+    centroid float4 fromEye : TEXCOORD2; // spacings; strandsPixel
+    centroid float4 toLight : TEXCOORD3; // mm; strandsSpare
     centroid float4 lightClip : TEXCOORD4;
-    centroid float4 lean : TEXCOORD5;  // of the tips, share of the coat; share of the full density of strands
-    // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
-    centroid float4 coat : TEXCOORD6;
-    float4 plainRest : TEXCOORD7;      // roots' data: 1 / spacing, 1/mm
-    float4 plainNormal : TEXCOORD8;    // roots' data: radius of a strand, spacings, over that of the data, mm
-    float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; all times the round (fur_rounds.fxh)
+    centroid float4 lean : TEXCOORD5; // of the tips, share of the coat; strandsDensity
+    centroid float4 coat : TEXCOORD6; // strandsLeast, strandsThickness, strandsShortest, strandsPerLength
+    float4 plainRest : TEXCOORD7;     // strandsData, here and in the next two
+    float4 plainNormal : TEXCOORD8;
+    float4 plainFromEye : TEXCOORD9;
 };
+
+// Layers above this one, and a half.
+float strandsLayersAbove(StrandsVarying input)
+{
+    return input.rest.w;
+}
+
+// Of the layer in the coat: 0 skin, 1 tips.
+float strandsHeight(StrandsVarying input)
+{
+    return input.normal.w;
+}
+
+// Width of a pixel, spacings.
+float strandsPixel(StrandsVarying input)
+{
+    return input.fromEye.w;
+}
+
+// How often layers may be halved here (furSpare).
+float strandsSpare(StrandsVarying input)
+{
+    return input.toLight.w;
+}
+
+// Share of the full density of strands.
+float strandsDensity(StrandsVarying input)
+{
+    return input.lean.w;
+}
+
+// As in furPath.
+float strandsLeast(StrandsVarying input)
+{
+    return input.coat.x;
+}
+
+// Of the coat, spacings.
+float strandsThickness(StrandsVarying input)
+{
+    return input.coat.y;
+}
+
+// Shortest strand, share of the longest.
+float strandsShortest(StrandsVarying input)
+{
+    return input.coat.z;
+}
+
+// 1 / mean length of strands, share of the longest.
+float strandsPerLength(StrandsVarying input)
+{
+    return input.coat.w;
+}
+
+// Of the roots: 1 / spacing, 1/mm; radius of a strand, spacings, over that of the data, mm; 1 / length of the coat, 1/mm, times the round.
+float3 strandsData(StrandsVarying input)
+{
+    return float3(input.plainRest.w, input.plainNormal.w, input.plainFromEye.w);
+}
+
+// Of fur_rounds.fxh, times what is above 0.
+float strandsRound(StrandsVarying input)
+{
+    return input.plainFromEye.w;
+}
 
 // What grows at a vertex.
 struct FurGrowth
@@ -38,7 +104,7 @@ struct FurGrowth
     float density;    // share of the full one
     float spacing;    // world units
     float shortest;   // strand, share of the longest
-    float3 data;      // of the roots, as in StrandsVarying
+    float3 data;      // of the roots, as strandsData, without the round
 };
 
 // The ray's way from a layer to the next, and how it is walked.
@@ -93,7 +159,7 @@ float3 strandsAxes(float3 v, VertexInput stored)
 StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, float round)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
-    FurVarying coat = furVarying(input, height);
+    FurVarying coat = furVarying(input, float2(height, 1.0), round);
     float3 leaning = furFromAxes(vertexTurned(growth.lean, input)) * furDistance(gFurLength, gMeshRadius, height) * height;
     float3 world = coat.world + leaning;
     float4 position = mul(float4(world, 1.0), gViewProjection);
@@ -178,10 +244,10 @@ FurSweep furSweep(StrandsVarying input, float2 pixel)
     float nearness = strandsNearness(input);
     sweep.view = input.fromEye.xyz * nearness;
     sweep.place = input.rest.xyz;
-    sweep.height = input.normal.w;
-    sweep.width = input.fromEye.w;
+    sweep.height = strandsHeight(input);
+    sweep.width = strandsPixel(input);
     sweep.fade = furFade(sweep.width);
-    float stride = furStride(input.toLight.w);
+    float stride = furStride(strandsSpare(input));
     sweep.bottom = max(sweep.height - stride / gFurLayers, 0.0);
 
     float depth = sweep.height - sweep.bottom;
@@ -192,15 +258,16 @@ FurSweep furSweep(StrandsVarying input, float2 pixel)
     slopes.down = ddy(input.plainFromEye.xyz);
     slopes.placeAcross = ddx(input.plainRest.xyz);
     slopes.placeDown = ddy(input.plainRest.xyz);
-    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.coat.y, input.coat.x, slopes);
+    float3 strand = sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz;
+    sweep.path = furPath(sweep.view, strand, strandsThickness(input), strandsLeast(input), slopes);
 
     sweep.end = furFall(sweep.path.bow, depth);
     float way = length(sweep.path.travel) * sweep.end;
     float pieces = min(way / kFurStep, kFurMostSteps - 1.0) + 1.0;
     sweep.step = sweep.end / max(way / kFurStep, 1.0);
     sweep.beyond = max(way - kFurMostSteps * kFurStep, way * sweep.fade);
-    sweep.steps = frac(input.rest.w / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
-    sweep.steps = furInRound(nearness, pixel, input.plainFromEye.w) < 0.0 ? -1.0 : sweep.steps;
+    sweep.steps = frac(strandsLayersAbove(input) / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
+    sweep.steps = furInRound(nearness, pixel, strandsRound(input)) < 0.0 ? -1.0 : sweep.steps;
     return sweep;
 }
 
@@ -254,7 +321,8 @@ float furSkinShadow(float4 lightClip, float distance)
 float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
-    met = furExpect(met, sweep.fade, density * input.lean.w, input.coat.z, input.coat.w, float2(top, sweep.bottom), sweep.beyond);
+    met = furExpect(met, sweep.fade, density * strandsDensity(input), strandsShortest(input), strandsPerLength(input),
+                    float2(top, sweep.bottom), sweep.beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;

@@ -3,17 +3,12 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
+#include "passes/annotations.fxh"
 #include "passes/quad.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Beckmann;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Beckmann") > = 0.8;
 
-Texture2D gBeckmannMap : RENDERCOLORTARGET < int Width = 512; int Height = 512; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gBeckmannMap : RENDERCOLORTARGET < SQUARE_TARGET(512, "A16B16G16R16F") >;
 SAMPLER2D(gBeckmann, POINT, CLAMP);
 
 float4 BeckmannPS(QuadVarying input) : SV_Target0

@@ -1,11 +1,13 @@
-// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's blurs, gBlurCount
-// of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the charts of the mesh: what comes
-// out is the sum of the weights.
+// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's
+// blurs, gBlurCount of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the
+// charts of the mesh: what comes out is the sum of the weights.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
@@ -23,23 +25,18 @@
 #include "passes/blur_parameters.fxh"
 #include "passes/poisson.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Convolution;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Convolution") > = 0.8;
 
-float4 gConstantIrradiance < string UIName = "Light of technique White"; string UIWidget = "Color"; > = { 1.0, 1.0, 1.0, 0.5 };
+float4 gConstantIrradiance < UI_COLOUR("Light of technique White") > = { 1.0, 1.0, 1.0, 0.5 };
 
 struct ConstantVarying
 {
     float4 position : SV_Position;
 };
 
-ConstantVarying ConstantVS(MeshInput input)
+ConstantVarying ConstantVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     ConstantVarying output;
     output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
     return output;
@@ -74,101 +71,51 @@ float4 ShowEvenPS(QuadVarying input) : SV_Target0
 }
 
 #ifdef FX_TECHNIQUES
-technique Convolution < string Script = OWN_SHADOW_SCRIPT
-    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
-    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;"
-    "RenderColorTarget0=gIrradiance2Map; Clear=Color; Pass=ConvolutionUV1;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU2;"
-    "RenderColorTarget0=gIrradiance3Map; Clear=Color; Pass=ConvolutionUV2;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU3;"
-    "RenderColorTarget0=gIrradiance4Map; Clear=Color; Pass=ConvolutionUV3;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU4;"
-    "RenderColorTarget0=gIrradiance5Map; Clear=Color; Pass=ConvolutionUV4;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;"
-    "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
+technique Convolution < string Script =
+    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    IRRADIANCE_SCRIPT("Irradiance")
+    CASCADE_SCRIPT
     "RenderColorTarget0=; Pass=Show;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    TSM_PASS
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
+    CASCADE_PASSES(STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 
 technique White < string Script =
-    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Constant;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;"
-    "RenderColorTarget0=gIrradiance2Map; Clear=Color; Pass=ConvolutionUV1;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU2;"
-    "RenderColorTarget0=gIrradiance3Map; Clear=Color; Pass=ConvolutionUV2;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU3;"
-    "RenderColorTarget0=gIrradiance4Map; Clear=Color; Pass=ConvolutionUV3;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU4;"
-    "RenderColorTarget0=gIrradiance5Map; Clear=Color; Pass=ConvolutionUV4;"
-    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;"
-    "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
+    IRRADIANCE_SCRIPT("Constant")
+    CASCADE_SCRIPT
     "RenderColorTarget0=; Pass=Show;"; >
 {
     MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
+    CASCADE_PASSES(STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 
 technique Poisson < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
-    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;"
-    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;"
-    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
-    "RenderColorTarget0=; Pass=gBlurIndex?ShowOdd:ShowEven:ShowOdd:ShowEven:ShowOdd:ShowEven;"; >
+    SHADOW_MAP_SCRIPT
+    IRRADIANCE_SCRIPT("Irradiance")
+    BLURS_SCRIPT
+    "RenderColorTarget0=;" BLURRED_SCRIPT("ShowOdd", "ShowEven"); >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_BUFFER)
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_BUFFER)
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_BUFFER)
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_BUFFER)
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_BUFFER)
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_BUFFER)
+    BLUR_PASSES_1_TO_3(STATE_BUFFER)
+    BLUR_PASSES_4_TO_6(STATE_BUFFER)
     QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
     QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
 }
 
 technique WhitePoisson < string Script =
-    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Constant;"
-    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;"
-    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;"
-    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
-    "RenderColorTarget0=; Pass=gBlurIndex?ShowOdd:ShowEven:ShowOdd:ShowEven:ShowOdd:ShowEven;"; >
+    IRRADIANCE_SCRIPT("Constant")
+    BLURS_SCRIPT
+    "RenderColorTarget0=;" BLURRED_SCRIPT("ShowOdd", "ShowEven"); >
 {
     MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_BUFFER)
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_BUFFER)
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_BUFFER)
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_BUFFER)
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_BUFFER)
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_BUFFER)
+    BLUR_PASSES_1_TO_3(STATE_BUFFER)
+    BLUR_PASSES_4_TO_6(STATE_BUFFER)
     QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
     QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
 }

@@ -1,10 +1,12 @@
-// Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause should be seen;
-// below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
+// Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause
+// should be seen; below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
 // ReachDEonLuebke and ReachGosselin, the form that leaves the picture as it is (DEonLuebkeCulled, GosselinCulled).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/cull.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/tsm.fxh"
@@ -14,21 +16,15 @@
 #include "passes/cull.fxh"
 #include "passes/reach.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=ReachDEonLuebke;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("ReachDEonLuebke") > = 0.8;
 
-float4 gFrustumColor < string UIName = "Outside the view"; string UIWidget = "Color"; > = { 0.02, 0.12, 0.80, 1.0 };
-float4 gBackFaceColor < string UIName = "Facing away"; string UIWidget = "Color"; > = { 0.85, 0.28, 0.02, 1.0 };
-float4 gBlackColor < string UIName = "Black in the colour map"; string UIWidget = "Color"; > = { 0.30, 0.03, 0.30, 1.0 };
+float4 gFrustumColor < UI_COLOUR("Outside the view") > = { 0.02, 0.12, 0.80, 1.0 };
+float4 gBackFaceColor < UI_COLOUR("Facing away") > = { 0.85, 0.28, 0.02, 1.0 };
+float4 gBlackColor < UI_COLOUR("Black in the colour map") > = { 0.30, 0.03, 0.30, 1.0 };
 float3 gMeshCenter : BOUNDINGCENTER < string UIWidget = "None"; >;
 float gMeshRadius : BOUNDINGSPHERESIZE < string UIWidget = "None"; >;
 
-Texture2D gCullingMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullingMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 SAMPLER2D(gCulling, POINT, CLAMP);
 
 struct CauseVarying
@@ -45,8 +41,9 @@ struct PanelVarying
     float4 clip : TEXCOORD2; // panels of the mesh as a whole: a point in the middle of the view
 };
 
-CauseVarying HiddenVS(MeshInput input)
+CauseVarying HiddenVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     CauseVarying output;
     output.cull = cullVarying(input);
     output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
@@ -103,8 +100,9 @@ float shadeOf(MeshInput input, float3 toEye)
     return 0.3 + 0.7 * saturate(dot(normal, toEye));
 }
 
-PanelVarying ShowViewVS(MeshInput input)
+PanelVarying ShowViewVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     PanelVarying output;
     float3 world = worldPosition(input.position);
     output.clip = mul(float4(world, 1.0), gViewProjection);
@@ -129,14 +127,14 @@ PanelVarying meshPanel(MeshInput input, float side, float2 panel)
     return output;
 }
 
-PanelVarying ShowFrontVS(MeshInput input)
+PanelVarying ShowFrontVS(VertexInput input)
 {
-    return meshPanel(input, 1.0, float2(-0.5, -0.5));
+    return meshPanel(meshVertex(input), 1.0, float2(-0.5, -0.5));
 }
 
-PanelVarying ShowBackVS(MeshInput input)
+PanelVarying ShowBackVS(VertexInput input)
 {
-    return meshPanel(input, -1.0, float2(0.5, -0.5));
+    return meshPanel(meshVertex(input), -1.0, float2(0.5, -0.5));
 }
 
 float4 ShowPS(PanelVarying input) : SV_Target0
@@ -146,68 +144,46 @@ float4 ShowPS(PanelVarying input) : SV_Target0
 }
 
 #ifdef FX_TECHNIQUES
-technique PrePass < string Script =
-    "RenderColorTarget0=gCullingMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
-    "ClearSetColor=gBlackColor; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
-    "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
+// The map of causes, then the four panels.
+#define CAUSES_SCRIPT \
+    UNWRAP_SCRIPT("gCullingMap", "gBlackColor") "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;" \
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"
+#define SHOW_PASSES \
+    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL) \
+    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER) \
+    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID) \
+    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID) \
+    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+
+technique PrePass < string Script = CAUSES_SCRIPT; >
 {
     MESH_PASS(Hidden, HiddenVS, HiddenPS, STATE_BUFFER)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    SHOW_PASSES
 }
 
 technique ReachDEonLuebke < string Script =
-    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
-    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
-    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;"
-    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
-    "RenderColorTarget0=gCullingMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
-    "ClearSetColor=gBlackColor; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
-    "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
+    TSM_SCRIPT
+    REACH_SCRIPT
+    CAUSES_SCRIPT; >
 {
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, CullReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, CullReachVPS, STATE_BUFFER)
+    TSM_PASS
+    CASCADE_REACH_PASSES
     MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    SHOW_PASSES
 }
 
 technique ReachGosselin < string Script =
-    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;"
-    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles; RenderColorTarget0=gCullReachUMap; Pass=CullReachU;"
-    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
-    "RenderColorTarget0=gCullingMap; RenderDepthStencilTarget=gUnwrapDepthMap;"
-    "ClearSetColor=gBlackColor; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
-    "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
+    REACH_SCRIPT
+    CAUSES_SCRIPT; >
 {
-    MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, STATE_BUFFER)
+    BLUR_REACH_PASSES
     MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
     QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
     MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    SHOW_PASSES
 }
 #endif

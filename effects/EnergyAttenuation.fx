@@ -1,18 +1,14 @@
-// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1), two halves whose sum it is, and shows it.
+// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1), two halves
+// whose sum it is, and shows it.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
+#include "passes/annotations.fxh"
 #include "passes/quad.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=EnergyAttenuation;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("EnergyAttenuation") > = 0.8;
 
-Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < int Width = 128; int Height = 128; int MipLevels = 1; string Format = "G16R16F"; >;
+Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < SQUARE_TARGET(128, "G16R16F") >;
 SAMPLER2D(gEnergyAttenuation, POINT, CLAMP);
 
 float4 EnergyAttenuationPS(QuadVarying input) : SV_Target0

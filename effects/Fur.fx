@@ -1,9 +1,12 @@
-// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a sphere map
-// (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each technique draws the shadow
-// map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
+// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a
+// sphere map (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each
+// technique draws the shadow map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind
+// the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_rounds.fxh"
@@ -11,24 +14,16 @@
 #include "passes/fur_shadow.fxh"
 #include "passes/fur_shell.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Workspace = "bunny.json";
-    string Script = "Technique=CubePosition;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("CubePosition") string Workspace = "bunny.json"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
 // The six differ in one pixel shader.
 #define FUR_TECHNIQUE(name, shellPS) \
 technique name < string Script = \
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" HULL_SCRIPT \
+    SHADOW_MAP_SCRIPT HULL_SCRIPT \
     ROUNDS_SCRIPT("Skin", "Shells"); > \
 { \
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
+    SHADOW_MAP_PASS \
     HULL_PASSES \
     MESH_PASS(Skin, SkinVS, CoatedSkinPS, STATE_SOLID) \
     MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, STATE_INSIDE) \

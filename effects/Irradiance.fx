@@ -1,10 +1,12 @@
-// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's passes take it
-// (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
+// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's
+// passes take it (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
@@ -17,13 +19,7 @@
 #include "passes/irradiance.fxh"
 #include "passes/irradiance_gosselin.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Irradiance;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Irradiance") > = 0.8;
 
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
@@ -31,25 +27,23 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 }
 
 #ifdef FX_TECHNIQUES
-technique Irradiance < string Script = OWN_SHADOW_SCRIPT
-    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
-    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
+technique Irradiance < string Script =
+    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    IRRADIANCE_SCRIPT("Irradiance")
     "RenderColorTarget0=; Pass=Show;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    TSM_PASS
     MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 
 technique IrradianceGosselin < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
+    SHADOW_MAP_SCRIPT
+    IRRADIANCE_SCRIPT("Irradiance")
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }

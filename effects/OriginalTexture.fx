@@ -1,15 +1,11 @@
 // OriginalTexture: the mesh with its colour map, unlit. Shows that mesh, texture coordinates and colour space are read as meant.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/materials.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=OriginalTexture;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("OriginalTexture") > = 0.8;
 
 struct TextureVarying
 {
@@ -17,8 +13,9 @@ struct TextureVarying
     float2 uv : TEXCOORD0;
 };
 
-TextureVarying TextureVS(MeshInput input)
+TextureVarying TextureVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     TextureVarying output;
     float4 clip = mul(float4(worldPosition(input.position), 1.0), gViewProjection);
     output.position = HALF_PIXEL(clip, gViewportSize);

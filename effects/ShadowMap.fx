@@ -1,19 +1,16 @@
-// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the mesh.
+// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the
+// mesh.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=ShadowMap;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("ShadowMap") > = 0.8;
 
 // Nearest white, farthest black, black where there is no surface.
 float4 ShowPS(QuadVarying input) : SV_Target0
@@ -21,13 +18,6 @@ float4 ShowPS(QuadVarying input) : SV_Target0
     float texel = shadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
     float depth = kDepthInMillimetres ? (texel - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel;
     return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
-}
-
-SurfaceVarying ShadowVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
 }
 
 float4 ShadowPS(SurfaceVarying input) : SV_Target0
@@ -38,20 +28,18 @@ float4 ShadowPS(SurfaceVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique ShadowMap < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+    SHADOW_MAP_PASS
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 
 technique Shadow < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Shadow, ShadowVS, ShadowPS, STATE_SOLID)
+    SHADOW_MAP_PASS
+    MESH_PASS(Shadow, SurfaceVS, ShadowPS, STATE_SOLID)
 }
 #endif

@@ -1,29 +1,18 @@
-// Specular: the light that the surface reflects, alone, on the mesh. Techniques: Specular, shadowed, with the normal map; SpecularUnshadowed, as
-// Gosselin's Final in setting seed has it; SpecularSmooth, shadowed, with the normals of the mesh.
+// Specular: the light that the surface reflects, alone, on the mesh. Techniques: Specular, shadowed, with the normal map;
+// SpecularUnshadowed, as Gosselin's Final in setting seed has it; SpecularSmooth, shadowed, with the normals of the mesh.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
 #include "../hlsl/shadow.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Specular;";
-> = 0.8;
-
-SurfaceVarying SpecularVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
-}
+float Script : STANDARDSGLOBAL < STARTS_WITH("Specular") > = 0.8;
 
 float4 reflected(SurfaceVarying input, LitPoint p)
 {
@@ -53,25 +42,23 @@ float4 SpecularSmoothPS(SurfaceVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique Specular < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Specular, SpecularVS, SpecularPS, STATE_SOLID)
+    SHADOW_MAP_PASS
+    MESH_PASS(Specular, SurfaceVS, SpecularPS, STATE_SOLID)
 }
 
 technique SpecularUnshadowed < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(Specular, SpecularVS, SpecularUnshadowedPS, STATE_SOLID)
+    MESH_PASS(Specular, SurfaceVS, SpecularUnshadowedPS, STATE_SOLID)
 }
 
 technique SpecularSmooth < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Specular, SpecularVS, SpecularSmoothPS, STATE_SOLID)
+    SHADOW_MAP_PASS
+    MESH_PASS(Specular, SurfaceVS, SpecularSmoothPS, STATE_SOLID)
 }
 #endif

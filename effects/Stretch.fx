@@ -1,20 +1,17 @@
-// Stretch: uv per mm along U and V, precomputed once per mesh, shown as it is stored. Alpha: 0 inside the charts, 1 outside; there the map holds the
-// mean over the charts, taken from the last mip level.
+// Stretch: uv per mm along U and V, precomputed once per mesh, shown as it is stored. Alpha: 0 inside the charts, 1 outside; there the map
+// holds the mean over the charts, taken from the last mip level.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Stretch;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Stretch") > = 0.8;
 
-Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0; string Format = "A32B32G32R32F"; >;
-Texture2D gStretchMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0;
+    string Format = "A32B32G32R32F"; >;
+Texture2D gStretchMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 SAMPLER2D(gStretchCharts, POINT, CLAMP);
 SAMPLER2D(gStretch, POINT, CLAMP);
 
@@ -27,8 +24,9 @@ struct StretchVarying
     float3 world : TEXCOORD0; // mm
 };
 
-StretchVarying StretchVS(MeshInput input)
+StretchVarying StretchVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     StretchVarying output;
     output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
     output.world = millimetres(worldPosition(input.position));

@@ -2,16 +2,12 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/workspace.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/tsm.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=TSM;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("TSM") > = 0.8;
 
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
@@ -22,11 +18,10 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique TSM < string Script =
-    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+    TSM_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+    TSM_PASS
     QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
 }
 #endif

@@ -1,13 +1,14 @@
-// Passes ConvolutionU1..5 and ConvolutionUV1..5: the cascade. Map 1 is the irradiance itself, map k + 1 its blur; gIrradianceUMap lies between.
+// Passes ConvolutionU1..5 and ConvolutionUV1..5: the cascade. Map 1 is the irradiance itself, map k + 1 its blur; gIrradianceUMap lies
+// between.
 #ifndef TEGUMENT_PASSES_CONVOLUTION_FXH
 #define TEGUMENT_PASSES_CONVOLUTION_FXH
 
-Texture2D gIrradianceUMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance2Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance3Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance4Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance5Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gIrradiance6Map : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
+Texture2D gIrradianceUMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance2Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance3Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance4Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance5Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance6Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
 SAMPLER2D(gIrradianceU, POINT, CLAMP);
 SAMPLER2D(gIrradiance2, POINT, CLAMP);
 SAMPLER2D(gIrradiance3, POINT, CLAMP);
@@ -46,54 +47,44 @@ float firstSigma()
     return kConvolveExactly ? 0.0 : gGaussianSigma[0].x;
 }
 
-float4 ConvolutionU1PS(QuadVarying input) : SV_Target0
-{
-    return convolveU(SAMPLER2D_ARG(gIrradiance), input.uv, firstSigma(), gGaussianSigma[0].y);
+// One step of the cascade: the map along U into gIrradianceUMap, that along V into the next map. Widths before and after, mm.
+#define CASCADE_STEP(number, map, sigmaBefore, sigma) \
+float4 ConvolutionU##number##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return convolveU(SAMPLER2D_ARG(map), input.uv, sigmaBefore, sigma); \
+} \
+float4 ConvolutionUV##number##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, sigmaBefore, sigma); \
 }
 
-float4 ConvolutionUV1PS(QuadVarying input) : SV_Target0
-{
-    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, firstSigma(), gGaussianSigma[0].y);
-}
+CASCADE_STEP(1, gIrradiance, firstSigma(), gGaussianSigma[0].y)
+CASCADE_STEP(2, gIrradiance2, gGaussianSigma[0].y, gGaussianSigma[0].z)
+CASCADE_STEP(3, gIrradiance3, gGaussianSigma[0].z, gGaussianSigma[0].w)
+CASCADE_STEP(4, gIrradiance4, gGaussianSigma[0].w, gGaussianSigma[1].x)
+CASCADE_STEP(5, gIrradiance5, gGaussianSigma[1].x, gGaussianSigma[1].y)
 
-float4 ConvolutionU2PS(QuadVarying input) : SV_Target0
-{
-    return convolveU(SAMPLER2D_ARG(gIrradiance2), input.uv, gGaussianSigma[0].y, gGaussianSigma[0].z);
-}
-
-float4 ConvolutionUV2PS(QuadVarying input) : SV_Target0
-{
-    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, gGaussianSigma[0].y, gGaussianSigma[0].z);
-}
-
-float4 ConvolutionU3PS(QuadVarying input) : SV_Target0
-{
-    return convolveU(SAMPLER2D_ARG(gIrradiance3), input.uv, gGaussianSigma[0].z, gGaussianSigma[0].w);
-}
-
-float4 ConvolutionUV3PS(QuadVarying input) : SV_Target0
-{
-    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, gGaussianSigma[0].z, gGaussianSigma[0].w);
-}
-
-float4 ConvolutionU4PS(QuadVarying input) : SV_Target0
-{
-    return convolveU(SAMPLER2D_ARG(gIrradiance4), input.uv, gGaussianSigma[0].w, gGaussianSigma[1].x);
-}
-
-float4 ConvolutionUV4PS(QuadVarying input) : SV_Target0
-{
-    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, gGaussianSigma[0].w, gGaussianSigma[1].x);
-}
-
-float4 ConvolutionU5PS(QuadVarying input) : SV_Target0
-{
-    return convolveU(SAMPLER2D_ARG(gIrradiance5), input.uv, gGaussianSigma[1].x, gGaussianSigma[1].y);
-}
-
-float4 ConvolutionUV5PS(QuadVarying input) : SV_Target0
-{
-    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, gGaussianSigma[1].x, gGaussianSigma[1].y);
-}
+#define CASCADE_SCRIPT \
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU1;" \
+    "RenderColorTarget0=gIrradiance2Map; Clear=Color; Pass=ConvolutionUV1;" \
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU2;" \
+    "RenderColorTarget0=gIrradiance3Map; Clear=Color; Pass=ConvolutionUV2;" \
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU3;" \
+    "RenderColorTarget0=gIrradiance4Map; Clear=Color; Pass=ConvolutionUV3;" \
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU4;" \
+    "RenderColorTarget0=gIrradiance5Map; Clear=Color; Pass=ConvolutionUV4;" \
+    "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;" \
+    "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
+#define CASCADE_PASSES(states) \
+    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, states) \
+    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, states) \
+    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, states) \
+    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, states) \
+    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, states) \
+    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, states) \
+    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, states) \
+    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, states) \
+    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, states) \
+    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, states)
 
 #endif

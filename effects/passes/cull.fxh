@@ -2,7 +2,12 @@
 #ifndef TEGUMENT_PASSES_CULL_FXH
 #define TEGUMENT_PASSES_CULL_FXH
 
-Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_MAP_SIZE) >;
+
+// The map with the depth target of the prepasses beside it, both cleared; the passes to draw follow. map, clear: strings.
+#define UNWRAP_SCRIPT(map, clear) \
+    "RenderColorTarget0=" map "; RenderDepthStencilTarget=gUnwrapDepthMap;" \
+    "ClearSetColor=" clear "; ClearSetDepth=gClearNear; Clear=Color; Clear=Depth;"
 
 struct CullVarying
 {
@@ -68,11 +73,11 @@ float4 PrePass1PS(QuadVarying input) : SV_Target0
 }
 
 // Setting seed culls whole vertices, by their depth; corrected culls fragments.
-CullVarying PrePass2VS(MeshInput input)
+CullVarying PrePass2VS(VertexInput input)
 {
-    CullVarying output = cullVarying(input);
+    CullVarying output = cullVarying(meshVertex(input));
     float z = kCullPerPixel || hiddenPoint(output) ? 1.0 : 0.0;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, z), gViewportSize);
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, z), gViewportSize);
     return output;
 }
 

@@ -2,13 +2,6 @@
 #ifndef TEGUMENT_PASSES_FINAL_FXH
 #define TEGUMENT_PASSES_FINAL_FXH
 
-SurfaceVarying FinalVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
-}
-
 // Maps 2 to 6 are filled around the charts by their convolution, so they may be filtered.
 SAMPLER2D_OF(gFinal2, gIrradiance2Map, LINEAR, CLAMP);
 SAMPLER2D_OF(gFinal3, gIrradiance3Map, LINEAR, CLAMP);

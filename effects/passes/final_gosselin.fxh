@@ -2,8 +2,8 @@
 #ifndef TEGUMENT_PASSES_FINAL_GOSSELIN_FXH
 #define TEGUMENT_PASSES_FINAL_GOSSELIN_FXH
 
-// Table 7, last row: where no texel is valid, N.L. Plain material does not scatter; without the shadow map its light has to come from the blur, which
-// a kernel size of 0 leaves as it is.
+// Table 7, last row: where no texel is valid, N.L. Plain material does not scatter; without the shadow map its light has to come from the
+// blur, which a kernel size of 0 leaves as it is.
 float3 gosselinDiffuse(SAMPLER2D_PARAM(map), float2 uv, LitPoint p)
 {
     float4 texel = seamBilinear(SAMPLER2D_ARG(map), uv);

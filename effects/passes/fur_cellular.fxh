@@ -38,11 +38,11 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
     return met;
 }
 
-StrandsVarying cellularVarying(FurInput input, float layer, float round)
+StrandsVarying cellularVarying(VertexInput input, float layer, float round)
 {
     FurGrowth growth;
     growth.spacing = gFurSpacing * gMeshRadius;
-    growth.place = meshAxes(worldPosition(input.position) - gBoundingCenter) / growth.spacing; // near 0, where cells are numbered exactly
+    growth.place = furPlace(input) / growth.spacing; // near 0, where cells are numbered exactly
     growth.lean = 0.0;
     growth.density = 1.0;
     growth.shortest = gFurShortest;
@@ -50,17 +50,17 @@ StrandsVarying cellularVarying(FurInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
+StrandsVarying CellularVS(LAYER_INPUT(VertexInput, input))
 {
     return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying CellularBehindVS(LAYER_INPUT(FurInput, input))
+StrandsVarying CellularBehindVS(LAYER_INPUT(VertexInput, input))
 {
     return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-StrandsVarying CellularEndVS(FurInput input)
+StrandsVarying CellularEndVS(VertexInput input)
 {
     StrandsVarying output = cellularVarying(input, gFurLayers - 1.0, kFurNear);
     output.position = furEndPosition(output.position);

@@ -2,20 +2,15 @@
 #ifndef TEGUMENT_PASSES_FUR_COAT_FXH
 #define TEGUMENT_PASSES_FUR_COAT_FXH
 
-Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur"; string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
+Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur";
+    string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
 SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
 
 static const float kShadowTolerance = 0.005; // share of the mesh's radius
 
-struct FurInput
-{
-    float3 position : POSITION;
-    float3 normal : NORMAL;
-    float2 uv : TEXCOORD0; // read with kFurColorMap only
-};
-
-// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far outside of it.
-// But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the plain ones'.
+// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far
+// outside of it. But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the
+// plain ones'.
 struct FurVarying
 {
     float4 position : SV_Position;
@@ -23,10 +18,34 @@ struct FurVarying
     centroid float3 normal : TEXCOORD1; // mesh space
     centroid float3 world : TEXCOORD2;  // in the coat
     centroid float4 lightClip : TEXCOORD3;
-    centroid float4 coat : TEXCOORD4; // height in the coat, uv, height of the layer above
-    float4 plainRest : TEXCOORD5;     // round (fur_rounds.fxh)
+    centroid float4 coat : TEXCOORD4; // furHeights, furMapPlace
+    float4 plainRest : TEXCOORD5;     // furRound
     float3 plainNormal : TEXCOORD6;
 };
+
+// In the coat: 0 skin, 1 tips.
+float furHeight(FurVarying input)
+{
+    return input.coat.x;
+}
+
+// The same, and that of the layer above.
+float2 furHeights(FurVarying input)
+{
+    return input.coat.xw;
+}
+
+// Texture coordinates of the mesh.
+float2 furMapPlace(FurVarying input)
+{
+    return input.coat.yz;
+}
+
+// Of fur_rounds.fxh.
+float furRound(FurVarying input)
+{
+    return input.plainRest.w;
+}
 
 // Of a point of the world from the light, mm. Parallel light has planes of equal distance.
 float furFromLight(float3 world)
@@ -40,16 +59,24 @@ float3 furHang()
     return gFurLean * gFurDown;
 }
 
-FurVarying furVarying(FurInput input, float height)
+// Of the mesh at rest, wherever the pose has brought the vertex: fur is found by it. From the bounding sphere's centre, world units.
+float3 furPlace(VertexInput stored)
 {
+    return meshAxes(worldPosition(stored.position) - gBoundingCenter);
+}
+
+// heights: as furHeights; round: as furRound.
+FurVarying furVarying(VertexInput stored, float2 heights, float round)
+{
+    MeshInput input = meshVertex(stored);
     FurVarying output;
     float3 skin = worldPosition(input.position);
-    output.rest = meshAxes(skin - gBoundingCenter);
+    output.rest = furPlace(stored);
     output.normal = input.normal;
-    output.plainRest = float4(output.rest, kFurNear);
+    output.plainRest = float4(output.rest, round);
     output.plainNormal = input.normal;
-    output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
-    output.world = skin + furStrand(worldNormal(input.normal), furHang(), height) * furDistance(gFurLength, gMeshRadius, height);
+    output.coat = float4(heights.x, kFurColorMap ? input.uv : float2(0.0, 0.0), heights.y);
+    output.world = skin + furStrand(worldNormal(input.normal), furHang(), heights.x) * furDistance(gFurLength, gMeshRadius, heights.x);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
@@ -57,9 +84,9 @@ FurVarying furVarying(FurInput input, float height)
     return output;
 }
 
-FurVarying SkinVS(FurInput input)
+FurVarying SkinVS(VertexInput input)
 {
-    return furVarying(input, 0.0);
+    return furVarying(input, float2(0.0, 1.0), kFurNear);
 }
 
 // mm, or z/w.
@@ -80,9 +107,9 @@ float furShadow(FurVarying input, float3 normal, float3 toLight)
 // Albedo of fur at this place: from root to tip, times the colour map.
 float3 furAlbedo(FurVarying input)
 {
-    float3 albedo = lerp(gFurRootColor, gFurTipColor, input.coat.x);
+    float3 albedo = lerp(gFurRootColor, gFurTipColor, furHeight(input));
     if (kFurColorMap)
-        albedo *= tex2D(gFurColor, input.coat.yz).rgb;
+        albedo *= tex2D(gFurColor, furMapPlace(input)).rgb;
     return albedo;
 }
 
@@ -93,20 +120,21 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
     return diffuse + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
 }
 
-// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats let through.
+// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats
+// let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
     float3 normal = worldNormal(input.normal);
-    float3 strand = furTangent(normal, furHang(), input.coat.x);
+    float3 strand = furTangent(normal, furHang(), furHeight(input));
     float3 toLight = lightDirection(input.world);
     float3 toEye = safeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
-    float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+    float open = lerp(1.0, furTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
     float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
-    return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);
+    return direct + albedo * gFurFill * furFill(furHeight(input), gFurDensity, gFurMultiple);
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0

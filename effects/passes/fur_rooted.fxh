@@ -2,7 +2,8 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOTED_FXH
 #define TEGUMENT_PASSES_FUR_ROOTED_FXH
 
-Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots"; string UIHelp = "from tegument fur roots, made from this mesh"; >;
+Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots";
+    string UIHelp = "from tegument fur roots, made from this mesh"; >;
 SAMPLER2D(gFurRoots, POINT, CLAMP);
 
 static const float kFurMostRoots = 64.0; // of a list: what is nearer than the reach of one cell
@@ -54,18 +55,19 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
             float4 lean = furRootTexel(texel, 2.0);
             // Roots of an opposite sheet look the other way.
             float share = max(min(dot(up.xyz, sweep.normal), up.w * abs(data.z)), 0.01);
-            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal), frac(lean.w * float3(1.0, 256.0, 65536.0)));
+            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal),
+                          frac(lean.w * float3(1.0, 256.0, 65536.0)));
         }
     }
     return met;
 }
 
 // The roots' mesh has the unit that it was prepared in, and stands where it stood then: the balls of both tell how this one came from it.
-StrandsVarying rootsVarying(FurInput input, float layer, float round)
+StrandsVarying rootsVarying(VertexInput input, float layer, float round)
 {
     FurRootGrid grid = furRootGrid();
     float4 ball = furRootsHeader(4.0);
-    float3 place = furRootPlace(meshAxes(worldPosition(input.position) - gBoundingCenter), gMeshRadius, ball);
+    float3 place = furRootPlace(furPlace(input), gMeshRadius, ball);
     float4 coat = furRootCoat(SAMPLER2D_ARG(gFurRoots), place, grid.origin, grid.bricks, grid.rows, furRootsHeader(6.0).y);
     float4 strands = furRootsHeader(3.0);
     FurGrowth growth;
@@ -79,17 +81,17 @@ StrandsVarying rootsVarying(FurInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
+StrandsVarying RootsVS(LAYER_INPUT(VertexInput, input))
 {
     return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying RootsBehindVS(LAYER_INPUT(FurInput, input))
+StrandsVarying RootsBehindVS(LAYER_INPUT(VertexInput, input))
 {
     return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-StrandsVarying RootsEndVS(FurInput input)
+StrandsVarying RootsEndVS(VertexInput input)
 {
     StrandsVarying output = rootsVarying(input, gFurLayers - 1.0, kFurNear);
     output.position = furEndPosition(output.position);
@@ -106,11 +108,11 @@ float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
     [loop] for (int i = 0; i <= sweep.steps; i++)
     {
         piece = furNextPiece(piece, sweep, i);
-        float3 middle = (piece.begin + 0.5 * piece.along) / input.plainRest.w;
+        float3 middle = (piece.begin + 0.5 * piece.along) / strandsData(input).x;
         [branch] if (i > 0)
         {
             float list = furRootList(SAMPLER2D_ARG(gFurRoots), middle, grid.origin, grid.bricks, grid.rows);
-            met = furRoots(met, sweep, piece, grid, float3(input.plainRest.w, input.plainNormal.w, input.plainFromEye.w), list);
+            met = furRoots(met, sweep, piece, grid, strandsData(input), list);
         }
     }
     return furStrandColor(input, sweep, piece, met, 1.0);

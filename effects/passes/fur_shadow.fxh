@@ -1,26 +1,28 @@
-// Passes HullFront, HullBack: the shadow that a coat throws on other parts of the mesh. The coat counts as full up to gFurShadowHeight; this hull is drawn from the
-// light, its nearest side that faces the light and its nearest side that turns away. Between them light passes so much of the coat before it comes out behind. A
-// point that it has not come out before is in this coat, whose own shadow is furTransmittance: only what is more than that counts.
+// Passes HullFront, HullBack: the shadow that a coat throws on other parts of the mesh. The coat counts as full up to gFurShadowHeight;
+// this hull is drawn from the light, its nearest side that faces the light and its nearest side that turns away. Between them light passes
+// so much of the coat before it comes out behind. A point that it has not come out before is in this coat, whose own shadow is
+// furTransmittance: only what is more than that counts.
 #ifndef TEGUMENT_PASSES_FUR_SHADOW_FXH
 #define TEGUMENT_PASSES_FUR_SHADOW_FXH
 
-Texture2D gHullFrontMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R32F"; >;
-Texture2D gHullMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "G32R32F"; >;
+Texture2D gHullFrontMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
+Texture2D gHullMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "G32R32F") >;
 SAMPLER2D(gHullFront, POINT, CLAMP);
 SAMPLER2D(gHull, POINT, CLAMP);
 
 // Runs the passes if gFurShadow is 1. The map they fill is cleared in any case: 0 is no hull.
 #define HULL_SCRIPT \
-    "RenderColorTarget0=gHullMap; RenderDepthStencilTarget=gShadowDepthMap; ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color;" \
+    "RenderColorTarget0=gHullMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color;" \
     "LoopByCount=gFurShadow; RenderColorTarget0=gHullFrontMap; Clear=Color; Clear=Depth; Pass=HullFront;" \
     "RenderColorTarget0=gHullMap; Clear=Depth; Pass=HullBack; LoopEnd;"
 #define HULL_PASSES \
     MESH_PASS(HullFront, HullVS, HullFrontPS, STATE_TWOSIDED) \
     MESH_PASS(HullBack, HullVS, HullBackPS, STATE_TWOSIDED)
 
-FurVarying HullVS(FurInput input)
+FurVarying HullVS(VertexInput input)
 {
-    FurVarying output = furVarying(input, gFurShadowHeight);
+    FurVarying output = furVarying(input, float2(gFurShadowHeight, 1.0), kFurNear);
     float4 position = output.lightClip;
     position.z = furNearDepth(position.z, position.w);
     output.position = HALF_PIXEL(position, gViewportSize);
@@ -46,8 +48,8 @@ float furHullShadow(FurVarying input)
 {
     float2 hull = tex2Dlod(gHull, float4(shadowCoordinate(input.lightClip), 0.0, 0.0)).xy;
     float thickness = millimetres(gFurLength * gMeshRadius);
-    float place = furFromLight(input.world) - max(input.coat.x - gFurShadowHeight, 0.0) * thickness;
-    float own = furWay(input.coat.x, dot(worldNormal(input.normal), lightDirection(input.world)), gFurLength);
+    float place = furFromLight(input.world) - max(furHeight(input) - gFurShadowHeight, 0.0) * thickness;
+    float own = furWay(furHeight(input), dot(worldNormal(input.normal), lightDirection(input.world)), gFurLength);
     float foreign = furForeignCoat(place, hull.x - hull.y, hull.x, own, thickness);
     return hull.x > 0.0 ? exp(-gFurDensity * gFurShadow * foreign) : 1.0;
 }

@@ -17,28 +17,26 @@ float shellNearness(FurVarying input)
     return rsqrt(dot(fromEye, fromEye));
 }
 
-FurVarying shellVarying(FurInput input, float layer)
+FurVarying shellVarying(VertexInput input, float layer, float round)
 {
-    FurVarying output = furVarying(input, furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
-    output.coat.w = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
-    return output;
+    float height = furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread);
+    float above = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
+    return furVarying(input, float2(height, above), round);
 }
 
-FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
+FurVarying ShellsVS(LAYER_INPUT(VertexInput, input))
 {
-    return shellVarying(input, LAYER_INDEX(gFurLayer));
+    return shellVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-FurVarying BehindVS(LAYER_INPUT(FurInput, input))
+FurVarying BehindVS(LAYER_INPUT(VertexInput, input))
 {
-    FurVarying output = shellVarying(input, LAYER_INDEX(gFurLayer));
-    output.plainRest.w = kFurBehind;
-    return output;
+    return shellVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
-FurVarying CoatEndVS(FurInput input)
+FurVarying CoatEndVS(VertexInput input)
 {
-    FurVarying output = furVarying(input, 1.0);
+    FurVarying output = furVarying(input, float2(1.0, 1.0), kFurNear);
     output.position = furEndPosition(output.position);
     return output;
 }
@@ -54,7 +52,7 @@ float shellSlope(FurVarying input, float side)
 {
     float3 normal = worldNormal(input.normal);
     float3 view = safeNormalize(input.world - gCameraPosition);
-    float3 strand = normal + 2.0 * input.coat.x * furHang();
+    float3 strand = normal + 2.0 * furHeight(input) * furHang();
     float way = furWayOver(view, normal, strand) * gFurLength * gMeshRadius;
     float pixel = max(length(ddx(input.plainRest.xyz)), length(ddy(input.plainRest.xyz)));
     return furHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
@@ -68,8 +66,8 @@ float2 shellSides(float3 v)
     return float2(clamp(min(sides.x, sides.y), 0.01 * longer, longer), longer);
 }
 
-// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the printed settings they
-// keep their own. A curl moves the place, but neighbouring pixels' alike.
+// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the
+// printed settings they keep their own. A curl moves the place, but neighbouring pixels' alike.
 float4 cubeTexel(float3 place, float3 plain, float shrink)
 {
     if (kCorrected)
@@ -84,7 +82,8 @@ float4 sphereTexel(float2 place, float2 plain, float shrink)
     return tex2Dbias(gFurSphere, float4(place, 0.0, log2(shrink)));
 }
 
-// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up anyway.
+// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up
+// anyway.
 float shellShrink(float2 sides)
 {
     return gFurDeviation > 0.0 ? max(sides.x / max(sides.y, 1e-20), 0.01) : 1.0;
@@ -95,10 +94,10 @@ float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 {
     float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
     float afar = furAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
-    float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, sides.y));
-    float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
+    float mean = furMeanCoverage(texel.a, furHeights(input), variance, gFurSoftness, shellSlope(input, sides.y));
+    float coverage = furCoverage(texel.a, furHeight(input), gFurTaper, gFurSoftness);
     float tested = lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar);
-    float left = furInRound(shellNearness(input), pixel, input.plainRest.w) < 0.0 ? -1.0 : tested;
+    float left = furInRound(shellNearness(input), pixel, furRound(input)) < 0.0 ? -1.0 : tested;
     clip(left);
     float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
     float4 color = float4(0.0, 0.0, 0.0, max(drawn, gFurOuterFirst));
@@ -111,13 +110,13 @@ float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 float4 cubeShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     float2 sides = shellSides(plain);
-    return shell(input, pixel, sides, cubeTexel(furCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
+    return shell(input, pixel, sides, cubeTexel(furCurled(v, furHeight(input), gFurCurl), plain, shellShrink(sides)));
 }
 
 float4 sphereShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     float2 sides = shellSides(plain);
-    float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
+    float2 place = furSphereCoordinate(furCurled(v, furHeight(input), gFurCurl));
     return shell(input, pixel, sides, sphereTexel(place, furSphereCoordinate(plain), shellShrink(sides)));
 }
 
@@ -133,7 +132,8 @@ float4 CubeNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 
 float4 CubeCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
+    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal),
+                     furCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 float4 SpherePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
@@ -148,7 +148,8 @@ float4 SphereNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 
 float4 SphereCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
+    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal),
+                       furCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 #endif

@@ -1,5 +1,5 @@
-// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands, heights in shares of the
-// coat; places in the mesh's own axes.
+// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands,
+// heights in shares of the coat; places in the mesh's own axes.
 #ifndef TEGUMENT_PASSES_FUR_STRANDS_FXH
 #define TEGUMENT_PASSES_FUR_STRANDS_FXH
 
@@ -8,26 +8,93 @@ static const float kFurMostSteps = 8.0;   // of a sweep; what lies beyond is tak
 static const float kFurOpaque = 0.99;      // coverage beyond which nothing further down is looked for
 static const float kFurFarSegment = 64.0; // added to gFurSegment where only coverage is expected
 static const float kFurLeastCosine = 0.01; // between ray and layer, at which a ray goes on for longest
-// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The longest way is
-// 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
+// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The
+// longest way is 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
 static const float kFurFarCosine = 1.0 / 6.0;
 static const float kFurNearest = 1e-4; // that light is, share of the mesh's radius
 
 // All that shader model 3 has room for. centroid and plain: as in FurVarying; what is the same everywhere takes the places that are left.
+// xyz are what the members are called; w is read by the functions below.
 struct StrandsVarying
 {
     float4 position : SV_Position;
-    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings; layers above this one, and a half
-    centroid float4 normal : TEXCOORD1;  // height in the coat
-    centroid float4 fromEye : TEXCOORD2; // spacings; width of a pixel, spacings
-    centroid float4 toLight : TEXCOORD3; // mm; how often layers may be halved here (furSpare)
+    centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings; strandsLayersAbove
+    centroid float4 normal : TEXCOORD1;  // strandsHeight
+    centroid float4 fromEye : TEXCOORD2; // spacings; strandsPixel
+    centroid float4 toLight : TEXCOORD3; // mm; strandsSpare
     centroid float4 lightClip : TEXCOORD4;
-    centroid float4 lean : TEXCOORD5;  // of the tips, share of the coat; share of the full density of strands
-    centroid float4 coat : TEXCOORD6;  // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
-    float4 plainRest : TEXCOORD7;      // roots' data: 1 / spacing, 1/mm
-    float4 plainNormal : TEXCOORD8;    // roots' data: radius of a strand, spacings, over that of the data, mm
-    float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; all times the round (fur_rounds.fxh)
+    centroid float4 lean : TEXCOORD5; // of the tips, share of the coat; strandsDensity
+    centroid float4 coat : TEXCOORD6; // strandsLeast, strandsThickness, strandsShortest, strandsPerLength
+    float4 plainRest : TEXCOORD7;     // strandsData, here and in the next two
+    float4 plainNormal : TEXCOORD8;
+    float4 plainFromEye : TEXCOORD9;
 };
+
+// Layers above this one, and a half.
+float strandsLayersAbove(StrandsVarying input)
+{
+    return input.rest.w;
+}
+
+// Of the layer in the coat: 0 skin, 1 tips.
+float strandsHeight(StrandsVarying input)
+{
+    return input.normal.w;
+}
+
+// Width of a pixel, spacings.
+float strandsPixel(StrandsVarying input)
+{
+    return input.fromEye.w;
+}
+
+// How often layers may be halved here (furSpare).
+float strandsSpare(StrandsVarying input)
+{
+    return input.toLight.w;
+}
+
+// Share of the full density of strands.
+float strandsDensity(StrandsVarying input)
+{
+    return input.lean.w;
+}
+
+// As in furPath.
+float strandsLeast(StrandsVarying input)
+{
+    return input.coat.x;
+}
+
+// Of the coat, spacings.
+float strandsThickness(StrandsVarying input)
+{
+    return input.coat.y;
+}
+
+// Shortest strand, share of the longest.
+float strandsShortest(StrandsVarying input)
+{
+    return input.coat.z;
+}
+
+// 1 / mean length of strands, share of the longest.
+float strandsPerLength(StrandsVarying input)
+{
+    return input.coat.w;
+}
+
+// Of the roots: 1 / spacing, 1/mm; radius of a strand, spacings, over that of the data, mm; 1 / length of the coat, 1/mm, times the round.
+float3 strandsData(StrandsVarying input)
+{
+    return float3(input.plainRest.w, input.plainNormal.w, input.plainFromEye.w);
+}
+
+// Of fur_rounds.fxh, times what is above 0.
+float strandsRound(StrandsVarying input)
+{
+    return input.plainFromEye.w;
+}
 
 // What grows at a vertex.
 struct FurGrowth
@@ -37,7 +104,7 @@ struct FurGrowth
     float density;    // share of the full one
     float spacing;    // world units
     float shortest;   // strand, share of the longest
-    float3 data;      // of the roots, as in StrandsVarying
+    float3 data;      // of the roots, as strandsData, without the round
 };
 
 // The ray's way from a layer to the next, and how it is walked.
@@ -82,19 +149,25 @@ float3 furFromAxes(float3 v)
     return v.x * worldUnit(gWorld[0].xyz) + v.y * worldUnit(gWorld[1].xyz) + v.z * worldUnit(gWorld[2].xyz);
 }
 
+// A direction of the world in the axes of the mesh at rest.
+float3 strandsAxes(float3 v, VertexInput stored)
+{
+    return vertexTurnedBack(meshAxes(v), stored);
+}
+
 // Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
-StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, float round)
+StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, float round)
 {
     float height = furLayerHeight(layer, gFurLayers, 0.0);
-    FurVarying coat = furVarying(input, height);
-    float3 leaning = furFromAxes(growth.lean) * furDistance(gFurLength, gMeshRadius, height) * height;
+    FurVarying coat = furVarying(input, float2(height, 1.0), round);
+    float3 leaning = furFromAxes(vertexTurned(growth.lean, input)) * furDistance(gFurLength, gMeshRadius, height) * height;
     float3 world = coat.world + leaning;
     float4 position = mul(float4(world, 1.0), gViewProjection);
     position.z = furNearDepth(position.z, position.w);
     float thickness = max(gFurLength * gMeshRadius / growth.spacing, 1.0);
-    float3 fromEye = meshAxes(world - gCameraPosition) / growth.spacing;
+    float3 fromEye = strandsAxes(world - gCameraPosition, input) / growth.spacing;
     float width = 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x * length(fromEye);
-    float3 normal = meshAxes(worldNormal(input.normal));
+    float3 normal = strandsAxes(worldNormal(coat.normal), input);
     // By the upright coat, for that alone is the same for all layers.
     float cosine = dot(safeNormalize(fromEye), normal);
     float upright = thickness * furSine(cosine) / max(-cosine, kFurLeastCosine);
@@ -104,10 +177,10 @@ StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, flo
     output.normal = float4(normal, height);
     output.fromEye = float4(fromEye, width);
     // Tips before the near plane of parallel light have the light before them all the same.
-    float3 toLight = meshAxes(lightDirection(world)) * max(furFromLight(world), kFurNearest * millimetres(gMeshRadius));
+    float3 toLight = strandsAxes(lightDirection(world), input) * max(furFromLight(world), kFurNearest * millimetres(gMeshRadius));
     output.toLight = float4(toLight, furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.lean = float4(growth.lean + meshAxes(furHang()), growth.density);
+    output.lean = float4(growth.lean + strandsAxes(furHang(), input), growth.density);
     float least = lerp(kFurLeastCosine, kFurFarCosine, furFade(width));
     output.coat = float4(least * least, thickness, min(growth.shortest, 0.999), 2.0 / (1.0 + growth.shortest));
     output.plainRest = float4(growth.place, growth.data.x);
@@ -123,8 +196,8 @@ float2 furBend(float height)
     return height * (float2(gFurScatter * height, 0.0) + gFurCurls * turn);
 }
 
-// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root, 1 tip), brightness.
-// root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
+// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root,
+// 1 tip), brightness. root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
 // random: of the strand, in (0, 1).
 float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float stray, float3 random)
 {
@@ -141,8 +214,8 @@ float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float sh
     return met + (covered.x - met.x * covered.x) * float4(1.0, height, saturate(height / share), tint);
 }
 
-// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square
-// spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
+// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all.
+// density: per square spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
 float4 furExpect(float4 met, float fade, float density, float shortest, float perLength, float2 heights, float way)
 {
     float2 radius = gFurRadius * furMeanRadius(heights, shortest);
@@ -171,10 +244,10 @@ FurSweep furSweep(StrandsVarying input, float2 pixel)
     float nearness = strandsNearness(input);
     sweep.view = input.fromEye.xyz * nearness;
     sweep.place = input.rest.xyz;
-    sweep.height = input.normal.w;
-    sweep.width = input.fromEye.w;
+    sweep.height = strandsHeight(input);
+    sweep.width = strandsPixel(input);
     sweep.fade = furFade(sweep.width);
-    float stride = furStride(input.toLight.w);
+    float stride = furStride(strandsSpare(input));
     sweep.bottom = max(sweep.height - stride / gFurLayers, 0.0);
 
     float depth = sweep.height - sweep.bottom;
@@ -185,15 +258,16 @@ FurSweep furSweep(StrandsVarying input, float2 pixel)
     slopes.down = ddy(input.plainFromEye.xyz);
     slopes.placeAcross = ddx(input.plainRest.xyz);
     slopes.placeDown = ddy(input.plainRest.xyz);
-    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.coat.y, input.coat.x, slopes);
+    float3 strand = sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz;
+    sweep.path = furPath(sweep.view, strand, strandsThickness(input), strandsLeast(input), slopes);
 
     sweep.end = furFall(sweep.path.bow, depth);
     float way = length(sweep.path.travel) * sweep.end;
     float pieces = min(way / kFurStep, kFurMostSteps - 1.0) + 1.0;
     sweep.step = sweep.end / max(way / kFurStep, 1.0);
     sweep.beyond = max(way - kFurMostSteps * kFurStep, way * sweep.fade);
-    sweep.steps = frac(input.rest.w / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
-    sweep.steps = furInRound(nearness, pixel, input.plainFromEye.w) < 0.0 ? -1.0 : sweep.steps;
+    sweep.steps = frac(strandsLayersAbove(input) / stride) < 1.0 / stride ? (sweep.fade < 1.0 ? pieces : 0.0) : -1.0;
+    sweep.steps = furInRound(nearness, pixel, strandsRound(input)) < 0.0 ? -1.0 : sweep.steps;
     return sweep;
 }
 
@@ -211,7 +285,8 @@ FurPiece furFirstPiece()
     return piece;
 }
 
-// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in which tufts lean together.
+// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in
+// which tufts lean together.
 FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
 {
     float drop = min(steps * sweep.step, sweep.end);
@@ -232,8 +307,8 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     return piece;
 }
 
-// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As shadowLit of shadowDepth, in fewer slots of
-// shader model 3: outside of the light's view and before it all is lit.
+// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As shadowLit of shadowDepth,
+// in fewer slots of shader model 3: outside of the light's view and before it all is lit.
 float furSkinShadow(float4 lightClip, float distance)
 {
     float within = min(lightClip.w - max(abs(lightClip.x), abs(lightClip.y)), lightClip.z);
@@ -246,14 +321,16 @@ float furSkinShadow(float4 lightClip, float distance)
 float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {
     float top = lerp(last.low, sweep.height, sweep.fade);
-    met = furExpect(met, sweep.fade, density * input.lean.w, input.coat.z, input.coat.w, float2(top, sweep.bottom), sweep.beyond);
+    met = furExpect(met, sweep.fade, density * strandsDensity(input), strandsShortest(input), strandsPerLength(input),
+                    float2(top, sweep.bottom), sweep.beyond);
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
     float3 strand = furAlong(sweep.normal + 2.0 * mean.x * input.lean.xyz);
     float perDistance = rsqrt(dot(input.toLight.xyz, input.toLight.xyz));
     float3 toLight = input.toLight.xyz * perDistance;
-    float open = furSkinShadow(input.lightClip, 1.0 / perDistance) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
+    float open = furSkinShadow(input.lightClip, 1.0 / perDistance) *
+                 furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
     return float4(direct + albedo * gFurFill * furFill(mean.x, gFurDensity, gFurMultiple), met.x);
 }

@@ -2,13 +2,17 @@
 #ifndef TEGUMENT_PASSES_IRRADIANCE_FXH
 #define TEGUMENT_PASSES_IRRADIANCE_FXH
 
-Texture2D gIrradianceMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
+Texture2D gIrradianceMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
 SAMPLER2D(gIrradiance, POINT, CLAMP);
 
-SurfaceVarying IrradianceVS(MeshInput input)
+// name: of the pass that fills the map, a string. Prepasses that spare texels stand in front of it: UNWRAP_SCRIPT (cull.fxh) instead.
+#define IRRADIANCE_SCRIPT(name) \
+    "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=" name ";"
+
+SurfaceVarying IrradianceVS(VertexInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, 0.0), gViewportSize);
     return output;
 }
 

@@ -2,8 +2,8 @@
 #ifndef TEGUMENT_PASSES_POISSON_FXH
 #define TEGUMENT_PASSES_POISSON_FXH
 
-Texture2D gBlurOddMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-Texture2D gBlurEvenMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
+Texture2D gBlurOddMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
+Texture2D gBlurEvenMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
 SAMPLER2D(gBlurOdd, POINT, CLAMP);
 SAMPLER2D(gBlurEven, POINT, CLAMP);
 
@@ -14,7 +14,6 @@ float2 blurDensity(float2 uv)
     return float2(0.0, 0.0);
 }
 
-// before: number of blurs that the map has seen.
 float4 blur(SAMPLER2D_PARAM(map), float2 uv, float before)
 {
     float4 centre = tex2Dlod(map, float4(uv, 0.0, 0.0));
@@ -23,34 +22,33 @@ float4 blur(SAMPLER2D_PARAM(map), float2 uv, float before)
     return poissonBlur(SAMPLER2D_ARG(map), uv, centre, radius, rotation);
 }
 
-float4 Blur1PS(QuadVarying input) : SV_Target0
-{
-    return blur(SAMPLER2D_ARG(gIrradiance), input.uv, 0.0);
+// before: number of blurs that the map has seen.
+#define BLUR_STEP(number, map, before) \
+float4 Blur##number##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return blur(SAMPLER2D_ARG(map), input.uv, before); \
 }
 
-float4 Blur2PS(QuadVarying input) : SV_Target0
-{
-    return blur(SAMPLER2D_ARG(gBlurOdd), input.uv, 1.0);
-}
+BLUR_STEP(1, gIrradiance, 0.0)
+BLUR_STEP(2, gBlurOdd, 1.0)
+BLUR_STEP(3, gBlurEven, 2.0)
+BLUR_STEP(4, gBlurOdd, 3.0)
+BLUR_STEP(5, gBlurEven, 4.0)
+BLUR_STEP(6, gBlurOdd, 5.0)
 
-float4 Blur3PS(QuadVarying input) : SV_Target0
-{
-    return blur(SAMPLER2D_ARG(gBlurEven), input.uv, 2.0);
-}
-
-float4 Blur4PS(QuadVarying input) : SV_Target0
-{
-    return blur(SAMPLER2D_ARG(gBlurOdd), input.uv, 3.0);
-}
-
-float4 Blur5PS(QuadVarying input) : SV_Target0
-{
-    return blur(SAMPLER2D_ARG(gBlurEven), input.uv, 4.0);
-}
-
-float4 Blur6PS(QuadVarying input) : SV_Target0
-{
-    return blur(SAMPLER2D_ARG(gBlurOdd), input.uv, 5.0);
-}
+#define BLURS_SCRIPT \
+    "LoopByCount=gBlurCount; LoopGetIndex=gBlurIndex;" \
+    "RenderColorTarget0=gBlurIndex?gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap:gBlurOddMap:gBlurEvenMap; Clear=Color;" \
+    "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
+// The pass that reads what the last blur has left: in gBlurOddMap or in gBlurEvenMap. Strings.
+#define BLURRED_SCRIPT(odd, even) "Pass=gBlurIndex?" odd ":" even ":" odd ":" even ":" odd ":" even ";"
+#define BLUR_PASSES_1_TO_3(states) \
+    QUAD_PASS(Blur1, QuadVS, Blur1PS, states) \
+    QUAD_PASS(Blur2, QuadVS, Blur2PS, states) \
+    QUAD_PASS(Blur3, QuadVS, Blur3PS, states)
+#define BLUR_PASSES_4_TO_6(states) \
+    QUAD_PASS(Blur4, QuadVS, Blur4PS, states) \
+    QUAD_PASS(Blur5, QuadVS, Blur5PS, states) \
+    QUAD_PASS(Blur6, QuadVS, Blur6PS, states)
 
 #endif

@@ -1,17 +1,31 @@
 // Prepasses that leave the picture as it is: they spare every texel that a visible pixel draws light from.
-// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others. The techniques differ in what light reaches a
-// visible pixel: d'Eon and Luebke's passes also through the body, Gosselin's only along the map.
+// CullNeed, CullTiles, CullReachU and CullReachV find the tiles, PrePass1 and PrePass2 cull the others. The techniques differ in what light
+// reaches a visible pixel: d'Eon and Luebke's passes also through the body, Gosselin's only along the map.
 #ifndef TEGUMENT_PASSES_REACH_FXH
 #define TEGUMENT_PASSES_REACH_FXH
 
-Texture2D gCullNeedMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R16F"; >;
-Texture2D gCullTilesMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gCullReachUMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gCullReachMap : RENDERCOLORTARGET < int Width = 64; int Height = 64; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gCullNeedMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R16F") >;
+Texture2D gCullTilesMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
+Texture2D gCullReachUMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
+Texture2D gCullReachMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
 SAMPLER2D(gCullNeed, POINT, CLAMP);
 SAMPLER2D(gCullTiles, POINT, CLAMP);
 SAMPLER2D(gCullReachU, POINT, CLAMP);
 SAMPLER2D(gCullReach, POINT, CLAMP);
+
+// From the texels that are needed to the tiles from which light reaches them.
+#define REACH_SCRIPT \
+    "RenderColorTarget0=gCullNeedMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=CullNeed;" \
+    "RenderColorTarget0=gCullTilesMap; Pass=CullTiles;" \
+    "RenderColorTarget0=gCullReachUMap; Pass=CullReachU;" \
+    "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
+#define REACH_PASSES(needVS, needPS, alongUPS, alongVPS) \
+    MESH_PASS(CullNeed, needVS, needPS, STATE_BUFFER) \
+    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER) \
+    QUAD_PASS(CullReachU, QuadVS, alongUPS, STATE_BUFFER) \
+    QUAD_PASS(CullReachV, QuadVS, alongVPS, STATE_BUFFER)
+#define CASCADE_REACH_PASSES REACH_PASSES(CullNeedVS, CullNeedPS, CullReachUPS, CullReachVPS)
+#define BLUR_REACH_PASSES REACH_PASSES(BlurNeedVS, BlurNeedPS, BlurReachUPS, BlurReachVPS)
 
 // Points this far (mm) behind the surface nearest to the light still count as places where light enters.
 static const float kEntrySlack = 2.0;
@@ -25,8 +39,9 @@ struct NeedVarying
     float4 lightClip : TEXCOORD5;
 };
 
-NeedVarying CullNeedVS(MeshInput input)
+NeedVarying CullNeedVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     NeedVarying output;
     output.cull = cullVarying(input);
     output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
@@ -50,10 +65,10 @@ float4 CullNeedPS(NeedVarying input) : SV_Target0
     return float4(mayShow(input.cull) || lit > 0.0 ? 1.0 : 0.0, 0.0, 0.0, 1.0);
 }
 
-CullVarying BlurNeedVS(MeshInput input)
+CullVarying BlurNeedVS(VertexInput input)
 {
-    CullVarying output = cullVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    CullVarying output = cullVarying(meshVertex(input));
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, 0.0), gViewportSize);
     return output;
 }
 
@@ -98,10 +113,10 @@ float4 PrePass1ReachPS(QuadVarying input) : SV_Target0
     return 0.0;
 }
 
-CullVarying PrePass2ReachVS(MeshInput input)
+CullVarying PrePass2ReachVS(VertexInput input)
 {
-    CullVarying output = cullVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 1.0), gViewportSize);
+    CullVarying output = cullVarying(meshVertex(input));
+    output.position = HALF_PIXEL(unwrapPosition(output.uv, 1.0), gViewportSize);
     return output;
 }
 

@@ -2,9 +2,14 @@
 #ifndef TEGUMENT_PASSES_SHADOW_MAP_FXH
 #define TEGUMENT_PASSES_SHADOW_MAP_FXH
 
-Texture2D gShadowMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R32F"; >;
-Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+Texture2D gShadowMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
+Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_MAP_SIZE) >;
 SAMPLER2D(gShadow, POINT, CLAMP);
+
+#define SHADOW_MAP_SCRIPT \
+    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+#define SHADOW_MAP_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
 
 struct ShadowVarying
 {
@@ -13,8 +18,9 @@ struct ShadowVarying
     float4 lightClip : TEXCOORD1;
 };
 
-ShadowVarying ShadowMapVS(MeshInput input)
+ShadowVarying ShadowMapVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     ShadowVarying output;
     float3 world = worldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);

@@ -1,8 +1,10 @@
-// What the lit passes of d'Eon and Luebke's technique know besides: colour, shadow and entry of light by the translucent shadow map, energy.
+// What the lit passes of d'Eon and Luebke's technique know besides: colour, shadow and entry of light by the translucent shadow map,
+// energy.
 #ifndef TEGUMENT_PASSES_SKIN_POINT_FXH
 #define TEGUMENT_PASSES_SKIN_POINT_FXH
 
-Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
+Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap";
+    string ResourceName = "energy_attenuation.dds"; >;
 SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 // Techniques begin with OWN_SHADOW_SCRIPT and OWN_SHADOW_PASS, which are empty where the translucent shadow map serves as the shadow map.
@@ -10,10 +12,8 @@ SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #define OWN_SHADOW_SCRIPT ""
 #define OWN_SHADOW_PASS
 #else
-#define OWN_SHADOW_SCRIPT \
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-#define OWN_SHADOW_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+#define OWN_SHADOW_SCRIPT SHADOW_MAP_SCRIPT
+#define OWN_SHADOW_PASS SHADOW_MAP_PASS
 #endif
 
 LitPoint litPoint(SurfaceVarying input)
@@ -30,8 +30,8 @@ LitPoint litPoint(SurfaceVarying input)
     return p;
 }
 
-// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At the outline seen
-// from the light a texel may hold a surface behind this one.
+// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At
+// the outline seen from the light a texel may hold a surface behind this one.
 float4 lightEntry(LitPoint p)
 {
     float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.lightUv);

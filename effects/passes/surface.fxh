@@ -31,8 +31,9 @@ struct LitPoint
     float3 axisY;    // and up
 };
 
-SurfaceVarying surfaceVarying(MeshInput input)
+SurfaceVarying surfaceVarying(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     SurfaceVarying output;
     output.uv = input.uv;
     output.world = worldPosition(input.position);
@@ -40,6 +41,14 @@ SurfaceVarying surfaceVarying(MeshInput input)
     output.tangent = worldTangent(input.tangent);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     output.position = float4(0.0, 0.0, 0.0, 1.0);
+    return output;
+}
+
+// The surface on the picture.
+SurfaceVarying SurfaceVS(VertexInput input)
+{
+    SurfaceVarying output = surfaceVarying(input);
+    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
     return output;
 }
 

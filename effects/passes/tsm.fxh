@@ -2,9 +2,14 @@
 #ifndef TEGUMENT_PASSES_TSM_FXH
 #define TEGUMENT_PASSES_TSM_FXH
 
-Texture2D gTsmMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A32B32G32R32F"; >;
-Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+Texture2D gTsmMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A32B32G32R32F") >;
+Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_MAP_SIZE) >;
 SAMPLER2D(gTsm, POINT, CLAMP);
+
+#define TSM_SCRIPT \
+    "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
+#define TSM_PASS MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
 
 struct TsmVarying
 {
@@ -14,8 +19,9 @@ struct TsmVarying
     float4 lightClip : TEXCOORD2;
 };
 
-TsmVarying TsmVS(MeshInput input)
+TsmVarying TsmVS(VertexInput stored)
 {
+    MeshInput input = meshVertex(stored);
     TsmVarying output;
     float3 world = worldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);

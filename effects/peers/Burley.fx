@@ -1,6 +1,6 @@
-// Burley: normalised diffusion gathered over a disc of the picture with importance sampling, after Golubev 2018, as a peer of Main.fx (docs/peers.md).
-// Techniques Burley20, 40 and 80, by the number of samples. TEGUMENT_PEERS_AS_PRINTED chooses between the published weights on a disc that faces the eye and
-// weights over area on one that lies in the surface.
+// Burley: normalised diffusion gathered over a disc of the picture with importance sampling, after Golubev 2018, as a peer of Main.fx
+// (docs/peers.md). Techniques Burley20, 40 and 80, by the number of samples. TEGUMENT_PEERS_AS_PRINTED chooses between the published
+// weights on a disc that faces the eye and weights over area on one that lies in the surface.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/workspace.fxh"
@@ -14,6 +14,8 @@
 #include "../../hlsl/scatter/irradiance.fxh"
 #include "../../hlsl/peers/screen.fxh"
 #include "../../hlsl/peers/burley.fxh"
+#include "../passes/annotations.fxh"
+#include "../passes/vertex.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
@@ -26,54 +28,21 @@
 #include "passes/screen.fxh"
 #include "passes/burley.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Burley40;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Burley40") > = 0.8;
 
 #ifdef FX_TECHNIQUES
-technique Burley20 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=Gather;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(Gather, QuadVS, Gather20PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+#define BURLEY_TECHNIQUE(samples) \
+technique Burley##samples < string Script = \
+    LIGHT_SCRIPT \
+    "RenderColorTarget0=gScatterMap; Pass=Gather;" \
+    SCATTERED_SCRIPT; > \
+{ \
+    LIGHT_PASSES \
+    QUAD_PASS(Gather, QuadVS, Gather##samples##PS, STATE_BUFFER) \
+    SCATTERED_PASS \
 }
 
-technique Burley40 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=Gather;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(Gather, QuadVS, Gather40PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
-}
-
-technique Burley80 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=Gather;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(Gather, QuadVS, Gather80PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
-}
+BURLEY_TECHNIQUE(20)
+BURLEY_TECHNIQUE(40)
+BURLEY_TECHNIQUE(80)
 #endif

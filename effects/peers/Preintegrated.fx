@@ -1,6 +1,6 @@
-// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx (docs/peers.md). Technique
-// Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too. TEGUMENT_PEERS_AS_PRINTED chooses between the printed
-// listing and FaceWorks' one-dimensional integral.
+// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx (docs/peers.md).
+// Technique Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too. TEGUMENT_PEERS_AS_PRINTED
+// chooses between the printed listing and FaceWorks' one-dimensional integral.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/workspace.fxh"
@@ -15,6 +15,8 @@
 #include "../../hlsl/peers/screen.fxh"
 #include "../../hlsl/peers/preintegrated.fxh"
 #include "../../hlsl/peers/penumbra.fxh"
+#include "../passes/annotations.fxh"
+#include "../passes/vertex.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
 #include "../passes/shadow_map.fxh"
@@ -26,30 +28,22 @@
 #include "../passes/profile.fxh"
 #include "passes/preintegrated.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=PreintegratedPenumbra;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("PreintegratedPenumbra") > = 0.8;
 
 #ifdef FX_TECHNIQUES
 technique Preintegrated < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Final, PeerVS, PreintegratedPS, STATE_SOLID)
+    SHADOW_MAP_PASS
+    MESH_PASS(Final, SurfaceVS, PreintegratedPS, STATE_SOLID)
 }
 
 technique PreintegratedPenumbra < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
+    SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Final, PeerVS, PreintegratedPenumbraPS, STATE_SOLID)
+    SHADOW_MAP_PASS
+    MESH_PASS(Final, SurfaceVS, PreintegratedPenumbraPS, STATE_SOLID)
 }
 #endif

@@ -1,19 +1,15 @@
-// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey ground.
+// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey
+// ground.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/workspace.fxh"
 #include "../../hlsl/surface/normal.fxh"
 #include "../../hlsl/peers/preintegrated.fxh"
+#include "../passes/annotations.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/profile.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=PreintegratedTable;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("PreintegratedTable") > = 0.8;
 
 Texture2D gPreintegratedMap : RENDERCOLORTARGET < int Width = 257; int Height = 65; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 SAMPLER2D(gPreintegrated, POINT, CLAMP);

@@ -1,5 +1,6 @@
-// Separable: separable screen-space subsurface scattering after Jimenez et al. 2015, as a peer of Main.fx (docs/peers.md). Techniques Separable7, 11, 17 and
-// 25, by the number of samples along each axis. TEGUMENT_PEERS_AS_PRINTED chooses between the authors' kernel and one of the six Gaussians.
+// Separable: separable screen-space subsurface scattering after Jimenez et al. 2015, as a peer of Main.fx (docs/peers.md). Techniques
+// Separable7, 11, 17 and 25, by the number of samples along each axis. TEGUMENT_PEERS_AS_PRINTED chooses between the authors' kernel and
+// one of the six Gaussians.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/workspace.fxh"
@@ -13,6 +14,8 @@
 #include "../../hlsl/scatter/irradiance.fxh"
 #include "../../hlsl/peers/screen.fxh"
 #include "../../hlsl/peers/separable.fxh"
+#include "../passes/annotations.fxh"
+#include "../passes/vertex.fxh"
 #include "../passes/quad.fxh"
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
@@ -25,76 +28,24 @@
 #include "passes/screen.fxh"
 #include "passes/separable.fxh"
 
-float Script : STANDARDSGLOBAL <
-    string UIWidget = "none";
-    string ScriptClass = "object";
-    string ScriptOrder = "standard";
-    string ScriptOutput = "color";
-    string Script = "Technique=Separable25;";
-> = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Separable25") > = 0.8;
 
 #ifdef FX_TECHNIQUES
-technique Separable7 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterXMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=AlongX;"
-    "RenderColorTarget0=gScatterMap; Pass=AlongY;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX7PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY7PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+#define SEPARABLE_TECHNIQUE(samples) \
+technique Separable##samples < string Script = \
+    LIGHT_SCRIPT \
+    "RenderColorTarget0=gScatterXMap; Pass=AlongX;" \
+    "RenderColorTarget0=gScatterMap; Pass=AlongY;" \
+    SCATTERED_SCRIPT; > \
+{ \
+    LIGHT_PASSES \
+    QUAD_PASS(AlongX, QuadVS, AlongX##samples##PS, STATE_BUFFER) \
+    QUAD_PASS(AlongY, QuadVS, AlongY##samples##PS, STATE_BUFFER) \
+    SCATTERED_PASS \
 }
 
-technique Separable11 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterXMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=AlongX;"
-    "RenderColorTarget0=gScatterMap; Pass=AlongY;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX11PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY11PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
-}
-
-technique Separable17 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterXMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=AlongX;"
-    "RenderColorTarget0=gScatterMap; Pass=AlongY;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX17PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY17PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
-}
-
-technique Separable25 < string Script =
-    "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;"
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;"
-    "Clear=Color; Clear=Depth; Pass=Light;"
-    "RenderColorTarget0=gScatterXMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=AlongX;"
-    "RenderColorTarget0=gScatterMap; Pass=AlongY;"
-    "RenderColorTarget0=; Pass=Final;"; >
-{
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX25PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY25PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
-}
+SEPARABLE_TECHNIQUE(7)
+SEPARABLE_TECHNIQUE(11)
+SEPARABLE_TECHNIQUE(17)
+SEPARABLE_TECHNIQUE(25)
 #endif

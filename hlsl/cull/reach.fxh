@@ -6,8 +6,8 @@
 
 static const int kCullTiles = 64;
 static const int kTileTexels = (TEGUMENT_MAP_SIZE + kCullTiles - 1) / kCullTiles;
-// Texels: those between which the last pass looks up; those that a convolution adds, for its taps are interpolated (1) and reach 3 at least outside the
-// charts.
+// Texels: those between which the last pass looks up; those that a convolution adds, for its taps are interpolated (1) and reach 3 at least
+// outside the charts.
 static const float kLookUpReach = 2.0;
 static const float kConvolutionReach = 3.0;
 // Whether a texel is needed is asked at its centre; the tile beside it may hold the rest of it.
@@ -30,8 +30,8 @@ float2 reachOfBlurs(float size, float count)
     return float2(kPoissonStretched ? size * kPoissonLongest * count : 0.0, (texels + 0.5) * count + kLookUpReach);
 }
 
-// Needs, densities of the map, largest over a tile; uv: any point of the tile's middle. The densities outside the charts count too: texels there are
-// filled by the same convolutions.
+// Needs, densities of the map, largest over a tile; uv: any point of the tile's middle. The densities outside the charts count too: texels
+// there are filled by the same convolutions.
 float4 reachTile(SAMPLER2D_PARAM(need), SAMPLER2D_PARAM(stretch), float2 uv)
 {
     float2 corner = floor(uv * kCullTiles) / kCullTiles + 0.5 / kMapSize;
@@ -45,7 +45,8 @@ float4 reachTile(SAMPLER2D_PARAM(need), SAMPLER2D_PARAM(stretch), float2 uv)
     return largest;
 }
 
-// 1 if a needed tile this way reaches here. The density is the largest met on the way. axis: one tile, in uv; select: (1, 0) along U, (0, 1) along V.
+// 1 if a needed tile this way reaches here. The density is the largest met on the way. axis: one tile, in uv; select: (1, 0) along U,
+// (0, 1) along V.
 float reachFrom(SAMPLER2D_PARAM(tiles), float2 uv, float2 axis, float2 select, float2 reach)
 {
     float density = 0.0;

@@ -22,7 +22,8 @@ float furDistance(float furLength, float meshRadius, float height)
     return furLength * meshRadius * height;
 }
 
-// From the root to the point at this height, in units of the distance along the normal. lean: where tips hang and how far: 0 upright, of length 1 as far as out.
+// From the root to the point at this height, in units of the distance along the normal. lean: where tips hang and how far: 0 upright, of
+// length 1 as far as out.
 float3 furStrand(float3 normal, float3 lean, float height)
 {
     return normal + lean * height;
@@ -34,8 +35,8 @@ float3 furTangent(float3 normal, float3 lean, float height)
     return safeNormalize(normal + 2.0 * height * lean);
 }
 
-// Depth z of a clip position whose planes were fitted to the mesh: what the coat has before the nearer one is not cut off but drawn close behind it, in
-// order. From kNearMargin of w on, z / w falls to 0 as an exponential that goes on from it without a bend.
+// Depth z of a clip position whose planes were fitted to the mesh: what the coat has before the nearer one is not cut off but drawn close
+// behind it, in order. From kNearMargin of w on, z / w falls to 0 as an exponential that goes on from it without a bend.
 static const float kNearMargin = 0.01;
 float furNearDepth(float z, float w)
 {
@@ -43,16 +44,16 @@ float furNearDepth(float z, float w)
     return z < margin && w > 0.0 ? margin * exp(max(z / margin - 1.0, -80.0)) : z;
 }
 
-// How much of a texel is covered at this height. alpha: of a fur map, the height at which its strands end; taper 0 takes it as coverage, whatever the
-// height (the seed's maps hold 0 and 1), 1 compares it with the height, across `softness` of it.
+// How much of a texel is covered at this height. alpha: of a fur map, the height at which its strands end; taper 0 takes it as coverage,
+// whatever the height (the seed's maps hold 0 and 1), 1 compares it with the height, across `softness` of it.
 float furCoverage(float alpha, float height, float taper, float softness)
 {
     float standing = saturate((alpha - height) / max(softness, 1e-4) + 0.5);
     return lerp(alpha, min(standing, saturate(alpha * 1e4)), taper);
 }
 
-// What is covered in part counts once in each layer, so that more layers would cover more of what is behind: as many layers as now shall cover what
-// kFurLayers do with this coverage in each of them. 0 and 1 stay what they are.
+// What is covered in part counts once in each layer, so that more layers would cover more of what is behind: as many layers as now shall
+// cover what kFurLayers do with this coverage in each of them. 0 and 1 stay what they are.
 static const float kFurLayers = 32.0;
 float furLayerCoverage(float coverage, float layers)
 {

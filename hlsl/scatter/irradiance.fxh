@@ -12,11 +12,12 @@ float3 irradianceColour(float3 albedo, float exponent)
     return pow(max(albedo, kSmallestAlbedo), exponent);
 }
 
-// What a map of light may hold: no convolution can then make an infinity of it, nor 0 times an infinity of its neighbours. What is no number is black.
-// largest: of the map's format.
+// What a map of light may hold: no convolution can then make an infinity of it, nor 0 times an infinity of its neighbours. What is no
+// number is black. largest: of the map's format.
 float3 irradianceBounded(float3 light, float largest)
 {
-    return float3(light.r > 0.0 ? min(light.r, largest) : 0.0, light.g > 0.0 ? min(light.g, largest) : 0.0, light.b > 0.0 ? min(light.b, largest) : 0.0);
+    return float3(light.r > 0.0 ? min(light.r, largest) : 0.0, light.g > 0.0 ? min(light.g, largest) : 0.0,
+                  light.b > 0.0 ? min(light.b, largest) : 0.0);
 }
 
 float3 irradianceEntering(float3 albedo, float mix, float3 light, float cosine, float shadow, float share)

@@ -1,5 +1,5 @@
-// A number in two channels of 16 bits whose sum it is, to 2^-21 of it. Graphics hardware filters 16-bit maps everywhere, 32-bit ones not; a filter is
-// linear, so the sum of the filtered channels is the filtered number.
+// A number in two channels of 16 bits whose sum it is, to 2^-21 of it. Graphics hardware filters 16-bit maps everywhere, 32-bit ones not; a
+// filter is linear, so the sum of the filtered channels is the filtered number.
 #ifndef TEGUMENT_SURFACE_HALVES_FXH
 #define TEGUMENT_SURFACE_HALVES_FXH
 

@@ -12,13 +12,15 @@ float3 safeNormalize(float3 v)
     return v * rsqrt(max(dot(v, v), kTinySquare));
 }
 
-// The third component of a unit vector that points out of the surface. Formats of two channels return 0 or 1 in its place, as the interface has it.
+// The third component of a unit vector that points out of the surface. Formats of two channels return 0 or 1 in its place, as the interface
+// has it.
 float normalZ(float2 xy)
 {
     return sqrt(saturate(1.0 - dot(xy, xy)));
 }
 
-// texel: RGB of the map, 0..1; with TEGUMENT_NORMAL_XY its blue is not read. The basis is not renormalised: MikkTSpace bakes against the interpolated vectors as they are.
+// texel: RGB of the map, 0..1; with TEGUMENT_NORMAL_XY its blue is not read. The basis is not renormalised: MikkTSpace bakes against the
+// interpolated vectors as they are.
 float3 surfaceNormal(float3 normal, float4 tangent, float3 texel)
 {
     float3 bitangent = tangent.w * cross(normal, tangent.xyz);

@@ -2,6 +2,7 @@
 // neighbour.
 
 #include "tests/run/fixture.h"
+#include "tests/run/sheet.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,53 +11,6 @@ namespace tegument::test {
 namespace {
 
 constexpr int kPicture = 96;
-
-Image blankImage(int size) {
-    return {.width = size, .height = size, .channels = 4, .pixels = std::vector<float>(static_cast<std::size_t>(4 * size * size), 1.0F)};
-}
-
-/// A bent sheet, 80 x 80 mm, waves of 6 mm: it shades itself, and has slopes in both directions.
-Mesh sheet() {
-    constexpr int kSide = 32;
-    Mesh mesh;
-    mesh.name = "sheet";
-    for (int y = 0; y <= kSide; ++y)
-        for (int x = 0; x <= kSide; ++x) {
-            const glm::vec2 uv = glm::vec2(x, y) / static_cast<float>(kSide);
-            mesh.positions.emplace_back(80 * uv.x - 40, 40 - 80 * uv.y, 6 * std::sin(9 * uv.x) * std::cos(7 * uv.y) - 30 * uv.x * uv.x);
-            mesh.uvs.push_back(0.02F + 0.96F * uv);
-        }
-    for (std::uint32_t y = 0; y < kSide; ++y)
-        for (std::uint32_t x = 0; x < kSide; ++x) {
-            const std::uint32_t a = y * (kSide + 1) + x;
-            const std::uint32_t b = a + kSide + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
-        }
-    mesh.parts = {{.name = "sheet", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
-    computeNormals(mesh);
-    computeTangents(mesh);
-    computeBounds(mesh);
-    return mesh;
-}
-
-/// Waves, so that tangents matter.
-Image relief() {
-    Image image = blankImage(64);
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x) {
-            const glm::vec3 normal =
-                glm::normalize(glm::vec3(0.4F * std::sin(0.5F * static_cast<float>(x)), 0.3F * std::sin(0.4F * static_cast<float>(y)), 1));
-            for (int c = 0; c < 3; ++c)
-                image.at(x, y, c) = 0.5F + 0.5F * normal[c];
-        }
-    return image;
-}
-
-Mesh reliefSheet() {
-    Mesh mesh = sheet();
-    mesh.textures = {{.role = "normal", .image = relief()}};
-    return mesh;
-}
 
 struct Picture {
     const char* effect;

@@ -60,8 +60,9 @@ def blanked(text):
         return re.sub(r"[^\n]", " ", match.group())
     text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
     text = re.sub(r'"[^"\n]*"', blank, text)
-    text = re.sub(r"<\s*(?:string|float|int|bool)\b[^<>]*>", blank, text)
+    text = re.sub(r"<\s*(?:string|float|float2|int|bool|[A-Z][A-Z_]*(?=\())\b[^<>]*>", blank, text)
     text = re.sub(r"#ifdef FX_TECHNIQUES.*?#endif", blank, text, flags=re.S)
+    text = re.sub(r"^#define[^\n]*\\\n(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
     lines = []
     for line in text.split("\n"):
         plain = re.match(r"#define\s+\w+\s+(?=[\d.]+\s*$)", line)

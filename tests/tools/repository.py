@@ -20,6 +20,7 @@ PROSE = {".md"}
 SCRIPTS = {".py", ".sh", ".cmake", ".txt", ".json", ".yml", ""}
 OUTSIDE = {"build", "out", "__pycache__"}
 MAX_SOURCE_LINES = 500
+MAX_SHADER_COLUMNS = 140
 MAX_README_LINES = 30
 
 
@@ -63,6 +64,13 @@ def sources_have_at_most_500_lines(root):
         count = len(text_of(path).splitlines())
         if count > MAX_SOURCE_LINES:
             yield f"{path}: {count} lines"
+
+
+def shaders_have_lines_of_at_most_140_characters(root):
+    for path in files(root / "hlsl", SOURCES) + files(root / "effects", SOURCES):
+        for number, line in enumerate(text_of(path).splitlines(), 1):
+            if len(line) > MAX_SHADER_COLUMNS:
+                yield f"{path}:{number}: {len(line)} characters"
 
 
 def no_file_names_a_registry_host_or_a_path_of_one_machine(root):
@@ -311,6 +319,7 @@ CHECKS = {
     function.__name__: function
     for function in (
         sources_have_at_most_500_lines,
+        shaders_have_lines_of_at_most_140_characters,
         no_file_names_a_registry_host_or_a_path_of_one_machine,
         nothing_is_left_unfinished,
         diagnostic_pages_are_made_from_their_table,

@@ -47,6 +47,12 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"host/a.cpp": "\n" * 500})
         self.finds(check, {"host/a.cpp": "\n" * 501}, "host/a.cpp: 501 lines")
 
+    def test_a_line_of_141_characters_of_a_shader_is_too_long(self):
+        check = "shaders_have_lines_of_at_most_140_characters"
+        self.accepts(check, {"hlsl/a.fxh": "/" * 140 + "\n", "effects/passes/b.fxh": "é" * 140, "host/c.cpp": "/" * 141})
+        self.finds(check, {"effects/passes/a.fxh": "\n" + "/" * 141}, "effects/passes/a.fxh:2: 141 characters")
+        self.finds(check, {"hlsl/a.fxh": "/" * 141}, "hlsl/a.fxh:1: 141 characters")
+
     def test_a_home_folder_is_a_path_of_one_machine(self):
         check = "no_file_names_a_registry_host_or_a_path_of_one_machine"
         self.accepts(check, {"docs/a.md": "see ~/.cache/tegument and out/home/head.png, packages of Debian"})

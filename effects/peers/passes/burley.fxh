@@ -2,8 +2,10 @@
 #ifndef TEGUMENT_PEERS_PASSES_BURLEY_FXH
 #define TEGUMENT_PEERS_PASSES_BURLEY_FXH
 
-float3 gBurleyDistance < string UIName = "Scattering distance d"; float UIMin = 0.001; float UIMax = 5.0; string UIHelp = "mm, for each colour; light travels 3 d on average"; > = { 0.451, 0.104, 0.070 };
-float gBurleyTurn < string UIName = "Turn from pixel to pixel"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "0: the same pattern everywhere, which shows as bands instead of noise"; > = 1.0;
+float3 gBurleyDistance < string UIName = "Scattering distance d"; float UIMin = 0.001; float UIMax = 5.0;
+    string UIHelp = "mm, for each colour; light travels 3 d on average"; > = { 0.451, 0.104, 0.070 };
+float gBurleyTurn < UI_SLIDER("Turn from pixel to pixel", 0.0, 1.0, 0.01)
+    string UIHelp = "0: the same pattern everywhere, which shows as bands instead of noise"; > = 1.0;
 
 float4 gather(float2 uv, int count)
 {
@@ -16,22 +18,18 @@ float4 gather(float2 uv, int count)
         axisU = safeNormalize(screenTangent(SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
         axisV = cross(safeNormalize(cross(axisU, down)), axisU);
     }
-    return burleyGather(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance, gBurleyTurn, count);
+    return burleyGather(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance,
+                        gBurleyTurn, count);
 }
 
-float4 Gather20PS(QuadVarying input) : SV_Target0
-{
-    return gather(input.uv, 20);
+#define BURLEY_STEP(samples) \
+float4 Gather##samples##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return gather(input.uv, samples); \
 }
 
-float4 Gather40PS(QuadVarying input) : SV_Target0
-{
-    return gather(input.uv, 40);
-}
-
-float4 Gather80PS(QuadVarying input) : SV_Target0
-{
-    return gather(input.uv, 80);
-}
+BURLEY_STEP(20)
+BURLEY_STEP(40)
+BURLEY_STEP(80)
 
 #endif

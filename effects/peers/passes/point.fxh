@@ -1,14 +1,7 @@
-// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture made of it. As
-// Main.fx has it, with a plain shadow map.
+// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture
+// made of it. As Main.fx has it, with a plain shadow map.
 #ifndef TEGUMENT_PEERS_PASSES_POINT_FXH
 #define TEGUMENT_PEERS_PASSES_POINT_FXH
-
-SurfaceVarying PeerVS(MeshInput input)
-{
-    SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
-    return output;
-}
 
 // Without shadow.
 LitPoint peerPoint(SurfaceVarying input)

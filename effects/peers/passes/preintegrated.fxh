@@ -2,8 +2,9 @@
 #ifndef TEGUMENT_PEERS_PASSES_PREINTEGRATED_FXH
 #define TEGUMENT_PEERS_PASSES_PREINTEGRATED_FXH
 
-float3 gBumpShare < string UIName = "Bumps left in each colour"; string UIWidget = "Color"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "what diffusion leaves of a wave of 1 mm, the size of pores"; > = { 0.247, 0.536, 0.705 };
-float gPenumbraRadius < string UIName = "Reach at shadow edges"; string UIWidget = "Slider"; float UIMin = 0.1; float UIMax = 20.0; float UIStep = 0.1; string UIHelp = "mm"; > = 5.0;
+float3 gBumpShare < UI_COLOUR("Bumps left in each colour") float UIMin = 0.0; float UIMax = 1.0;
+    string UIHelp = "what diffusion leaves of a wave of 1 mm, the size of pores"; > = { 0.247, 0.536, 0.705 };
+float gPenumbraRadius < UI_SLIDER("Reach at shadow edges", 0.1, 20.0, 0.1) string UIHelp = "mm"; > = 5.0;
 
 Texture2D gPreintegratedMap < string Producer = "PreintegratedTable.fx/gPreintegratedMap"; string ResourceName = "preintegrated.dds"; >;
 SAMPLER2D(gPreintegrated, LINEAR, CLAMP);
@@ -22,7 +23,8 @@ float lightAround(LitPoint p, float tolerance, float2 pixel)
     float3 axisV = penumbraAxis(gPenumbraRadius * cross(p.meshNormal, side), p.axisX, p.axisY, p.toLight, p.footprint);
     axisU.z = inDepth(axisU.z);
     axisV.z = inDepth(axisV.z);
-    return penumbraShare(SAMPLER2D_ARG(gShadow), p.lightUv, p.depth - tolerance, axisU, axisV, inDepth(gPenumbraRadius), screenNoise(pixel));
+    return penumbraShare(SAMPLER2D_ARG(gShadow), p.lightUv, p.depth - tolerance, axisU, axisV, inDepth(gPenumbraRadius),
+                         screenNoise(pixel));
 }
 
 // Shadow without the body's own horizon, which the table has scattered light across. Sharp: as in Main.fx.

@@ -1,19 +1,32 @@
-// Passes Light and Final of diffusion over the pixels of the picture. Light: light entering the skin as the camera sees it, with coverage in alpha; depth along
-// the view, mm, 0 where there is no skin; shadow, for the specular reflection, and the depth once more as two halves, to be filtered. Final: the mesh once more, over what the effect has made of it in gScatterMap.
+// Passes Light and Final of diffusion over the pixels of the picture. Light: light entering the skin as the camera sees it, with coverage
+// in alpha; depth along the view, mm, 0 where there is no skin; shadow, for the specular reflection, and the depth once more as two halves,
+// to be filtered. Final: the mesh once more, over what the effect has made of it in gScatterMap.
 #ifndef TEGUMENT_PEERS_PASSES_SCREEN_FXH
 #define TEGUMENT_PEERS_PASSES_SCREEN_FXH
 
 float4x4 gProjection : PROJECTION < string UIWidget = "None"; >;
 
-Texture2D gLightMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gDepthMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "R32F"; >;
-Texture2D gShadeMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gScatterMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-Texture2D gLightDepthMap : RENDERDEPTHSTENCILTARGET < float2 ViewportRatio = { 1.0, 1.0 }; string Format = "D24S8"; >;
+Texture2D gLightMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
+Texture2D gDepthMap : RENDERCOLORTARGET < PICTURE_TARGET("R32F") >;
+Texture2D gShadeMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
+Texture2D gScatterMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
+Texture2D gLightDepthMap : RENDERDEPTHSTENCILTARGET < PICTURE_DEPTH >;
 SAMPLER2D(gLight, LINEAR, CLAMP);
 SAMPLER2D(gDepth, POINT, CLAMP);
 SAMPLER2D(gShade, POINT, CLAMP);
 SAMPLER2D(gScatter, POINT, CLAMP);
+
+// What comes before and what after an effect's own passes, which lead from gLightMap to gScatterMap.
+#define LIGHT_SCRIPT \
+    SHADOW_MAP_SCRIPT \
+    "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;" \
+    "Clear=Color; Clear=Depth; Pass=Light;" \
+    "RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=;"
+#define LIGHT_PASSES \
+    SHADOW_MAP_PASS \
+    MESH_PASS(Light, SurfaceVS, LightPS, STATE_SOLID)
+#define SCATTERED_SCRIPT "RenderColorTarget0=; Pass=Final;"
+#define SCATTERED_PASS MESH_PASS(Final, SurfaceVS, ScreenFinalPS, STATE_SOLID)
 
 struct LightOutput
 {

@@ -2,68 +2,36 @@
 #ifndef TEGUMENT_PEERS_PASSES_SEPARABLE_FXH
 #define TEGUMENT_PEERS_PASSES_SEPARABLE_FXH
 
-float3 gSeparableStrength < string UIName = "Strength"; string UIWidget = "Color"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "share of each colour that diffuses"; > = { 1.0, 1.0, 1.0 };
-float gSeparableUnit < string UIName = "Width"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 10.0; float UIStep = 0.01; string UIHelp = "mm for each unit of the kernel; corrected: 1 is the skin profile"; > = PEER_SEPARABLE_UNIT;
+float3 gSeparableStrength < UI_COLOUR("Strength") float UIMin = 0.0; float UIMax = 1.0;
+    string UIHelp = "share of each colour that diffuses"; > = { 1.0, 1.0, 1.0 };
+float gSeparableUnit < UI_SLIDER("Width", 0.0, 10.0, 0.01)
+    string UIHelp = "mm for each unit of the kernel; corrected: 1 is the skin profile"; > = PEER_SEPARABLE_UNIT;
 
-Texture2D gScatterXMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gScatterXMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 SAMPLER2D(gScatterX, LINEAR, CLAMP);
 SAMPLER2D_OF(gBetween, gShadeMap, LINEAR, CLAMP);
 
-// Rows of the kernels' tables: the first, and how many pairs of samples follow.
-float4 alongX(float2 uv, int first, int pairs)
+// Passes with as many samples. Rows of the kernels' tables: the first, and how many pairs of samples follow.
+#define SEPARABLE_STEPS(samples, first, pairs) \
+float4 AlongX##samples##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return along(SAMPLER2D_ARG(gLight), input.uv, float2(1.0 / gViewportSize.x, 0.0), first, pairs); \
+} \
+float4 AlongY##samples##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return along(SAMPLER2D_ARG(gScatterX), input.uv, float2(0.0, 1.0 / gViewportSize.y), first, pairs); \
+}
+
+float4 along(SAMPLER2D_PARAM(map), float2 uv, float2 axis, int first, int pairs)
 {
-    float2 axis = float2(1.0 / gViewportSize.x, 0.0);
     float2 frustum = screenFrustum(gProjection);
-    return separableConvolve(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum, gSeparableUnit,
-                             gSeparableStrength, first, pairs);
+    return separableConvolve(SAMPLER2D_ARG(map), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum,
+                             gSeparableUnit, gSeparableStrength, first, pairs);
 }
 
-float4 alongY(float2 uv, int first, int pairs)
-{
-    float2 axis = float2(0.0, 1.0 / gViewportSize.y);
-    float2 frustum = screenFrustum(gProjection);
-    return separableConvolve(SAMPLER2D_ARG(gScatterX), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum, gSeparableUnit,
-                             gSeparableStrength, first, pairs);
-}
-
-float4 AlongX7PS(QuadVarying input) : SV_Target0
-{
-    return alongX(input.uv, 0, 3);
-}
-
-float4 AlongY7PS(QuadVarying input) : SV_Target0
-{
-    return alongY(input.uv, 0, 3);
-}
-
-float4 AlongX11PS(QuadVarying input) : SV_Target0
-{
-    return alongX(input.uv, 4, 5);
-}
-
-float4 AlongY11PS(QuadVarying input) : SV_Target0
-{
-    return alongY(input.uv, 4, 5);
-}
-
-float4 AlongX17PS(QuadVarying input) : SV_Target0
-{
-    return alongX(input.uv, 10, 8);
-}
-
-float4 AlongY17PS(QuadVarying input) : SV_Target0
-{
-    return alongY(input.uv, 10, 8);
-}
-
-float4 AlongX25PS(QuadVarying input) : SV_Target0
-{
-    return alongX(input.uv, 19, 12);
-}
-
-float4 AlongY25PS(QuadVarying input) : SV_Target0
-{
-    return alongY(input.uv, 19, 12);
-}
+SEPARABLE_STEPS(7, 0, 3)
+SEPARABLE_STEPS(11, 4, 5)
+SEPARABLE_STEPS(17, 10, 8)
+SEPARABLE_STEPS(25, 19, 12)
 
 #endif

@@ -1,0 +1,65 @@
+// Where every pass that draws the mesh takes its vertices from. An engine that skins, morphs or instances defines the hook before it
+// includes the effect (docs/engine.md); without it a vertex is drawn as it is stored.
+//   TEGUMENT_VERTEX_STREAMS             what its vertices hold besides: members of a struct, with semantics
+//   TEGUMENT_VERTEX_HOOK(rest, input)   MeshInput: the vertex to draw, in the space that gWorld leads out of. rest: MeshInput, as stored;
+//                                       input: VertexInput, with the streams
+//   TEGUMENT_VERTEX_TURN(input)         float3x3: how the pose turns directions there, dir * M; read by FurRoots.fx alone
+#ifndef TEGUMENT_PASSES_VERTEX_FXH
+#define TEGUMENT_PASSES_VERTEX_FXH
+
+#ifndef TEGUMENT_VERTEX_STREAMS
+#define TEGUMENT_VERTEX_STREAMS
+#endif
+#ifndef TEGUMENT_VERTEX_HOOK
+#define TEGUMENT_VERTEX_HOOK(rest, input) rest
+#endif
+
+struct VertexInput
+{
+    float3 position : POSITION;
+    float3 normal : NORMAL;
+    float4 tangent : TANGENT;
+    float2 uv : TEXCOORD0;
+    TEGUMENT_VERTEX_STREAMS
+};
+
+MeshInput vertexAtRest(VertexInput input)
+{
+    MeshInput rest;
+    rest.position = input.position;
+    rest.normal = input.normal;
+    rest.tangent = input.tangent;
+    rest.uv = input.uv;
+    return rest;
+}
+
+// The vertex to draw.
+MeshInput meshVertex(VertexInput input)
+{
+    return TEGUMENT_VERTEX_HOOK(vertexAtRest(input), input);
+}
+
+// Directions in the mesh's axes, from the rest pose into the one that is drawn, and back.
+#ifdef TEGUMENT_VERTEX_TURN
+float3 vertexTurned(float3 atRest, VertexInput input)
+{
+    return mul(atRest, TEGUMENT_VERTEX_TURN(input));
+}
+
+float3 vertexTurnedBack(float3 posed, VertexInput input)
+{
+    return mul(TEGUMENT_VERTEX_TURN(input), posed);
+}
+#else
+float3 vertexTurned(float3 atRest, VertexInput input)
+{
+    return atRest;
+}
+
+float3 vertexTurnedBack(float3 posed, VertexInput input)
+{
+    return posed;
+}
+#endif
+
+#endif

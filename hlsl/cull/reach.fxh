@@ -1,6 +1,18 @@
 // Which texels a needed texel draws light from: those within the reach of the blurs. Kept per tile; the map has kCullTiles tiles a side.
 // A tile holds (1 where needed, largest texels per mm along U, along V, 1). U first, then V: what the boxes of all the convolutions cover.
 // A reach is (mm on the surface, texels besides).
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SCATTER_GAUSSIAN_FXH
+#include "../scatter/gaussian.fxh"
+#endif
+#ifndef TEGUMENT_SCATTER_POISSON_FXH
+#include "../scatter/poisson.fxh"
+#endif
 #ifndef TEGUMENT_CULL_REACH_FXH
 #define TEGUMENT_CULL_REACH_FXH
 

@@ -1,6 +1,9 @@
 // Texture-space culling (seed 5.3.1; Gosselin et al. 2004): a prepass writes depth 1 where a texel cannot show, and the later passes, drawn at depth 0
 // with the test EQUAL, skip it. Clip-space form of seed equations 41 and 42: p.x / p.z > tan(fov / 2) is x / w > 1. normal, toEye: unit; toEye points
 // from the surface to the eye (the seed's wording, taken literally, would cull the front).
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_CULL_VISIBILITY_FXH
 #define TEGUMENT_CULL_VISIBILITY_FXH
 

@@ -2,6 +2,15 @@
 // diffusion in real-time, 2018; Christensen and Burley, Approximate reflectance profiles for efficient subsurface scattering, 2015).
 //   R(r) = (exp(-r / d) + exp(-r / 3d)) / (8 pi d r),   share of light within r: 1 - exp(-r / d) / 4 - 3 exp(-r / 3d) / 4
 // d, r in mm; one d for each colour.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_PEERS_SCREEN_FXH
+#include "../peers/screen.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_BURLEY_FXH
 #define TEGUMENT_PEERS_BURLEY_FXH
 

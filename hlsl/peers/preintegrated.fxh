@@ -3,6 +3,15 @@
 //   D(theta, rho) = integral of max(cos(theta + x / rho), 0) L(x) dx,   x along the ring, mm
 // Corrected: L = the profile's marginal, sum of w_i N(0, v_i), over 10 mm to both sides, as NVIDIA FaceWorks (2014) tabulates it (in 200 steps).
 // Printed: the listing of GPU Pro 2, see preintegratedPrinted. The table holds D - max(cos(theta), 0), which is small and has no edge to interpolate over.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_PREINTEGRATED_FXH
 #define TEGUMENT_PEERS_PREINTEGRATED_FXH
 

@@ -1,6 +1,9 @@
 // Places in view space from a depth buffer, for diffusion over the pixels of a picture.
 // View space here: x right, y up, z away from the eye along the view, mm. frustum = tangents of half the angles of view, across and up. uv of the
 // picture, v down. A depth of 0 means that there is no skin.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_SCREEN_FXH
 #define TEGUMENT_PEERS_SCREEN_FXH
 

@@ -1,6 +1,21 @@
 // Separable screen-space subsurface scattering (Jimenez, Zsolnai, Jarabo, Freude, Auzinger, Wu, von der Pahlen, Wimmer and Gutierrez, 2015): one kernel
 // with a weight for each colour, along x and then along y of the picture.
 // unit = mm for each unit of the kernel's offsets. Kernels are symmetric; only the centre and one side are kept. docs/peers.md derives them.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_HALVES_FXH
+#include "../surface/halves.fxh"
+#endif
+#ifndef TEGUMENT_PEERS_SCREEN_FXH
+#include "../peers/screen.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_SEPARABLE_FXH
 #define TEGUMENT_PEERS_SEPARABLE_FXH
 

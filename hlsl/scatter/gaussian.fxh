@@ -1,5 +1,14 @@
 // One direction of one Gaussian of the cascade: 7 taps a spacing apart (d'Eon and Luebke 2007; seed equations 25, 26, 37 and Table 7).
 // Units: sigma in mm, density = texels per mm, variances and spacings in texels. `axis` = one texel along U or V, in uv.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SCATTER_SEAM_FXH
+#include "../scatter/seam.fxh"
+#endif
 #ifndef TEGUMENT_SCATTER_GAUSSIAN_FXH
 #define TEGUMENT_SCATTER_GAUSSIAN_FXH
 

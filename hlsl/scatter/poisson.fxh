@@ -1,6 +1,15 @@
 // One blur of Gosselin's technique (Gosselin, Sander and Mitchell 2004): 13 taps, the texel itself and twelve of a Poisson disc (seed 5.3, equations 36
 // and 40, Table 7). The alpha of the map is the kernel size, at most kLargestAlpha; every blur leaves it as it is.
 // Units: density = texels per mm; radii in uv, one along each axis.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SCATTER_SEAM_FXH
+#include "../scatter/seam.fxh"
+#endif
 #ifndef TEGUMENT_SCATTER_POISSON_FXH
 #define TEGUMENT_SCATTER_POISSON_FXH
 

@@ -1,5 +1,11 @@
 // Texels outside the charts carry alpha = 1 (the maps are cleared to (0,0,0,1)); covered texels at most 0.99. A map that is not filled around its
 // charts is therefore read by POINT taps only: a filtered alpha of 0.95 would pass for valid although much of the colour is black.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_SCATTER_SEAM_FXH
 #define TEGUMENT_SCATTER_SEAM_FXH
 

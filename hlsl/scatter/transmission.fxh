@@ -1,6 +1,9 @@
 // Light through thin parts (d'Eon and Luebke 2007, "Modified translucent shadow maps"; seed equation 39). Since the profile is a sum of Gaussians,
 // R(sqrt(r^2 + t^2)) = sum of w_i exp(-t^2 / (2 v_i)) G(v_i, r): the light convolved on the lit side, attenuated by thickness t, appears behind.
 // Thickness travels in the alpha of the irradiance maps and is blurred with them. Units: mm, or light-depth units where kThicknessAsDepth.
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_SCATTER_TRANSMISSION_FXH
 #define TEGUMENT_SCATTER_TRANSMISSION_FXH
 

@@ -2,6 +2,12 @@
 // translucent shadow map serves too.
 // Depth: setting seed z/w; else the distance to the light in mm, so that along one ray the difference of two depths is a length; of parallel light the
 // distance to the plane of its position. Before the light's near plane it is 0: what lies there, or behind the light, is lit.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_SHADOW_MAP_FXH
 #define TEGUMENT_SHADOW_MAP_FXH
 

@@ -1,5 +1,17 @@
 // Translucent shadow map, modified: depth and texture coordinates of the surface nearest to the light (d'Eon and Luebke 2007, "Modified translucent
 // shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); zeros where there is no surface. Depth as in shadow/map.fxh.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
+#ifndef TEGUMENT_SHADOW_MAP_FXH
+#include "../shadow/map.fxh"
+#endif
 #ifndef TEGUMENT_SHADOW_TSM_FXH
 #define TEGUMENT_SHADOW_TSM_FXH
 

@@ -1,6 +1,18 @@
 // Light that the specular layer takes from the diffuse one: directional albedo of the Kelemen/Szirmay-Kalos lobe with rho_s = 1.
 //   rho_dt(cos, m) = integral over the hemisphere of PH F / |L + V|^2 N.w dw   (d'Eon and Luebke 2007, "Specular and energy conservation")
 // Stored in a texture, x = cosine, y = roughness, as two halves (surface/halves.fxh). Setting corrected: importance sampling, divided by pi. Others: the printed end-point rule.
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_HALVES_FXH
+#include "../surface/halves.fxh"
+#endif
+#ifndef TEGUMENT_SPECULAR_FRESNEL_FXH
+#include "../specular/fresnel.fxh"
+#endif
+#ifndef TEGUMENT_SPECULAR_KELEMEN_FXH
+#include "../specular/kelemen.fxh"
+#endif
 #ifndef TEGUMENT_SPECULAR_ENERGY_FXH
 #define TEGUMENT_SPECULAR_ENERGY_FXH
 

@@ -106,6 +106,13 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"hlsl/scatter.fxh": '// All of scatter.\n#include "scatter/blur.fxh"\n'})
         self.finds(check, {"hlsl/blur.fxh": GUARDED}, "TEGUMENT_BLUR_FXH")
 
+    def test_what_a_file_needs_stands_above_its_guard_behind_its_own_guard(self):
+        needs = '#ifndef TEGUMENT_SCATTER_{}_FXH\n#include "../scatter/seam.fxh"\n#endif\n'
+        for check in ("includes_of_shaders_are_guarded_by_their_name", "shaders_branch_on_targets_only_in_platform"):
+            self.accepts(check, {"hlsl/scatter/blur.fxh": needs.format("SEAM") + GUARDED})
+        self.finds("includes_of_shaders_are_guarded_by_their_name", {"hlsl/scatter/blur.fxh": needs.format("SEAMS") + GUARDED}, "blur.fxh")
+        self.finds("shaders_branch_on_targets_only_in_platform", {"hlsl/scatter/blur.fxh": needs.format("SEAMS") + GUARDED}, "TEGUMENT_SCATTER_SEAMS_FXH")
+
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"
         self.accepts(check, {"host/run/README.md": "What belongs here.\n"})

@@ -4,6 +4,9 @@
 // read: so it compiles alone, and behind a group, or behind includes in the order of their needs, its own paths are never asked for.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/settings.fxh"
+#include "../hlsl/constants.fxh"
+#include "../hlsl/printed/seed.fxh"
+#include "../hlsl/printed/deon2007.fxh"
 #include "../hlsl/surface/normal.fxh"
 #include "../hlsl/surface/halves.fxh"
 #include "../hlsl/surface/unwrap.fxh"

@@ -10,8 +10,14 @@
 #ifndef TEGUMENT_SCATTER_GAUSSIAN_FXH
 #include "../scatter/gaussian.fxh"
 #endif
+#ifndef TEGUMENT_PRINTED_GAUSSIAN_FXH
+#include "../printed/gaussian.fxh"
+#endif
 #ifndef TEGUMENT_SCATTER_POISSON_FXH
 #include "../scatter/poisson.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_POISSON_FXH
+#include "../printed/poisson.fxh"
 #endif
 #ifndef TEGUMENT_CULL_REACH_FXH
 #define TEGUMENT_CULL_REACH_FXH
@@ -35,11 +41,10 @@ float2 reachOfCascade(float4 sigma1To4, float2 sigma5And6)
     return float2(3.0 * (steps.x + steps.y + steps.z + steps.w + last), 5.0 * kConvolutionReach + kLookUpReach);
 }
 
-// The radii of `count` Poisson blurs where the kernel size is 1. Taps fall on the nearest texel.
+// The radii of `count` Poisson blurs where the kernel size is 1.
 float2 reachOfBlurs(float size, float count)
 {
-    float texels = kPoissonStretched ? kPoissonFill : 2.0 * size * kPoissonLongest;
-    return float2(kPoissonStretched ? size * kPoissonLongest * count : 0.0, (texels + 0.5) * count + kLookUpReach);
+    return poissonReach(size, count) + float2(0.0, kLookUpReach);
 }
 
 // Needs, densities of the map, largest over a tile; uv: any point of the tile's middle. The densities outside the charts count too: texels there are

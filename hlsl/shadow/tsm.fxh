@@ -1,5 +1,5 @@
 // Translucent shadow map, modified: depth and texture coordinates of the surface nearest to the light (d'Eon and Luebke 2007, "Modified translucent
-// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); zeros where there is no surface. Depth as in shadow/map.fxh.
+// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); zeros where there is no surface. Depth as in shadow/filter.fxh.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
 #endif
@@ -12,17 +12,17 @@
 #ifndef TEGUMENT_SHADOW_MAP_FXH
 #include "../shadow/map.fxh"
 #endif
+#ifndef TEGUMENT_SHADOW_FILTER_FXH
+#include "../shadow/filter.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_FILTER_FXH
+#include "../printed/filter.fxh"
+#endif
 #ifndef TEGUMENT_SHADOW_TSM_FXH
 #define TEGUMENT_SHADOW_TSM_FXH
 
 // Texels whose texture coordinates differ by less are one piece of surface: 3 % of the map, about 9 mm of a head.
 static const float kOnePiece = 0.03;
-
-// A way across the light's rays that changes the map's place as much as one along `axis` would: `axis`, less its share along the ray. Printed: the axis.
-float3 tsmAcross(float3 axis, float3 back, float3 toLight)
-{
-    return kFilterShadow ? axis - back * (dot(toLight, axis) / max(dot(toLight, back), 1e-3)) : axis;
-}
 
 // Normal of the lit surface, from the slope of its depths. axisX, axisY: the light's right and up; footprint: mm of a texel; range: mm of a unit depth.
 float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 axisY, float3 toLight, float footprint, float range)

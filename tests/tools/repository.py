@@ -199,6 +199,18 @@ def shaders_branch_on_targets_only_in_platform(root):
                 yield f"{path}:{number}: conditional on {name}"
 
 
+def right_forms_know_no_setting(root):
+    """In hlsl/ the setting is known to printed/, to settings.fxh, which chooses, and to constants.fxh."""
+    flags = set(re.findall(r"^static const (?:bool|int) (\w+)", text_of(root / "hlsl" / "constants.fxh"), re.M))
+    flags |= {"TEGUMENT_SETTING", "TEGUMENT_PEERS_AS_PRINTED", "kPeersAsPrinted"}
+    for path in files(root / "hlsl", {".fxh"}):
+        if path.parent.name == "printed" or path.name in ("settings.fxh", "constants.fxh"):
+            continue
+        for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
+            for name in sorted(set(re.findall(r"[A-Za-z_]\w*", line)) & flags):
+                yield f"{path}:{number}: {name}: the form for a printed setting belongs into hlsl/printed"
+
+
 def includes_of_shaders_are_guarded_by_their_name(root):
     """A file that only includes others needs no guard; what a file needs stands above its guard."""
     for path in files(root / "hlsl", {".fxh"}) + files(root / "effects", {".fxh"}):
@@ -259,6 +271,7 @@ CHECKS = {
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,
         shaders_branch_on_targets_only_in_platform,
+        right_forms_know_no_setting,
         includes_of_shaders_are_guarded_by_their_name,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,

@@ -14,6 +14,7 @@
 #define FUR_TAPER 0.0
 #define FUR_FRINGES 1.0
 
+#ifndef TEGUMENT_LIBRARY
 static const bool kCorrected = true;
 // Depth in shadow maps: the distance to the light in mm, or z/w. Whether the test is filtered.
 static const bool kDepthInMillimetres = true;
@@ -25,8 +26,11 @@ static const bool kConvolveExactly = true;
 // Poisson blurs: radii in mm of the surface, or texels. Whether specular reflection is shadowed, for which Final reads the shadow map.
 static const bool kPoissonStretched = true;
 static const bool kShadowSpecular = true;
-// Culling. Largest channel of a colour that counts as black, linear. Whether fragments are culled, or whole vertices.
-static const float kBlack = 2.0 / 255.0 / 12.92;
+// Culling: whether fragments are culled, or whole vertices.
 static const bool kCullPerPixel = true;
+#endif
+
+// Culling: largest channel of a colour that counts as black, linear.
+static const float kBlack = 2.0 / 255.0 / 12.92;
 
 #endif

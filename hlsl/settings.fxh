@@ -1,20 +1,11 @@
-// The switches, what each setting reads, the sizes and formats of maps, and the constants that no setting changes: those that differ stand in constants.fxh
-// (corrected) and in printed/seed.fxh and printed/deon2007.fxh. docs/settings.md lists each with its source.
-//   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
+// The switches, and the constants that no setting changes: those that differ stand in constants.fxh (corrected) and in printed/.
 //   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
-//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else 1
 //   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
-//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure what it is worth
-//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what that saves
 //   TEGUMENT_NORMAL_XY  0 (default); 1: the normal map has two channels (BC5, RG8), and z follows from them
-//   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 #ifndef TEGUMENT_SETTINGS_FXH
 #define TEGUMENT_SETTINGS_FXH
 
-#ifndef TEGUMENT_SETTING
-#define TEGUMENT_SETTING 2
-#endif
 #ifndef TEGUMENT_MAP_SIZE
 #define TEGUMENT_MAP_SIZE 1024
 #endif
@@ -23,6 +14,32 @@
 #endif
 #ifndef TEGUMENT_SEAM_REPAIR
 #define TEGUMENT_SEAM_REPAIR 1
+#endif
+#ifndef TEGUMENT_NORMAL_XY
+#define TEGUMENT_NORMAL_XY 0
+#endif
+
+#ifdef TEGUMENT_LIBRARY
+#define TEGUMENT_PRINTED_BURLEY_FXH
+#define TEGUMENT_PRINTED_DEON2007_FXH
+#define TEGUMENT_PRINTED_ENERGY_FXH
+#define TEGUMENT_PRINTED_FILTER_FXH
+#define TEGUMENT_PRINTED_GAUSSIAN_FXH
+#define TEGUMENT_PRINTED_OUTSIDE_FXH
+#define TEGUMENT_PRINTED_POISSON_FXH
+#define TEGUMENT_PRINTED_PREINTEGRATED_FXH
+#define TEGUMENT_PRINTED_SEED_FXH
+#define TEGUMENT_PRINTED_SEPARABLE_FXH
+#define TEGUMENT_PRINTED_TRANSMISSION_FXH
+#else
+// docs/settings.md lists every constant with its source.
+//   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
+//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else 1
+//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure what it is worth
+//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what that saves
+//   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
+#ifndef TEGUMENT_SETTING
+#define TEGUMENT_SETTING 2
 #endif
 #ifndef TEGUMENT_CULL_FRUSTUM
 #define TEGUMENT_CULL_FRUSTUM 1
@@ -47,14 +64,22 @@
 #else
 #define PEER_SEPARABLE_UNIT 1.0
 #endif
-#ifndef TEGUMENT_NORMAL_XY
-#define TEGUMENT_NORMAL_XY 0
-#endif
 #if TEGUMENT_MAP_BITS == 32
 #define SKIN_MAP_FORMAT "A32B32G32R32F"
 #else
 #define SKIN_MAP_FORMAT "A16B16G16R16F"
 #endif
+
+// Fur: whether its colour comes from a map, too.
+static const bool kFurColorMap = TEGUMENT_FUR_COLOR_MAP == 1;
+
+// Culling: the causes, one by one.
+static const bool kCullFrustum = TEGUMENT_CULL_FRUSTUM == 1;
+static const bool kCullBackFaces = TEGUMENT_CULL_BACK_FACES == 1;
+static const bool kCullBlack = TEGUMENT_CULL_BLACK == 1;
+
+// Peers (docs/peers.md).
+static const bool kPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 
 // What is printed takes the place of what is right file by file, under the same names: the guard of every file that is not to be read is set here, and
 // nothing else chooses. Groups include both.
@@ -90,6 +115,7 @@
 #if TEGUMENT_SETTING != 1
 #define TEGUMENT_PRINTED_DEON2007_FXH
 #endif
+#endif
 
 static const float kPi = 3.14159265;
 static const float kMapSize = TEGUMENT_MAP_SIZE;
@@ -114,18 +140,7 @@ static const float kKernelVariance = 1.0789;
 // Seams: whether texels outside the charts are told from those inside.
 static const bool kRepairSeams = TEGUMENT_SEAM_REPAIR == 1;
 
-// Fur: whether its colour comes from a map, too.
-static const bool kFurColorMap = TEGUMENT_FUR_COLOR_MAP == 1;
-
 // Stretch maps hold kStretchScale * (texels of a 1024 map per mm): c = 0.1 of the seed's equation 27 brings heads into 0..1.
 static const float kStretchScale = 0.1 * 1024.0;
-
-// Culling: the causes, one by one.
-static const bool kCullFrustum = TEGUMENT_CULL_FRUSTUM == 1;
-static const bool kCullBackFaces = TEGUMENT_CULL_BACK_FACES == 1;
-static const bool kCullBlack = TEGUMENT_CULL_BLACK == 1;
-
-// Peers (docs/peers.md).
-static const bool kPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 
 #endif

@@ -6,6 +6,7 @@
 #include "../../hlsl/constants.fxh"
 #include "../../hlsl/printed/seed.fxh"
 #include "../../hlsl/printed/deon2007.fxh"
+#include "../../hlsl/space.fxh"
 #include "../../hlsl/workspace.fxh"
 #include "../../hlsl/surface/normal.fxh"
 #include "../../hlsl/surface/halves.fxh"

@@ -1,6 +1,7 @@
 // PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey ground.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
+#include "../../hlsl/space.fxh"
 #include "../../hlsl/workspace.fxh"
 #include "../../hlsl/surface/normal.fxh"
 #include "../../hlsl/peers/ring.fxh"

@@ -57,7 +57,7 @@ float4 reachTile(SAMPLER2D_PARAM(need), SAMPLER2D_PARAM(stretch), float2 uv)
         [loop] for (int i = 0; i < kTileTexels; i++)
         {
             float4 texel = float4(corner + float2(i, j) / kMapSize, 0.0, 0.0);
-            largest = max(largest, float4(tex2Dlod(need, texel).x, gaussianDensity(tex2Dlod(stretch, texel)), 1.0));
+            largest = max(largest, float4(TG_TEX2DLOD(need, texel).x, gaussianDensity(TG_TEX2DLOD(stretch, texel)), 1.0));
         }
     return largest;
 }
@@ -69,7 +69,7 @@ float reachFrom(SAMPLER2D_PARAM(tiles), float2 uv, float2 axis, float2 select, f
     float needed = 0.0;
     [loop] for (int k = 0; k < kCullTiles; k++)
     {
-        float4 tile = tex2Dlod(tiles, float4(uv + k * axis, 0.0, 0.0));
+        float4 tile = TG_TEX2DLOD(tiles, float4(uv + k * axis, 0.0, 0.0));
         density = max(density, dot(tile.yz, select));
         needed = (k - kTileSlack) * kTileTexels <= reach.x * density + reach.y ? max(needed, tile.x) : needed;
     }
@@ -80,7 +80,7 @@ float4 reachAlong(SAMPLER2D_PARAM(tiles), float2 uv, float2 select, float2 reach
 {
     float2 axis = select / kCullTiles;
     float needed = max(reachFrom(SAMPLER2D_ARG(tiles), uv, axis, select, reach), reachFrom(SAMPLER2D_ARG(tiles), uv, -axis, select, reach));
-    return float4(needed, tex2Dlod(tiles, float4(uv, 0.0, 0.0)).yz, 1.0);
+    return float4(needed, TG_TEX2DLOD(tiles, float4(uv, 0.0, 0.0)).yz, 1.0);
 }
 
 #endif

@@ -44,7 +44,7 @@ float2 burleyPixel(float2 uv, float2 viewport)
 float4 burleyGather(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, float2 viewport, float2 frustum, float3 axisU, float3 axisV, float3 d,
                     float turning, int count)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
+    float z = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).x;
     float3 here = screenPosition(uv, z, frustum);
     float3 normal = cross(axisU, axisV);
     float widest = max(d.x, max(d.y, d.z));
@@ -57,14 +57,14 @@ float4 burleyGather(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, f
         float2 direction = burleyDirection(i, turn);
         float2 at = screenCoordinate(here + radius * (direction.x * axisU + direction.y * axisV), frustum);
         float2 pixel = burleyPixel(at, viewport);
-        float there = tex2Dlod(depth, float4(pixel, 0.0, 0.0)).x;
-        float4 tap = tex2Dlod(light, float4(burleyPlace(at, pixel), 0.0, 0.0));
+        float there = TG_TEX2DLOD(depth, float4(pixel, 0.0, 0.0)).x;
+        float4 tap = TG_TEX2DLOD(light, float4(burleyPlace(at, pixel), 0.0, 0.0));
         float apart = burleyApart(screenPosition(pixel, there, frustum) - here, normal, radius);
         float3 weight = there > 0.0 ? burleyWeight(apart, radius, d, widest) : float3(0.0, 0.0, 0.0);
         sum += weight * tap.rgb;
         total += weight * tap.a;
     }
-    float4 centre = tex2Dlod(light, float4(uv, 0.0, 0.0));
+    float4 centre = TG_TEX2DLOD(light, float4(uv, 0.0, 0.0));
     return z > 0.0 ? float4(total.z > 1e-6 ? sum / max(total, 1e-6) : centre.rgb, 1.0) : float4(0.0, 0.0, 0.0, 0.0);
 }
 

@@ -66,9 +66,9 @@ float3 preintegratedCosines(float3 meshNormal, float3 normal, float3 toLight, fl
 // Light diffused around the ring, of each colour.
 float3 preintegratedLight(SAMPLER2D_PARAM(table), float3 cosines, float curvature)
 {
-    float3 around = float3(tex2Dlod(table, float4(preintegratedCoordinate(cosines.r, curvature), 0.0, 0.0)).r,
-                           tex2Dlod(table, float4(preintegratedCoordinate(cosines.g, curvature), 0.0, 0.0)).g,
-                           tex2Dlod(table, float4(preintegratedCoordinate(cosines.b, curvature), 0.0, 0.0)).b);
+    float3 around = float3(TG_TEX2DLOD(table, float4(preintegratedCoordinate(cosines.r, curvature), 0.0, 0.0)).r,
+                           TG_TEX2DLOD(table, float4(preintegratedCoordinate(cosines.g, curvature), 0.0, 0.0)).g,
+                           TG_TEX2DLOD(table, float4(preintegratedCoordinate(cosines.b, curvature), 0.0, 0.0)).b);
     return max(saturate(cosines) + around, 0.0);
 }
 

@@ -39,9 +39,9 @@ float2 screenCoordinate(float3 position, float2 frustum)
 // tells, so that an outline leaves the surface beside it as it is; where neither is near, the surface faces the eye.
 float3 screenAcross(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
-    float before = tex2Dlod(depth, float4(uv - axis, 0.0, 0.0)).x;
-    float after = tex2Dlod(depth, float4(uv + axis, 0.0, 0.0)).x;
+    float z = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).x;
+    float before = TG_TEX2DLOD(depth, float4(uv - axis, 0.0, 0.0)).x;
+    float after = TG_TEX2DLOD(depth, float4(uv + axis, 0.0, 0.0)).x;
     float change = abs(after - z) < abs(z - before) ? after - z : z - before;
     float pixel = 2.0 * z * dot(abs(axis), frustum);
     change = abs(change) < kSteepest * pixel ? change : 0.0;

@@ -38,8 +38,8 @@ float separableScale(float2 frustum, float unit)
 // The maps have one level: plain look-ups take half of the slots that those with a level take in shader model 3.
 float4 separableLight(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(between), float2 uv, float3 ray, float3 here, float3 along, float scale)
 {
-    float z = halvesSum(tex2D(between, uv).yz);
-    return tex2D(light, uv) * separableShare(z * ray - here, along, scale);
+    float z = halvesSum(TG_TEX2D(between, uv).yz);
+    return TG_TEX2D(light, uv) * separableShare(z * ray - here, along, scale);
 }
 
 // One direction: rows first .. first + pairs of the tables. axis: one pixel along x or y, in uv. between: the depth in halves, interpolated, because the nearest
@@ -48,7 +48,7 @@ float4 separableLight(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(between), float2 u
 float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), SAMPLER2D_PARAM(between), float2 uv, float2 axis, float2 frustum, float unit,
                          float3 strength, int first, int pairs)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
+    float z = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).x;
     float3 across = screenAcross(SAMPLER2D_ARG(depth), uv, axis, frustum);
     float3 along = safeNormalize(across);
     float2 step = separableStep(axis, across, z, frustum, unit);
@@ -65,7 +65,7 @@ float4 separableConvolve(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), SAMPLER
         sum += tap.rgb * pair.rgb;
         kept += tap.rgb * pair.a;
     }
-    float3 centre = tex2Dlod(light, float4(uv, 0.0, 0.0)).rgb;
+    float3 centre = TG_TEX2DLOD(light, float4(uv, 0.0, 0.0)).rgb;
     return z > 0.0 ? float4(centre + strength * (sum - kept * centre), 1.0) : float4(0.0, 0.0, 0.0, 0.0);
 }
 

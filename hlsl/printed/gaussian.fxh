@@ -38,8 +38,8 @@ float4 gaussianTexel(SAMPLER2D_PARAM(map), float2 uv, float2 axis, float offset)
 {
     float left = floor(offset);
     float f = offset - left;
-    float4 a = tex2Dlod(map, float4(uv + left * axis, 0.0, 0.0));
-    float4 b = tex2Dlod(map, float4(uv + (left + 1.0) * axis, 0.0, 0.0));
+    float4 a = TG_TEX2DLOD(map, float4(uv + left * axis, 0.0, 0.0));
+    float4 b = TG_TEX2DLOD(map, float4(uv + (left + 1.0) * axis, 0.0, 0.0));
     float second = f > 0.0 ? seamValidity(b) : 0.0;
     return lerp(a, b, seamValidity(a) * second > 0.0 ? f : second);
 }

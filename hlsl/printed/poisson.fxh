@@ -33,7 +33,7 @@ float4 poissonBlur(SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 radius
 {
     float4 tap[12];
     [unroll] for (int i = 0; i < 12; i++)
-        tap[i] = tex2Dlod(map, float4(uv + poissonPoint(i, rotation) * radius, 0.0, 0.0));
+        tap[i] = TG_TEX2DLOD(map, float4(uv + poissonPoint(i, rotation) * radius, 0.0, 0.0));
     float4 first = centre;
     [unroll] for (int k = 11; k >= 0; k--)
         first = seamValidity(tap[k]) > 0.0 ? tap[k] : first;

@@ -25,9 +25,9 @@ static const bool kConvolveExactly = false;
 // Poisson blurs: radii in mm of the surface, or texels. Whether specular reflection is shadowed, for which Final reads the shadow map.
 static const bool kPoissonStretched = false;
 static const bool kShadowSpecular = false;
-// Culling. Largest channel of a colour that counts as black, linear. Whether fragments are culled, or whole vertices.
-static const float kBlack = 0.0;
+// Culling: whether fragments are culled, or whole vertices. Largest channel of a colour that counts as black, linear.
 static const bool kCullPerPixel = false;
+static const float kBlack = 0.0;
 
 // Read by printed/ alone. Equations 38 and 39 print 1 - atten, without rho_s; each pass takes its own sigma; outside the charts the stretch is ignored.
 static const bool kAttenuateByIntensity = false;

@@ -46,8 +46,8 @@ float4 gaussianTap(SAMPLER2D_PARAM(map), float2 uv, float2 axis, float offset, o
 {
     float left = floor(offset);
     float f = offset - left;
-    float4 a = tex2Dlod(map, float4(uv + left * axis, 0.0, 0.0));
-    float4 b = tex2Dlod(map, float4(uv + (left + 1.0) * axis, 0.0, 0.0));
+    float4 a = TG_TEX2DLOD(map, float4(uv + left * axis, 0.0, 0.0));
+    float4 b = TG_TEX2DLOD(map, float4(uv + (left + 1.0) * axis, 0.0, 0.0));
     float wa = (1.0 - f) * seamValidity(a);
     float wb = f * seamValidity(b);
     validity = wa + wb;

@@ -43,7 +43,7 @@ float4 poissonBlur(SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 radius
     float total = inside;
     [unroll] for (int i = 0; i < 12; i++)
     {
-        float4 tap = tex2Dlod(map, float4(uv + poissonPoint(i, rotation) * radius, 0.0, 0.0));
+        float4 tap = TG_TEX2DLOD(map, float4(uv + poissonPoint(i, rotation) * radius, 0.0, 0.0));
         float validity = seamValidity(tap);
         sum += validity * tap;
         total += validity;

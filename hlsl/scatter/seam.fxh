@@ -28,7 +28,7 @@ float4 seamBilinear(SAMPLER2D_PARAM(map), float2 uv)
     [unroll] for (int j = 0; j < 2; j++)
         [unroll] for (int i = 0; i < 2; i++)
         {
-            float4 texel = tex2Dlod(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0));
+            float4 texel = TG_TEX2DLOD(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0));
             float weight = abs(1.0 - i - f.x) * abs(1.0 - j - f.y) * seamValidity(texel);
             sum += weight * texel;
             total += weight;

@@ -63,7 +63,7 @@ float shadowFiltered(SAMPLER2D_PARAM(map), float2 coordinate, float depth, float
     {
         float4 row;
         [unroll] for (int i = 0; i < 4; i++)
-            row[i] = tex2Dlod(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
+            row[i] = TG_TEX2DLOD(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
         shadow += rowWeight[j] * dot(1.0 - step(plane + slope.y * (j - 1.0 - f.y), shadowStored(row)), columnWeight);
     }
     return 1.0 - shadow / 9.0;

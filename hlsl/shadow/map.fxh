@@ -42,7 +42,7 @@ float shadowBeyond(float2 coordinate)
 // Lit where the nearest surface is not before this depth.
 float shadowLit(SAMPLER2D_PARAM(map), float2 coordinate, float depth)
 {
-    float texel = shadowStored(tex2Dlod(map, float4(coordinate, 0.0, 0.0))).x;
+    float texel = shadowStored(TG_TEX2DLOD(map, float4(coordinate, 0.0, 0.0))).x;
     return depth <= texel + kFarBeyond * shadowBeyond(coordinate) ? 1.0 : 0.0;
 }
 

@@ -29,10 +29,10 @@ float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 a
 {
     float2 texel = float2(1.0, 0.0) / kMapSize;
     float4 around;
-    around.x = tex2Dlod(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x;
-    around.y = tex2Dlod(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
-    around.z = tex2Dlod(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x;
-    around.w = tex2Dlod(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
+    around.x = TG_TEX2DLOD(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x;
+    around.y = TG_TEX2DLOD(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
+    around.z = TG_TEX2DLOD(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x;
+    around.w = TG_TEX2DLOD(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
     float4 depth = shadowStored(around);
     float3 back = cross(axisX, axisY);
     float3 acrossX = tsmAcross(axisX, back, toLight);
@@ -47,10 +47,10 @@ float4 tsmEntry(SAMPLER2D_PARAM(tsm), float2 coordinate)
     float2 position = coordinate * kMapSize - 0.5;
     float2 f = frac(position);
     float2 corner = (position - f + 0.5) / kMapSize;
-    float4 a = tex2Dlod(tsm, float4(corner, 0.0, 0.0));
-    float4 b = tex2Dlod(tsm, float4(corner + float2(1.0, 0.0) / kMapSize, 0.0, 0.0));
-    float4 c = tex2Dlod(tsm, float4(corner + float2(0.0, 1.0) / kMapSize, 0.0, 0.0));
-    float4 d = tex2Dlod(tsm, float4(corner + float2(1.0, 1.0) / kMapSize, 0.0, 0.0));
+    float4 a = TG_TEX2DLOD(tsm, float4(corner, 0.0, 0.0));
+    float4 b = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 0.0) / kMapSize, 0.0, 0.0));
+    float4 c = TG_TEX2DLOD(tsm, float4(corner + float2(0.0, 1.0) / kMapSize, 0.0, 0.0));
+    float4 d = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 1.0) / kMapSize, 0.0, 0.0));
     float3 spread = max(max(a, b), max(c, d)).yzw - min(min(a, b), min(c, d)).yzw;
     float4 nearest = lerp(lerp(a, b, step(0.5, f.x)), lerp(c, d, step(0.5, f.x)), step(0.5, f.y));
     float4 entry = max(spread.x, max(spread.y, spread.z)) < kOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;

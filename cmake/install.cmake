@@ -29,6 +29,13 @@ if(TEGUMENT_LAB)
 endif()
 install(FILES LICENSE README.md DESTINATION share/doc/tegument)
 
+# The functions of hlsl/ as one header.
+file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hlsl/*.fxh)
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/tegument.hlsl DEPENDS tegument ${library_sources} VERBATIM
+                   COMMAND tegument flatten --library ${PROJECT_SOURCE_DIR}/hlsl/tegument.fxh -o ${PROJECT_BINARY_DIR}/tegument.hlsl)
+add_custom_target(tegument_hlsl ALL DEPENDS ${PROJECT_BINARY_DIR}/tegument.hlsl)
+install(FILES ${PROJECT_BINARY_DIR}/tegument.hlsl DESTINATION share/tegument)
+
 include(CMakePackageConfigHelpers)
 configure_file(cmake/TegumentConfig.cmake.in ${PROJECT_BINARY_DIR}/TegumentConfig.cmake @ONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TegumentConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -1,4 +1,6 @@
 // Group shadow: shadow map, translucent shadow map. About the paths see surface.fxh.
 #include "../hlsl/surface.fxh"
 #include "../hlsl/shadow/map.fxh"
+#include "../hlsl/shadow/filter.fxh"
+#include "../hlsl/printed/filter.fxh"
 #include "../hlsl/shadow/tsm.fxh"

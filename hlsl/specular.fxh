@@ -4,3 +4,4 @@
 #include "../hlsl/specular/beckmann.fxh"
 #include "../hlsl/specular/kelemen.fxh"
 #include "../hlsl/specular/energy.fxh"
+#include "../hlsl/printed/energy.fxh"

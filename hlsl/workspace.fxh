@@ -1,7 +1,10 @@
-// What the scene gives to every effect: transforms, light, camera, target; the vertex streams; clear values of the scripts.
+// What the scene gives to every effect: transforms, light, camera, target; the vertex streams; clear values of the scripts; space.fxh with these matrices.
 // Conventions (docs/conventions.md): right-handed, row vectors; world coordinates times gUnitMm are mm; light colour is E/pi; one light with its own
 // pyramid, or with parallel rays where the w column of its matrix is (0, 0, 0, 1). What is shown, clipped or aimed stays in world units; every length
 // that is compared with one in mm comes through millimetres().
+#ifndef TEGUMENT_SPACE_FXH
+#include "../hlsl/space.fxh"
+#endif
 #ifndef TEGUMENT_WORKSPACE_FXH
 #define TEGUMENT_WORKSPACE_FXH
 
@@ -36,10 +39,10 @@ struct QuadInput
     float2 uv : TEXCOORD0;
 };
 
-// World units.
+// Lengths in world units.
 float3 worldPosition(float3 position)
 {
-    return mul(float4(position, 1.0), gWorld).xyz;
+    return worldPosition(position, gWorld);
 }
 
 // World units into mm.
@@ -53,72 +56,54 @@ float3 millimetres(float3 v)
     return v * gUnitMm;
 }
 
-// Zero stays zero; no vector of a mesh that is scaled by 1e-9 to 1e9 is as short.
-float3 worldUnit(float3 v)
-{
-    return v * rsqrt(max(dot(v, v), 1e-30));
-}
-
-// Unit vectors, whatever gWorld scales by. Right under rotation, mirror and any scale.
 float3 worldNormal(float3 normal)
 {
-    return worldUnit(mul(normal, (float3x3)gWorldInverseTranspose));
+    return worldNormal(normal, gWorldInverseTranspose);
 }
 
-// A mirrored world turns the bitangent round: cross(normal, tangent) does not take part in the mirroring.
 float4 worldTangent(float4 tangent)
 {
-    return float4(worldUnit(mul(tangent.xyz, (float3x3)gWorld)), determinant((float3x3)gWorld) < 0.0 ? -tangent.w : tangent.w);
+    return worldTangent(tangent, gWorld);
 }
 
-// A vector of the world along the mesh's own axes, with its length in the world: right under rotation, mirror and scales along the mesh's axes.
 float3 meshAxes(float3 v)
 {
-    return float3(dot(v, worldUnit(gWorld[0].xyz)), dot(v, worldUnit(gWorld[1].xyz)), dot(v, worldUnit(gWorld[2].xyz)));
+    return meshAxes(v, gWorld);
 }
 
-// Parallel light: w is the same everywhere.
 bool lightParallel()
 {
-    float3 w = mul(gLightViewProjection, float4(0.0, 0.0, 0.0, 1.0)).xyz;
-    return dot(w, w) <= 0.0;
+    return lightParallel(gLightViewProjection);
 }
 
-// Where parallel light goes: its z rises along its rays.
 float3 lightRays()
 {
-    return worldUnit(mul(gLightViewProjection, float4(0.0, 0.0, 1.0, 0.0)).xyz);
+    return lightRays(gLightViewProjection);
 }
 
-// From a point of the world to the light, world units; linear over a triangle. To its position; of parallel light along its rays, to the plane of
-// gLightPosition.
 float3 lightVector(float3 world)
 {
-    float3 toLight = gLightPosition - world;
-    return lightParallel() ? dot(toLight, lightRays()) * lightRays() : toLight;
+    return lightVector(world, gLightPosition, gLightViewProjection);
 }
 
-// Unit vector from a point of the world to the light, also where the point lies before the plane of parallel light.
 float3 lightDirection(float3 world)
 {
-    return lightParallel() ? -lightRays() : worldUnit(gLightPosition - world);
+    return lightDirection(world, gLightPosition, gLightViewProjection);
 }
 
-// The light's right and up, unit vectors.
 float3 lightRight()
 {
-    return worldUnit(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
+    return lightRight(gLightViewProjection);
 }
 
 float3 lightUp()
 {
-    return worldUnit(mul(gLightViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    return lightUp(gLightViewProjection);
 }
 
-// mm across the light's view, half of its width, for each unit of w: what shadowFootprint takes.
 float lightSpread()
 {
-    return millimetres(1.0) / max(length(mul(gLightViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz), 1e-30);
+    return lightSpread(gLightViewProjection, millimetres(1.0));
 }
 
 #endif

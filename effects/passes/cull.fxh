@@ -39,7 +39,7 @@ bool facesAway(CullVarying input, float slack)
 // Equations 41 and 42 in the form of the setting.
 bool outsidePoint(CullVarying input)
 {
-    return kCullAsPrinted ? cullOutsideAsPrinted(input.clip) : cullOutside(input.clip);
+    return cullOutsideView(input.clip);
 }
 
 bool hiddenPoint(CullVarying input)

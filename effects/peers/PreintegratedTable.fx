@@ -2,8 +2,12 @@
 // ground.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
+#include "../../hlsl/space.fxh"
 #include "../../hlsl/workspace.fxh"
 #include "../../hlsl/surface/normal.fxh"
+#include "../../hlsl/peers/ring.fxh"
+#include "../../hlsl/peers/ring_light.fxh"
+#include "../../hlsl/printed/preintegrated.fxh"
 #include "../../hlsl/peers/preintegrated.fxh"
 #include "../passes/annotations.fxh"
 #include "../passes/quad.fxh"

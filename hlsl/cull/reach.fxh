@@ -1,6 +1,24 @@
 // Which texels a needed texel draws light from: those within the reach of the blurs. Kept per tile; the map has kCullTiles tiles a side.
 // A tile holds (1 where needed, largest texels per mm along U, along V, 1). U first, then V: what the boxes of all the convolutions cover.
 // A reach is (mm on the surface, texels besides).
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SCATTER_GAUSSIAN_FXH
+#include "../scatter/gaussian.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_GAUSSIAN_FXH
+#include "../printed/gaussian.fxh"
+#endif
+#ifndef TEGUMENT_SCATTER_POISSON_FXH
+#include "../scatter/poisson.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_POISSON_FXH
+#include "../printed/poisson.fxh"
+#endif
 #ifndef TEGUMENT_CULL_REACH_FXH
 #define TEGUMENT_CULL_REACH_FXH
 
@@ -23,11 +41,10 @@ float2 reachOfCascade(float4 sigma1To4, float2 sigma5And6)
     return float2(3.0 * (steps.x + steps.y + steps.z + steps.w + last), 5.0 * kConvolutionReach + kLookUpReach);
 }
 
-// The radii of `count` Poisson blurs where the kernel size is 1. Taps fall on the nearest texel.
+// The radii of `count` Poisson blurs where the kernel size is 1.
 float2 reachOfBlurs(float size, float count)
 {
-    float texels = kPoissonStretched ? kPoissonFill : 2.0 * size * kPoissonLongest;
-    return float2(kPoissonStretched ? size * kPoissonLongest * count : 0.0, (texels + 0.5) * count + kLookUpReach);
+    return poissonReach(size, count) + float2(0.0, kLookUpReach);
 }
 
 // Needs, densities of the map, largest over a tile; uv: any point of the tile's middle. The densities outside the charts count too: texels
@@ -40,7 +57,7 @@ float4 reachTile(SAMPLER2D_PARAM(need), SAMPLER2D_PARAM(stretch), float2 uv)
         [loop] for (int i = 0; i < kTileTexels; i++)
         {
             float4 texel = float4(corner + float2(i, j) / kMapSize, 0.0, 0.0);
-            largest = max(largest, float4(tex2Dlod(need, texel).x, gaussianDensity(tex2Dlod(stretch, texel)), 1.0));
+            largest = max(largest, float4(TG_TEX2DLOD(need, texel).x, gaussianDensity(TG_TEX2DLOD(stretch, texel)), 1.0));
         }
     return largest;
 }
@@ -53,7 +70,7 @@ float reachFrom(SAMPLER2D_PARAM(tiles), float2 uv, float2 axis, float2 select, f
     float needed = 0.0;
     [loop] for (int k = 0; k < kCullTiles; k++)
     {
-        float4 tile = tex2Dlod(tiles, float4(uv + k * axis, 0.0, 0.0));
+        float4 tile = TG_TEX2DLOD(tiles, float4(uv + k * axis, 0.0, 0.0));
         density = max(density, dot(tile.yz, select));
         needed = (k - kTileSlack) * kTileTexels <= reach.x * density + reach.y ? max(needed, tile.x) : needed;
     }
@@ -64,7 +81,7 @@ float4 reachAlong(SAMPLER2D_PARAM(tiles), float2 uv, float2 select, float2 reach
 {
     float2 axis = select / kCullTiles;
     float needed = max(reachFrom(SAMPLER2D_ARG(tiles), uv, axis, select, reach), reachFrom(SAMPLER2D_ARG(tiles), uv, -axis, select, reach));
-    return float4(needed, tex2Dlod(tiles, float4(uv, 0.0, 0.0)).yz, 1.0);
+    return float4(needed, TG_TEX2DLOD(tiles, float4(uv, 0.0, 0.0)).yz, 1.0);
 }
 
 #endif

@@ -1,18 +1,19 @@
 // Texture-space culling (seed 5.3.1; Gosselin et al. 2004): a prepass writes depth 1 where a texel cannot show, and the later passes, drawn at depth 0
-// with the test EQUAL, skip it. Clip-space form of seed equations 41 and 42: p.x / p.z > tan(fov / 2) is x / w > 1. normal, toEye: unit; toEye points
-// from the surface to the eye (the seed's wording, taken literally, would cull the front).
+// with the test EQUAL, skip it. normal, toEye: unit; toEye points from the surface to the eye (the seed's wording, taken literally, would cull the front).
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_CONSTANTS_FXH
+#include "../constants.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_SEED_FXH
+#include "../printed/seed.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_DEON2007_FXH
+#include "../printed/deon2007.fxh"
+#endif
 #ifndef TEGUMENT_CULL_VISIBILITY_FXH
 #define TEGUMENT_CULL_VISIBILITY_FXH
-
-// In the plane of the eye the ratio has no value.
-static const float kSmallestClipW = 1e-6;
-
-// As printed: the right and the upper side only; of the points behind the camera, which have no picture, half count as inside.
-bool cullOutsideAsPrinted(float4 clip)
-{
-    float2 ratio = clip.xy / (abs(clip.w) > kSmallestClipW ? clip.w : kSmallestClipW);
-    return ratio.x > 1.0 || ratio.y > 1.0;
-}
 
 // Both signs, and all that is behind the camera.
 bool cullOutside(float4 clip)

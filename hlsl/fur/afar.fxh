@@ -1,5 +1,8 @@
 // Shells whose strands are narrower than a pixel. A fur map's coarser levels hold the mean height of what they cover; heights differ around it, and a layer
 // covers the share of them that is taller than it is high. Heights are taken as logistic: the share below h is 1 / (1 + exp((mean - h) / scale)).
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_FUR_AFAR_FXH
 #define TEGUMENT_FUR_AFAR_FXH
 

@@ -1,6 +1,9 @@
 // Light on strands (J. Kajiya and T. Kay, Rendering Fur with Three Dimensional Textures, 1989), normalised by energy, and the shadow of the coat on itself.
 //   A cylinder whose axis t makes the angle a with the light catches sin(a) of the light's irradiance along its length and, white and dull, sends it out
 //   as radiance E sin(a) / pi^2. The light's colour is E / pi here, hence sin(a) / pi. Light scattered from strand to strand adds to that.
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_FUR_LIGHTING_FXH
 #define TEGUMENT_FUR_LIGHTING_FXH
 

@@ -1,5 +1,11 @@
 // Vectors that address fur maps (seed 004, "mapeamento de ambiente"): the position of the vertex as a direction from the mesh's centre, its normal, the
 // sum of both; all without the camera's transformation, so that strands stay where they grow. And the sphere map that a vector is looked up in.
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
 #ifndef TEGUMENT_FUR_MAPPING_FXH
 #define TEGUMENT_FUR_MAPPING_FXH
 

@@ -1,5 +1,8 @@
 // Roots in a texture (`tegument fur roots` writes it, docs/fur.md "Roots"): RGBA32F, kFurRootsWidth texels wide, addressed by whole numbers. A grid of bricks of cells leads
 // from a place to the list of the roots near it; 0 means none.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
 #ifndef TEGUMENT_FUR_ROOTS_FXH
 #define TEGUMENT_FUR_ROOTS_FXH
 
@@ -36,7 +39,7 @@ float furCellNumber(float3 cell, float3 count)
 float furTable(SAMPLER2D_PARAM(roots), float rows, float first, float index)
 {
     float texel = floor(index * 0.25);
-    return furPick(tex2Dlod(roots, float4(furTexel(first + texel, rows), 0.0, 0.0)), index - 4.0 * texel);
+    return furPick(TG_TEX2DLOD(roots, float4(furTexel(first + texel, rows), 0.0, 0.0)), index - 4.0 * texel);
 }
 
 // A brick of cells, and where in it a place lies.
@@ -55,7 +58,7 @@ FurBrick furBrick(SAMPLER2D_PARAM(roots), float3 place, float4 origin, float4 br
     float3 cells = clamp((place - origin.xyz) / origin.w, 0.0, bricks.w * bricks.xyz - 0.5);
     brick.cell = floor(cells);
     float3 number = floor((brick.cell + 0.5) / bricks.w);
-    brick.address = tex2Dlod(roots, float4(furTexel(rows.y + furCellNumber(number, bricks.xyz), rows.x), 0.0, 0.0)).x;
+    brick.address = TG_TEX2DLOD(roots, float4(furTexel(rows.y + furCellNumber(number, bricks.xyz), rows.x), 0.0, 0.0)).x;
     brick.cell -= bricks.w * number;
     brick.place = cells - bricks.w * number;
     return brick;
@@ -82,7 +85,7 @@ float4 furRootCoat(SAMPLER2D_PARAM(roots), float3 place, float4 origin, float4 b
     {
         float3 node = low + step(0.5, frac(corner * float3(0.5, 0.25, 0.125))); // its three bits
         float3 weight = 1.0 - abs(within - node);
-        sum += weight.x * weight.y * weight.z * tex2Dlod(roots, float4(furTexel(first + furCellNumber(node, float3(nodes, nodes, nodes)), rows.x), 0.0, 0.0));
+        sum += weight.x * weight.y * weight.z * TG_TEX2DLOD(roots, float4(furTexel(first + furCellNumber(node, float3(nodes, nodes, nodes)), rows.x), 0.0, 0.0));
     }
     return brick.address > 0.0 ? sum : float4(0.0, 0.0, 0.0, 0.0);
 }

@@ -1,5 +1,8 @@
 // Shells: the mesh drawn once more for each of n layers, moved out along its normals (seed 004, "extrusao da malha"):
 //   P' = P + N * K * meshRadius * l / n,  l = 1 .. n; layer 0 is the mesh itself. K and n may change from frame to frame.
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
 #ifndef TEGUMENT_FUR_SHELL_FXH
 #define TEGUMENT_FUR_SHELL_FXH
 

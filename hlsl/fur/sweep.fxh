@@ -1,5 +1,8 @@
 // The way of a ray through the coat. As it falls, its place over the skin (where the strands that it passes have their roots) moves along: a curve in (place, height),
 // followed from layer to layer.
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_FUR_SWEEP_FXH
 #define TEGUMENT_FUR_SWEEP_FXH
 

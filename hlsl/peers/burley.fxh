@@ -2,39 +2,29 @@
 // diffusion in real-time, 2018; Christensen and Burley, Approximate reflectance profiles for efficient subsurface scattering, 2015).
 //   R(r) = (exp(-r / d) + exp(-r / 3d)) / (8 pi d r),   share of light within r: 1 - exp(-r / d) / 4 - 3 exp(-r / 3d) / 4
 // d, r in mm; one d for each colour.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_PEERS_SCREEN_FXH
+#include "../peers/screen.fxh"
+#endif
+#ifndef TEGUMENT_PEERS_BURLEY_PROFILE_FXH
+#include "../peers/burley_profile.fxh"
+#endif
+#ifndef TEGUMENT_PEERS_BURLEY_WEIGHT_FXH
+#include "../peers/burley_weight.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_BURLEY_FXH
+#include "../printed/burley.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_BURLEY_FXH
 #define TEGUMENT_PEERS_BURLEY_FXH
 
-// R has a pole at the centre. A thousandth of a pixel of the closest portrait, mm.
-static const float kBurleyNearest = 1e-4;
 // pi (3 - sqrt 5).
 static const float kGoldenAngle = 2.39996323;
-
-// Radius over d within which the share u of the light is: with s = exp(-r / 3d), s^3 + 3 s = 4 (1 - u), a cubic with one real root (Cardano).
-// Written so that nothing cancels: s = 4 (1 - u) / c.
-float burleyRadius(float u)
-{
-    float rest = 1.0 - u;
-    float g = 1.0 + 4.0 * rest * (2.0 * rest + sqrt(1.0 + 4.0 * rest * rest));
-    float root = pow(g, 1.0 / 3.0);
-    float c = 1.0 + root + 1.0 / root;
-    return 3.0 * log(c / (4.0 * rest));
-}
-
-// 8 pi r R(r), per mm.
-float3 burleyPolar(float r, float3 d)
-{
-    float3 third = exp(-r / (3.0 * d));
-    return (third * third * third + third) / d;
-}
-
-// R(apart) / density of the taps, which are drawn from R itself with the widest d: the tap lies `radius` away on the disc, and `apart` in space.
-// Corrected: densities over area. Printed: without the ratio of the distances.
-float3 burleyWeight(float apart, float radius, float3 d, float widest)
-{
-    float3 ratio = burleyPolar(apart, d) / max(burleyPolar(radius, float3(widest, widest, widest)), 1e-30);
-    return kPeersAsPrinted ? ratio : ratio * (max(radius, kBurleyNearest) / max(apart, kBurleyNearest));
-}
 
 // Direction of tap i: the golden angle from tap to tap, turned from pixel to pixel.
 float2 burleyDirection(float i, float turn)
@@ -49,20 +39,12 @@ float2 burleyPixel(float2 uv, float2 viewport)
     return (floor(uv * viewport) + 0.5) / viewport;
 }
 
-// How far a tap lies from the centre in space, when it was drawn at `radius`. Corrected: what the surface departs from its tangent plane counts besides; at
-// the middle of the pixel, which is where the depth is known. Printed: the difference of depth.
-float burleyApart(float3 way, float3 normal, float radius)
-{
-    float departure = kPeersAsPrinted ? way.z : dot(way, normal);
-    return sqrt(radius * radius + departure * departure);
-}
-
 // light: RGB times coverage, and coverage. Axes of the disc: unit vectors in view space. turning: 1 turns the pattern from pixel to pixel.
 // The taps' light over the sum of their weights, of each colour.
 float4 burleyGather(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, float2 viewport, float2 frustum, float3 axisU, float3 axisV, float3 d,
                     float turning, int count)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
+    float z = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).x;
     float3 here = screenPosition(uv, z, frustum);
     float3 normal = cross(axisU, axisV);
     float widest = max(d.x, max(d.y, d.z));
@@ -75,14 +57,14 @@ float4 burleyGather(SAMPLER2D_PARAM(light), SAMPLER2D_PARAM(depth), float2 uv, f
         float2 direction = burleyDirection(i, turn);
         float2 at = screenCoordinate(here + radius * (direction.x * axisU + direction.y * axisV), frustum);
         float2 pixel = burleyPixel(at, viewport);
-        float there = tex2Dlod(depth, float4(pixel, 0.0, 0.0)).x;
-        float4 tap = tex2Dlod(light, float4(kPeersAsPrinted ? pixel : at, 0.0, 0.0));
+        float there = TG_TEX2DLOD(depth, float4(pixel, 0.0, 0.0)).x;
+        float4 tap = TG_TEX2DLOD(light, float4(burleyPlace(at, pixel), 0.0, 0.0));
         float apart = burleyApart(screenPosition(pixel, there, frustum) - here, normal, radius);
         float3 weight = there > 0.0 ? burleyWeight(apart, radius, d, widest) : float3(0.0, 0.0, 0.0);
         sum += weight * tap.rgb;
         total += weight * tap.a;
     }
-    float4 centre = tex2Dlod(light, float4(uv, 0.0, 0.0));
+    float4 centre = TG_TEX2DLOD(light, float4(uv, 0.0, 0.0));
     return z > 0.0 ? float4(total.z > 1e-6 ? sum / max(total, 1e-6) : centre.rgb, 1.0) : float4(0.0, 0.0, 0.0, 0.0);
 }
 

@@ -1,5 +1,14 @@
 // Scattering at the edges of shadows without a blur (Penner and Borshukov 2011, "Shadow scattering"): a shadow is filtered so wide that the share of light
 // says how far the edge is, and the profile's own response to an edge takes the filter's place.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SHADOW_MAP_FXH
+#include "../shadow/map.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_PENUMBRA_FXH
 #define TEGUMENT_PEERS_PENUMBRA_FXH
 

@@ -1,6 +1,9 @@
 // Places in view space from a depth buffer, for diffusion over the pixels of a picture.
 // View space here: x right, y up, z away from the eye along the view, mm. frustum = tangents of half the angles of view, across and up. uv of the
 // picture, v down. A depth of 0 means that there is no skin.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
 #ifndef TEGUMENT_PEERS_SCREEN_FXH
 #define TEGUMENT_PEERS_SCREEN_FXH
 
@@ -36,9 +39,9 @@ float2 screenCoordinate(float3 position, float2 frustum)
 // the surface beside it as it is; where neither is near, the surface faces the eye.
 float screenSlope(SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
-    float before = tex2Dlod(depth, float4(uv - axis, 0.0, 0.0)).x;
-    float after = tex2Dlod(depth, float4(uv + axis, 0.0, 0.0)).x;
+    float z = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).x;
+    float before = TG_TEX2DLOD(depth, float4(uv - axis, 0.0, 0.0)).x;
+    float after = TG_TEX2DLOD(depth, float4(uv + axis, 0.0, 0.0)).x;
     float change = abs(after - z) < abs(z - before) ? after - z : z - before;
     float pixel = 2.0 * z * dot(abs(axis), frustum);
     return abs(change) < kSteepest * pixel ? change : 0.0;

@@ -1,5 +1,11 @@
 // Texels outside the charts carry alpha = 1 (the maps are cleared to (0,0,0,1)); covered texels at most 0.99. A map that is not filled around its
 // charts is therefore read by POINT taps only: a filtered alpha of 0.95 would pass for valid although much of the colour is black.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_SCATTER_SEAM_FXH
 #define TEGUMENT_SCATTER_SEAM_FXH
 
@@ -22,7 +28,7 @@ float4 seamBilinear(SAMPLER2D_PARAM(map), float2 uv)
     [unroll] for (int j = 0; j < 2; j++)
         [unroll] for (int i = 0; i < 2; i++)
         {
-            float4 texel = tex2Dlod(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0));
+            float4 texel = TG_TEX2DLOD(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0));
             float weight = abs(1.0 - i - f.x) * abs(1.0 - j - f.y) * seamValidity(texel);
             sum += weight * texel;
             total += weight;

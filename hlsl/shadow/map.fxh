@@ -1,16 +1,14 @@
 // Shadow map: depth of the surface nearest to the light (seed equation 7). Lit where depth - tolerance <= texel. The functions read x only, so a
-// translucent shadow map serves too.
-// Depth: setting seed z/w; else the distance to the light in mm, so that along one ray the difference of two depths is a length; of parallel light the
-// distance to the plane of its position. Before the light's near plane it is 0: what lies there, or behind the light, is lit.
+// translucent shadow map serves too. filter.fxh says what a depth is, and tests it.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_SHADOW_MAP_FXH
 #define TEGUMENT_SHADOW_MAP_FXH
 
-// Smallest N.L that slopes are computed with. Below it the receiving plane is seen edge-on: its depth would change without limit within a texel.
-static const float kSmallestSlopeCosine = 0.15;
-// Share of a texel's slope that remains as tolerance, for a curved surface is not the plane it is taken for.
-static const float kSlopeTolerance = 1.0;
-// N.L of the mesh at which its own horizon has passed.
-static const float kHorizon = 0.05;
 // Depth of what is not there, mm or z/w.
 static const float kNoSurface = 1e9;
 // Makes the square of one rounding step beside the map, 6e-8 of it, deeper than anything.
@@ -21,32 +19,10 @@ float2 shadowCoordinate(float4 lightClip)
     return lightClip.xy / max(lightClip.w, 1e-6) * float2(0.5, -0.5) + 0.5;
 }
 
-float shadowDepth(float4 lightClip, float3 toLight)
-{
-    float depth = kDepthInMillimetres ? length(toLight) : lightClip.z / max(lightClip.w, 1e-6);
-    return lightClip.z > 0.0 ? depth : 0.0;
-}
-
 // mm across a texel at this w of the light's clip space; spread = mm across half of the light's view for each unit of w.
 float shadowFootprint(float w, float spread)
 {
     return 2.0 * w * spread / kMapSize;
-}
-
-// Change of depth (mm) from texel to texel along u and v on the plane through the receiver; the inverse of tsmNormal. axisX, axisY: the light's right and up.
-// The ray of the next texel is turned by the footprint along the axis; the distance to where it meets the plane changes by axis.(n / n.l - l) of it. The
-// second term is that of a sphere around the light, on which no distance changes; for parallel light it is 0.
-float2 shadowSlope(float3 normal, float3 axisX, float3 axisY, float3 toLight, float footprint)
-{
-    float cosine = dot(normal, toLight);
-    float3 across = footprint * (normal / max(cosine, kSmallestSlopeCosine) - toLight);
-    return kFilterShadow && cosine > 0.0 ? float2(dot(across, axisX), -dot(across, axisY)) : float2(0.0, 0.0);
-}
-
-// A surface that turns away from the light is shadowed by itself, whatever its normal map says and the map's texels can resolve.
-float shadowHorizon(float cosine)
-{
-    return kFilterShadow ? saturate(cosine / kHorizon) : 1.0;
 }
 
 // Maps are cleared to 0, because Direct3D 9 clears to 0..1 in 8 bits: there is no surface, and nothing lies in front of anything.
@@ -66,44 +42,8 @@ float shadowBeyond(float2 coordinate)
 // Lit where the nearest surface is not before this depth.
 float shadowLit(SAMPLER2D_PARAM(map), float2 coordinate, float depth)
 {
-    float texel = shadowStored(tex2Dlod(map, float4(coordinate, 0.0, 0.0))).x;
+    float texel = shadowStored(TG_TEX2DLOD(map, float4(coordinate, 0.0, 0.0))).x;
     return depth <= texel + kFarBeyond * shadowBeyond(coordinate) ? 1.0 : 0.0;
-}
-
-// 1 where four texels from `first` on, counted in texels, lie on the map.
-float4 shadowOnMap(float first)
-{
-    float4 texel = first + float4(0.0, 1.0, 2.0, 3.0);
-    return step(-0.5, texel) * step(texel, kMapSize - 0.5);
-}
-
-// Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions, each compared with the receiver's plane there.
-// Taps outside of the map are lit.
-float shadowFiltered(SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
-{
-    float2 position = coordinate * kMapSize - 0.5;
-    float2 f = frac(position);
-    float2 corner = (position - f - 0.5) / kMapSize;
-    float4 columnWeight = shadowOnMap(position.x - f.x - 1.0) * float4(1.0 - f.x, 1.0, 1.0, f.x);
-    float4 rowWeight = shadowOnMap(position.y - f.y - 1.0) * float4(1.0 - f.y, 1.0, 1.0, f.y);
-    float4 plane = depth + slope.x * (float4(-1.0, 0.0, 1.0, 2.0) - f.x);
-    float shadow = 0.0;
-    [unroll] for (int j = 0; j < 4; j++)
-    {
-        float4 row;
-        [unroll] for (int i = 0; i < 4; i++)
-            row[i] = tex2Dlod(map, float4(corner + float2(i, j) / kMapSize, 0.0, 0.0)).x;
-        shadow += rowWeight[j] * dot(1.0 - step(plane + slope.y * (j - 1.0 - f.y), shadowStored(row)), columnWeight);
-    }
-    return 1.0 - shadow / 9.0;
-}
-
-// depth, tolerance: mm, or z/w. slope: from shadowSlope.
-float shadowTest(SAMPLER2D_PARAM(map), float2 coordinate, float depth, float tolerance, float2 slope)
-{
-    if (kFilterShadow)
-        return shadowFiltered(SAMPLER2D_ARG(map), coordinate, depth - tolerance - kSlopeTolerance * (abs(slope.x) + abs(slope.y)), slope);
-    return shadowLit(SAMPLER2D_ARG(map), coordinate, depth - tolerance);
 }
 
 #endif

@@ -1,26 +1,38 @@
 // Translucent shadow map, modified: depth and texture coordinates of the surface nearest to the light (d'Eon and Luebke 2007, "Modified translucent
-// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); zeros where there is no surface. Depth as in shadow/map.fxh.
+// shadow maps"; after Dachsbacher and Stamminger 2003). Texel = (depth, u, v, 1); zeros where there is no surface. Depth as in shadow/filter.fxh.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
+#ifndef TEGUMENT_SHADOW_MAP_FXH
+#include "../shadow/map.fxh"
+#endif
+#ifndef TEGUMENT_SHADOW_FILTER_FXH
+#include "../shadow/filter.fxh"
+#endif
+#ifndef TEGUMENT_PRINTED_FILTER_FXH
+#include "../printed/filter.fxh"
+#endif
 #ifndef TEGUMENT_SHADOW_TSM_FXH
 #define TEGUMENT_SHADOW_TSM_FXH
 
 // Texels whose texture coordinates differ by less are one piece of surface: 3 % of the map, about 9 mm of a head.
 static const float kOnePiece = 0.03;
 
-// A way across the light's rays that changes the map's place as much as one along `axis` would: `axis`, less its share along the ray. Printed: the axis.
-float3 tsmAcross(float3 axis, float3 back, float3 toLight)
-{
-    return kFilterShadow ? axis - back * (dot(toLight, axis) / max(dot(toLight, back), 1e-3)) : axis;
-}
-
 // Normal of the lit surface, from the slope of its depths. axisX, axisY: the light's right and up; footprint: mm of a texel; range: mm of a unit depth.
 float3 tsmNormal(SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 axisY, float3 toLight, float footprint, float range)
 {
     float2 texel = float2(1.0, 0.0) / kMapSize;
     float4 around;
-    around.x = tex2Dlod(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x;
-    around.y = tex2Dlod(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
-    around.z = tex2Dlod(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x;
-    around.w = tex2Dlod(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
+    around.x = TG_TEX2DLOD(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x;
+    around.y = TG_TEX2DLOD(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
+    around.z = TG_TEX2DLOD(tsm, float4(coordinate - texel.yx, 0.0, 0.0)).x;
+    around.w = TG_TEX2DLOD(tsm, float4(coordinate + texel.yx, 0.0, 0.0)).x;
     float4 depth = shadowStored(around);
     float3 back = cross(axisX, axisY);
     float3 acrossX = tsmAcross(axisX, back, toLight);
@@ -35,10 +47,10 @@ float4 tsmEntry(SAMPLER2D_PARAM(tsm), float2 coordinate)
     float2 position = coordinate * kMapSize - 0.5;
     float2 f = frac(position);
     float2 corner = (position - f + 0.5) / kMapSize;
-    float4 a = tex2Dlod(tsm, float4(corner, 0.0, 0.0));
-    float4 b = tex2Dlod(tsm, float4(corner + float2(1.0, 0.0) / kMapSize, 0.0, 0.0));
-    float4 c = tex2Dlod(tsm, float4(corner + float2(0.0, 1.0) / kMapSize, 0.0, 0.0));
-    float4 d = tex2Dlod(tsm, float4(corner + float2(1.0, 1.0) / kMapSize, 0.0, 0.0));
+    float4 a = TG_TEX2DLOD(tsm, float4(corner, 0.0, 0.0));
+    float4 b = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 0.0) / kMapSize, 0.0, 0.0));
+    float4 c = TG_TEX2DLOD(tsm, float4(corner + float2(0.0, 1.0) / kMapSize, 0.0, 0.0));
+    float4 d = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 1.0) / kMapSize, 0.0, 0.0));
     float3 spread = max(max(a, b), max(c, d)).yzw - min(min(a, b), min(c, d)).yzw;
     float4 nearest = lerp(lerp(a, b, step(0.5, f.x)), lerp(c, d, step(0.5, f.x)), step(0.5, f.y));
     float4 entry = max(spread.x, max(spread.y, spread.z)) < kOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;

@@ -1,6 +1,18 @@
 // Specular reflection of Kelemen and Szirmay-Kalos (2001), the choice of d'Eon and Luebke (2007).
 //   specular = N.L rho_s PH(N.H, m) F(V.H) / |L + V|^2 , no 1/pi, like the diffuse term (docs/conventions.md)
 // Unit vectors from the surface: toLight, toEye. intensity = rho_s.
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SURFACE_NORMAL_FXH
+#include "../surface/normal.fxh"
+#endif
+#ifndef TEGUMENT_SPECULAR_FRESNEL_FXH
+#include "../specular/fresnel.fxh"
+#endif
+#ifndef TEGUMENT_SPECULAR_BECKMANN_FXH
+#include "../specular/beckmann.fxh"
+#endif
 #ifndef TEGUMENT_SPECULAR_KELEMEN_FXH
 #define TEGUMENT_SPECULAR_KELEMEN_FXH
 

@@ -1,5 +1,8 @@
 // Unit vectors, and normals from a tangent-space normal map.
 // Conventions: +Y normal maps (glTF); bitangent = tangent.w * cross(normal, tangent.xyz) (MikkTSpace).
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
 #ifndef TEGUMENT_SURFACE_NORMAL_FXH
 #define TEGUMENT_SURFACE_NORMAL_FXH
 

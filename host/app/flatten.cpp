@@ -1,4 +1,4 @@
-// tegument flatten: an effect and its includes as one file.
+// tegument flatten: an effect and its includes, or the library of functions, as one file.
 
 #include "host/emit/flatten.h"
 #include "host/app/commands.h"
@@ -19,14 +19,18 @@ struct FlattenArguments {
     std::string file;
     std::string output;
     std::vector<std::string> includeFolders;
+    bool library = false;
 };
+
+constexpr const char* kLibraryHead = "hlsl/tegument.fxh";
 
 int flatten(const FlattenArguments& arguments) {
     PreprocessOptions options{
         .defines = {}, .includeFolders = {}, .read = [](const std::filesystem::path& path) { return readFile(path); }};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
-    const auto text = flattenEffect(effectPath(arguments.file), options);
+    const auto file = effectPath(arguments.file.empty() && arguments.library ? kLibraryHead : arguments.file);
+    const auto text = arguments.library ? flattenLibrary(file, options) : flattenEffect(file, options);
     if (!text) return fail(text.error(), false);
     if (arguments.output.empty()) {
         fmt::print("{}", *text);
@@ -41,11 +45,16 @@ int flatten(const FlattenArguments& arguments) {
 void addFlatten(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<FlattenArguments>();
     CLI::App* command = program.add_subcommand("flatten", "Merge an effect and its includes into one file that compiles alone");
-    command->add_option("effect", arguments->file, "Effect file (.fx)")->required();
+    auto* library =
+        command->add_flag("--library", arguments->library, "The functions of hlsl/ as one header for shaders of your own: tegument.hlsl");
+    auto* effect = command->add_option("effect", arguments->file, "Effect file (.fx); with --library: another head than hlsl/tegument.fxh");
     command->add_option("-o,--output", arguments->output, "The one file; without it: standard output");
     command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files");
     command->footer("Comments and conditionals stay: -D selects targets and settings as before.");
-    command->callback([arguments, &action] { action = [arguments] { return flatten(*arguments); }; });
+    command->callback([arguments, effect, library, &action] {
+        if (effect->count() + library->count() == 0) throw CLI::RequiredError("effect");
+        action = [arguments] { return flatten(*arguments); };
+    });
 }
 
 } // namespace tegument::app

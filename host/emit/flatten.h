@@ -14,4 +14,9 @@ namespace tegument {
 /// preprocess() when the original is at fault.
 [[nodiscard]] Result<std::string> flattenEffect(const std::filesystem::path& file, const PreprocessOptions& options);
 
+/// The text of `file`, the head of a library of functions, with every include in its place and TEGUMENT_LIBRARY known to be defined: what
+/// it and the include guards decide is decided, so that only what a client may define remains, behind one guard, TEGUMENT_HLSL. The first
+/// lines of comment stay first. Compared with the original as flattenEffect compares; the same errors.
+[[nodiscard]] Result<std::string> flattenLibrary(const std::filesystem::path& file, const PreprocessOptions& options);
+
 } // namespace tegument

@@ -78,6 +78,7 @@ std::vector<Case> discover() {
     }
     for (const fs::path& file : effectsIn("effects/peers")) // the last technique of each: the others take fewer samples
         if (const auto effect = loadCase({.effect = file, .technique = {}})) cases.push_back({file, effect->techniques.back().name});
+    cases.push_back(libraryCase());
     return cases;
 }
 
@@ -93,7 +94,16 @@ std::vector<std::pair<std::string, std::string>> Case::defines() const {
 }
 
 Result<Effect> loadCase(const Case& drawn) {
-    return loadEffect(drawn.effect, {.defines = drawn.defines(), .includeFolders = {}});
+    return loadEffect(drawn.effect, {.defines = drawn.defines(), .includeFolders = drawn.includeFolders});
+}
+
+const Case& libraryCase() {
+    static const Case drawn{.effect = "tests/library/Skin.fx", .technique = "Skin", .includeFolders = {drawings()}};
+    return drawn;
+}
+
+bool drawnBy(const Case& drawn, Engine engine) {
+    return drawn.effect != libraryCase().effect || engine == Engine::Vulkan || engine == Engine::Direct3D11;
 }
 
 const std::vector<Case>& allCases() {

@@ -22,7 +22,8 @@ inline constexpr int kPictureHeight = 240;
 struct Case {
     std::filesystem::path effect;
     std::string technique;
-    int mapBits = 16; // TEGUMENT_MAP_BITS
+    int mapBits = 16;                                  // TEGUMENT_MAP_BITS
+    std::vector<std::filesystem::path> includeFolders; // searched besides the effect's own
 
     /// Of what is compiled once for all techniques.
     [[nodiscard]] std::string effectName() const { return effect.stem().string() + (mapBits == 16 ? "" : "32"); }
@@ -37,8 +38,13 @@ std::string engineName(Engine engine); // "d3d9"
 /// The effect as all engines get it.
 [[nodiscard]] Result<Effect> loadCase(const Case& drawn);
 /// From the files: effects/*.fx and the techniques that they hold, and one technique of each of effects/peers. Those of Convolution.fx also
-/// with maps of 32 bits: what differs between engines in the cascade of 16-bit maps must vanish there.
+/// with maps of 32 bits: what differs between engines in the cascade of 16-bit maps must vanish there. The client of the library comes
+/// last.
 [[nodiscard]] const std::vector<Case>& allCases();
+
+/// tests/library/Skin.fx, skin by tegument.hlsl alone: for engines that take entry points.
+[[nodiscard]] const Case& libraryCase();
+[[nodiscard]] bool drawnBy(const Case& drawn, Engine engine);
 
 /// The human where it was made (./bootstrap test), with its maps reduced; else a sphere.
 [[nodiscard]] Result<Mesh> testMesh();

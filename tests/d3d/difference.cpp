@@ -104,6 +104,8 @@ const std::vector<Exception>& exceptions() {
         {Engine::Direct3D11, "Convolution_Convolution", "gIrradiance", 2e-3, kTwoTexels, kHalfStep},
         {Engine::Direct3D10, "Main_DEonLuebke", "gIrradiance", 2e-3, kTwoTexels, kHalfStep},
         {Engine::Direct3D11, "Main_DEonLuebke", "gIrradiance", 2e-3, kTwoTexels, kHalfStep},
+        {Engine::Direct3D11, "Skin_", "gLight", 2e-3, kTwoTexels, kHalfStep},
+        {Engine::Direct3D11, "Skin_", "gBetween", 2e-3, kTwoTexels, kHalfStep},
         {Engine::Direct3D9, "Preintegrated_", "picture", 1e-2, kTwoPixels, kShadowEdge},
         {Engine::Direct3D9, "Main_", "picture", 5e-2, kFourPixels, kShadowEdge},
         {Engine::Direct3D9, "Burley_", "g", 5e-2, kFourPixels, kShadowEdge},

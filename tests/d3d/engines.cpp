@@ -36,11 +36,13 @@ void addEntry(const Case& drawn, const std::optional<ShaderReference>& shader, c
                   .entry = shader->entry,
                   .source = drawn.effect,
                   .defines = definesFor(drawn, "FX_ENTRY"),
-                  .output = drawings() / file};
+                  .output = drawings() / file,
+                  .includeFolders = drawn.includeFolders};
 }
 
 void addJobs(const Case& drawn, std::map<std::string, MicrosoftJob>& jobs) {
     for (const Engine engine : {Engine::Direct3D9, Engine::Direct3D10}) {
+        if (!drawnBy(drawn, engine)) continue;
         const bool nine = engine == Engine::Direct3D9;
         const std::string file = effectFile(drawn, engine);
         jobs[file] = {.profile = nine ? "fx_2_0" : "fx_4_0",

@@ -40,6 +40,7 @@ void print() {
     fmt::print("| technique | engine | depth | float | half | picture |\n|---|---|---|---|---|---|\n");
     for (const Case& drawn : allCases())
         for (const Engine engine : kDirect3D) {
+            if (!drawnBy(drawn, engine)) continue;
             const auto worst = worstOf(drawn, engine);
             fmt::print("| {} {}{} | {} | {} | {} | {} | {} |\n", drawn.effect.stem().string(), drawn.technique,
                        drawn.mapBits == 16 ? "" : ", 32-bit maps", engineName(engine).substr(3), cell(worst, Kind::Depth),

@@ -111,5 +111,58 @@ TEST(Flatten, a_file_that_undoes_its_guard_is_read_as_often_as_before) {
     EXPECT_EQ(count(*text, "float a;"), 2) << *text;
 }
 
+TEST(Flatten, what_a_file_needs_is_left_out_where_it_is_above) {
+    const auto text = Tree{{{"main.fx", "#include \"a.fxh\"\n#include \"b.fxh\"\n"},
+                            {"a.fxh", kGuarded},
+                            {"b.fxh", "#ifndef A\n#include \"a.fxh\"\n#endif\n#ifndef B\n#define B\nfloat b;\n#endif\n"}}}
+                          .flatten();
+    ASSERT_TRUE(text) << format(text.error());
+    EXPECT_EQ(count(*text, "float a;"), 1) << *text;
+    EXPECT_EQ(count(*text, "#ifndef A"), 1) << *text;
+}
+
+TEST(Flatten, what_a_file_needs_is_read_where_it_is_not_above) {
+    const auto text = Tree{{{"main.fx", "#include \"b.fxh\"\n#include \"b.fxh\"\n"},
+                            {"a.fxh", kGuarded},
+                            {"b.fxh", "#ifndef A\n#include \"a.fxh\"\n#endif\n#ifndef B\n#define B\nfloat b;\n#endif\n"}}}
+                          .flatten();
+    ASSERT_TRUE(text) << format(text.error());
+    EXPECT_EQ(count(*text, "float a;"), 1) << *text;
+    EXPECT_EQ(count(*text, "float b;"), 1) << *text;
+}
+
+Result<std::string> library(std::map<std::string, std::string> files) {
+    const auto read = [files = std::move(files)](const fs::path& path) -> Result<std::string> {
+        const auto found = files.find(path.lexically_normal().string());
+        if (found == files.end()) return inputError(5001, {.file = path.string(), .byte = {}}, "not there");
+        return found->second;
+    };
+    return flattenLibrary("head.fxh", {.defines = {}, .includeFolders = {}, .read = read});
+}
+
+TEST(FlattenLibrary, decides_what_the_library_and_guards_decide_and_leaves_the_rest_to_the_client) {
+    const auto text = library(
+        {{"head.fxh", "// Manual.\n#include \"a.fxh\"\n#include \"b.fxh\"\n"},
+         {"a.fxh", "#ifndef A\n#define A\n#ifdef TEGUMENT_LIBRARY\n#define B\n#else\nfloat effect;\n#endif\n#ifndef SIZE\n#define SIZE "
+                   "4\n#endif\nfloat f() { return SIZE; }\n#endif\n"},
+         {"b.fxh", "// Not for libraries.\n#ifndef B\n#define B\nfloat b;\n#endif\n"}});
+    ASSERT_TRUE(text) << format(text.error());
+    EXPECT_EQ(*text,
+              "// Manual.\n#ifndef TEGUMENT_HLSL\n#define TEGUMENT_HLSL\n\n// ---- begin a.fxh\n#ifndef SIZE\n#define SIZE 4\n#endif\n"
+              "float f() { return SIZE; }\n\n#endif\n");
+}
+
+TEST(FlattenLibrary, a_client_s_conditional_keeps_both_branches) {
+    const auto text =
+        library({{"head.fxh", "#include \"a.fxh\"\n"},
+                 {"a.fxh", "#ifndef A\n#define A\n#ifdef TEGUMENT_HLSL_3\nfloat three;\n#else\nfloat four;\n#endif\n#endif\n"}});
+    ASSERT_TRUE(text) << format(text.error());
+    EXPECT_EQ(count(*text, "float three;") + count(*text, "float four;"), 2) << *text;
+}
+
+TEST(FlattenLibrary, a_missing_include_is_an_error) {
+    EXPECT_EQ(codeOf(library({{"head.fxh", "#include \"gone.fxh\"\n"}})), 1001);
+}
+
 } // namespace
 } // namespace tegument::test

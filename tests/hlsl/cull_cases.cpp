@@ -60,15 +60,17 @@ std::vector<FunctionCase> visibility() {
                      .arguments = {vector(4, 0.1, 1000)},
                      .expected = [](const Inputs& x) { return values(outside(x.vec4(0)) ? 1 : 0); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "comparisons of given numbers"}});
-    cases.push_back({.function = "cullOutsideAsPrinted",
-                     .body = "return float4(cullOutsideAsPrinted(a0) ? 1 : 0, 0, 0, 0);",
+    cases.push_back({.function = "cullOutsideView",
+                     .body = "return float4(cullOutsideView(a0) ? 1 : 0, 0, 0, 0);",
                      .arguments = {vector(4, 0.1, 1000)},
                      .expected =
                          [](const Inputs& x) {
+                             if (x.corrected()) return values(outside(x.vec4(0)) ? 1 : 0);
                              const double w = std::abs(x.scalar(0, 3)) > 1e-6 ? x.scalar(0, 3) : 1e-6;
                              return values(x.scalar(0) / w > 1 || x.scalar(0, 1) / w > 1 ? 1 : 0);
                          },
-                     .tolerance = {.forward = 0, .backward = 4, .why = "quotients against a threshold"}});
+                     .tolerance = {.forward = 0, .backward = 4, .why = "quotients against a threshold"},
+                     .settings = {0, 1, 2}});
     cases.push_back({.function = "cullBackFace",
                      .body = "return float4(cullBackFace(a0, a1, a2) ? 1 : 0, 0, 0, 0);",
                      .arguments = {unit(), unit(), linear(0, 0.5)},

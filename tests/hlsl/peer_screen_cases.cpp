@@ -354,6 +354,12 @@ std::vector<FunctionCase> discs() {
                      .expected = [](const Inputs& x) { return values(middleOf(x.vec2(0), x.vec2(1))); },
                      .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-7, .why = "on the border of two pixels it may be either"}});
     cases.back().arguments[1].components = 2;
+    cases.push_back({.function = "burleyPlace",
+                     .body = "return float4(burleyPlace(a0, a1), 0, 0);",
+                     .arguments = {linear(0, 1, 2), linear(0, 1, 2)},
+                     .expected = [](const Inputs& x) { return values(x.vec2(x.corrected() ? 0 : 1)); },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "a choice"},
+                     .settings = {0, 2}});
     cases.push_back({.function = "burleyApart",
                      .body = "return float4(burleyApart(a0, a1, a2), 0, 0, 0);",
                      .arguments = {vector(3, 1e-2, 20), unit(), logarithmic(1e-3, 10)},

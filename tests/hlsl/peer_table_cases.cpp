@@ -62,8 +62,8 @@ std::vector<FunctionCase> integrals() {
              },
          .tolerance = {.forward = 4, .backward = 2, .absolute = 5e-6, .why = "a cosine: 2^-11 in Vulkan, measured far better"}});
     const auto cosineArgument = linear(-1, 1);
-    cases.push_back({.function = "preintegratedCorrected",
-                     .body = std::string(kGaussianRows) + "return float4(preintegratedCorrected(g, a0, a1), 0);",
+    cases.push_back({.function = "preintegratedScattered",
+                     .body = std::string(kGaussianRows) + "return float4(preintegratedScattered(g, a0, a1), 0);",
                      .arguments = {linear(0, kPeerPi), linear(1e-3, 0.5)},
                      .expected =
                          [](const Inputs& x) {
@@ -73,8 +73,8 @@ std::vector<FunctionCase> integrals() {
                      .tolerance = kIntegral,
                      .samples = 512,
                      .domain = [](const Inputs& x) { return x.scalar(0) >= 0 && x.scalar(0) <= kPeerPi && x.scalar(1) >= 1e-4; }});
-    cases.push_back({.function = "preintegratedPrinted",
-                     .body = std::string(kGaussianRows) + "return float4(preintegratedPrinted(g, a0, a1), 0);",
+    cases.push_back({.function = "preintegratedScattered",
+                     .body = std::string(kGaussianRows) + "return float4(preintegratedScattered(g, a0, a1), 0);",
                      .arguments = {linear(0, kPeerPi), linear(0.02, 0.5)},
                      .expected =
                          [](const Inputs& x) {

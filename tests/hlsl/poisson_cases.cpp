@@ -105,19 +105,17 @@ std::vector<FunctionCase> poissonCases() {
                      .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
                      .settings = {0, 2}});
     cases.back().arguments[2].components = 2;
-    cases.push_back({.function = "poissonOverValid",
-                     .body = blurBody("poissonOverValid"),
-                     .arguments = blurArguments(),
-                     .expected = [](const Inputs& x) { return values(overValid(Disc(x))); },
-                     .tolerance = kTaps,
-                     .map = &irradianceMap()});
-    cases.push_back({.function = "poissonRepaired",
-                     .body = blurBody("poissonRepaired"),
-                     .arguments = blurArguments(),
-                     .expected = [](const Inputs& x) { return values(repaired(Disc(x))); },
-                     .tolerance = kTaps,
-                     .settings = {0},
-                     .map = &irradianceMap()});
+    cases.push_back({.function = "poissonReach",
+                     .body = "return float4(poissonReach(a0, a1), 0, 0);",
+                     .arguments = {linear(0, 20), whole(0, 6)},
+                     .expected =
+                         [](const Inputs& x) { // the longest point of the disc is 1.01; three texels at least outside the charts
+                             const double n = x.scalar(1);
+                             if (x.corrected()) return values(x.scalar(0) * 1.01 * n, 3.5 * n);
+                             return values(0, (2 * x.scalar(0) * 1.01 + 0.5) * n);
+                         },
+                     .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
+                     .settings = {0, 2}});
     cases.push_back({.function = "poissonBlur",
                      .body = blurBody("poissonBlur"),
                      .arguments = blurArguments(),

@@ -92,34 +92,36 @@ std::vector<FunctionCase> energies() {
     cases.push_back({.function = "energyTexel", // as two halves it is kept to 1e-6
                      .body = "float2 h = energyTexel(a0); return float4(abs(f16tof32(f32tof16(h.x)) - h.x), h.x + h.y, "
                              "abs(f16tof32(f32tof16(h.y)) - h.y) < 1e-6, 0);",
-                     .arguments = {linear(0, 7)},
+                     .arguments = {linear(0, 2)},
                      .expected = [](const Inputs& x) { return values(0, x.scalar(0), 1); },
                      .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-9, .why = "multiples of powers of two"}});
+    cases.push_back(cases.back());
+    cases.back().arguments = {linear(0, 7)}; // the printed table reaches pi times an albedo
+    cases.back().settings = {0, 1};
     cases.push_back({.function = "energyDiffuseShare",
                      .body = "return float4(energyDiffuseShare(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 2), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(std::max(1 - (x.seed() ? 1 : x.scalar(1)) * x.scalar(0), 0.0)); },
                      .tolerance = {.forward = 2, .backward = 1, .why = "a product and a difference"},
                      .settings = {0, 1, 2}});
-    cases.push_back(
-        {.function = "energyNodePrinted",
-         .body = "return float4(energyNodePrinted(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
-         .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
-         .expected = [](const Inputs& x) { return values(nodePrinted(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
-         .tolerance = {.forward = kExpUlp,
-                       .backward = 4,
-                       .absolute = 2e-5,
-                       .why = "N.H rounds at 1e-7, and PH changes by up to 2 / m^2 of its peak for it"},
-         .domain = [](const Inputs& x) { return x.scalar(1) > 0.03; }});
-    cases.push_back(
-        {.function = "energyNodeSampled",
-         .body = "return float4(energyNodeSampled(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
-         .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
-         .expected = [](const Inputs& x) { return values(nodeSampled(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
-         .tolerance = {.forward = 16,
-                       .backward = 16,
-                       .absolute = 2e-8,
-                       .why = "the half vector's sine is the root of 1 - cosine^2; the weight is pi / 1024"}});
+    cases.push_back({.function = "energyNode",
+                     .body = "return float4(energyNode(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
+                     .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
+                     .expected = [](const Inputs& x) { return values(nodePrinted(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
+                     .tolerance = {.forward = kExpUlp,
+                                   .backward = 4,
+                                   .absolute = 2e-5,
+                                   .why = "N.H rounds at 1e-7, and PH changes by up to 2 / m^2 of its peak for it"},
+                     .settings = {0, 1},
+                     .domain = [](const Inputs& x) { return x.scalar(1) > 0.03; }});
+    cases.push_back({.function = "energyNode",
+                     .body = "return float4(energyNode(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
+                     .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
+                     .expected = [](const Inputs& x) { return values(nodeSampled(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
+                     .tolerance = {.forward = 16,
+                                   .backward = 16,
+                                   .absolute = 2e-8,
+                                   .why = "the half vector's sine is the root of 1 - cosine^2; the weight is pi / 1024"}});
     cases.push_back(
         {.function = "energyDirectionalAlbedo",
          .body = "return float4(energyDirectionalAlbedo(a0, a1), 0, 0, 0);",

@@ -38,6 +38,12 @@ if(NOT output MATCHES "OriginalTexture: 1 pass, 2 shaders, GLSL of 2")
   message(FATAL_ERROR "the consumer said:\n${output}")
 endif()
 
+file(READ ${work}/package/share/tegument/tegument.hlsl library)
+run(${work}/package/bin/tegument flatten --library)
+if(NOT output STREQUAL library)
+  message(FATAL_ERROR "share/tegument/tegument.hlsl is not what the installed program makes of share/tegument/hlsl")
+endif()
+
 run(${work}/package/bin/tegument info OriginalTexture.fx)
 if(NOT output MATCHES "package/share/tegument/effects/OriginalTexture.fx.*technique OriginalTexture: 1 passes")
   message(FATAL_ERROR "the installed program does not find its effects:\n${output}")

@@ -110,7 +110,7 @@ class Mutant:
 
 
 # tex2Dlod(map, float4(uv, 0.0, 0.0)): SampleLevel does not read the third coordinate, and level 1 of a map with one level is level 0.
-LEVEL = re.compile(r"tex2Dlod\((?:(?!tex2Dlod)[^;])*?(, 0\.0, 0\.0\))")
+LEVEL = re.compile(r"(?:tex2Dlod|TG_TEX2DLOD)\((?:(?!tex2Dlod|TG_TEX2DLOD)[^;])*?(, 0\.0, 0\.0\))")
 
 
 def mutants_of(path):

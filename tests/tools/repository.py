@@ -253,24 +253,44 @@ def guard_of(path):
     return f"TEGUMENT_{'_'.join(parts).upper()}_FXH"
 
 
+def without_needs(path, code):
+    """Code with every `#ifndef GUARD, #include "FILE", #endif` blanked out whose guard is the file's."""
+    def blank(match):
+        needed = pathlib.Path(os.path.normpath(path.parent / match[2]))
+        return "\n" * match[0].count("\n") if guard_of(needed) == match[1] else match[0]
+    return re.sub(r'^#ifndef (\w+)\n#include "([^"\n]+)"\n#endif\n', blank, code, flags=re.M)
+
+
 def shaders_branch_on_targets_only_in_platform(root):
-    """Conditionals elsewhere: include guards, FX_TECHNIQUES, and the switches that docs/settings.md lists."""
+    """Conditionals elsewhere: include guards, those of needed files around their includes, FX_TECHNIQUES, and the switches that docs/settings.md lists."""
     allowed = listed_switches(root) | {"FX_TECHNIQUES"}
     for path in files(root / "hlsl", SOURCES) + files(root / "effects", SOURCES):
         if path.name in ("platform.fxh", "settings.fxh"):
             continue
-        for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
+        for number, line in enumerate(without_needs(path, without_comments(text_of(path))).splitlines(), 1):
             match = re.match(r"\s*#\s*(?:if|ifdef|ifndef|elif)\b(.*)", line)
             names = set(re.findall(r"[A-Za-z_]\w*", match[1])) - {"defined"} if match else set()
             for name in sorted(names - allowed - {guard_of(path)}):
                 yield f"{path}:{number}: conditional on {name}"
 
 
+def right_forms_know_no_setting(root):
+    """In hlsl/ the setting is known to printed/, to settings.fxh, which chooses, and to constants.fxh."""
+    flags = set(re.findall(r"^static const (?:bool|int) (\w+)", text_of(root / "hlsl" / "constants.fxh"), re.M))
+    flags |= {"TEGUMENT_SETTING", "TEGUMENT_PEERS_AS_PRINTED", "kPeersAsPrinted"}
+    for path in files(root / "hlsl", {".fxh"}):
+        if path.parent.name == "printed" or path.name in ("settings.fxh", "constants.fxh"):
+            continue
+        for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
+            for name in sorted(set(re.findall(r"[A-Za-z_]\w*", line)) & flags):
+                yield f"{path}:{number}: {name}: the form for a printed setting belongs into hlsl/printed"
+
+
 def includes_of_shaders_are_guarded_by_their_name(root):
-    """A file that only includes others needs no guard."""
+    """A file that only includes others needs no guard; what a file needs stands above its guard."""
     for path in files(root / "hlsl", {".fxh"}) + files(root / "effects", {".fxh"}):
         guard = guard_of(path)
-        code = without_comments(text_of(path))
+        code = without_needs(path, without_comments(text_of(path)))
         if all(line.startswith("#include") for line in code.split("\n") if line.strip()):
             continue
         if not re.match(rf"\s*#ifndef {guard}\s+#define {guard}\b", code):
@@ -335,6 +355,7 @@ CHECKS = {
         tests_are_registered_where_no_failure_is_lost,
         every_test_is_built,
         shaders_branch_on_targets_only_in_platform,
+        right_forms_know_no_setting,
         includes_of_shaders_are_guarded_by_their_name,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,

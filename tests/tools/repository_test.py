@@ -175,6 +175,21 @@ class Checks(unittest.TestCase):
         self.finds(check, {**listed, "host/run/a.h": "#pragma once\nint a;\n"}, "host/run/a.h: is installed, yet")
         self.finds(check, listed, "host/run/a.h: is installed, yet")
 
+    def test_what_a_file_needs_stands_above_its_guard_behind_its_own_guard(self):
+        needs = '#ifndef TEGUMENT_SCATTER_{}_FXH\n#include "../scatter/seam.fxh"\n#endif\n'
+        for check in ("includes_of_shaders_are_guarded_by_their_name", "shaders_branch_on_targets_only_in_platform"):
+            self.accepts(check, {"hlsl/scatter/blur.fxh": needs.format("SEAM") + GUARDED})
+        self.finds("includes_of_shaders_are_guarded_by_their_name", {"hlsl/scatter/blur.fxh": needs.format("SEAMS") + GUARDED}, "blur.fxh")
+        self.finds("shaders_branch_on_targets_only_in_platform", {"hlsl/scatter/blur.fxh": needs.format("SEAMS") + GUARDED}, "TEGUMENT_SCATTER_SEAMS_FXH")
+
+    def test_what_is_right_knows_no_setting(self):
+        check = "right_forms_know_no_setting"
+        constants = {"hlsl/constants.fxh": "static const bool kExact = true;\n", "hlsl/settings.fxh": "#if TEGUMENT_SETTING == 2\n#endif\n"}
+        branch = GUARDED.format("float f(float x) { return kExact ? x : 0.0; }")
+        self.accepts(check, {**constants, "hlsl/printed/blur.fxh": branch})
+        self.finds(check, {**constants, "hlsl/scatter/blur.fxh": branch}, "blur.fxh:4: kExact")
+        self.finds(check, {**constants, "hlsl/scatter/blur.fxh": GUARDED.format("#if TEGUMENT_SETTING\n#endif")}, "blur.fxh:4: TEGUMENT_SETTING")
+
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"
         self.accepts(check, {"host/run/README.md": "What belongs here.\n"})

@@ -4,7 +4,7 @@
 #include "host/direct3d/microsoft.h"
 #include "host/emit/flatten.h"
 #include "host/support/file.h"
-#include "tests/compile/missing.h"
+#include "tests/spirv/missing.h"
 #include "tests/library/dxil.h"
 
 #include <gtest/gtest.h>

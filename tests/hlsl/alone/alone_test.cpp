@@ -3,7 +3,7 @@
 #include "host/spirv/compile.h"
 #include "host/direct3d/microsoft.h"
 #include "host/support/file.h"
-#include "tests/compile/missing.h"
+#include "tests/spirv/missing.h"
 
 #include <gtest/gtest.h>
 

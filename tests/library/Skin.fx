@@ -1,5 +1,6 @@
-// Skin by the library alone: d'Eon and Luebke's technique as an engine would write it, with its own parameters, targets and passes; the functions are
-// those of tegument.hlsl, and no other file is included. For compilers of entry points (FX_ENTRY); the technique is for the script's reader.
+// Skin by the library alone: d'Eon and Luebke's technique as an engine would write it, with its own parameters, targets and passes. The
+// functions are those of tegument.hlsl; no other file is included. For compilers of entry points (FX_ENTRY); the technique is for the
+// script's reader.
 #ifndef TEGUMENT_MAP_SIZE
 #define TEGUMENT_MAP_SIZE 1024
 #endif

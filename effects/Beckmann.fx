@@ -9,11 +9,11 @@
 float Script : STANDARDSGLOBAL < STARTS_WITH("Beckmann") > = 0.8;
 
 Texture2D gBeckmannMap : RENDERCOLORTARGET < SQUARE_TARGET(512, "A16B16G16R16F") >;
-SAMPLER2D(gBeckmann, POINT, CLAMP);
+TG_SAMPLER2D(gBeckmann, POINT, CLAMP);
 
 float4 BeckmannPS(QuadVarying input) : SV_Target0
 {
-    float encoded = beckmannEncode(beckmannPH(input.uv.x, input.uv.y));
+    float encoded = tgBeckmannEncode(tgBeckmannPH(input.uv.x, input.uv.y));
     return float4(encoded, encoded, encoded, 1.0);
 }
 
@@ -27,7 +27,7 @@ technique Beckmann < string Script =
     "RenderColorTarget0=gBeckmannMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    QUAD_PASS(Precompute, QuadVS, BeckmannPS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Precompute, QuadVS, BeckmannPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

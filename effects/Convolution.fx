@@ -36,9 +36,9 @@ struct ConstantVarying
 
 ConstantVarying ConstantVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     ConstantVarying output;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
     return output;
 }
 
@@ -55,19 +55,19 @@ float4 ShowPS(QuadVarying input) : SV_Target0
     float3 sum = first.rgb * gGaussianWeight[0].rgb + tex2Dlod(gIrradiance2, uv).rgb * gGaussianWeight[1].rgb +
                  tex2Dlod(gIrradiance3, uv).rgb * gGaussianWeight[2].rgb + tex2Dlod(gIrradiance4, uv).rgb * gGaussianWeight[3].rgb +
                  tex2Dlod(gIrradiance5, uv).rgb * gGaussianWeight[4].rgb + tex2Dlod(gIrradiance6, uv).rgb * gGaussianWeight[5].rgb;
-    return float4(sum, 1.0) * seamValidity(first);
+    return float4(sum, 1.0) * tgSeamValidity(first);
 }
 
 float4 ShowOddPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gBlurOdd, float4(input.uv, 0.0, 0.0));
-    return float4(texel.rgb, 1.0) * seamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
+    return float4(texel.rgb, 1.0) * tgSeamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
 }
 
 float4 ShowEvenPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gBlurEven, float4(input.uv, 0.0, 0.0));
-    return float4(texel.rgb, 1.0) * seamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
+    return float4(texel.rgb, 1.0) * tgSeamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
 }
 
 #ifdef FX_TECHNIQUES
@@ -79,9 +79,9 @@ technique Convolution < string Script =
 {
     OWN_SHADOW_PASS
     TSM_PASS
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
-    CASCADE_PASSES(STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
+    CASCADE_PASSES(TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique White < string Script =
@@ -89,9 +89,9 @@ technique White < string Script =
     CASCADE_SCRIPT
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
-    CASCADE_PASSES(STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Constant, ConstantVS, ConstantPS, TG_STATE_BUFFER)
+    CASCADE_PASSES(TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique Poisson < string Script =
@@ -101,11 +101,11 @@ technique Poisson < string Script =
     "RenderColorTarget0=;" BLURRED_SCRIPT("ShowOdd", "ShowEven"); >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
-    BLUR_PASSES_1_TO_3(STATE_BUFFER)
-    BLUR_PASSES_4_TO_6(STATE_BUFFER)
-    QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
-    QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
+    BLUR_PASSES_1_TO_3(TG_STATE_BUFFER)
+    BLUR_PASSES_4_TO_6(TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 
 technique WhitePoisson < string Script =
@@ -113,10 +113,10 @@ technique WhitePoisson < string Script =
     BLURS_SCRIPT
     "RenderColorTarget0=;" BLURRED_SCRIPT("ShowOdd", "ShowEven"); >
 {
-    MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
-    BLUR_PASSES_1_TO_3(STATE_BUFFER)
-    BLUR_PASSES_4_TO_6(STATE_BUFFER)
-    QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
-    QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
+    TG_MESH_PASS(Constant, ConstantVS, ConstantPS, TG_STATE_BUFFER)
+    BLUR_PASSES_1_TO_3(TG_STATE_BUFFER)
+    BLUR_PASSES_4_TO_6(TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 #endif

@@ -25,7 +25,7 @@ float3 gMeshCenter : BOUNDINGCENTER < string UIWidget = "None"; >;
 float gMeshRadius : BOUNDINGSPHERESIZE < string UIWidget = "None"; >;
 
 Texture2D gCullingMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
-SAMPLER2D(gCulling, POINT, CLAMP);
+TG_SAMPLER2D(gCulling, POINT, CLAMP);
 
 struct CauseVarying
 {
@@ -43,10 +43,10 @@ struct PanelVarying
 
 CauseVarying HiddenVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     CauseVarying output;
     output.cull = cullVarying(input);
-    output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.cull.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
     output.hidden = float2(outsidePoint(output.cull) ? 1.0 : 0.0, facesAway(output.cull, 0.0) ? 1.0 : 0.0);
     return output;
 }
@@ -60,7 +60,7 @@ float4 causeColour(float outside, float away)
 // Per vertex a triangle is culled for the cause of any of its vertices.
 float4 HiddenPS(CauseVarying input) : SV_Target0
 {
-    if (kCullPerPixel)
+    if (kTgCullPerPixel)
         return causeColour(outsidePoint(input.cull) ? 1.0 : 0.0, facesAway(input.cull, 0.0) ? 1.0 : 0.0);
     return causeColour(input.hidden.x, input.hidden.y);
 }
@@ -68,7 +68,7 @@ float4 HiddenPS(CauseVarying input) : SV_Target0
 // Whatever the reach does not spare either is outside or faces away.
 float4 HiddenReachPS(CauseVarying input) : SV_Target0
 {
-    return causeColour(cullOutside(input.cull.clip) ? 1.0 : 0.0, 1.0);
+    return causeColour(tgCullOutside(input.cull.clip) ? 1.0 : 0.0, 1.0);
 }
 
 // Drawn at depth 0 with EQUAL, as the passes are that the prepasses spare.
@@ -81,10 +81,10 @@ float4 ProcessedPS(QuadVarying input) : SV_Target0
 float4 panelPosition(float2 position, float2 panel, float depth)
 {
     float2 square = min(gViewportSize.x, gViewportSize.y) / gViewportSize;
-    return HALF_PIXEL(float4(0.5 * position * square + panel, depth, 1.0), gViewportSize);
+    return TG_HALF_PIXEL(float4(0.5 * position * square + panel, depth, 1.0), gViewportSize);
 }
 
-PanelVarying ShowMapVS(QuadInput input)
+PanelVarying ShowMapVS(TgQuadInput input)
 {
     PanelVarying output;
     output.position = panelPosition(input.position.xy, float2(-0.5, 0.5), 0.0);
@@ -94,32 +94,32 @@ PanelVarying ShowMapVS(QuadInput input)
     return output;
 }
 
-float shadeOf(MeshInput input, float3 toEye)
+float shadeOf(TgMeshInput input, float3 toEye)
 {
-    float3 normal = worldNormal(input.normal);
+    float3 normal = tgWorldNormal(input.normal);
     return 0.3 + 0.7 * saturate(dot(normal, toEye));
 }
 
 PanelVarying ShowViewVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     PanelVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.clip = mul(float4(world, 1.0), gViewProjection);
-    output.position = HALF_PIXEL(float4(0.5 * (output.clip.xy + output.clip.w), output.clip.zw), gViewportSize);
+    output.position = TG_HALF_PIXEL(float4(0.5 * (output.clip.xy + output.clip.w), output.clip.zw), gViewportSize);
     output.uv = input.uv;
-    output.shade = shadeOf(input, safeNormalize(gCameraPosition - world));
+    output.shade = shadeOf(input, tgSafeNormalize(gCameraPosition - world));
     return output;
 }
 
 // Parallel projection along the view, the whole mesh in the panel; side: 1 from the eye, -1 from behind.
-PanelVarying meshPanel(MeshInput input, float side, float2 panel)
+PanelVarying meshPanel(TgMeshInput input, float side, float2 panel)
 {
     PanelVarying output;
-    float3 right = side * safeNormalize(mul(gViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
-    float3 up = safeNormalize(mul(gViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    float3 right = side * tgSafeNormalize(mul(gViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
+    float3 up = tgSafeNormalize(mul(gViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
     float3 toEye = cross(right, up);
-    float3 p = (worldPosition(input.position) - gMeshCenter) / max(gMeshRadius, 1e-6);
+    float3 p = (tgWorldPosition(input.position) - gMeshCenter) / max(gMeshRadius, 1e-6);
     output.position = panelPosition(float2(dot(p, right), dot(p, up)), panel, 0.5 - 0.5 * dot(p, toEye));
     output.uv = input.uv;
     output.shade = shadeOf(input, toEye);
@@ -139,7 +139,7 @@ PanelVarying ShowBackVS(VertexInput input)
 
 float4 ShowPS(PanelVarying input) : SV_Target0
 {
-    clip(cullOutside(input.clip) ? -1.0 : 1.0);
+    clip(tgCullOutside(input.clip) ? -1.0 : 1.0);
     return float4(tex2Dlod(gCulling, float4(input.uv, 0.0, 0.0)).rgb * input.shade, 1.0);
 }
 
@@ -149,17 +149,17 @@ float4 ShowPS(PanelVarying input) : SV_Target0
     UNWRAP_SCRIPT("gCullingMap", "gBlackColor") "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;" \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"
 #define SHOW_PASSES \
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL) \
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER) \
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID) \
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID) \
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL) \
+    TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER) \
+    TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID) \
+    TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID) \
+    TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
 
 technique PrePass < string Script = CAUSES_SCRIPT; >
 {
-    MESH_PASS(Hidden, HiddenVS, HiddenPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
+    TG_MESH_PASS(Hidden, HiddenVS, HiddenPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
     SHOW_PASSES
 }
 
@@ -170,9 +170,9 @@ technique ReachDEonLuebke < string Script =
 {
     TSM_PASS
     CASCADE_REACH_PASSES
-    MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
+    TG_MESH_PASS(Hidden, HiddenVS, HiddenReachPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
     SHOW_PASSES
 }
 
@@ -181,9 +181,9 @@ technique ReachGosselin < string Script =
     CAUSES_SCRIPT; >
 {
     BLUR_REACH_PASSES
-    MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
+    TG_MESH_PASS(Hidden, HiddenVS, HiddenReachPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
     SHOW_PASSES
 }
 #endif

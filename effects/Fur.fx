@@ -25,10 +25,10 @@ technique name < string Script = \
 { \
     SHADOW_MAP_PASS \
     HULL_PASSES \
-    MESH_PASS(Skin, SkinVS, CoatedSkinPS, STATE_SOLID) \
-    MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, STATE_INSIDE) \
-    LAYER_PASS(Behind, "gFurLayers", BehindVS, shellPS, STATE_LAYER) \
-    LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, STATE_LAYER) \
+    TG_MESH_PASS(Skin, SkinVS, CoatedSkinPS, TG_STATE_SOLID) \
+    TG_MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, TG_STATE_INSIDE) \
+    TG_LAYER_PASS(Behind, "gFurLayers", BehindVS, shellPS, TG_STATE_LAYER) \
+    TG_LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, TG_STATE_LAYER) \
 }
 
 FUR_TECHNIQUE(CubePosition, CubePositionPS)

@@ -24,10 +24,10 @@ technique name < string Script = \
     ROUNDS_SCRIPT("Skin", "Strands"); > \
 { \
     SHADOW_MAP_PASS \
-    MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
-    MESH_PASS(CoatEnd, endVS, CoatEndPS, STATE_INSIDE) \
-    LAYER_PASS(Behind, "gFurLayers", behindVS, strandsPS, STATE_LAYER) \
-    LAYER_PASS(Strands, "gFurLayers", strandsVS, strandsPS, STATE_LAYER) \
+    TG_MESH_PASS(Skin, SkinVS, SkinPS, TG_STATE_SOLID) \
+    TG_MESH_PASS(CoatEnd, endVS, CoatEndPS, TG_STATE_INSIDE) \
+    TG_LAYER_PASS(Behind, "gFurLayers", behindVS, strandsPS, TG_STATE_LAYER) \
+    TG_LAYER_PASS(Strands, "gFurLayers", strandsVS, strandsPS, TG_STATE_LAYER) \
 }
 
 STRANDS_TECHNIQUE(Cellular, CellularEndVS, CellularBehindVS, CellularVS, CellularPS)

@@ -34,8 +34,8 @@ technique Irradiance < string Script =
 {
     OWN_SHADOW_PASS
     TSM_PASS
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique IrradianceGosselin < string Script =
@@ -44,7 +44,7 @@ technique IrradianceGosselin < string Script =
     "RenderColorTarget0=; Pass=Show;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

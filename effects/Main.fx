@@ -43,11 +43,11 @@ technique DEonLuebke < string Script =
 {
     OWN_SHADOW_PASS
     TSM_PASS
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
-    CASCADE_PASSES(STATE_EQUAL)
-    MESH_PASS(Final, SurfaceVS, FinalPS, STATE_SOLID)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
+    CASCADE_PASSES(TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, SurfaceVS, FinalPS, TG_STATE_SOLID)
 }
 
 technique DEonLuebkeCulled < string Script =
@@ -61,11 +61,11 @@ technique DEonLuebkeCulled < string Script =
     OWN_SHADOW_PASS
     TSM_PASS
     CASCADE_REACH_PASSES
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
-    CASCADE_PASSES(STATE_EQUAL)
-    MESH_PASS(Final, SurfaceVS, FinalPS, STATE_SOLID)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
+    CASCADE_PASSES(TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, SurfaceVS, FinalPS, TG_STATE_SOLID)
 }
 
 technique Gosselin < string Script =
@@ -76,13 +76,13 @@ technique Gosselin < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven"); >
 {
     SHADOW_MAP_PASS
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
-    BLUR_PASSES_1_TO_3(STATE_EQUAL)
-    MESH_PASS(Final, SurfaceVS, GosselinFinalPS, STATE_SOLID)
-    BLUR_PASSES_4_TO_6(STATE_EQUAL)
-    MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, STATE_SOLID)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_EQUAL)
+    BLUR_PASSES_1_TO_3(TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, SurfaceVS, GosselinFinalPS, TG_STATE_SOLID)
+    BLUR_PASSES_4_TO_6(TG_STATE_EQUAL)
+    TG_MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, TG_STATE_SOLID)
 }
 
 technique GosselinCulled < string Script =
@@ -95,13 +95,13 @@ technique GosselinCulled < string Script =
 {
     SHADOW_MAP_PASS
     BLUR_REACH_PASSES
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
-    BLUR_PASSES_1_TO_3(STATE_EQUAL)
-    MESH_PASS(Final, SurfaceVS, GosselinFinalPS, STATE_SOLID)
-    BLUR_PASSES_4_TO_6(STATE_EQUAL)
-    MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, STATE_SOLID)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_EQUAL)
+    BLUR_PASSES_1_TO_3(TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, SurfaceVS, GosselinFinalPS, TG_STATE_SOLID)
+    BLUR_PASSES_4_TO_6(TG_STATE_EQUAL)
+    TG_MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, TG_STATE_SOLID)
 }
 
 technique Lambert < string Script =
@@ -110,6 +110,6 @@ technique Lambert < string Script =
 {
     OWN_SHADOW_PASS
     TSM_PASS
-    MESH_PASS(Final, SurfaceVS, LambertPS, STATE_SOLID)
+    TG_MESH_PASS(Final, SurfaceVS, LambertPS, TG_STATE_SOLID)
 }
 #endif

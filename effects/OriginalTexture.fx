@@ -15,10 +15,10 @@ struct TextureVarying
 
 TextureVarying TextureVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     TextureVarying output;
-    float4 clip = mul(float4(worldPosition(input.position), 1.0), gViewProjection);
-    output.position = HALF_PIXEL(clip, gViewportSize);
+    float4 clip = mul(float4(tgWorldPosition(input.position), 1.0), gViewProjection);
+    output.position = TG_HALF_PIXEL(clip, gViewportSize);
     output.uv = input.uv;
     return output;
 }
@@ -31,6 +31,6 @@ float4 TexturePS(TextureVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique OriginalTexture < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Texture;"; >
 {
-    MESH_PASS(Texture, TextureVS, TexturePS, STATE_SOLID)
+    TG_MESH_PASS(Texture, TextureVS, TexturePS, TG_STATE_SOLID)
 }
 #endif

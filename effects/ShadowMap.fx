@@ -15,15 +15,15 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("ShadowMap") > = 0.8;
 // Nearest white, farthest black, black where there is no surface.
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
-    float texel = shadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
-    float depth = kDepthInMillimetres ? (texel - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel;
+    float texel = tgShadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
+    float depth = kTgDepthInMillimetres ? (texel - tgMillimetres(gLightNear)) / max(tgMillimetres(gLightFar - gLightNear), 1e-6) : texel;
     return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
 }
 
 float4 ShadowPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
-    return float4(float3(1.0, 1.0, 1.0) * surfaceShadow(SAMPLER2D_ARG(gShadow), p), 1.0);
+    return float4(float3(1.0, 1.0, 1.0) * surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p), 1.0);
 }
 
 #ifdef FX_TECHNIQUES
@@ -32,7 +32,7 @@ technique ShadowMap < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     SHADOW_MAP_PASS
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique Shadow < string Script =
@@ -40,6 +40,6 @@ technique Shadow < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Shadow, SurfaceVS, ShadowPS, STATE_SOLID)
+    TG_MESH_PASS(Shadow, SurfaceVS, ShadowPS, TG_STATE_SOLID)
 }
 #endif

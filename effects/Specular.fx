@@ -17,13 +17,13 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("Specular") > = 0.8;
 float4 reflected(SurfaceVarying input, LitPoint p)
 {
     p.scatters = tex2D(gSkin, input.uv).a;
-    return float4(reflectedLight(p, safeNormalize(gCameraPosition - input.world)), 1.0);
+    return float4(reflectedLight(p, tgSafeNormalize(gCameraPosition - input.world)), 1.0);
 }
 
 float4 SpecularPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     return reflected(input, p);
 }
 
@@ -36,7 +36,7 @@ float4 SpecularSmoothPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
     p.normal = p.meshNormal;
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     return reflected(input, p);
 }
 
@@ -46,12 +46,12 @@ technique Specular < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Specular, SurfaceVS, SpecularPS, STATE_SOLID)
+    TG_MESH_PASS(Specular, SurfaceVS, SpecularPS, TG_STATE_SOLID)
 }
 
 technique SpecularUnshadowed < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(Specular, SurfaceVS, SpecularUnshadowedPS, STATE_SOLID)
+    TG_MESH_PASS(Specular, SurfaceVS, SpecularUnshadowedPS, TG_STATE_SOLID)
 }
 
 technique SpecularSmooth < string Script =
@@ -59,6 +59,6 @@ technique SpecularSmooth < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Specular, SurfaceVS, SpecularSmoothPS, STATE_SOLID)
+    TG_MESH_PASS(Specular, SurfaceVS, SpecularSmoothPS, TG_STATE_SOLID)
 }
 #endif

@@ -12,8 +12,8 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("Stretch") > = 0.8;
 Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0;
     string Format = "A32B32G32R32F"; >;
 Texture2D gStretchMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
-SAMPLER2D(gStretchCharts, POINT, CLAMP);
-SAMPLER2D(gStretch, POINT, CLAMP);
+TG_SAMPLER2D(gStretchCharts, POINT, CLAMP);
+TG_SAMPLER2D(gStretch, POINT, CLAMP);
 
 // Beyond any mip chain: selects its last level.
 static const float kLastLevel = 20.0;
@@ -26,16 +26,16 @@ struct StretchVarying
 
 StretchVarying StretchVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     StretchVarying output;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
-    output.world = millimetres(worldPosition(input.position));
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
+    output.world = tgMillimetres(tgWorldPosition(input.position));
     return output;
 }
 
 float4 StretchPS(StretchVarying input) : SV_Target0
 {
-    return float4(stretchEncode(ddx(input.world), ddy(input.world), kMapSize), 0.0, 0.0);
+    return float4(tgStretchEncode(ddx(input.world), ddy(input.world), kTgMapSize), 0.0, 0.0);
 }
 
 float4 FillPS(QuadVarying input) : SV_Target0
@@ -58,8 +58,8 @@ technique Stretch < string Script =
     "RenderColorTarget0=gStretchMap; Pass=Fill;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    MESH_PASS(Charts, StretchVS, StretchPS, STATE_BUFFER)
-    QUAD_PASS(Fill, QuadVS, FillPS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Charts, StretchVS, StretchPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Fill, QuadVS, FillPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

@@ -12,7 +12,8 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("TSM") > = 0.8;
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gTsm, float4(input.uv, 0.0, 0.0));
-    float depth = kDepthInMillimetres ? (texel.x - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel.x;
+    float depth = kTgDepthInMillimetres
+        ? (texel.x - tgMillimetres(gLightNear)) / max(tgMillimetres(gLightFar - gLightNear), 1e-6) : texel.x;
     return float4(float3(saturate(depth), texel.yz) * texel.w, 1.0);
 }
 
@@ -22,6 +23,6 @@ technique TSM < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
     TSM_PASS
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

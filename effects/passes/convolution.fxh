@@ -3,59 +3,59 @@
 #ifndef TEGUMENT_PASSES_CONVOLUTION_FXH
 #define TEGUMENT_PASSES_CONVOLUTION_FXH
 
-Texture2D gIrradianceUMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-Texture2D gIrradiance2Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-Texture2D gIrradiance3Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-Texture2D gIrradiance4Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-Texture2D gIrradiance5Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-Texture2D gIrradiance6Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-SAMPLER2D(gIrradianceU, POINT, CLAMP);
-SAMPLER2D(gIrradiance2, POINT, CLAMP);
-SAMPLER2D(gIrradiance3, POINT, CLAMP);
-SAMPLER2D(gIrradiance4, POINT, CLAMP);
-SAMPLER2D(gIrradiance5, POINT, CLAMP);
-SAMPLER2D(gIrradiance6, POINT, CLAMP);
+Texture2D gIrradianceUMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance2Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance3Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance4Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance5Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+Texture2D gIrradiance6Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+TG_SAMPLER2D(gIrradianceU, POINT, CLAMP);
+TG_SAMPLER2D(gIrradiance2, POINT, CLAMP);
+TG_SAMPLER2D(gIrradiance3, POINT, CLAMP);
+TG_SAMPLER2D(gIrradiance4, POINT, CLAMP);
+TG_SAMPLER2D(gIrradiance5, POINT, CLAMP);
+TG_SAMPLER2D(gIrradiance6, POINT, CLAMP);
 
 // mm of a texel of the light's map, in the middle of what the light sees; the passes draw no mesh that could tell it for each point.
 float shadowTexelOfMesh()
 {
-    return shadowFootprint(lightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar), lightSpread());
+    return tgShadowFootprint(tgLightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar), tgLightSpread());
 }
 
 float convolutionIncrement(float sigmaBefore, float sigma, float density)
 {
-    return gaussianIncrement(sigmaBefore, sigma, density, gaussianPresent(shadowTexelOfMesh(), density));
+    return tgGaussianIncrement(sigmaBefore, sigma, density, tgGaussianPresent(shadowTexelOfMesh(), density));
 }
 
-float4 convolveU(SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float sigma)
+float4 convolveU(TG_SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float sigma)
 {
     float4 stretch = tex2Dlod(gStretch, float4(uv, 0.0, 0.0));
-    float spacing = gaussianSpacing(convolutionIncrement(sigmaBefore, sigma, gaussianDensity(stretch).x));
-    return gaussianConvolve(SAMPLER2D_ARG(map), uv, float2(1.0 / kMapSize, 0.0), gaussianReach(spacing, stretch));
+    float spacing = tgGaussianSpacing(convolutionIncrement(sigmaBefore, sigma, tgGaussianDensity(stretch).x));
+    return tgGaussianConvolve(TG_SAMPLER2D_ARG(map), uv, float2(1.0 / kTgMapSize, 0.0), tgGaussianReach(spacing, stretch));
 }
 
-float4 convolveV(SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float sigma)
+float4 convolveV(TG_SAMPLER2D_PARAM(map), float2 uv, float sigmaBefore, float sigma)
 {
     float4 stretch = tex2Dlod(gStretch, float4(uv, 0.0, 0.0));
-    float spacing = gaussianSpacing(convolutionIncrement(sigmaBefore, sigma, gaussianDensity(stretch).y));
-    return gaussianConvolve(SAMPLER2D_ARG(map), uv, float2(0.0, 1.0 / kMapSize), gaussianReach(spacing, stretch));
+    float spacing = tgGaussianSpacing(convolutionIncrement(sigmaBefore, sigma, tgGaussianDensity(stretch).y));
+    return tgGaussianConvolve(TG_SAMPLER2D_ARG(map), uv, float2(0.0, 1.0 / kTgMapSize), tgGaussianReach(spacing, stretch));
 }
 
 // Width that map 1 counts for: the paper takes it for the first Gaussian, corrected for what it is, unblurred.
 float firstSigma()
 {
-    return kConvolveExactly ? 0.0 : gGaussianSigma[0].x;
+    return kTgConvolveExactly ? 0.0 : gGaussianSigma[0].x;
 }
 
 // One step of the cascade: the map along U into gIrradianceUMap, that along V into the next map. Widths before and after, mm.
 #define CASCADE_STEP(number, map, sigmaBefore, sigma) \
 float4 ConvolutionU##number##PS(QuadVarying input) : SV_Target0 \
 { \
-    return convolveU(SAMPLER2D_ARG(map), input.uv, sigmaBefore, sigma); \
+    return convolveU(TG_SAMPLER2D_ARG(map), input.uv, sigmaBefore, sigma); \
 } \
 float4 ConvolutionUV##number##PS(QuadVarying input) : SV_Target0 \
 { \
-    return convolveV(SAMPLER2D_ARG(gIrradianceU), input.uv, sigmaBefore, sigma); \
+    return convolveV(TG_SAMPLER2D_ARG(gIrradianceU), input.uv, sigmaBefore, sigma); \
 }
 
 CASCADE_STEP(1, gIrradiance, firstSigma(), gGaussianSigma[0].y)
@@ -76,15 +76,15 @@ CASCADE_STEP(5, gIrradiance5, gGaussianSigma[1].x, gGaussianSigma[1].y)
     "RenderColorTarget0=gIrradianceUMap; Clear=Color; Pass=ConvolutionU5;" \
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
 #define CASCADE_PASSES(states) \
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, states) \
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, states) \
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, states) \
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, states) \
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, states) \
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, states) \
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, states) \
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, states) \
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, states) \
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, states)
+    TG_QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, states) \
+    TG_QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, states) \
+    TG_QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, states) \
+    TG_QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, states) \
+    TG_QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, states) \
+    TG_QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, states) \
+    TG_QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, states) \
+    TG_QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, states) \
+    TG_QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, states) \
+    TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, states)
 
 #endif

@@ -4,7 +4,7 @@
 
 Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur";
     string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
-SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
+TG_SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
 
 static const float kShadowTolerance = 0.005; // share of the mesh's radius
 
@@ -50,7 +50,7 @@ float furRound(FurVarying input)
 // Of a point of the world from the light, mm. Parallel light has planes of equal distance.
 float furFromLight(float3 world)
 {
-    return millimetres(dot(lightDirection(world), lightVector(world)));
+    return tgMillimetres(dot(tgLightDirection(world), tgLightVector(world)));
 }
 
 // Where tips hang, and how far: of this length, shares of the coat.
@@ -62,25 +62,26 @@ float3 furHang()
 // Of the mesh at rest, wherever the pose has brought the vertex: fur is found by it. From the bounding sphere's centre, world units.
 float3 furPlace(VertexInput stored)
 {
-    return meshAxes(worldPosition(stored.position) - gBoundingCenter);
+    return tgMeshAxes(tgWorldPosition(stored.position) - gBoundingCenter);
 }
 
 // heights: as furHeights; round: as furRound.
 FurVarying furVarying(VertexInput stored, float2 heights, float round)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     FurVarying output;
-    float3 skin = worldPosition(input.position);
+    float3 skin = tgWorldPosition(input.position);
     output.rest = furPlace(stored);
     output.normal = input.normal;
     output.plainRest = float4(output.rest, round);
     output.plainNormal = input.normal;
-    output.coat = float4(heights.x, kFurColorMap ? input.uv : float2(0.0, 0.0), heights.y);
-    output.world = skin + furStrand(worldNormal(input.normal), furHang(), heights.x) * furDistance(gFurLength, gMeshRadius, heights.x);
+    output.coat = float4(heights.x, kTgFurColorMap ? input.uv : float2(0.0, 0.0), heights.y);
+    output.world = skin + tgFurStrand(tgWorldNormal(input.normal), furHang(), heights.x)
+        * tgFurDistance(gFurLength, gMeshRadius, heights.x);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
-    position.z = furNearDepth(position.z, position.w);
-    output.position = HALF_PIXEL(position, gViewportSize);
+    position.z = tgFurNearDepth(position.z, position.w);
+    output.position = TG_HALF_PIXEL(position, gViewportSize);
     return output;
 }
 
@@ -92,23 +93,23 @@ FurVarying SkinVS(VertexInput input)
 // mm, or z/w.
 float furShadowTolerance()
 {
-    float range = kDepthInMillimetres ? millimetres(1.0) : 1.0 / max(gLightFar - gLightNear, 1e-6);
+    float range = kTgDepthInMillimetres ? tgMillimetres(1.0) : 1.0 / max(gLightFar - gLightNear, 1e-6);
     return kShadowTolerance * gMeshRadius * range;
 }
 
-// Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
+// Whether the skin leaves light to this point of the coat; what the coat itself takes is tgFurTransmittance.
 float furShadow(FurVarying input, float3 normal, float3 toLight)
 {
-    float depth = shadowDepth(input.lightClip, millimetres(lightVector(input.world)));
-    float2 slope = shadowSlope(normal, lightRight(), lightUp(), toLight, shadowFootprint(input.lightClip.w, lightSpread()));
-    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
+    float depth = tgShadowDepth(input.lightClip, tgMillimetres(tgLightVector(input.world)));
+    float2 slope = tgShadowSlope(normal, tgLightRight(), tgLightUp(), toLight, tgShadowFootprint(input.lightClip.w, tgLightSpread()));
+    return tgShadowTest(TG_SAMPLER2D_ARG(gShadow), tgShadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
 }
 
 // Albedo of fur at this place: from root to tip, times the colour map.
 float3 furAlbedo(FurVarying input)
 {
     float3 albedo = lerp(gFurRootColor, gFurTipColor, furHeight(input));
-    if (kFurColorMap)
+    if (kTgFurColorMap)
         albedo *= tex2D(gFurColor, furMapPlace(input)).rgb;
     return albedo;
 }
@@ -116,25 +117,25 @@ float3 furAlbedo(FurVarying input)
 // Radiance of strands of this albedo in light of colour 1 that nothing shadows.
 float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye)
 {
-    float3 diffuse = albedo * furDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
-    return diffuse + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
+    float3 diffuse = albedo * tgFurDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
+    return diffuse + gFurSpecular * tgFurSpecular(strand, toLight, toEye, gFurExponent);
 }
 
 // Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats
 // let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
-    float3 normal = worldNormal(input.normal);
-    float3 strand = furTangent(normal, furHang(), furHeight(input));
-    float3 toLight = lightDirection(input.world);
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
+    float3 normal = tgWorldNormal(input.normal);
+    float3 strand = tgFurTangent(normal, furHang(), furHeight(input));
+    float3 toLight = tgLightDirection(input.world);
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
-    float open = lerp(1.0, furTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+    float open = lerp(1.0, tgFurTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
     float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
-    return direct + albedo * gFurFill * furFill(furHeight(input), gFurDensity, gFurMultiple);
+    return direct + albedo * gFurFill * tgFurFill(furHeight(input), gFurDensity, gFurMultiple);
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0

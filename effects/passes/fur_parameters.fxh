@@ -8,14 +8,15 @@ float gMeshRadius : BOUNDINGSPHERESIZE < string UIWidget = "None"; >;
 float gFurLayers < UI_SLIDER("Layers", 1.0, 512.0, 1.0) > = 32.0;
 float gFurLength < UI_SLIDER("Length", 0.0, 0.5, 0.001) string UIHelp = "share of the mesh's radius"; > = 0.06;
 float gFurTaper < UI_SLIDER("Taper", 0.0, 1.0, 0.01)
-    string UIHelp = "0: alpha is coverage; 1: alpha is the height of the strand"; > = FUR_TAPER;
+    string UIHelp = "0: alpha is coverage; 1: alpha is the height of the strand"; > = TG_FUR_TAPER;
 float gFurOuterFirst < UI_CHECKBOX("Outer layers first")
     string UIHelp = "alpha tested and opaque: hidden layers are rejected early"; > = 0.0;
 
 float3 gFurRootColor < UI_COLOUR("Colour at the root") string UIHelp = "albedo, linear"; > = { 0.16, 0.085, 0.04 };
 float gFurAlphaTest < UI_SLIDER("Alpha test", 0.0, 1.0, 0.01) string UIHelp = "coverage below which a layer shows nothing"; > = 0.02;
 float3 gFurTipColor < UI_COLOUR("Colour at the tip") string UIHelp = "albedo, linear"; > = { 0.72, 0.52, 0.33 };
-float gFurKajiyaKay < UI_SLIDER("Light strands", 0.0, 1.0, 1.0) string UIHelp = "0: N.L of the mesh; 1: Kajiya and Kay"; > = FUR_KAJIYA_KAY;
+float gFurKajiyaKay < UI_SLIDER("Light strands", 0.0, 1.0, 1.0) string UIHelp = "0: N.L of the mesh; 1: Kajiya and Kay";
+    > = TG_FUR_KAJIYA_KAY;
 
 float gFurMultiple < UI_SLIDER("Multiple scattering", 0.0, 1.0, 0.01) > = 0.7;
 float gFurSpecular < UI_SLIDER("Specular", 0.0, 1.0, 0.01) string UIHelp = "share of the light that a strand mirrors"; > = 0.08;
@@ -44,6 +45,6 @@ float gFurShadowHeight < UI_SLIDER("Height of its shadow", 0.0, 1.0, 0.01)
 float3 gFurDown < string UIName = "Down"; string UIHelp = "unit vector of the world: where tips hang"; > = { 0.0, -1.0, 0.0 };
 float gFurFringes < UI_CHECKBOX("Fringes")
     string UIHelp = "1: what lies behind the nearest coat is drawn before it, so that soft fringes show it; "
-                    "0: in one round"; > = FUR_FRINGES;
+                    "0: in one round"; > = TG_FUR_FRINGES;
 
 #endif

@@ -8,7 +8,7 @@
 
 Texture2D gCoatEndMap : RENDERCOLORTARGET < PICTURE_TARGET("R32F") >;
 Texture2D gCoatEndDepthMap : RENDERDEPTHSTENCILTARGET < PICTURE_DEPTH >;
-SAMPLER2D(gCoatEnd, POINT, CLAMP);
+TG_SAMPLER2D(gCoatEnd, POINT, CLAMP);
 
 static const float kFurNear = 1.0; // the rounds, as vertex shaders hand them on
 static const float kFurBehind = -1.0;
@@ -19,8 +19,8 @@ static const float kFurBehind = -1.0;
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color;" \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=" skin ";" \
     "LoopByCount=gFurFringes; RenderColorTarget0=gCoatEndMap; RenderDepthStencilTarget=gCoatEndDepthMap; Clear=Depth; Pass=CoatEnd;" \
-    "RenderColorTarget0=; RenderDepthStencilTarget=;" LAYER_SCRIPT("gFurLayers", "gFurLayer", "Behind") "LoopEnd;" \
-    LAYER_SCRIPT("gFurLayers", "gFurLayer", layers)
+    "RenderColorTarget0=; RenderDepthStencilTarget=;" TG_LAYER_SCRIPT("gFurLayers", "gFurLayer", "Behind") "LoopEnd;" \
+    TG_LAYER_SCRIPT("gFurLayers", "gFurLayer", layers)
 
 // Planes are fitted to the mesh: what the coat has beyond the far one ends the coat, too, and some devices would clip it.
 float4 furEndPosition(float4 position)

@@ -2,31 +2,31 @@
 #ifndef TEGUMENT_PASSES_POISSON_FXH
 #define TEGUMENT_PASSES_POISSON_FXH
 
-Texture2D gBlurOddMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-Texture2D gBlurEvenMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, SKIN_MAP_FORMAT) >;
-SAMPLER2D(gBlurOdd, POINT, CLAMP);
-SAMPLER2D(gBlurEven, POINT, CLAMP);
+Texture2D gBlurOddMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+Texture2D gBlurEvenMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, TG_SKIN_MAP_FORMAT) >;
+TG_SAMPLER2D(gBlurOdd, POINT, CLAMP);
+TG_SAMPLER2D(gBlurEven, POINT, CLAMP);
 
 float2 blurDensity(float2 uv)
 {
-    if (kPoissonStretched)
-        return gaussianDensity(tex2Dlod(gStretch, float4(uv, 0.0, 0.0)));
+    if (kTgPoissonStretched)
+        return tgGaussianDensity(tex2Dlod(gStretch, float4(uv, 0.0, 0.0)));
     return float2(0.0, 0.0);
 }
 
-float4 blur(SAMPLER2D_PARAM(map), float2 uv, float before)
+float4 blur(TG_SAMPLER2D_PARAM(map), float2 uv, float before)
 {
     float4 centre = tex2Dlod(map, float4(uv, 0.0, 0.0));
-    float2 radius = poissonRadius(gBlurSize, centre, blurDensity(uv));
+    float2 radius = tgPoissonRadius(gBlurSize, centre, blurDensity(uv));
     float2 rotation = float2(cos(before * gBlurTurn), sin(before * gBlurTurn));
-    return poissonBlur(SAMPLER2D_ARG(map), uv, centre, radius, rotation);
+    return tgPoissonBlur(TG_SAMPLER2D_ARG(map), uv, centre, radius, rotation);
 }
 
 // before: number of blurs that the map has seen.
 #define BLUR_STEP(number, map, before) \
 float4 Blur##number##PS(QuadVarying input) : SV_Target0 \
 { \
-    return blur(SAMPLER2D_ARG(map), input.uv, before); \
+    return blur(TG_SAMPLER2D_ARG(map), input.uv, before); \
 }
 
 BLUR_STEP(1, gIrradiance, 0.0)
@@ -43,12 +43,12 @@ BLUR_STEP(6, gBlurOdd, 5.0)
 // The pass that reads what the last blur has left: in gBlurOddMap or in gBlurEvenMap. Strings.
 #define BLURRED_SCRIPT(odd, even) "Pass=gBlurIndex?" odd ":" even ":" odd ":" even ":" odd ":" even ";"
 #define BLUR_PASSES_1_TO_3(states) \
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, states) \
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, states) \
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, states)
+    TG_QUAD_PASS(Blur1, QuadVS, Blur1PS, states) \
+    TG_QUAD_PASS(Blur2, QuadVS, Blur2PS, states) \
+    TG_QUAD_PASS(Blur3, QuadVS, Blur3PS, states)
 #define BLUR_PASSES_4_TO_6(states) \
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, states) \
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, states) \
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, states)
+    TG_QUAD_PASS(Blur4, QuadVS, Blur4PS, states) \
+    TG_QUAD_PASS(Blur5, QuadVS, Blur5PS, states) \
+    TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, states)
 
 #endif

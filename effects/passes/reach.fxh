@@ -8,10 +8,10 @@ Texture2D gCullNeedMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R
 Texture2D gCullTilesMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
 Texture2D gCullReachUMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
 Texture2D gCullReachMap : RENDERCOLORTARGET < SQUARE_TARGET(64, "A16B16G16R16F") >;
-SAMPLER2D(gCullNeed, POINT, CLAMP);
-SAMPLER2D(gCullTiles, POINT, CLAMP);
-SAMPLER2D(gCullReachU, POINT, CLAMP);
-SAMPLER2D(gCullReach, POINT, CLAMP);
+TG_SAMPLER2D(gCullNeed, POINT, CLAMP);
+TG_SAMPLER2D(gCullTiles, POINT, CLAMP);
+TG_SAMPLER2D(gCullReachU, POINT, CLAMP);
+TG_SAMPLER2D(gCullReach, POINT, CLAMP);
 
 // From the texels that are needed to the tiles from which light reaches them.
 #define REACH_SCRIPT \
@@ -20,10 +20,10 @@ SAMPLER2D(gCullReach, POINT, CLAMP);
     "RenderColorTarget0=gCullReachUMap; Pass=CullReachU;" \
     "RenderColorTarget0=gCullReachMap; Pass=CullReachV;"
 #define REACH_PASSES(needVS, needPS, alongUPS, alongVPS) \
-    MESH_PASS(CullNeed, needVS, needPS, STATE_BUFFER) \
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER) \
-    QUAD_PASS(CullReachU, QuadVS, alongUPS, STATE_BUFFER) \
-    QUAD_PASS(CullReachV, QuadVS, alongVPS, STATE_BUFFER)
+    TG_MESH_PASS(CullNeed, needVS, needPS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(CullTiles, QuadVS, CullTilesPS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(CullReachU, QuadVS, alongUPS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(CullReachV, QuadVS, alongVPS, TG_STATE_BUFFER)
 #define CASCADE_REACH_PASSES REACH_PASSES(CullNeedVS, CullNeedPS, CullReachUPS, CullReachVPS)
 #define BLUR_REACH_PASSES REACH_PASSES(BlurNeedVS, BlurNeedPS, BlurReachUPS, BlurReachVPS)
 
@@ -41,34 +41,34 @@ struct NeedVarying
 
 NeedVarying CullNeedVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     NeedVarying output;
     output.cull = cullVarying(input);
-    output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
-    float3 world = worldPosition(input.position);
-    output.toLight = millimetres(lightVector(world));
+    output.cull.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
+    float3 world = tgWorldPosition(input.position);
+    output.toLight = tgMillimetres(tgLightVector(world));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
     return output;
 }
 
 bool mayShow(CullVarying input)
 {
-    return !cullOutside(input.clip) && !facesAway(input, kFacingSlack);
+    return !tgCullOutside(input.clip) && !facesAway(input, kFacingSlack);
 }
 
 // A texel is needed if it shows, or if light enters there that may pass through to one that shows.
 float4 CullNeedPS(NeedVarying input) : SV_Target0
 {
-    float slack = kDepthInMillimetres ? kEntrySlack : kEntrySlack / max(millimetres(gLightFar - gLightNear), kEntrySlack);
-    float depth = shadowDepth(input.lightClip, input.toLight);
-    float lit = shadowTest(SAMPLER2D_ARG(gTsm), shadowCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
+    float slack = kTgDepthInMillimetres ? kEntrySlack : kEntrySlack / max(tgMillimetres(gLightFar - gLightNear), kEntrySlack);
+    float depth = tgShadowDepth(input.lightClip, input.toLight);
+    float lit = tgShadowTest(TG_SAMPLER2D_ARG(gTsm), tgShadowCoordinate(input.lightClip), depth, slack, float2(0.0, 0.0));
     return float4(mayShow(input.cull) || lit > 0.0 ? 1.0 : 0.0, 0.0, 0.0, 1.0);
 }
 
 CullVarying BlurNeedVS(VertexInput input)
 {
     CullVarying output = cullVarying(meshVertex(input));
-    output.position = HALF_PIXEL(unwrapPosition(output.uv, 0.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(output.uv, 0.0), gViewportSize);
     return output;
 }
 
@@ -79,27 +79,29 @@ float4 BlurNeedPS(CullVarying input) : SV_Target0
 
 float4 CullTilesPS(QuadVarying input) : SV_Target0
 {
-    return reachTile(SAMPLER2D_ARG(gCullNeed), SAMPLER2D_ARG(gStretch), input.uv);
+    return tgReachTile(TG_SAMPLER2D_ARG(gCullNeed), TG_SAMPLER2D_ARG(gStretch), input.uv);
 }
 
 float4 CullReachUPS(QuadVarying input) : SV_Target0
 {
-    return reachAlong(SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0), reachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+    return tgReachAlong(TG_SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0),
+        tgReachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
 }
 
 float4 CullReachVPS(QuadVarying input) : SV_Target0
 {
-    return reachAlong(SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), reachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
+    return tgReachAlong(TG_SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0),
+        tgReachOfCascade(gGaussianSigma[0], gGaussianSigma[1].xy));
 }
 
 float4 BlurReachUPS(QuadVarying input) : SV_Target0
 {
-    return reachAlong(SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0), reachOfBlurs(gBlurSize, gBlurCount));
+    return tgReachAlong(TG_SAMPLER2D_ARG(gCullTiles), input.uv, float2(1.0, 0.0), tgReachOfBlurs(gBlurSize, gBlurCount));
 }
 
 float4 BlurReachVPS(QuadVarying input) : SV_Target0
 {
-    return reachAlong(SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), reachOfBlurs(gBlurSize, gBlurCount));
+    return tgReachAlong(TG_SAMPLER2D_ARG(gCullReachU), input.uv, float2(0.0, 1.0), tgReachOfBlurs(gBlurSize, gBlurCount));
 }
 
 bool outOfReach(float2 uv)
@@ -116,7 +118,7 @@ float4 PrePass1ReachPS(QuadVarying input) : SV_Target0
 CullVarying PrePass2ReachVS(VertexInput input)
 {
     CullVarying output = cullVarying(meshVertex(input));
-    output.position = HALF_PIXEL(unwrapPosition(output.uv, 1.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(output.uv, 1.0), gViewportSize);
     return output;
 }
 

@@ -4,12 +4,12 @@
 
 Texture2D gShadowMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
 Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_MAP_SIZE) >;
-SAMPLER2D(gShadow, POINT, CLAMP);
+TG_SAMPLER2D(gShadow, POINT, CLAMP);
 
 #define SHADOW_MAP_SCRIPT \
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-#define SHADOW_MAP_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+#define SHADOW_MAP_PASS TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
 
 struct ShadowVarying
 {
@@ -20,18 +20,18 @@ struct ShadowVarying
 
 ShadowVarying ShadowMapVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     ShadowVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.position = HALF_PIXEL(output.lightClip, gViewportSize);
-    output.toLight = millimetres(lightVector(world));
+    output.position = TG_HALF_PIXEL(output.lightClip, gViewportSize);
+    output.toLight = tgMillimetres(tgLightVector(world));
     return output;
 }
 
 float4 ShadowMapPS(ShadowVarying input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, input.toLight), 0.0, 0.0, 1.0);
+    return float4(tgShadowDepth(input.lightClip, input.toLight), 0.0, 0.0, 1.0);
 }
 
 #endif

@@ -5,7 +5,7 @@
 
 Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap";
     string ResourceName = "energy_attenuation.dds"; >;
-SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 // Techniques begin with OWN_SHADOW_SCRIPT and OWN_SHADOW_PASS, which are empty where the translucent shadow map serves as the shadow map.
 #if TEGUMENT_SHADOW_FROM_TSM
@@ -23,9 +23,9 @@ LitPoint litPoint(SurfaceVarying input)
     p.albedo = colour.rgb;
     p.scatters = colour.a;
 #if TEGUMENT_SHADOW_FROM_TSM
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gTsm), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gTsm), p);
 #else
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
 #endif
     return p;
 }
@@ -34,7 +34,7 @@ LitPoint litPoint(SurfaceVarying input)
 // the outline seen from the light a texel may hold a surface behind this one.
 float4 lightEntry(LitPoint p)
 {
-    float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.lightUv);
+    float4 texel = tgTsmEntry(TG_SAMPLER2D_ARG(gTsm), p.lightUv);
     float path = p.depth - texel.x;
     return float4(texel.yz, max(path, 0.0), path > -gShadowTolerance ? texel.w : 0.0);
 }

@@ -11,7 +11,7 @@ float3 reflectedLight(LitPoint p, float3 toEye)
 {
     float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
     float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
-    return gLightColor * p.shadow * kelemenSpecular(p.normal, p.toLight, toEye, roughness, intensity);
+    return gLightColor * p.shadow * tgKelemenSpecular(p.normal, p.toLight, toEye, roughness, intensity);
 }
 
 #endif

@@ -4,12 +4,12 @@
 
 Texture2D gTsmMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A32B32G32R32F") >;
 Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_MAP_SIZE) >;
-SAMPLER2D(gTsm, POINT, CLAMP);
+TG_SAMPLER2D(gTsm, POINT, CLAMP);
 
 #define TSM_SCRIPT \
     "RenderColorTarget0=gTsmMap; RenderDepthStencilTarget=gTsmDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
-#define TSM_PASS MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
+#define TSM_PASS TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
 
 struct TsmVarying
 {
@@ -21,19 +21,19 @@ struct TsmVarying
 
 TsmVarying TsmVS(VertexInput stored)
 {
-    MeshInput input = meshVertex(stored);
+    TgMeshInput input = meshVertex(stored);
     TsmVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.position = HALF_PIXEL(output.lightClip, gViewportSize);
+    output.position = TG_HALF_PIXEL(output.lightClip, gViewportSize);
     output.uv = input.uv;
-    output.toLight = millimetres(lightVector(world));
+    output.toLight = tgMillimetres(tgLightVector(world));
     return output;
 }
 
 float4 TsmPS(TsmVarying input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, input.toLight), input.uv, 1.0);
+    return float4(tgShadowDepth(input.lightClip, input.toLight), input.uv, 1.0);
 }
 
 #endif

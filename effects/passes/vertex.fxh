@@ -1,7 +1,8 @@
 // Where every pass that draws the mesh takes its vertices from. An engine that skins, morphs or instances defines the hook before it
 // includes the effect (docs/engine.md); without it a vertex is drawn as it is stored.
 //   TEGUMENT_VERTEX_STREAMS             what its vertices hold besides: members of a struct, with semantics
-//   TEGUMENT_VERTEX_HOOK(rest, input)   MeshInput: the vertex to draw, in the space that gWorld leads out of. rest: MeshInput, as stored;
+//   TEGUMENT_VERTEX_HOOK(rest, input)   TgMeshInput: the vertex to draw, in the space that gWorld leads out of. rest: TgMeshInput, as
+// stored;
 //                                       input: VertexInput, with the streams
 //   TEGUMENT_VERTEX_TURN(input)         float3x3: how the pose turns directions there, dir * M; read by FurRoots.fx alone
 #ifndef TEGUMENT_PASSES_VERTEX_FXH
@@ -23,9 +24,9 @@ struct VertexInput
     TEGUMENT_VERTEX_STREAMS
 };
 
-MeshInput vertexAtRest(VertexInput input)
+TgMeshInput vertexAtRest(VertexInput input)
 {
-    MeshInput rest;
+    TgMeshInput rest;
     rest.position = input.position;
     rest.normal = input.normal;
     rest.tangent = input.tangent;
@@ -34,7 +35,7 @@ MeshInput vertexAtRest(VertexInput input)
 }
 
 // The vertex to draw.
-MeshInput meshVertex(VertexInput input)
+TgMeshInput meshVertex(VertexInput input)
 {
     return TEGUMENT_VERTEX_HOOK(vertexAtRest(input), input);
 }

@@ -48,7 +48,7 @@ technique Burley##samples < string Script = \
     SCATTERED_SCRIPT; > \
 { \
     LIGHT_PASSES \
-    QUAD_PASS(Gather, QuadVS, Gather##samples##PS, STATE_BUFFER) \
+    TG_QUAD_PASS(Gather, QuadVS, Gather##samples##PS, TG_STATE_BUFFER) \
     SCATTERED_PASS \
 }
 

@@ -46,7 +46,7 @@ technique Preintegrated < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Final, SurfaceVS, PreintegratedPS, STATE_SOLID)
+    TG_MESH_PASS(Final, SurfaceVS, PreintegratedPS, TG_STATE_SOLID)
 }
 
 technique PreintegratedPenumbra < string Script =
@@ -54,6 +54,6 @@ technique PreintegratedPenumbra < string Script =
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     SHADOW_MAP_PASS
-    MESH_PASS(Final, SurfaceVS, PreintegratedPenumbraPS, STATE_SOLID)
+    TG_MESH_PASS(Final, SurfaceVS, PreintegratedPenumbraPS, TG_STATE_SOLID)
 }
 #endif

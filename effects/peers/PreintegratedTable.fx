@@ -16,12 +16,12 @@
 float Script : STANDARDSGLOBAL < STARTS_WITH("PreintegratedTable") > = 0.8;
 
 Texture2D gPreintegratedMap : RENDERCOLORTARGET < int Width = 257; int Height = 65; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-SAMPLER2D(gPreintegrated, POINT, CLAMP);
+TG_SAMPLER2D(gPreintegrated, POINT, CLAMP);
 
 float4 PreintegratedTablePS(QuadVarying input) : SV_Target0
 {
-    float2 arguments = preintegratedArguments(input.uv);
-    return float4(preintegratedTexel(gGaussianWeight, arguments.x, arguments.y), 1.0);
+    float2 arguments = tgPreintegratedArguments(input.uv);
+    return float4(tgPreintegratedTexel(gGaussianWeight, arguments.x, arguments.y), 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0
@@ -34,7 +34,7 @@ technique PreintegratedTable < string Script =
     "RenderColorTarget0=gPreintegratedMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    QUAD_PASS(Precompute, QuadVS, PreintegratedTablePS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Precompute, QuadVS, PreintegratedTablePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

@@ -48,8 +48,8 @@ technique Separable##samples < string Script = \
     SCATTERED_SCRIPT; > \
 { \
     LIGHT_PASSES \
-    QUAD_PASS(AlongX, QuadVS, AlongX##samples##PS, STATE_BUFFER) \
-    QUAD_PASS(AlongY, QuadVS, AlongY##samples##PS, STATE_BUFFER) \
+    TG_QUAD_PASS(AlongX, QuadVS, AlongX##samples##PS, TG_STATE_BUFFER) \
+    TG_QUAD_PASS(AlongY, QuadVS, AlongY##samples##PS, TG_STATE_BUFFER) \
     SCATTERED_PASS \
 }
 

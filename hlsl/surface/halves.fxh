@@ -4,13 +4,13 @@
 #define TEGUMENT_SURFACE_HALVES_FXH
 
 // step: a power of two, more than |value| / 2048: a half holds its multiples exactly, however it rounds.
-float2 halvesOf(float value, float step)
+float2 tgHalvesOf(float value, float step)
 {
     float high = floor(value / step + 0.5) * step;
     return float2(high, value - high);
 }
 
-float halvesSum(float2 halves)
+float tgHalvesSum(float2 halves)
 {
     return halves.x + halves.y;
 }

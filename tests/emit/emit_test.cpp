@@ -152,7 +152,7 @@ StructuredBuffer<float4> gTable;
 float4 VS(float3 position : POSITION) : SV_Position { return float4(position, 1); }
 float4 PS(float4 position : SV_Position) : SV_Target0 { return gTable[int(position.x)]; }
 #ifdef FX_TECHNIQUES
-technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+technique T { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = compile TG_PS_MODEL PS(); TG_STATE_BUFFER; } }
 #endif
 )"));
     const auto written = emitEffect(checkEffects({source}, spirvTargets()).files.at(0), {.folder = folder() / "out", .defines = {}});

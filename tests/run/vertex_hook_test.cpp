@@ -162,7 +162,7 @@ constexpr const char* kProbe = R"(
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 float4 gProbe < string UIWidget = "None"; > = { 0.0, 0.0, 0.0, 0.0 };
-MeshInput probed(MeshInput rest)
+TgMeshInput probed(TgMeshInput rest)
 {
     rest.position += gProbe.xyz;
     rest.uv += gProbe.xy;

@@ -9,16 +9,16 @@ float gBurleyTurn < UI_SLIDER("Turn from pixel to pixel", 0.0, 1.0, 0.01)
 
 float4 gather(float2 uv, int count)
 {
-    float2 frustum = screenFrustum(gProjection);
+    float2 frustum = tgScreenFrustum(gProjection);
     float3 axisU = float3(1.0, 0.0, 0.0);
     float3 axisV = float3(0.0, 1.0, 0.0);
-    if (!kPeersAsPrinted)
+    if (!kTgPeersAsPrinted)
     {
-        float3 down = screenTangent(SAMPLER2D_ARG(gDepth), uv, float2(0.0, 1.0 / gViewportSize.y), frustum);
-        axisU = safeNormalize(screenTangent(SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
-        axisV = cross(safeNormalize(cross(axisU, down)), axisU);
+        float3 down = tgScreenTangent(TG_SAMPLER2D_ARG(gDepth), uv, float2(0.0, 1.0 / gViewportSize.y), frustum);
+        axisU = tgSafeNormalize(tgScreenTangent(TG_SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
+        axisV = cross(tgSafeNormalize(cross(axisU, down)), axisU);
     }
-    return burleyGather(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance,
+    return tgBurleyGather(TG_SAMPLER2D_ARG(gLight), TG_SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance,
                         gBurleyTurn, count);
 }
 

@@ -4,6 +4,6 @@
 
 Texture2D gEnergyAttenuationMap < string Producer = "../EnergyAttenuation.fx/gEnergyAttenuationMap";
     string ResourceName = "energy_attenuation.dds"; >;
-SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 #endif

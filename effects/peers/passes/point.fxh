@@ -16,8 +16,8 @@ LitPoint peerPoint(SurfaceVarying input)
 // diffused: light under the surface, to be coloured and let out.
 float4 peerRadiance(SurfaceVarying input, LitPoint p, float3 diffused)
 {
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
-    float3 skin = diffused * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
     return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
 }

@@ -11,10 +11,10 @@ Texture2D gDepthMap : RENDERCOLORTARGET < PICTURE_TARGET("R32F") >;
 Texture2D gShadeMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 Texture2D gScatterMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
 Texture2D gLightDepthMap : RENDERDEPTHSTENCILTARGET < PICTURE_DEPTH >;
-SAMPLER2D(gLight, LINEAR, CLAMP);
-SAMPLER2D(gDepth, POINT, CLAMP);
-SAMPLER2D(gShade, POINT, CLAMP);
-SAMPLER2D(gScatter, POINT, CLAMP);
+TG_SAMPLER2D(gLight, LINEAR, CLAMP);
+TG_SAMPLER2D(gDepth, POINT, CLAMP);
+TG_SAMPLER2D(gShade, POINT, CLAMP);
+TG_SAMPLER2D(gScatter, POINT, CLAMP);
 
 // What comes before and what after an effect's own passes, which lead from gLightMap to gScatterMap.
 #define LIGHT_SCRIPT \
@@ -24,9 +24,9 @@ SAMPLER2D(gScatter, POINT, CLAMP);
     "RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=;"
 #define LIGHT_PASSES \
     SHADOW_MAP_PASS \
-    MESH_PASS(Light, SurfaceVS, LightPS, STATE_SOLID)
+    TG_MESH_PASS(Light, SurfaceVS, LightPS, TG_STATE_SOLID)
 #define SCATTERED_SCRIPT "RenderColorTarget0=; Pass=Final;"
-#define SCATTERED_PASS MESH_PASS(Final, SurfaceVS, ScreenFinalPS, STATE_SOLID)
+#define SCATTERED_PASS TG_MESH_PASS(Final, SurfaceVS, ScreenFinalPS, TG_STATE_SOLID)
 
 struct LightOutput
 {
@@ -38,13 +38,13 @@ struct LightOutput
 LightOutput LightPS(SurfaceVarying input)
 {
     LitPoint p = peerPoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     float skin = step(0.5, p.scatters);
-    float depth = millimetres(mul(float4(input.world, 1.0), gViewProjection).w);
+    float depth = tgMillimetres(mul(float4(input.world, 1.0), gViewProjection).w);
     LightOutput output;
-    output.light = float4(skin * irradianceBounded(enteringLight(p), kLargestHalf), skin);
+    output.light = float4(skin * tgIrradianceBounded(enteringLight(p), kTgLargestHalf), skin);
     output.depth = float4(skin * depth, 0.0, 0.0, 1.0);
-    output.shade = float4(p.shadow, skin * halvesOf(min(depth, kFarthestHalf), screenDepthStep(depth)), 1.0);
+    output.shade = float4(p.shadow, skin * tgHalvesOf(min(depth, kTgFarthestHalf), tgScreenDepthStep(depth)), 1.0);
     return output;
 }
 

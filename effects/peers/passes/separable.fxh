@@ -5,27 +5,27 @@
 float3 gSeparableStrength < UI_COLOUR("Strength") float UIMin = 0.0; float UIMax = 1.0;
     string UIHelp = "share of each colour that diffuses"; > = { 1.0, 1.0, 1.0 };
 float gSeparableUnit < UI_SLIDER("Width", 0.0, 10.0, 0.01)
-    string UIHelp = "mm for each unit of the kernel; corrected: 1 is the skin profile"; > = PEER_SEPARABLE_UNIT;
+    string UIHelp = "mm for each unit of the kernel; corrected: 1 is the skin profile"; > = TG_PEER_SEPARABLE_UNIT;
 
 Texture2D gScatterXMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16F") >;
-SAMPLER2D(gScatterX, LINEAR, CLAMP);
-SAMPLER2D_OF(gBetween, gShadeMap, LINEAR, CLAMP);
+TG_SAMPLER2D(gScatterX, LINEAR, CLAMP);
+TG_SAMPLER2D_OF(gBetween, gShadeMap, LINEAR, CLAMP);
 
 // Passes with as many samples. Rows of the kernels' tables: the first, and how many pairs of samples follow.
 #define SEPARABLE_STEPS(samples, first, pairs) \
 float4 AlongX##samples##PS(QuadVarying input) : SV_Target0 \
 { \
-    return along(SAMPLER2D_ARG(gLight), input.uv, float2(1.0 / gViewportSize.x, 0.0), first, pairs); \
+    return along(TG_SAMPLER2D_ARG(gLight), input.uv, float2(1.0 / gViewportSize.x, 0.0), first, pairs); \
 } \
 float4 AlongY##samples##PS(QuadVarying input) : SV_Target0 \
 { \
-    return along(SAMPLER2D_ARG(gScatterX), input.uv, float2(0.0, 1.0 / gViewportSize.y), first, pairs); \
+    return along(TG_SAMPLER2D_ARG(gScatterX), input.uv, float2(0.0, 1.0 / gViewportSize.y), first, pairs); \
 }
 
-float4 along(SAMPLER2D_PARAM(map), float2 uv, float2 axis, int first, int pairs)
+float4 along(TG_SAMPLER2D_PARAM(map), float2 uv, float2 axis, int first, int pairs)
 {
-    float2 frustum = screenFrustum(gProjection);
-    return separableConvolve(SAMPLER2D_ARG(map), SAMPLER2D_ARG(gDepth), SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum,
+    float2 frustum = tgScreenFrustum(gProjection);
+    return tgSeparableConvolve(TG_SAMPLER2D_ARG(map), TG_SAMPLER2D_ARG(gDepth), TG_SAMPLER2D_ARG_OF(gBetween, gShadeMap), uv, axis, frustum,
                              gSeparableUnit, gSeparableStrength, first, pairs);
 }
 

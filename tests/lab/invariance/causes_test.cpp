@@ -26,9 +26,9 @@ struct Change {
 const Change kFirstLevel{"hlsl/platform.fxh", "#define tex2D(s, uv) s##Map.Sample(s, uv)",
                          "#define tex2D(s, uv) s##Map.SampleLevel(s, uv, 0.0)"};
 /// A hundredth of a millimetre, or 1e-5 of z/w, to both sides of which a float is sure.
-const Change kSoftShadow{"hlsl/shadow/map.fxh", "return depth <= texel + kFarBeyond * shadowBeyond(coordinate) ? 1.0 : 0.0;",
-                         "return saturate((texel + kFarBeyond * shadowBeyond(coordinate) - depth) / "
-                         "(kDepthInMillimetres ? 0.01 : 1e-5) + 0.5);"};
+const Change kSoftShadow{"hlsl/shadow/map.fxh", "return depth <= texel + kTgFarBeyond * tgShadowBeyond(coordinate) ? 1.0 : 0.0;",
+                         "return saturate((texel + kTgFarBeyond * tgShadowBeyond(coordinate) - depth) / "
+                         "(kTgDepthInMillimetres ? 0.01 : 1e-5) + 0.5);"};
 const Change kLengthsOfVectors{"hlsl/peers/preintegrated.fxh", "length(abs(nx) + abs(ny)) / max(length(abs(px) + abs(py)), 1e-6)",
                                "(length(nx) + length(ny)) / max(length(px) + length(py), 1e-6)"};
 

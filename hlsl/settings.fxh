@@ -1,5 +1,5 @@
 // Every constant that differs between the three settings, and the sizes and formats of maps. docs/settings.md lists each with its source.
-//   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
+//   TEGUMENT_SETTING   0, 1, 2 (default), by name in FX_SETTINGS
 //   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
 //   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else 1
@@ -11,6 +11,10 @@
 // SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #define TEGUMENT_SETTINGS_FXH
+
+// What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
+#define FX_SETTINGS TEGUMENT_SETTING seed deon2007 corrected
+#define FX_METADATA map_size TEGUMENT_MAP_SIZE
 
 #ifndef TEGUMENT_SETTING
 #define TEGUMENT_SETTING 2

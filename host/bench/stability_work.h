@@ -4,6 +4,7 @@
 #include "host/bench/stability.h"
 #include "host/effect/model.h"
 #include "host/image/image.h"
+#include "host/run/run.h"
 #include "host/run/session.h"
 #include "host/scene/mesh.h"
 #include "host/scene/workspace.h"

@@ -1,7 +1,8 @@
 # Warnings, sanitizers, and how a folder becomes a library.
 
 add_library(tegument_options INTERFACE)
-target_include_directories(tegument_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/tegument>)
+target_include_directories(tegument_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}>
+  $<INSTALL_INTERFACE:include/tegument>)
 target_compile_features(tegument_options INTERFACE cxx_std_20)
 # Designated initialisers leave fields at their defaults on purpose. GCC 12 reports false positives of the other two in libstdc++'s
 # strings and variants (GCC bugs 105562 and 105651); clang-tidy looks for the real ones.

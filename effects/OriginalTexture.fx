@@ -1,5 +1,6 @@
 // OriginalTexture: the mesh with its colour map, unlit. Shows that mesh, texture coordinates and colour space are read as meant.
 #include "../hlsl/platform.fxh"
+#include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"

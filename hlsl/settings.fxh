@@ -33,14 +33,19 @@
 #define TEGUMENT_PRINTED_TRANSMISSION_FXH
 #else
 // docs/settings.md lists every constant with its source.
-//   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
-//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else
-// 1
-//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure
-// what it is worth
-//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what
-// that saves
+//   TEGUMENT_SETTING   0, 1, 2 (default), by name in FX_SETTINGS
+//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting
+//                      corrected, else 1
+//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to
+//                      measure what it is worth
+//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure
+//                      what that saves
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
+
+// What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
+#define FX_SETTINGS TEGUMENT_SETTING seed deon2007 corrected
+#define FX_METADATA map_size TEGUMENT_MAP_SIZE
+
 #ifndef TEGUMENT_SETTING
 #define TEGUMENT_SETTING 2
 #endif

@@ -3,7 +3,7 @@
 #define TEGUMENT_PASSES_BLUR_PARAMETERS_FXH
 
 float gBlurSize < UI_SLIDER("Radius of each blur", 0.0, 20.0, 0.1)
-    string UIHelp = "mm where the kernel size is 1; settings seed and deon2007: pairs of texels"; > = TG_SKIN_BLUR_SIZE;
+    string UIHelp = "mm where the kernel size is 1; as printed: pairs of texels"; > = TG_SKIN_BLUR_SIZE;
 float gBlurTurn < UI_SLIDER("Turn from blur to blur", 0.0, 6.2832, 0.01)
     string UIHelp = "radians by which the disc is turned, so that the blurs do not repeat its pattern"; > = TG_SKIN_BLUR_TURN;
 int gBlurCount < string UIName = "Blurs"; string UIWidget = "Slider"; int UIMin = 1; int UIMax = 6; > = 3;

@@ -3,7 +3,8 @@
 #ifndef TEGUMENT_PASSES_IRRADIANCE_GOSSELIN_FXH
 #define TEGUMENT_PASSES_IRRADIANCE_GOSSELIN_FXH
 
-Texture2D gKernelSizeMap : KERNELSIZE < float4 Fallback = { 0.6, 0.6, 0.6, 1.0 }; string UIName = "Kernel size map"; >;
+Texture2D gKernelSizeMap : KERNELSIZE < float4 Fallback = { 0.6, 0.6, 0.6, 1.0 }; string UIName = "Kernel size map";
+    float UIMax = 0.99; string UIHelp = "1 marks texels without skin: above 0.99 it is read as 0.99"; >;
 TG_SAMPLER2D(gKernelSize, LINEAR, CLAMP);
 
 float3 diffuseLight(LitPoint p)

@@ -76,12 +76,10 @@ Result<void> namesAreDistinct(const std::vector<std::filesystem::path>& files) {
 
 CheckOptions checkOptions(const CheckArguments& arguments) {
     const LoadOptions load = loadOptions(arguments.effect);
-    CheckOptions options{.variants = {Variant{.name = arguments.effect.setting, .defines = load.defines}},
+    CheckOptions options{.variants = {Variant{.name = load.setting, .defines = load.defines, .setting = load.setting}},
                          .includeFolders = load.includeFolders};
-    if (!arguments.allSettings) return options;
-    options.variants = settingVariants();
-    for (Variant& variant : options.variants)
-        variant.defines.insert(variant.defines.end(), load.defines.begin(), load.defines.end());
+    options.allSettings = arguments.allSettings;
+    if (options.allSettings) options.variants.front() = {.name = {}, .defines = load.defines};
     return options;
 }
 
@@ -182,14 +180,13 @@ void printProblems(const CheckReport& report) {
 }
 
 /// The folders that were written, or the first thing that went wrong; a file that failed has been reported already.
-Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckOptions& checked, const CheckArguments& arguments) {
+Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckArguments& arguments) {
     std::vector<std::string> folders;
     const auto kinds = chosenKinds(arguments.emitKinds);
     if (!kinds) return kinds.error();
     for (const FileReport& file : report.files) {
         if (file.failed()) continue;
-        const auto variant = std::ranges::find(checked.variants, file.variant, &Variant::name);
-        const auto folder = emitEffect(file, {.folder = arguments.emitFolder, .kinds = *kinds, .defines = variant->defines});
+        const auto folder = emitEffect(file, {.folder = arguments.emitFolder, .kinds = *kinds, .defines = file.effect.defines});
         if (!folder) return folder.error();
         folders.push_back(folder->string());
     }
@@ -212,8 +209,7 @@ int check(const CheckArguments& arguments) {
     progress.say(fmt::format("checking {} files", files.size()));
     const CheckOptions options = checkOptions(arguments);
     const CheckReport report = checkEffects(files, *targets, options);
-    const Result<std::vector<std::string>> emitted =
-        arguments.emitFolder.empty() ? std::vector<std::string>() : emitAll(report, options, arguments);
+    const Result<std::vector<std::string>> emitted = arguments.emitFolder.empty() ? std::vector<std::string>() : emitAll(report, arguments);
     progress.clear();
 
     if (arguments.json) {
@@ -242,7 +238,7 @@ void addCheck(CLI::App& program, Action& action) {
     command->add_option("effects", arguments->files, "Effect files (.fx)")->required();
     command->add_option("--target", arguments->targets, "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang or all; may be repeated")
         ->capture_default_str();
-    command->add_flag("--all-settings", arguments->allSettings, "Check each setting: seed, deon2007 and corrected");
+    command->add_flag("--all-settings", arguments->allSettings, "Check every setting that an effect has");
     addEffectOptions(*command, arguments->effect);
     CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
     command

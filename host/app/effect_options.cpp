@@ -7,16 +7,10 @@
 
 namespace tegument::app {
 
-const std::vector<std::string>& settingNames() {
-    static const std::vector<std::string> kNames = {"seed", "deon2007", "corrected"};
-    return kNames;
-}
-
 void addEffectOptions(CLI::App& command, EffectOptions& options) {
     command.add_option("-D,--define", options.defines, "Preprocessor definition NAME or NAME=VALUE");
     command.add_option("-I,--include", options.includeFolders, "Folder searched for #include files");
-    command.add_option("--setting", options.setting, "Constants and errata: seed, deon2007 or corrected (docs/settings.md)")
-        ->check(CLI::IsMember(settingNames()));
+    command.add_option("--setting", options.setting, "Setting of the effect, by name; tegument info lists them (docs/settings.md)");
     command.add_option("--map-size", options.mapSize, "Texels along each side of the texture-space maps")->check(CLI::Range(1, 16384));
 }
 
@@ -41,10 +35,7 @@ LoadOptions loadOptions(const EffectOptions& options) {
             load.defines.emplace_back(define.substr(0, equals), define.substr(equals + 1));
         }
     }
-    if (!options.setting.empty()) {
-        const auto& names = settingNames();
-        load.defines.emplace_back("TEGUMENT_SETTING", std::to_string(std::ranges::find(names, options.setting) - names.begin()));
-    }
+    load.setting = options.setting;
     if (options.mapSize > 0) load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
     for (const std::string& folder : options.includeFolders)
         load.includeFolders.emplace_back(folder);

@@ -17,7 +17,7 @@ namespace tegument::app {
 struct EffectOptions {
     std::vector<std::string> defines; // NAME or NAME=VALUE
     std::vector<std::string> includeFolders;
-    std::string setting; // seed, deon2007, corrected
+    std::string setting; // one of the effect's own; empty: its default
     int mapSize = 0;     // 0: the effect's default
 };
 
@@ -27,10 +27,7 @@ void addEffectOptions(CLI::App& command, EffectOptions& options);
 /// the build folder as well as installed.
 [[nodiscard]] std::filesystem::path effectPath(const std::filesystem::path& named);
 
-/// Defines in the order given; --setting and --map-size become TEGUMENT_SETTING and TEGUMENT_MAP_SIZE.
+/// Defines in the order given; --map-size becomes TEGUMENT_MAP_SIZE.
 [[nodiscard]] LoadOptions loadOptions(const EffectOptions& options);
-
-/// The settings by name, in the order of TEGUMENT_SETTING's values.
-[[nodiscard]] const std::vector<std::string>& settingNames();
 
 } // namespace tegument::app

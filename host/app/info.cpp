@@ -41,6 +41,10 @@ Json effectJson(const Effect& effect) {
     const Parameter* global = nullptr;
     for (const Parameter& parameter : effect.parameters)
         if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL")) global = &parameter;
+    json["settings"] =
+        effect.settings
+            ? Json{{"switch", effect.settings->define}, {"names", effect.settings->names}, {"current", effect.settings->current}}
+            : Json(nullptr);
     json["script"] = global ? Json(global->annotations.string("Script").value_or("")) : Json(nullptr);
     return json;
 }
@@ -76,7 +80,11 @@ void printEffect(const Effect& effect) {
                                   parameter.annotations.string("UIHelp").value_or("")});
         }
     }
-    fmt::print("{}\n\n", effect.file.string());
+    fmt::print("{}\n", effect.file.string());
+    if (effect.settings)
+        fmt::print("settings ({}): {}; now {}\n", effect.settings->define, fmt::join(effect.settings->names, ", "),
+                   effect.settings->current);
+    fmt::print("\n");
     if (!parameters.empty()) fmt::print("{}\n", table({"parameter", "type", "semantic", "default", "help"}, parameters));
     if (!targets.empty()) fmt::print("{}\n", table({"target", "size", "format"}, targets));
     for (const Technique& technique : effect.techniques) {

@@ -24,10 +24,14 @@ struct RenderOptions {
     bool json = false;
 };
 
+std::string metadata(const RunResult& result, const char* entry) {
+    const auto found = result.image.metadata.find(entry);
+    return found == result.image.metadata.end() ? std::string() : found->second;
+}
+
 int mapSize(const RenderOptions& options, const RunResult& result) {
     if (options.job.effect.mapSize > 0) return options.job.effect.mapSize;
-    const auto found = result.image.metadata.find("map_size");
-    return found == result.image.metadata.end() ? 0 : std::atoi(found->second.c_str());
+    return std::atoi(metadata(result, "map_size").c_str());
 }
 
 Json vectorJson(const glm::vec3& v) {
@@ -66,7 +70,7 @@ Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device&
     const bool several = !job.scene.objects.empty();
     Json json{{"effect", job.effect.file.string()},
               {"technique", result.technique},
-              {"setting", options.job.effect.setting.empty() ? "corrected" : options.job.effect.setting},
+              {"setting", metadata(result, "setting")},
               {"compiler", compilerName(job.run.compiler)},
               {"device", device.info().name},
               {"driver", device.info().driver},

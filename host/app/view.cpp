@@ -26,11 +26,8 @@ SessionScene sceneOf(const Scene& scene) {
 }
 
 ViewRequest requestFor(const ViewOptions& options, const Job& job) {
-    EffectOptions withoutSetting = options.job.effect;
-    withoutSetting.setting.clear();
     return {.effect = options.job.file,
-            .load = loadOptions(withoutSetting),
-            .setting = options.job.effect.setting.empty() ? "corrected" : options.job.effect.setting,
+            .load = loadOptions(options.job.effect),
             .scene = sceneOf(job.scene),
             .workspace = job.scene.workspace,
             .run = job.run,

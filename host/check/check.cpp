@@ -25,6 +25,17 @@ bool isError(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::Error;
 }
 
+std::vector<Variant> variantsOf(const std::filesystem::path& file, const CheckOptions& options) {
+    if (!options.allSettings) return options.variants;
+    std::vector<Variant> all;
+    for (const Variant& variant : options.variants)
+        for (Variant setting : settingVariants(file, {.defines = variant.defines, .includeFolders = options.includeFolders})) {
+            setting.name = variant.name.empty() ? setting.name : variant.name + " " + setting.name;
+            all.push_back(std::move(setting));
+        }
+    return all;
+}
+
 } // namespace
 
 std::string_view targetName(Target target) {
@@ -37,8 +48,13 @@ std::vector<Target> targetsByName(std::string_view name) {
     return found == kNames.end() ? std::vector<Target>{} : std::vector{found->target};
 }
 
-std::vector<Variant> settingVariants() {
-    return {{"seed", {{"TEGUMENT_SETTING", "0"}}}, {"deon2007", {{"TEGUMENT_SETTING", "1"}}}, {"corrected", {{"TEGUMENT_SETTING", "2"}}}};
+std::vector<Variant> settingVariants(const std::filesystem::path& effect, const LoadOptions& options) {
+    const auto loaded = loadEffect(effect, options);
+    std::vector<Variant> variants;
+    if (loaded && loaded->settings)
+        for (const std::string& name : loaded->settings->names)
+            variants.push_back({.name = name, .defines = options.defines, .setting = name});
+    return variants.empty() ? std::vector{Variant{.name = {}, .defines = options.defines}} : variants;
 }
 
 bool FileReport::failed() const {
@@ -57,10 +73,15 @@ bool CheckReport::complete() const {
 }
 
 CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const std::vector<Target>& targets, const CheckOptions& options) {
+    if (files.empty()) return {};
     std::vector<check::Work> works;
-    for (const Variant& variant : options.variants)
-        for (const std::filesystem::path& file : files)
-            works.push_back(check::load(file, variant, targets, options));
+    std::vector<std::vector<Variant>> variants;
+    for (const std::filesystem::path& file : files)
+        variants.push_back(variantsOf(file, options));
+    const auto most = std::ranges::max(variants, {}, &std::vector<Variant>::size).size();
+    for (std::size_t variant = 0; variant < most; ++variant)
+        for (std::size_t file = 0; file < files.size(); ++file)
+            if (variant < variants[file].size()) works.push_back(check::load(files[file], variants[file][variant], targets, options));
     // Wine is started from this thread: what it leaves running ends with the thread that started it.
     auto spirv = std::async(std::launch::async, [&] {
         for (check::Work& work : works)
@@ -126,12 +147,12 @@ TargetCheck* Work::find(Target target) {
 }
 
 Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets, const CheckOptions& options) {
-    Work work{.file = file, .variant = &variant, .includeFolders = options.includeFolders, .pairs = {}, .report = {}};
+    Work work{.file = file, .variant = variant, .includeFolders = options.includeFolders, .pairs = {}, .report = {}};
     work.report.file = file;
     work.report.variant = variant.name;
     for (const Target target : targets)
         work.report.targets.push_back({.target = target});
-    auto effect = loadEffect(file, {.defines = variant.defines, .includeFolders = options.includeFolders});
+    auto effect = loadEffect(file, {.defines = variant.defines, .includeFolders = options.includeFolders, .setting = variant.setting});
     if (!effect) {
         work.report.diagnostics = effect.error().diagnostics;
         for (TargetCheck& target : work.report.targets)

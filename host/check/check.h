@@ -29,14 +29,16 @@ inline constexpr std::array kAllTargets = {Target::Fx2, Target::Fx4, Target::Fx5
 struct Variant {
     std::string name; // for the report; may be empty
     std::vector<std::pair<std::string, std::string>> defines;
+    std::string setting; // of the effect, by name; empty: as it and the defines have it
 };
 
-/// TEGUMENT_SETTING 0, 1 and 2: "seed", "deon2007", "corrected".
-[[nodiscard]] std::vector<Variant> settingVariants();
+/// One for each setting of the effect; of an effect without settings, or that cannot be read, one without a name.
+[[nodiscard]] std::vector<Variant> settingVariants(const std::filesystem::path& effect, const LoadOptions& options = {});
 
 struct CheckOptions {
     std::vector<Variant> variants = {Variant{}};
     std::vector<std::filesystem::path> includeFolders;
+    bool allSettings = false; // each variant once for each setting that a file has
 };
 
 enum class Verdict { Passed, Failed, NotChecked };

@@ -43,7 +43,7 @@ Expected expectedIn(const Work& work, Target target) {
 }
 
 std::vector<std::pair<std::string, std::string>> definesFor(const Work& work, Target target) {
-    auto defines = work.variant->defines;
+    auto defines = work.effect().defines;
     if (target == Target::Fx4) defines.emplace_back("FX_D3D10", "1");
     if (target == Target::Fx5) defines.emplace_back("FX_D3D11", "1");
     if (target == Target::Sm5) defines.emplace_back("FX_ENTRY", "1");

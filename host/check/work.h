@@ -13,7 +13,7 @@ struct StagePair {
 
 struct Work {
     std::filesystem::path file;
-    const Variant* variant = nullptr;
+    Variant variant;
     std::vector<std::filesystem::path> includeFolders;
     /// The file distinguishes the targets by FX_D3D10, as hlsl/platform.fxh does: its techniques exist on all of them.
     bool dialect = false;

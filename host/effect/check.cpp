@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 37> kAnnotations{{
+constexpr std::array<KnownAnnotation, 38> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -58,6 +58,7 @@ constexpr std::array<KnownAnnotation, 37> kAnnotations{{
     {"Instances", kText},
     {"Producer", kText},
     {"ColorSpace", kText},
+    {"Metadata", kText},
     {"Fallback", kNumber, 4, 4},
     {"ViewportRatio", kNumber, 2, 2},
     {"Dimensions", kNumber, 2, 3},

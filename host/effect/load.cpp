@@ -5,6 +5,9 @@
 #include "host/effect/parser.h"
 #include "host/support/file.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace tegument {
@@ -44,11 +47,25 @@ Result<void> addCode(Effect& effect, const LoadOptions& options, const FileReade
     return {};
 }
 
-} // namespace
-
-Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read) {
+/// The setting asked for as a definition of its switch. The preprocessor alone finds which that is.
+Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions options, const FileReader& read) {
+    if (options.setting.empty()) return options;
     Sources sources;
-    const Result<Preprocessed> metadata = view(file, options, read, sources, {"FX_D3D11", "1"});
+    const Result<Preprocessed> plain = view(file, options, read, sources, {"FX_D3D11", "1"});
+    if (!plain) return quoted(plain.error(), sources);
+    const std::vector<std::string> names = plain->settings ? plain->settings->names : std::vector<std::string>();
+    const auto found = std::ranges::find(names, options.setting);
+    if (found == names.end())
+        return usageError(4051, fmt::format("{} has no setting '{}'", file.string(), options.setting),
+                          names.empty() ? "it has none at all: no FX_SETTINGS" : fmt::format("{}", fmt::join(names, ", ")));
+    options.defines.emplace_back(plain->settings->define, std::to_string(found - names.begin()));
+    options.setting.clear();
+    return options;
+}
+
+Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read) {
+    Sources sources;
+    Result<Preprocessed> metadata = view(file, options, read, sources, {"FX_D3D11", "1"});
     if (!metadata) return quoted(metadata.error(), sources);
     Parsed parsed = Parser(sources, metadata->tokens).run();
     if (std::ranges::none_of(parsed.errors, losesDeclarations)) checkEffect(parsed);
@@ -59,12 +76,21 @@ Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& 
     effect.defines = options.defines;
     effect.includeFolders = options.includeFolders;
     effect.includes = metadata->includes;
+    effect.settings = std::move(metadata->settings);
+    effect.metadata = std::move(metadata->metadata);
     effect.warnings.insert(effect.warnings.begin(), metadata->warnings.begin(), metadata->warnings.end());
     effect.warnings.resize(std::min(effect.warnings.size(), kMostWarnings));
     for (Diagnostic& warning : effect.warnings)
         quote(warning, sources);
     if (Result<void> code = addCode(effect, options, read); !code) return code.error();
     return effect;
+}
+
+} // namespace
+
+Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read) {
+    const auto chosen = withSetting(file, options, read);
+    return chosen ? load(file, *chosen, read) : chosen.error();
 }
 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options) {

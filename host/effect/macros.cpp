@@ -43,6 +43,14 @@ bool Macros::define(Macro macro) {
     return replaced;
 }
 
+std::vector<std::string> Macros::words(std::string_view name) const {
+    std::vector<std::string> words;
+    if (const auto found = table_.find(name); found != table_.end())
+        for (const Token& token : found->second.body)
+            words.emplace_back(token.text);
+    return words;
+}
+
 void Macros::undefine(std::string_view name) {
     if (const auto found = table_.find(name); found != table_.end()) table_.erase(found);
 }

@@ -30,6 +30,8 @@ public:
     /// True if a different macro of that name was replaced.
     bool define(Macro macro);
     void undefine(std::string_view name);
+    /// The words of a macro's body, as written; empty when there is no such macro.
+    [[nodiscard]] std::vector<std::string> words(std::string_view name) const;
 
     /// Appends the expansion of `input`, which holds whole macro calls, to `output`. False: see `failure`.
     bool expand(std::span<const Token> input, std::vector<Token>& output);

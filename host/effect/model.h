@@ -117,12 +117,22 @@ struct StandardsGlobal {
     SourcePosition at;
 };
 
+/// A preprocessor switch whose values 0, 1, 2 ... have names: `#define FX_SETTINGS SWITCH name0 name1 ...` (docs/effect-files.md).
+struct Settings {
+    std::string define;             // the switch
+    std::vector<std::string> names; // of its values, at least one
+    std::string current;            // of the value that it has; where that has no name, the value as written
+};
+
 struct Effect {
     std::filesystem::path file;
     std::vector<Parameter> parameters; // numeric, string and texture, in file order
     std::vector<Sampler> samplers;
     std::vector<Technique> techniques;
     std::optional<StandardsGlobal> standardsGlobal;
+    std::optional<Settings> settings;
+    /// What pictures say of the effect besides its parameters: entry, value. `#define FX_METADATA entry SWITCH ...`.
+    std::map<std::string, std::string> metadata;
 
     /// Plain HLSL for DXC and glslang: preprocessed with FX_ENTRY=1, effect syntax blanked out with its lines kept,
     /// `#line N "file"` directives naming the sources.
@@ -142,6 +152,7 @@ struct Effect {
 struct LoadOptions {
     std::vector<std::pair<std::string, std::string>> defines; // name, value
     std::vector<std::filesystem::path> includeFolders;        // searched after the including file's own folder
+    std::string setting; // by its name in FX_SETTINGS, in addition to the defines; empty: as the effect and the defines have it
 };
 
 /// The D3DFORMAT that a `Format` annotation names: upper case, without D3DFMT_ or FMT_, known misspellings corrected. Nullopt when unknown.
@@ -152,7 +163,8 @@ struct LoadOptions {
 /// it, so SPIR-V targets of such a file are reported as not checked.
 [[nodiscard]] std::optional<Diagnostic> direct3D9Intrinsic(const Effect& effect);
 
-/// Reads, preprocesses (metadata view with FX_D3D11, code view with FX_ENTRY=1) and parses an effect file.
+/// Reads, preprocesses (metadata view with FX_D3D11, code view with FX_ENTRY=1) and parses an effect file. TG4051: it has no setting of
+/// that name.
 [[nodiscard]] Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options = {});
 
 } // namespace tegument

@@ -47,11 +47,31 @@ public:
         if (!text) return text.error();
         const auto shared = std::make_shared<const std::string>(*text);
         texts_[file] = shared;
-        if (process(commandLine, 0) && process(sources_.add(file.string(), shared), 0)) return std::move(result_);
+        if (process(commandLine, 0) && process(sources_.add(file.string(), shared), 0)) {
+            describe();
+            return std::move(result_);
+        }
         return Error{Blame::Input, {*failure_}};
     }
 
 private:
+    /// What the effect says of its own switches. Neither macro is expanded anywhere: compilers never see them.
+    void describe() {
+        const std::vector<std::string> settings = macros_.words("FX_SETTINGS");
+        if (settings.size() > 1) {
+            result_.settings = Settings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}, .current = {}};
+            const std::string value = valueOf(settings[0]);
+            result_.settings->current = value;
+            for (std::size_t i = 0; i < result_.settings->names.size(); ++i)
+                if (value == std::to_string(i)) result_.settings->current = result_.settings->names[i];
+        }
+        const std::vector<std::string> metadata = macros_.words("FX_METADATA");
+        for (std::size_t i = 0; i + 1 < metadata.size(); i += 2)
+            result_.metadata[metadata[i]] = valueOf(metadata[i + 1]);
+    }
+
+    std::string valueOf(const std::string& name) const { return fmt::format("{}", fmt::join(macros_.words(name), " ")); }
+
     bool fail(int code, const Token& at, std::string text, std::string hint = {}) {
         failure_ =
             Diagnostic{.code = code, .at = sources_.position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}};

@@ -2,10 +2,13 @@
 // The C preprocessor as HLSL uses it: no variadic macros; `#line` is read and ignored, because every token keeps the place where it was
 // written.
 
+#include "host/effect/model.h"
 #include "host/effect/source.h"
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +37,8 @@ struct Preprocessed {
     std::vector<Pragma> pragmas;
     std::vector<std::filesystem::path> includes; // each once, in the order of first reading
     std::vector<Diagnostic> warnings;
+    std::optional<Settings> settings;            // FX_SETTINGS
+    std::map<std::string, std::string> metadata; // FX_METADATA: entry, its switch's value
 };
 
 /// TG1001..TG1012. The tokens point into `sources`.

@@ -2,6 +2,7 @@
 // A thin Vulkan 1.3 layer: a device, headless or with a window, textures, pipelines, and a recorder that tracks layouts and barriers
 // itself. It knows nothing of effects or scenes. No Vulkan type and no exception crosses this header.
 
+#include "host/support/layout.h"
 #include "host/support/result.h"
 #include "host/support/state.h"
 
@@ -18,30 +19,14 @@
 
 namespace tegument::gpu {
 
-enum class Format {
-    R8,
-    RG8,
-    RGBA8,
-    BGRA8,
-    RGBA8Srgb,
-    RGBA16,
-    RGB10A2,
-    R16F,
-    RG16F,
-    RGBA16F,
-    R32F,
-    RG32F,
-    RGBA32F,
-    D16,
-    D24S8,
-    D32F,
-    D32FS8
-};
-[[nodiscard]] bool isDepth(Format format);
-[[nodiscard]] bool hasStencil(Format format);
-/// Of one pixel in memory. D32FS8 counts 8.
-[[nodiscard]] std::uint32_t bytesPerPixel(Format format);
-[[nodiscard]] std::string_view name(Format format);
+using Format = PixelFormat;
+using tegument::Binding;
+using tegument::BindingKind;
+using tegument::bytesPerPixel;
+using tegument::hasStencil;
+using tegument::isDepth;
+using tegument::name;
+using tegument::VertexAttribute;
 
 /// What a window library gives, without its types. The surface belongs to the device, which must be gone before the window is.
 struct WindowSurface {
@@ -123,20 +108,6 @@ public:
     Pipeline& operator=(Pipeline&&) noexcept;
     ~Pipeline();
     std::unique_ptr<detail::PipelineHandle> state;
-};
-
-enum class BindingKind { UniformBuffer, Texture, Sampler, StorageBuffer };
-struct Binding {
-    std::uint32_t set = 0;
-    std::uint32_t binding = 0;
-    BindingKind kind = BindingKind::UniformBuffer;
-};
-
-/// One float attribute of the single vertex stream.
-struct VertexAttribute {
-    std::uint32_t location = 0;
-    std::uint32_t components = 4;
-    std::uint32_t offset = 0;
 };
 
 enum class Topology { TriangleList, TriangleStrip };

@@ -33,8 +33,8 @@ PipelineState maskUnwritten(const Pass& pass, const PassProgram& program, bool m
 }
 
 /// In a mirrored world the mesh's front faces are clockwise; buffers know no world.
-bool isMirrored(const Builder& builder, const DrawStep& step) {
-    return step.kind != DrawKind::Buffer && glm::determinant(glm::dmat3(builder.prepared.scene.world)) < 0;
+bool drawsMirrored(const Builder& builder, const DrawStep& step) {
+    return step.kind != DrawKind::Buffer && isMirrored(builder.prepared.scene);
 }
 
 gpu::ShaderCode codeOf(const Shader& shader) {
@@ -54,24 +54,24 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
         formats.push_back(color->desc().format);
     const std::optional<gpu::Format> depth = targets.depth ? std::optional(targets.depth->desc().format) : std::nullopt;
     const std::uint32_t samples = anyOf(targets).desc().samples;
-    const bool mirrored = isMirrored(builder, step);
+    const bool mirrored = drawsMirrored(builder, step);
     const PipelineKey key{step.pass, formats, depth, samples, mirrored};
-    if (const auto found = builder.resources.pipelines.find(key); found != builder.resources.pipelines.end())
+    if (const auto found = builder.resources.kit.pipelines.find(key); found != builder.resources.kit.pipelines.end())
         return static_cast<const gpu::Pipeline*>(&found->second);
-    const PassProgram& program = builder.prepared.programs.at(step.pass);
-    auto pipeline = builder.input.device.createPipeline({.name = step.pass->name,
-                                                         .vertex = codeOf(program.vertex),
-                                                         .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
-                                                         .bindings = program.bindings,
-                                                         .attributes = program.attributes,
-                                                         .vertexStride = kVertexStride,
-                                                         .topology = gpu::Topology::TriangleList,
-                                                         .colorFormats = std::move(formats),
-                                                         .depthFormat = depth,
-                                                         .samples = samples,
-                                                         .state = maskUnwritten(*step.pass, program, mirrored)});
+    const PassProgram& program = *builder.prepared.programs.at(step.pass);
+    auto pipeline = builder.resources.device.createPipeline({.name = step.pass->name,
+                                                             .vertex = codeOf(program.vertex),
+                                                             .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
+                                                             .bindings = program.bindings,
+                                                             .attributes = program.attributes,
+                                                             .vertexStride = kVertexStride,
+                                                             .topology = gpu::Topology::TriangleList,
+                                                             .colorFormats = std::move(formats),
+                                                             .depthFormat = depth,
+                                                             .samples = samples,
+                                                             .state = maskUnwritten(*step.pass, program, mirrored)});
     if (!pipeline) return pipeline.error();
-    return static_cast<const gpu::Pipeline*>(&builder.resources.pipelines.emplace(key, std::move(*pipeline)).first->second);
+    return static_cast<const gpu::Pipeline*>(&builder.resources.kit.pipelines.emplace(key, std::move(*pipeline)).first->second);
 }
 
 gpu::Targets targetsOf(Builder& builder, const DrawStep& step) {
@@ -118,7 +118,7 @@ Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& sha
         if (!resource.used) continue;
         gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = {}};
         if (resource.kind == ResourceKind::Sampler || resource.kind == ResourceKind::CompareSampler)
-            bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.samplers.at(resource.name));
+            bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.kit.samplers.at(resource.name));
         else
             bound.resource = builder.resources.texture(builder.prepared, resource.name);
         item.draw.resources.push_back(bound);
@@ -152,13 +152,14 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     FrameDraw item{.name = step.pass->name, .object = builder.object, .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
     const auto pipeline = pipelineFor(builder, step, item.targets);
     if (!pipeline) return pipeline.error();
-    const Geometry& geometry = step.kind == DrawKind::Buffer ? *builder.resources.quad : builder.resources.meshes.at(builder.input.mesh);
+    const Geometry& geometry =
+        step.kind == DrawKind::Buffer ? *builder.resources.store.quad : builder.resources.store.meshes.at(builder.input.mesh);
     item.draw.pipeline = *pipeline;
     item.draw.vertices = &geometry.vertices;
     item.draw.indices = &geometry.indices;
     item.draw.count = geometry.indexCount;
     item.draw.instances = *instances;
-    const PassProgram& program = builder.prepared.programs.at(step.pass);
+    const PassProgram& program = *builder.prepared.programs.at(step.pass);
     const Extent viewport = extentOf(item.targets);
     if (const auto bound = bindStage(builder, step, program.vertex, viewport, item); !bound) return bound;
     if (program.pixel)
@@ -190,9 +191,17 @@ Result<void> recordClear(const FrameClear& item, gpu::Recorder& recorder) {
     return recorder.clearDepthStencil(target, std::nullopt, item.step.stencil);
 }
 
-Result<void> recordDraw(const FrameDraw& item, gpu::Recorder& recorder) {
-    recorder.beginTimer(item.name);
-    auto drawn = recorder.draw(item.targets, item.draw);
+Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder) {
+    if (const auto* draw = std::get_if<FrameDraw>(&item)) return recorder.draw(draw->targets, draw->draw);
+    if (const auto* clear = std::get_if<FrameClear>(&item)) return recordClear(*clear, recorder);
+    return recorder.generateMips(*std::get<FrameMips>(item).target);
+}
+
+Result<void> recordTimed(const FrameItem& item, gpu::Recorder& recorder) {
+    const auto* draw = std::get_if<FrameDraw>(&item);
+    if (!draw) return recordItem(item, recorder);
+    recorder.beginTimer(draw->name);
+    auto drawn = recordItem(item, recorder);
     recorder.endTimer();
     return drawn;
 }
@@ -230,13 +239,11 @@ Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resource
 }
 
 Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items) {
-    for (const auto& item : std::span(frame.items).first(std::min(items, frame.items.size()))) {
-        Result<void> done;
-        if (const auto* draw = std::get_if<FrameDraw>(&item)) done = recordDraw(*draw, recorder);
-        if (const auto* clear = std::get_if<FrameClear>(&item)) done = recordClear(*clear, recorder);
-        if (const auto* mips = std::get_if<FrameMips>(&item)) done = recorder.generateMips(*mips->target);
-        if (!done) return done;
-    }
+    for (const FrameNode& node : frame.before)
+        for (const FrameItem& item : node.items)
+            if (auto done = recordItem(item, recorder); !done) return done;
+    for (const FrameItem& item : std::span(frame.items).first(std::min(items, frame.items.size())))
+        if (auto done = recordTimed(item, recorder); !done) return done;
     return frame.resolve ? recordResolve(*frame.resolve, recorder) : Result<void>();
 }
 

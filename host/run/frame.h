@@ -21,8 +21,6 @@ struct ObjectRun {
     const Prepared& prepared;
 };
 
-inline constexpr const char* kResolve = "resolve";
-
 struct FrameDraw {
     std::string name;
     int object = 0;
@@ -46,8 +44,17 @@ struct FrameResolve {
     gpu::Texture* to = nullptr;
 };
 
+using FrameItem = std::variant<FrameDraw, FrameClear, FrameMips>;
+
+/// What another effect draws into textures that the frame samples.
+struct FrameNode {
+    std::string effect; // its file
+    std::vector<FrameItem> items;
+};
+
 struct Frame {
-    std::vector<std::variant<FrameDraw, FrameClear, FrameMips>> items;
+    std::vector<FrameNode> before; // in this order; without sections of their own
+    std::vector<FrameItem> items;
     std::optional<FrameResolve> resolve; // after the items that are recorded; where the caller's targets have several samples a pixel
 };
 
@@ -55,7 +62,8 @@ struct Frame {
 /// its script once and draws all meshes where it draws geometry. TG4006 the annotation Instances asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
-/// Records the frame, or its first `items`; each draw is a timed section with its pass's name, and so is the resolve, kResolve.
+/// Records the nodes before the frame, then its items, or the first `items` of them; each of their draws is a timed section with its pass's
+/// name, and so is the resolve, kResolve.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 
 } // namespace tegument::run

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string_view>
 
 namespace tegument::run {
@@ -22,11 +21,6 @@ constexpr std::array kStream = {StreamElement{"POSITION0", 3, 0}, StreamElement{
 
 bool reads(const Reflection& vertex, std::string_view semantic) {
     return std::ranges::any_of(vertex.inputs, [&](const StageVariable& input) { return input.semantic == semantic; });
-}
-
-template <class T>
-std::span<const std::byte> bytesOf(const std::vector<T>& values) {
-    return std::as_bytes(std::span(values));
 }
 
 } // namespace
@@ -55,16 +49,8 @@ Mesh fullScreenQuad() {
     return quad;
 }
 
-Result<Geometry> uploadGeometry(gpu::Device& device, const Mesh& mesh) {
-    auto vertices = device.createBuffer(gpu::BufferUsage::Vertex, bytesOf(interleave(mesh)));
-    if (!vertices) return vertices.error();
-    auto indices = device.createBuffer(gpu::BufferUsage::Index, bytesOf(mesh.indices));
-    if (!indices) return indices.error();
-    return Geometry{std::move(*vertices), std::move(*indices), static_cast<std::uint32_t>(mesh.indices.size())};
-}
-
-Result<std::vector<gpu::VertexAttribute>> bindStream(const Pass& pass, const Reflection& vertex) {
-    std::vector<gpu::VertexAttribute> attributes;
+Result<std::vector<VertexAttribute>> bindStream(const Pass& pass, const Reflection& vertex) {
+    std::vector<VertexAttribute> attributes;
     for (const StageVariable& input : vertex.inputs) {
         const auto* found = std::ranges::find(kStream, input.semantic, &StreamElement::semantic);
         if (found == kStream.end())

@@ -1,11 +1,11 @@
 #pragma once
 // The vertex stream (docs/conventions.md): POSITION float3, NORMAL float3, TANGENT float4, TEXCOORD0 float2, interleaved. The full-screen
-// quad has the same stream, so a pipeline serves both kinds of drawing.
+// quad has the same stream, so a pipeline serves both kinds of drawing. Needs no GPU.
 
 #include "host/effect/model.h"
-#include "host/gpu/gpu.h"
 #include "host/mesh/mesh.h"
 #include "host/spirv/compile.h"
+#include "host/support/layout.h"
 
 #include <cstdint>
 #include <vector>
@@ -14,21 +14,13 @@ namespace tegument::run {
 
 inline constexpr std::uint32_t kVertexStride = 12 * sizeof(float);
 
-struct Geometry {
-    gpu::Buffer vertices;
-    gpu::Buffer indices;
-    std::uint32_t indexCount = 0;
-};
-
 /// Interleaved floats, 12 a vertex; missing normals, tangents and UVs are zeros (no shader that reads them gets this far).
 [[nodiscard]] std::vector<float> interleave(const Mesh& mesh);
 /// Clip space, texel row 0 (v = 0) at the top, front faces counter-clockwise.
 [[nodiscard]] Mesh fullScreenQuad();
 
-[[nodiscard]] Result<Geometry> uploadGeometry(gpu::Device& device, const Mesh& mesh);
-
 /// TG4042: the vertex shader reads something that the stream does not have.
-[[nodiscard]] Result<std::vector<gpu::VertexAttribute>> bindStream(const Pass& pass, const Reflection& vertex);
+[[nodiscard]] Result<std::vector<VertexAttribute>> bindStream(const Pass& pass, const Reflection& vertex);
 /// TG4040 there is no mesh, TG4041 the mesh has no UVs and the pass reads them (or tangents, which need them).
 [[nodiscard]] Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* mesh);
 

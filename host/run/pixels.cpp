@@ -17,18 +17,18 @@ namespace {
 
 enum class Storage { Unorm8, Unorm16, Half, Float, Packed10 };
 
-Storage storageOf(gpu::Format format) {
+Storage storageOf(PixelFormat format) {
     switch (format) {
-    case gpu::Format::R8:
-    case gpu::Format::RG8:
-    case gpu::Format::RGBA8:
-    case gpu::Format::BGRA8:
-    case gpu::Format::RGBA8Srgb: return Storage::Unorm8;
-    case gpu::Format::RGBA16: return Storage::Unorm16;
-    case gpu::Format::RGB10A2: return Storage::Packed10;
-    case gpu::Format::R16F:
-    case gpu::Format::RG16F:
-    case gpu::Format::RGBA16F: return Storage::Half;
+    case PixelFormat::R8:
+    case PixelFormat::RG8:
+    case PixelFormat::RGBA8:
+    case PixelFormat::BGRA8:
+    case PixelFormat::RGBA8Srgb: return Storage::Unorm8;
+    case PixelFormat::RGBA16: return Storage::Unorm16;
+    case PixelFormat::RGB10A2: return Storage::Packed10;
+    case PixelFormat::R16F:
+    case PixelFormat::RG16F:
+    case PixelFormat::RGBA16F: return Storage::Half;
     default: return Storage::Float;
     }
 }
@@ -93,19 +93,19 @@ std::array<float, 4> pixel(const Image& image, std::size_t index, bool decode) {
 
 } // namespace
 
-gpu::Format formatFor(const Image& image, bool srgb) {
-    if (image.bitsPerChannel == 8) return srgb ? gpu::Format::RGBA8Srgb : gpu::Format::RGBA8;
-    if (image.bitsPerChannel == 16 && !srgb) return gpu::Format::RGBA16;
-    return gpu::Format::RGBA32F;
+PixelFormat formatFor(const Image& image, bool srgb) {
+    if (image.bitsPerChannel == 8) return srgb ? PixelFormat::RGBA8Srgb : PixelFormat::RGBA8;
+    if (image.bitsPerChannel == 16 && !srgb) return PixelFormat::RGBA16;
+    return PixelFormat::RGBA32F;
 }
 
-std::vector<std::byte> texels(const Image& image, gpu::Format format, bool decode) {
+std::vector<std::byte> texels(const Image& image, PixelFormat format, bool decode) {
     const int channels = channelCount(format);
     const Storage storage = storageOf(format);
     assert(storage != Storage::Packed10 && (channels == 4 || channels <= image.channels));
     const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     std::vector<std::byte> out;
-    out.reserve(count * gpu::bytesPerPixel(format));
+    out.reserve(count * bytesPerPixel(format));
     for (std::size_t i = 0; i < count; ++i) {
         std::array<float, 4> rgba = pixel(image, i, decode);
         if (channels == 2) rgba[1] = image.pixels[i * static_cast<std::size_t>(image.channels) + 1];
@@ -115,7 +115,7 @@ std::vector<std::byte> texels(const Image& image, gpu::Format format, bool decod
     return out;
 }
 
-Image imageFrom(std::span<const std::byte> texels, int width, int height, gpu::Format format) {
+Image imageFrom(std::span<const std::byte> texels, int width, int height, PixelFormat format) {
     Image image{.width = width, .height = height, .channels = channelCount(format)};
     const Storage storage = storageOf(format);
     image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(image.channels));
@@ -126,7 +126,7 @@ Image imageFrom(std::span<const std::byte> texels, int width, int height, gpu::F
     }
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] = loadChannel(texels, i, storage);
-    if (format == gpu::Format::BGRA8)
+    if (format == PixelFormat::BGRA8)
         for (std::size_t i = 0; i < image.pixels.size(); i += 4)
             std::swap(image.pixels[i], image.pixels[i + 2]);
     return image;

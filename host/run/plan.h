@@ -21,6 +21,8 @@ inline constexpr const char* kPicture = "<picture>";
 inline constexpr const char* kPictureDepth = "<picture depth>";
 /// With several samples a pixel: what the picture's are resolved into. No pass draws to it.
 inline constexpr const char* kPictureResolved = "<picture resolved>";
+/// The resolve's name among the passes' times.
+inline constexpr const char* kResolve = "resolve";
 
 [[nodiscard]] inline bool isCallers(const std::string& target) {
     return target == kPicture || target == kPictureDepth || target == kPictureResolved;
@@ -32,6 +34,7 @@ struct ClearStep {
     std::array<float, 4> color{};
     float depth = 1;
     std::uint32_t stencil = 0;
+    bool operator==(const ClearStep&) const = default;
 };
 
 /// One execution of a pass.
@@ -42,11 +45,13 @@ struct DrawStep {
     std::vector<std::optional<std::string>> colors; // up to the last bound one
     std::optional<std::string> depth;
     std::map<std::string, double> written; // loop indices and counts at this moment
+    bool operator==(const DrawStep&) const = default;
 };
 
 /// The mip chain of a target is made anew because the next step samples it.
 struct MipStep {
     std::string target;
+    bool operator==(const MipStep&) const = default;
 };
 
 using Step = std::variant<ClearStep, DrawStep, MipStep>;

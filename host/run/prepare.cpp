@@ -43,8 +43,9 @@ Result<void> checkTextureNames(const RunInput& input) {
 
 Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
     for (const Pass* pass : prepared.plan.passes()) {
-        if (input.before && input.before->programs.contains(pass)) {
-            prepared.programs.emplace(pass, input.before->programs.at(pass));
+        if (const auto known = input.compiled ? input.compiled->find(pass) : Programs::const_iterator();
+            input.compiled && known != input.compiled->end()) {
+            prepared.programs.insert(*known);
             continue;
         }
         auto program = compilePass(input.effect, *pass, input.options.compiler);
@@ -53,7 +54,7 @@ Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
             prepared.warnings.push_back(warning);
         if (program->pixel)
             prepared.warnings.insert(prepared.warnings.end(), program->pixel->warnings.begin(), program->pixel->warnings.end());
-        prepared.programs.emplace(pass, std::move(*program));
+        prepared.programs.emplace(pass, std::make_shared<const PassProgram>(std::move(*program)));
     }
     return {};
 }
@@ -62,7 +63,7 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
     const Extent picture{static_cast<std::uint32_t>(input.options.width), static_cast<std::uint32_t>(input.options.height)};
     std::set<std::string> names = prepared.plan.targets();
     for (const auto& program : prepared.programs)
-        names.insert(program.second.use.sampled.begin(), program.second.use.sampled.end());
+        names.insert(program.second->use.sampled.begin(), program.second->use.sampled.end());
     for (const std::string& name : names) {
         const Parameter* parameter = input.effect.findParameter(name);
         if (!parameter || !isTarget(*parameter)) continue;
@@ -71,22 +72,22 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
         prepared.targets.emplace(name, *target);
     }
     const auto samples = static_cast<std::uint32_t>(input.options.samples);
-    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = gpu::Format::RGBA32F, .samples = samples});
-    prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = gpu::Format::D24S8, .samples = samples});
-    if (samples > 1) prepared.targets.emplace(kPictureResolved, TargetDesc{.extent = picture, .format = gpu::Format::RGBA32F});
+    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = PixelFormat::RGBA32F, .samples = samples});
+    prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = PixelFormat::D24S8, .samples = samples});
+    if (samples > 1) prepared.targets.emplace(kPictureResolved, TargetDesc{.extent = picture, .format = PixelFormat::RGBA32F});
     return {};
 }
 
 Result<void> complete(const RunInput& input, Prepared& prepared) {
     std::map<const Pass*, PassUse> uses;
     for (const auto& [pass, program] : prepared.programs)
-        uses.emplace(pass, program.use);
+        uses.emplace(pass, program->use);
     std::map<std::string, TargetShape> shapes;
     for (const auto& [name, target] : prepared.targets)
         shapes.emplace(name, TargetShape{.width = target.extent.width,
                                          .height = target.extent.height,
                                          .mips = target.mips,
-                                         .depth = gpu::isDepth(target.format),
+                                         .depth = isDepth(target.format),
                                          .samples = target.samples});
     if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings); !done) return done;
     std::set<std::string> needed = prepared.plan.targets();
@@ -103,7 +104,7 @@ Result<void> checkDraws(const RunInput& input, Prepared& prepared) {
         const auto* draw = std::get_if<DrawStep>(&step);
         if (!draw || draw->kind == DrawKind::Buffer) continue;
         prepared.drawsMesh = true;
-        if (const auto checked = checkMesh(*draw->pass, prepared.programs.at(draw->pass).vertex.reflection, input.mesh); !checked)
+        if (const auto checked = checkMesh(*draw->pass, prepared.programs.at(draw->pass)->vertex.reflection, input.mesh); !checked)
             return checked;
     }
     return {};
@@ -117,7 +118,7 @@ Result<void> checkNumbers(const RunInput& input, const Prepared& prepared) {
             for (const auto& entry : draw->written)
                 written.insert(entry.first);
     for (const auto& [pass, program] : prepared.programs)
-        for (const std::string& name : program.numbers) {
+        for (const std::string& name : program->numbers) {
             const Parameter* parameter = input.effect.findParameter(name);
             if (!parameter)
                 return inputError(4005, pass->at,

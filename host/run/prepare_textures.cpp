@@ -1,9 +1,7 @@
-// Textures of a run, loaded into memory: from files, from the mesh, from other effects.
+// Textures of a run, loaded into memory: from files, from the mesh, from constants.
 
 #include "host/run/pixels.h"
 #include "host/run/prepare.h"
-#include "host/run/producer.h"
-#include "host/run/texture_source.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -14,6 +12,8 @@
 namespace tegument::run {
 
 namespace {
+
+constexpr double kByte = 1.0 / 255; // a map of 8 bits may be rounded up, and no more
 
 /// Mip chains are made for textures that a sampler of this effect reads with a linear mip filter.
 bool wantsMips(const Effect& effect, const std::string& texture) {
@@ -47,70 +47,80 @@ TextureData fromDds(const Parameter& parameter, DdsTexture file, bool mips) {
 
 TextureData fromConstant(const Parameter& parameter, const ConstantSource& constant) {
     const Image texel{.width = 1, .height = 1, .channels = 4, .pixels = {constant.begin(), constant.end()}};
-    TextureData texture{.image = texel, .format = gpu::Format::RGBA32F, .decode = false, .mips = false, .key = {}, .file = {}};
+    TextureData texture{.image = texel, .format = PixelFormat::RGBA32F, .decode = false, .mips = false, .key = {}, .file = {}};
     if (isCube(parameter)) texture.file = {.format = DdsFormat::Rgba32F, .faces = 6, .mips = 1, .images = std::vector<Image>(6, texel)};
     return texture;
 }
 
-/// 1.0 in a kernel size map would mark an invalid texel in the irradiance map; shaders read it as 0.99.
-void warnOfInvalidKernelSizes(const Parameter& parameter, const Image& image, std::vector<Diagnostic>& warnings) {
-    if (!equalsIgnoreCase(parameter.semantic, "KERNELSIZE")) return;
+/// The effect says by UIMax what the first channel of a map may hold.
+void warnOutside(const Parameter& parameter, const Image& image, std::vector<Diagnostic>& warnings) {
+    const auto most = parameter.annotations.numbers("UIMax");
+    if (!most || most->empty()) return;
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t count = image.pixels.size() / channels;
-    std::size_t full = 0;
+    std::size_t beyond = 0;
     for (std::size_t i = 0; i < count; ++i)
-        full += image.pixels[i * channels] >= 1 ? 1 : 0;
-    if (full == 0) return;
-    warnings.push_back({.severity = Severity::Warning,
-                        .code = 4034,
-                        .at = parameter.at,
-                        .text = fmt::format("{:.2f} % of the kernel size map's texels are 1.0, which marks texels without skin",
-                                            100.0 * static_cast<double>(full) / static_cast<double>(count)),
-                        .hint = "they are read as 0.99; paint 0.99 at most",
-                        .sourceLine = {}});
+        beyond += static_cast<double>(image.pixels[i * channels]) > most->front() + kByte ? 1 : 0;
+    if (beyond == 0) return;
+    warnings.push_back(
+        {.severity = Severity::Warning,
+         .code = 4034,
+         .at = parameter.at,
+         .text = fmt::format("{:.2f} % of the texels of {} are above {:g}",
+                             100.0 * static_cast<double>(beyond) / static_cast<double>(count), parameter.name, most->front()),
+         .hint = parameter.annotations.string("UIHelp").value_or("the effect was tested up to UIMax only"),
+         .sourceLine = {}});
 }
 
-/// What makes two textures of a scene the same: where it comes from, and what is made of it. Textures drawn by other effects have the key
-/// of their cache file, which is known later: empty.
+/// What makes two textures of a scene the same: where it comes from, and what is made of it.
 std::string keyOf(const TextureSource& source, const Parameter& parameter, bool mips) {
     if (const auto* constant = std::get_if<ConstantSource>(&source))
         return fmt::format("constant {} cube {}", fmt::join(*constant, " "), isCube(parameter));
     std::string from;
     if (const auto* file = std::get_if<FileSource>(&source)) from = std::filesystem::weakly_canonical(file->path).string();
     if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source)) from = fmt::format("mesh {}", fmt::ptr(*embedded));
-    if (from.empty()) return {};
     return fmt::format("{} srgb {} mips {}", from, isSrgb(parameter), mips);
 }
 
-Result<TextureData> fromSource(const RunInput& input, const Parameter& parameter, const TextureSource& source, bool mips,
-                               std::vector<Diagnostic>& warnings) {
-    if (const auto* producer = std::get_if<ProducerSource>(&source)) return produceTexture(input, parameter, *producer, warnings);
+Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& source, bool mips, std::vector<Diagnostic>& warnings) {
     if (const auto* constant = std::get_if<ConstantSource>(&source)) return fromConstant(parameter, *constant);
     if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source)) {
-        warnOfInvalidKernelSizes(parameter, (*embedded)->image, warnings);
+        warnOutside(parameter, (*embedded)->image, warnings);
         return fromImage(parameter, (*embedded)->image, mips);
     }
     auto file = loadNamed(parameter, std::get<FileSource>(source));
     if (!file) return file.error();
     TextureData texture = file->texture.images.empty() ? fromImage(parameter, std::move(file->picture), mips)
                                                        : fromDds(parameter, std::move(file->texture), mips);
-    warnOfInvalidKernelSizes(parameter, texture.image, warnings);
+    warnOutside(parameter, texture.image, warnings);
     return texture;
 }
 
-Result<TextureData> load(const RunInput& input, const Parameter& parameter, std::vector<Diagnostic>& warnings) {
+Result<TextureData> load(const RunInput& input, const Parameter& parameter, const TextureSource& source,
+                         std::vector<Diagnostic>& warnings) {
+    const bool mips = wantsMips(input.effect, parameter.name);
+    std::string key = keyOf(source, parameter, mips);
+    if (input.uploaded && input.uploaded->contains(key)) return TextureData{.image = {}, .format = {}, .key = std::move(key), .file = {}};
+    auto texture = fromSource(parameter, source, mips, warnings);
+    if (texture) texture->key = std::move(key);
+    return texture;
+}
+
+Result<void> find(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
     const auto source = findTexture(parameter, input.effect, input.options.textures, input.workspace, input.mesh);
     if (!source) return source.error();
-    const bool flat = std::holds_alternative<const EmbeddedTexture*>(*source) || std::holds_alternative<ProducerSource>(*source);
-    if (isCube(parameter) && flat)
+    const auto* producer = std::get_if<ProducerSource>(&*source);
+    if (isCube(parameter) && (producer || std::holds_alternative<const EmbeddedTexture*>(*source)))
         return inputError(4038, parameter.at, fmt::format("{} is a TextureCube, and what would fill it is no cube map", parameter.name),
                           fmt::format("give a DDS file with six faces: --set {}=FILE", parameter.name));
-    const bool mips = wantsMips(input.effect, parameter.name);
-    const std::string key = keyOf(*source, parameter, mips);
-    if (input.uploaded && input.uploaded->contains(key)) return TextureData{.image = {}, .format = {}, .key = key, .file = {}};
-    auto texture = fromSource(input, parameter, *source, mips, warnings);
-    if (texture && !key.empty()) texture->key = key;
-    return texture;
+    if (producer) {
+        prepared.products.emplace(parameter.name, *producer);
+        return {};
+    }
+    auto texture = load(input, parameter, *source, prepared.warnings);
+    if (!texture) return texture.error();
+    prepared.textures.emplace(parameter.name, std::move(*texture));
+    return {};
 }
 
 } // namespace
@@ -118,7 +128,7 @@ Result<TextureData> load(const RunInput& input, const Parameter& parameter, std:
 Result<void> prepareTextures(const RunInput& input, Prepared& prepared) {
     std::set<std::string> names;
     for (const auto& program : prepared.programs)
-        names.insert(program.second.use.sampled.begin(), program.second.use.sampled.end());
+        names.insert(program.second->use.sampled.begin(), program.second->use.sampled.end());
     for (const std::string& name : names) {
         if (prepared.targets.contains(name)) continue;
         const Parameter* parameter = input.effect.findParameter(name);
@@ -129,16 +139,14 @@ Result<void> prepareTextures(const RunInput& input, Prepared& prepared) {
         if (parameter->type.base != BaseType::Texture2D && !isCube(*parameter))
             return inputError(4032, parameter->at,
                               fmt::format("{} is a {}: this host loads Texture2D and TextureCube", name, parameter->type.name));
-        auto texture = load(input, *parameter, prepared.warnings);
-        if (!texture) return texture.error();
-        prepared.textures.emplace(name, std::move(*texture));
+        if (const auto found = find(input, *parameter, prepared); !found) return found;
     }
     return {};
 }
 
 void forgetTexels(Prepared& prepared, std::set<std::string>& uploaded) {
     for (auto& [name, texture] : prepared.textures) {
-        uploaded.insert(texture.key);
+        if (!prepared.products.contains(name)) uploaded.insert(texture.key);
         texture.image = {};
         texture.file = {};
     }

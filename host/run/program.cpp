@@ -32,17 +32,17 @@ Result<Shader> compileStage(const Effect& effect, const ShaderReference& referen
     return compileShader(request, compiler);
 }
 
-gpu::BindingKind kindOf(ResourceKind kind) {
+BindingKind kindOf(ResourceKind kind) {
     switch (kind) {
     case ResourceKind::Sampler:
-    case ResourceKind::CompareSampler: return gpu::BindingKind::Sampler;
-    case ResourceKind::StorageBuffer: return gpu::BindingKind::StorageBuffer;
-    default: return gpu::BindingKind::Texture;
+    case ResourceKind::CompareSampler: return BindingKind::Sampler;
+    case ResourceKind::StorageBuffer: return BindingKind::StorageBuffer;
+    default: return BindingKind::Texture;
     }
 }
 
 void gatherBlock(const UniformBlock& block, PassProgram& program) {
-    program.bindings.push_back({block.set, block.binding, gpu::BindingKind::UniformBuffer});
+    program.bindings.push_back({block.set, block.binding, BindingKind::UniformBuffer});
     for (const BlockMember& member : block.members)
         if (member.used) program.numbers.insert(member.name);
 }
@@ -52,10 +52,10 @@ void gather(const Reflection& reflection, PassProgram& program) {
         gatherBlock(*block, program);
     for (const Resource& resource : reflection.resources) {
         if (!resource.used) continue;
-        const gpu::BindingKind kind = kindOf(resource.kind);
+        const BindingKind kind = kindOf(resource.kind);
         program.bindings.push_back({resource.set, resource.binding, kind});
-        if (kind == gpu::BindingKind::Texture) program.use.sampled.insert(resource.name);
-        if (kind == gpu::BindingKind::Sampler) program.samplers.insert(resource.name);
+        if (kind == BindingKind::Texture) program.use.sampled.insert(resource.name);
+        if (kind == BindingKind::Sampler) program.samplers.insert(resource.name);
     }
 }
 

@@ -1,11 +1,13 @@
 #pragma once
-// A pass compiled and linked, and what it uses.
+// A pass compiled and linked, and what it uses. Needs no GPU.
 
 #include "host/effect/model.h"
-#include "host/gpu/gpu.h"
 #include "host/run/plan.h"
 #include "host/spirv/compile.h"
+#include "host/support/layout.h"
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,12 +18,15 @@ namespace tegument::run {
 struct PassProgram {
     Shader vertex;
     std::optional<Shader> pixel; // none: depth only
-    std::vector<gpu::VertexAttribute> attributes;
-    std::vector<gpu::Binding> bindings; // of both stages
-    std::set<std::string> numbers;      // parameters that either stage reads
+    std::vector<VertexAttribute> attributes;
+    std::vector<Binding> bindings; // of both stages
+    std::set<std::string> numbers; // parameters that either stage reads
     std::set<std::string> samplers;
     PassUse use;
 };
+
+/// Compiled once, used by every frame and object.
+using Programs = std::map<const Pass*, std::shared_ptr<const PassProgram>>;
 
 /// $Globals and every cbuffer.
 [[nodiscard]] std::vector<const UniformBlock*> blocksOf(const Reflection& reflection);

@@ -12,17 +12,17 @@ namespace tegument::run {
 
 namespace {
 
-Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Resources& resources) {
+Result<void> allocateTargets(const RunInput&, const Prepared& prepared, Resources& resources) {
     for (const auto& [name, target] : prepared.targets) {
         if (resources.targets.contains(name)) continue;
-        auto texture = input.device.createTexture({.name = name,
-                                                   .format = target.format,
-                                                   .width = target.extent.width,
-                                                   .height = target.extent.height,
-                                                   .mips = target.mips,
-                                                   .cube = false,
-                                                   .renderTarget = true,
-                                                   .samples = target.samples});
+        auto texture = resources.device.createTexture({.name = name,
+                                                       .format = target.format,
+                                                       .width = target.extent.width,
+                                                       .height = target.extent.height,
+                                                       .mips = target.mips,
+                                                       .cube = false,
+                                                       .renderTarget = true,
+                                                       .samples = target.samples});
         if (!texture) return texture.error();
         resources.targets.emplace(name, std::move(*texture));
     }
@@ -52,17 +52,17 @@ Result<gpu::Texture> uploadTexture(gpu::Device& device, const std::string& name,
     return texture;
 }
 
-Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Resources& resources) {
+Result<void> uploadTextures(const RunInput&, const Prepared& prepared, Resources& resources) {
     std::vector<gpu::Texture*> chains;
     for (const auto& [name, data] : prepared.textures) {
-        if (resources.textures.contains(data.key)) continue;
-        auto texture = uploadTexture(input.device, name, data);
+        if (resources.store.textures.contains(data.key) || resources.store.products.contains(data.key)) continue;
+        auto texture = uploadTexture(resources.device, name, data);
         if (!texture) return texture.error();
-        const auto placed = resources.textures.emplace(data.key, std::move(*texture));
+        const auto placed = resources.store.textures.emplace(data.key, std::move(*texture));
         if (data.mips) chains.push_back(&placed.first->second);
     }
     if (chains.empty()) return {};
-    const auto run = input.device.run([&](gpu::Recorder& recorder) -> Result<void> {
+    const auto run = resources.device.run([&](gpu::Recorder& recorder) -> Result<void> {
         for (gpu::Texture* texture : chains)
             if (const auto made = recorder.generateMips(*texture); !made) return made;
         return {};
@@ -73,34 +73,47 @@ Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Res
 Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Resources& resources) {
     std::set<std::string> names;
     for (const auto& program : prepared.programs)
-        names.insert(program.second.samplers.begin(), program.second.samplers.end());
+        names.insert(program.second->samplers.begin(), program.second->samplers.end());
     std::vector<std::string> declared;
     for (const Sampler& sampler : input.effect.samplers)
         declared.push_back(sampler.name);
     for (const std::string& name : names) {
-        if (resources.samplers.contains(name)) continue;
+        if (resources.kit.samplers.contains(name)) continue;
         const Sampler* sampler = input.effect.findSampler(name);
         if (!sampler)
             return inputError(4005, {.file = input.effect.file.string(), .byte = {}},
                               fmt::format("a shader samples with {}, which the effect does not declare outside FX_ENTRY", name),
                               didYouMean(name, declared));
-        auto made = input.device.createSampler(sampler->state);
+        auto made = resources.device.createSampler(sampler->state);
         if (!made) return made.error();
-        resources.samplers.emplace(name, std::move(*made));
+        resources.kit.samplers.emplace(name, std::move(*made));
     }
     return {};
 }
 
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+Result<Geometry> uploadGeometry(gpu::Device& device, const Mesh& mesh) {
+    auto vertices = device.createBuffer(gpu::BufferUsage::Vertex, bytesOf(interleave(mesh)));
+    if (!vertices) return vertices.error();
+    auto indices = device.createBuffer(gpu::BufferUsage::Index, bytesOf(mesh.indices));
+    if (!indices) return indices.error();
+    return Geometry{std::move(*vertices), std::move(*indices), static_cast<std::uint32_t>(mesh.indices.size())};
+}
+
 Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resources& resources) {
-    if (!resources.quad) {
-        auto quad = uploadGeometry(input.device, fullScreenQuad());
+    if (!resources.store.quad) {
+        auto quad = uploadGeometry(resources.device, fullScreenQuad());
         if (!quad) return quad.error();
-        resources.quad = std::move(*quad);
+        resources.store.quad = std::move(*quad);
     }
-    if (!prepared.drawsMesh || resources.meshes.contains(input.mesh)) return {};
-    auto mesh = uploadGeometry(input.device, *input.mesh);
+    if (!prepared.drawsMesh || resources.store.meshes.contains(input.mesh)) return {};
+    auto mesh = uploadGeometry(resources.device, *input.mesh);
     if (!mesh) return mesh.error();
-    resources.meshes.emplace(input.mesh, std::move(*mesh));
+    resources.store.meshes.emplace(input.mesh, std::move(*mesh));
     return {};
 }
 
@@ -110,8 +123,9 @@ gpu::Texture* Resources::texture(const Prepared& prepared, const std::string& na
     if (const auto target = targets.find(name); target != targets.end()) return &target->second;
     const auto data = prepared.textures.find(name);
     if (data == prepared.textures.end()) return nullptr;
-    const auto found = textures.find(data->second.key);
-    return found == textures.end() ? nullptr : &found->second;
+    if (const auto product = store.products.find(data->second.key); product != store.products.end()) return product->second;
+    const auto found = store.textures.find(data->second.key);
+    return found == store.textures.end() ? nullptr : &found->second;
 }
 
 gpu::Texture* Resources::picture() {

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -16,13 +17,34 @@ namespace tegument::run {
 /// Pipelines depend on the pass, on the formats and samples that it draws into, and on whether what it draws is mirrored.
 using PipelineKey = std::tuple<const Pass*, std::vector<gpu::Format>, std::optional<gpu::Format>, std::uint32_t, bool>;
 
-struct Resources {
-    std::map<std::string, gpu::Texture> targets;
-    std::map<std::string, gpu::Texture> textures; // by TextureData::key
-    std::map<std::string, gpu::Sampler> samplers;
-    std::map<PipelineKey, gpu::Pipeline> pipelines; // nodes stay where they are: draws point at them; made by buildFrame
+/// The vertex stream of a mesh.
+struct Geometry {
+    gpu::Buffer vertices;
+    gpu::Buffer indices;
+    std::uint32_t indexCount = 0;
+};
+
+/// What all effects of a session share.
+struct Store {
+    std::map<std::string, gpu::Texture> textures;  // by TextureData::key
+    std::map<std::string, gpu::Texture*> products; // likewise; targets of the effects that draw them
+    std::set<std::string> uploaded;                // keys of `textures`
     std::map<const Mesh*, Geometry> meshes;
     std::optional<Geometry> quad;
+};
+
+/// What the frames of one effect share, whatever their targets are.
+struct Kit {
+    Programs programs;
+    std::map<std::string, gpu::Sampler> samplers;
+    std::map<PipelineKey, gpu::Pipeline> pipelines; // nodes stay where they are: draws point at them; made by buildFrame
+};
+
+struct Resources {
+    gpu::Device& device;
+    Store& store;
+    Kit& kit;
+    std::map<std::string, gpu::Texture> targets;
 
     /// What a parameter's name means to an object.
     [[nodiscard]] gpu::Texture* texture(const Prepared& prepared, const std::string& name);

@@ -1,41 +1,19 @@
 #pragma once
-// Runs an effect on a scene: creates its targets, uploads its parameters, executes its scripts, reads targets back by name.
+// Runs an effect on a scene once: a session (host/run/session.h) whose picture and targets are read back.
 
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
-#include "host/mesh/mesh.h"
-#include "host/scene/workspace.h"
+#include "host/run/run_options.h"
 #include "host/spirv/compile.h"
 #include "host/support/result.h"
 
-#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace tegument {
-
-struct RunOptions {
-    std::string technique; // empty: the effect's default
-    int width = 1024;      // the final target, 1..16384
-    int height = 1024;
-    int samples = 1; // of a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean. The effect's own targets have one
-    Compiler compiler = Compiler::Dxc;
-    std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
-    std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder
-    std::vector<std::string> dump;                         // target names; "all"
-    int warmUpFrames = 0;
-    int frames = 1; // pass times are medians over these
-};
-
-/// One mesh of a scene of several.
-struct RunObject {
-    const Mesh* mesh = nullptr;
-    Workspace workspace; // workspaceOf(): its own textures and parameters
-    Placement placement;
-};
 
 struct PassReport {
     std::string name; // "ConvolutionU" ...; a pass run several times: one entry per run, in order
@@ -63,8 +41,7 @@ struct RunResult {
 };
 
 /// `mesh` may be null for effects that only draw buffers. Textures that name a producing effect (annotation `Producer =
-/// "Stretch.fx/gStretchMap"`) are rendered first and cached on disk. Texture files are found relative to the workspace file, then the
-/// effect.
+/// "Stretch.fx/gStretchMap"`) are drawn before the first frame. Texture files are found relative to the workspace file, then the effect.
 [[nodiscard]] Result<RunResult> runEffect(gpu::Device& device, const Effect& effect, const Mesh* mesh, const Workspace& workspace,
                                           const RunOptions& options);
 

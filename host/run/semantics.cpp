@@ -180,6 +180,10 @@ SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture
     return scene;
 }
 
+bool isMirrored(const SceneView& scene) {
+    return glm::determinant(glm::dmat3(scene.world)) < 0;
+}
+
 Result<std::optional<std::vector<double>>> semanticValue(const Parameter& parameter, const SceneView& scene) {
     if (parameter.semantic.empty() || !parameter.type.isNumeric()) return std::optional<Numbers>();
     const auto owner = ownerOf(parameter);

@@ -35,6 +35,9 @@ struct PlacedObject {
 };
 [[nodiscard]] SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture);
 
+/// Whether the world exchanges left and right: front faces are clockwise in it.
+[[nodiscard]] bool isMirrored(const SceneView& scene);
+
 /// Numbers in row order as Parameter::defaultValue holds them. nullopt: the host binds nothing to this parameter, or it asks for a mesh
 /// that is not there. TG4013: the semantic's value does not have the parameter's type; TG4014: unknown Object. VIEWPORTPIXELSIZE depends on
 /// the target and is not bound here.

@@ -1,45 +1,19 @@
 #include "host/run/session.h"
 
-#include "host/run/execute.h"
+#include "host/run/describe.h"
+#include "host/run/stage.h"
+#include "host/support/text.h"
 
-#include <deque>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <set>
 
 namespace tegument {
 
 namespace {
 
-/// Everything on which textures may depend, besides camera and light.
-struct TextureRequest {
-    std::string technique;
-    Compiler compiler = Compiler::Dxc;
-    std::map<std::string, std::vector<double>> parameters;
-    std::map<std::string, std::string> textures;
-    std::map<std::string, std::vector<double>> workspaceParameters;
-    std::map<std::string, std::string> workspaceTextures;
-    bool operator==(const TextureRequest&) const = default;
-};
-
-TextureRequest textureRequest(const Workspace& workspace, const RunOptions& options) {
-    return {.technique = options.technique,
-            .compiler = options.compiler,
-            .parameters = options.parameters,
-            .textures = options.textures,
-            .workspaceParameters = workspace.parameters,
-            .workspaceTextures = workspace.textures};
-}
-
-std::string callersName(const std::string& target) {
-    return run::isCallers(target) ? std::string() : target;
-}
-
-SessionPass describe(const run::FrameDraw& draw) {
-    SessionPass pass{.name = draw.name, .object = draw.object, .targets = {}};
-    for (const gpu::Texture* color : draw.targets.colors)
-        pass.targets.push_back(callersName(color->desc().name));
-    if (draw.targets.depth) pass.targets.push_back(callersName(draw.targets.depth->desc().name));
-    return pass;
-}
+using Sections = std::vector<gpu::TimedSection>;
 
 /// Items in front of the draw behind the first `draws` of them.
 std::size_t itemsUpTo(const run::Frame& frame, std::size_t draws) {
@@ -52,151 +26,87 @@ std::size_t itemsUpTo(const run::Frame& frame, std::size_t draws) {
     return frame.items.size();
 }
 
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// Section by section, over frames that have the same ones.
+std::vector<double> medians(const std::vector<Sections>& frames) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < frames.front().size(); ++i) {
+        std::vector<double> times;
+        for (const Sections& sections : frames)
+            times.push_back(sections[i].milliseconds);
+        result.push_back(median(std::move(times)));
+    }
+    return result;
+}
+
+/// The sections are those of the passes that were drawn, and of the resolve.
+void readTimes(const std::vector<double>& times, bool resolved, SessionFrame& frame) {
+    const std::size_t drawn = times.size() - (resolved ? 1 : 0);
+    for (std::size_t i = 0; i < drawn; ++i)
+        frame.passes[i].milliseconds = times[i];
+    if (resolved) frame.resolveMilliseconds = times.back();
+}
+
 } // namespace
 
 struct EffectSession::State {
     gpu::Device& device;
     const Effect& effect;
-    SessionScene scene;
-    run::Resources resources;
-    std::map<std::string, run::TargetDesc> allocated;
-    run::Prepared known; // only its compiled passes, of all techniques drawn so far
-    std::set<std::string> uploaded;
-    TextureRequest asked;
-    std::vector<std::map<std::string, run::TextureData>> answered; // to `asked`, for each object; without texels
+    run::Stage stage;
 };
-
-namespace {
-
-using State = EffectSession::State;
-
-/// One run for each object; they point at each other.
-struct Scene {
-    std::deque<run::PlacedObject> placed;
-    std::deque<run::RunInput> inputs;
-    std::deque<run::Prepared> prepared;
-    std::vector<run::ObjectRun> runs;
-};
-
-void addInput(Scene& scene, const State& state, const Mesh* mesh, const Workspace& workspace, const RunOptions& options) {
-    scene.inputs.push_back({.device = state.device,
-                            .effect = state.effect,
-                            .mesh = mesh,
-                            .workspace = workspace,
-                            .options = options,
-                            .producers = {},
-                            .placed = scene.placed.empty() ? nullptr : &scene.placed.back(),
-                            .before = &state.known,
-                            .uploaded = &state.uploaded});
-}
-
-Scene inputsOf(const State& state, const Workspace& workspace, const RunOptions& options) {
-    Scene scene;
-    if (state.scene.objects.empty()) {
-        addInput(scene, state, state.scene.mesh, workspace, options);
-        return scene;
-    }
-    const PlacedScene placed = run::placeObjects(workspace, state.scene.objects);
-    for (const RunObject& object : state.scene.objects) {
-        scene.placed.push_back({.placement = object.placement, .scene = placed, .worldUnitMm = workspace.worldUnitMm});
-        addInput(scene, state, object.mesh, object.workspace, options);
-    }
-    return scene;
-}
-
-bool same(const run::TargetDesc& a, const run::TargetDesc& b) {
-    return a.extent == b.extent && a.format == b.format && a.mips == b.mips && a.samples == b.samples;
-}
-
-/// Targets of the last frame that this one does not have, or has in another size, make room.
-void dropTargets(State& state, const run::Prepared& prepared) {
-    std::erase_if(state.allocated, [&](const auto& entry) {
-        const auto wanted = prepared.targets.find(entry.first);
-        if (wanted != prepared.targets.end() && same(wanted->second, entry.second)) return false;
-        state.resources.targets.erase(entry.first);
-        return true;
-    });
-}
-
-Result<void> prepareObject(State& state, const run::RunInput& input, run::Prepared& prepared, std::size_t object) {
-    state.known.programs.insert(prepared.programs.begin(), prepared.programs.end());
-    if (object < state.answered.size()) {
-        prepared.textures = state.answered[object];
-    } else if (const auto textures = run::prepareTextures(input, prepared); !textures) {
-        return textures;
-    }
-    if (object == 0) dropTargets(state, prepared);
-    if (const auto allocated = run::allocate(input, prepared, state.resources); !allocated) return allocated;
-    state.allocated.insert(prepared.targets.begin(), prepared.targets.end());
-    run::forgetTexels(prepared, state.uploaded);
-    if (object == state.answered.size()) state.answered.push_back(prepared.textures);
-    return {};
-}
-
-Result<void> prepareScene(State& state, Scene& scene, TextureRequest request) {
-    if (state.asked != request) state.answered.clear();
-    state.asked = std::move(request);
-    for (std::size_t i = 0; i < scene.inputs.size(); ++i) {
-        auto prepared = run::prepare(scene.inputs[i]);
-        if (!prepared) return prepared.error();
-        scene.prepared.push_back(std::move(*prepared));
-        if (const auto ready = prepareObject(state, scene.inputs[i], scene.prepared.back(), i); !ready) return ready;
-        scene.runs.push_back({scene.inputs[i], scene.prepared.back()});
-    }
-    return {};
-}
-
-void readTimes(const std::vector<gpu::TimedSection>& sections, SessionFrame& frame) {
-    for (std::size_t i = 0; i < sections.size() && i < frame.passes.size(); ++i) // a resolve is no pass
-        frame.passes[i].milliseconds = sections[i].milliseconds;
-}
-
-SessionFrame describe(const Scene& scene, const run::Frame& items) {
-    SessionFrame frame{.technique = scene.prepared.front().plan.technique->name,
-                       .passes = {},
-                       .targets = {},
-                       .metadata = run::metadata(scene.runs),
-                       .warnings = run::warningsOf(scene.runs)};
-    for (const auto& item : items.items)
-        if (const auto* draw = std::get_if<run::FrameDraw>(&item)) frame.passes.push_back(describe(*draw));
-    for (const auto& target : scene.prepared.front().targets)
-        if (!callersName(target.first).empty()) frame.targets.push_back(target.first);
-    return frame;
-}
-
-} // namespace
 
 EffectSession::EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene)
-    : state_(new State{.device = device,
-                       .effect = effect,
-                       .scene = scene,
-                       .resources = {},
-                       .allocated = {},
-                       .known = {},
-                       .uploaded = {},
-                       .asked = {},
-                       .answered = {}}) {}
+    : state_(new State{.device = device, .effect = effect, .stage = {device, effect, scene}}) {}
 EffectSession::EffectSession(EffectSession&&) noexcept = default;
 EffectSession& EffectSession::operator=(EffectSession&&) noexcept = default;
 EffectSession::~EffectSession() = default;
 
 Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOptions& options, std::size_t passes) {
-    Scene scene = inputsOf(*state_, workspace, options);
-    if (const auto prepared = prepareScene(*state_, scene, textureRequest(workspace, options)); !prepared) return prepared.error();
-    const auto items = run::buildFrame(scene.runs, state_->resources);
-    if (!items) return items.error();
-    const std::size_t count = itemsUpTo(*items, passes);
-    const auto sections = state_->device.run([&](gpu::Recorder& recorder) { return run::record(*items, recorder, count); });
-    if (!sections) return sections.error();
-    SessionFrame frame = describe(scene, *items);
-    readTimes(*sections, frame);
+    auto staged = state_->stage.prepare(workspace, options);
+    if (!staged) return staged.error();
+    SessionFrame frame = run::describe(staged->runs, staged->frame, state_->device.info());
+    if (const auto named = targetsToDump(state_->effect, frame, options.dump); !named) return named.error();
+    const std::size_t items = itemsUpTo(staged->frame, passes);
+    std::vector<Sections> timed;
+    const int measured = std::max(1, options.frames);
+    for (int i = 0; i < options.warmUpFrames + measured; ++i) {
+        auto sections = state_->stage.draw(*staged, items);
+        if (!sections) return sections.error();
+        if (i >= options.warmUpFrames) timed.push_back(std::move(*sections));
+    }
+    readTimes(medians(timed), staged->frame.resolve.has_value(), frame);
     return frame;
 }
 
 gpu::Texture* EffectSession::target(const std::string& name) {
-    if (name.empty()) return state_->resources.picture();
-    const auto found = state_->resources.targets.find(name);
-    return found == state_->resources.targets.end() ? nullptr : &found->second;
+    run::Resources& resources = state_->stage.resources();
+    if (name.empty()) return resources.picture();
+    const auto found = resources.targets.find(name);
+    return found == resources.targets.end() ? nullptr : &found->second;
+}
+
+const std::map<std::string, gpu::Texture>& EffectSession::targets() const {
+    return state_->stage.resources().targets;
+}
+
+Result<std::vector<std::string>> targetsToDump(const Effect& effect, const SessionFrame& frame, const std::vector<std::string>& asked) {
+    std::set<std::string> names;
+    for (const std::string& name : asked) {
+        if (equalsIgnoreCase(name, "all")) {
+            names.insert(frame.targets.begin(), frame.targets.end());
+            continue;
+        }
+        if (std::ranges::find(frame.targets, name) == frame.targets.end())
+            return inputError(4029, {.file = effect.file.string(), .byte = {}},
+                              fmt::format("technique {} uses no target '{}'", frame.technique, name), didYouMean(name, frame.targets));
+        names.insert(name);
+    }
+    return std::vector<std::string>(names.begin(), names.end());
 }
 
 } // namespace tegument

@@ -15,41 +15,41 @@ namespace {
 
 struct NamedFormat {
     std::string_view name;
-    gpu::Format format;
+    PixelFormat format;
 };
 
 // The first name of a format is the one reported. D24FS8 is what a device without D24S8 makes instead; effects cannot ask for it.
 constexpr std::array kFormats = {
-    NamedFormat{"A8R8G8B8", gpu::Format::BGRA8},
-    NamedFormat{"X8R8G8B8", gpu::Format::BGRA8},
-    NamedFormat{"A8B8G8R8", gpu::Format::RGBA8},
-    NamedFormat{"A2B10G10R10", gpu::Format::RGB10A2},
-    NamedFormat{"L8", gpu::Format::R8},
-    NamedFormat{"R16F", gpu::Format::R16F},
-    NamedFormat{"G16R16F", gpu::Format::RG16F},
-    NamedFormat{"A16B16G16R16F", gpu::Format::RGBA16F},
-    NamedFormat{"R32F", gpu::Format::R32F},
-    NamedFormat{"G32R32F", gpu::Format::RG32F},
-    NamedFormat{"A32B32G32R32F", gpu::Format::RGBA32F},
-    NamedFormat{"D16", gpu::Format::D16},
-    NamedFormat{"D24S8", gpu::Format::D24S8},
-    NamedFormat{"D24X8", gpu::Format::D24S8},
-    NamedFormat{"D24S8_SHADOWMAP", gpu::Format::D24S8},
-    NamedFormat{"D32F_LOCKABLE", gpu::Format::D32F},
-    NamedFormat{"D32F", gpu::Format::D32F},
-    NamedFormat{"D24FS8", gpu::Format::D32FS8},
+    NamedFormat{"A8R8G8B8", PixelFormat::BGRA8},
+    NamedFormat{"X8R8G8B8", PixelFormat::BGRA8},
+    NamedFormat{"A8B8G8R8", PixelFormat::RGBA8},
+    NamedFormat{"A2B10G10R10", PixelFormat::RGB10A2},
+    NamedFormat{"L8", PixelFormat::R8},
+    NamedFormat{"R16F", PixelFormat::R16F},
+    NamedFormat{"G16R16F", PixelFormat::RG16F},
+    NamedFormat{"A16B16G16R16F", PixelFormat::RGBA16F},
+    NamedFormat{"R32F", PixelFormat::R32F},
+    NamedFormat{"G32R32F", PixelFormat::RG32F},
+    NamedFormat{"A32B32G32R32F", PixelFormat::RGBA32F},
+    NamedFormat{"D16", PixelFormat::D16},
+    NamedFormat{"D24S8", PixelFormat::D24S8},
+    NamedFormat{"D24X8", PixelFormat::D24S8},
+    NamedFormat{"D24S8_SHADOWMAP", PixelFormat::D24S8},
+    NamedFormat{"D32F_LOCKABLE", PixelFormat::D32F},
+    NamedFormat{"D32F", PixelFormat::D32F},
+    NamedFormat{"D24FS8", PixelFormat::D32FS8},
 };
 
-Result<gpu::Format> targetFormat(const Parameter& parameter) {
+Result<PixelFormat> targetFormat(const Parameter& parameter) {
     const bool depth = isDepthTarget(parameter);
     const Annotation* annotation = parameter.annotations.find("Format");
-    if (!annotation) return depth ? gpu::Format::D24S8 : gpu::Format::BGRA8;
+    if (!annotation) return depth ? PixelFormat::D24S8 : PixelFormat::BGRA8;
     const std::string name = parameter.annotations.string("Format").value_or("");
     const auto format = formatFromD3D(name);
     if (!format)
         return inputError(4020, annotation->at, fmt::format("this host makes no targets of format '{}': {}", name, parameter.name),
                           "docs/running.md lists the formats");
-    if (gpu::isDepth(*format) != depth)
+    if (isDepth(*format) != depth)
         return inputError(4022, annotation->at,
                           fmt::format("{} is a {} target, {} is not such a format", parameter.name, depth ? "depth" : "colour", name),
                           depth ? "use D24S8, D16 or D32F_LOCKABLE" : "use A16B16G16R16F, A32B32G32R32F, ...");
@@ -85,27 +85,27 @@ bool isSemantic(const Parameter& parameter, std::string_view semantic) {
 
 } // namespace
 
-std::optional<gpu::Format> formatFromD3D(std::string_view name) {
+std::optional<PixelFormat> formatFromD3D(std::string_view name) {
     const auto canonical = canonicalFormat(name);
     if (!canonical) return std::nullopt;
     const auto found = std::ranges::find(kFormats, std::string_view(*canonical), &NamedFormat::name);
     return found == kFormats.end() ? std::nullopt : std::optional(found->format);
 }
 
-std::string_view d3dName(gpu::Format format) {
+std::string_view d3dName(PixelFormat format) {
     const auto found = std::ranges::find(kFormats, format, &NamedFormat::format);
-    return found == kFormats.end() ? gpu::name(format) : found->name;
+    return found == kFormats.end() ? tegument::name(format) : found->name;
 }
 
-int channelCount(gpu::Format format) {
+int channelCount(PixelFormat format) {
     switch (format) {
-    case gpu::Format::R8:
-    case gpu::Format::R16F:
-    case gpu::Format::R32F: return 1;
-    case gpu::Format::RG8:
-    case gpu::Format::RG16F:
-    case gpu::Format::RG32F: return 2;
-    default: return gpu::isDepth(format) ? 1 : 4;
+    case PixelFormat::R8:
+    case PixelFormat::R16F:
+    case PixelFormat::R32F: return 1;
+    case PixelFormat::RG8:
+    case PixelFormat::RG16F:
+    case PixelFormat::RG32F: return 2;
+    default: return isDepth(format) ? 1 : 4;
     }
 }
 

@@ -2,7 +2,7 @@
 // Sizes and formats of the targets that an effect declares, from their annotations (docs/running.md, "Targets").
 
 #include "host/effect/model.h"
-#include "host/gpu/gpu.h"
+#include "host/support/layout.h"
 #include "host/support/result.h"
 
 #include <cstdint>
@@ -23,18 +23,18 @@ inline constexpr std::uint32_t kMaxExtent = 16384;
 
 struct TargetDesc {
     Extent extent;
-    gpu::Format format = gpu::Format::RGBA8;
+    PixelFormat format = PixelFormat::RGBA8;
     std::uint32_t mips = 1; // 0: full chain
     bool ownSize = false;   // does not depend on the picture's size
     std::uint32_t samples = 1;
 };
 
 /// A D3DFORMAT name in any of the spellings that host/effect accepts.
-[[nodiscard]] std::optional<gpu::Format> formatFromD3D(std::string_view name);
+[[nodiscard]] std::optional<PixelFormat> formatFromD3D(std::string_view name);
 /// The D3DFORMAT name of a format that a target can have.
-[[nodiscard]] std::string_view d3dName(gpu::Format format);
+[[nodiscard]] std::string_view d3dName(PixelFormat format);
 /// Channels that carry data: 1 for depth.
-[[nodiscard]] int channelCount(gpu::Format format);
+[[nodiscard]] int channelCount(PixelFormat format);
 
 [[nodiscard]] bool isColorTarget(const Parameter& parameter);
 [[nodiscard]] bool isDepthTarget(const Parameter& parameter);

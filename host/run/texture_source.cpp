@@ -24,18 +24,17 @@ const std::string* byNameOrSemantic(const std::map<std::string, std::string>& fi
     return found == files.end() ? nullptr : &found->second;
 }
 
-/// Semantics name what mesh files call roles.
+/// Semantics name what mesh files call roles: two of DXSAS, and any other by the role itself, ignoring case.
 std::string_view roleOf(const Parameter& parameter) {
     if (equalsIgnoreCase(parameter.semantic, "DIFFUSE")) return "color";
     if (equalsIgnoreCase(parameter.semantic, "NORMAL")) return "normal";
-    if (equalsIgnoreCase(parameter.semantic, "KERNELSIZE")) return "kernelSize";
-    return {};
+    return parameter.semantic;
 }
 
 const EmbeddedTexture* embedded(const Parameter& parameter, const Mesh* mesh) {
     const std::string_view role = roleOf(parameter);
     if (!mesh || role.empty()) return nullptr;
-    const auto found = std::ranges::find(mesh->textures, role, &EmbeddedTexture::role);
+    const auto found = std::ranges::find_if(mesh->textures, [&](const auto& texture) { return equalsIgnoreCase(texture.role, role); });
     return found == mesh->textures.end() ? nullptr : &*found;
 }
 

@@ -18,7 +18,7 @@ constexpr std::array kKeys = {
     KeyBinding{kKeyDown, Command::NextTarget, "down", "next intermediate target of the whole frame"},
     KeyBinding{kKeyUp, Command::PreviousTarget, "up", "previous intermediate target"},
     KeyBinding{kKeyEscape, Command::Picture, "Esc", "back to the picture"},
-    KeyBinding{U'm', Command::NextSetting, "m", "next setting: seed, deon2007, corrected"},
+    KeyBinding{U'm', Command::NextSetting, "m", "next setting of the effect"},
     KeyBinding{U'a', Command::NextChannel, "a", "colour, red, green, blue, alpha"},
     KeyBinding{U'+', Command::Brighter, "+", "half a stop brighter"},
     KeyBinding{U'-', Command::Darker, "-", "half a stop darker"},

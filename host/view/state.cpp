@@ -18,7 +18,6 @@ constexpr double kTurn = 3.14159265358979323846; // radians for a drag over the 
 constexpr double kNotch = 1.1;                   // of the distance for a notch of the wheel
 constexpr double kStops = 0.5;
 constexpr int kChannels = 5;
-constexpr std::array kSettings = {"seed", "deon2007", "corrected"};
 
 /// The element `step` places on, round the end; the first when `current` is not among them.
 std::size_t stepped(std::size_t count, std::optional<std::size_t> current, int step) {
@@ -69,8 +68,8 @@ Request showPicture(ViewState& state) {
 }
 
 Request stepSetting(ViewState& state) {
-    const auto current = std::ranges::find(kSettings, state.setting) - kSettings.begin();
-    state.setting = kSettings[static_cast<std::size_t>(current + 1) % kSettings.size()];
+    if (state.settings.empty()) return Request::None;
+    state.setting = state.settings[stepped(state.settings.size(), indexOf(state.settings, state.setting), 1)];
     return Request::Load;
 }
 
@@ -156,6 +155,8 @@ void adopt(ViewState& state, const SessionFrame& frame) {
 }
 
 void adopt(ViewState& state, const Effect& effect) {
+    state.settings = effect.settings ? effect.settings->names : std::vector<std::string>();
+    state.setting = effect.settings ? effect.settings->current : std::string();
     state.techniques.clear();
     for (const Technique& technique : effect.techniques)
         state.techniques.push_back(technique.name);
@@ -165,7 +166,7 @@ void adopt(ViewState& state, const Effect& effect) {
 }
 
 std::size_t passCount(const ViewState& state) {
-    return state.show == Show::Pass ? state.pass + 1 : EffectSession::kAllPasses;
+    return state.show == Show::Pass ? state.pass + 1 : kAllPasses;
 }
 
 std::string shownTarget(const ViewState& state, const SessionFrame& frame) {

@@ -1,9 +1,11 @@
 #pragma once
 // What the viewer shows, as keys and mouse change it. Knows no window and no GPU.
 
-#include "host/run/session.h"
+#include "host/effect/model.h"
+#include "host/run/run_options.h"
+#include "host/run/session_frame.h"
+#include "host/view/input.h"
 #include "host/view/keys.h"
-#include "host/view/window.h"
 
 #include <string>
 #include <vector>
@@ -20,7 +22,8 @@ struct ViewState {
     std::map<std::string, std::vector<double>> parameters;
     std::vector<std::string> techniques;
     std::string technique;
-    std::string setting = "corrected";
+    std::vector<std::string> settings; // of the effect
+    std::string setting;
     Show show = Show::Picture;
     std::size_t pass = 0;
     std::string target;

@@ -9,8 +9,7 @@ namespace tegument {
 
 struct ViewRequest {
     std::filesystem::path effect;
-    LoadOptions load; // without TEGUMENT_SETTING: `setting` says it
-    std::string setting = "corrected";
+    LoadOptions load;
     SessionScene scene; // must live until viewEffect() returns
     Workspace workspace;
     RunOptions run;     // technique, size of the window, compiler, values

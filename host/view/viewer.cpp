@@ -1,6 +1,6 @@
 #include "host/view/viewer.h"
 
-#include "host/run/pixels.h"
+#include "host/run/read_back.h"
 #include "host/view/levels.h"
 
 #include <fmt/format.h>
@@ -29,22 +29,14 @@ std::string firstLine(const std::string& text) {
 }
 
 Result<Effect> readEffect(const ViewRequest& request, const std::string& setting) {
-    constexpr std::array kSettings = {"seed", "deon2007", "corrected"}; // in the order of TEGUMENT_SETTING's values
     LoadOptions load = request.load;
-    load.defines.emplace_back("TEGUMENT_SETTING", std::to_string(std::ranges::find(kSettings, setting) - kSettings.begin()));
+    load.setting = setting;
     return loadEffect(request.effect, load);
 }
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
     return device.createTexture(
         {.name = name, .format = gpu::Format::RGBA8, .width = size.width, .height = size.height, .renderTarget = true});
-}
-
-Result<Image> readImage(gpu::Device& device, gpu::Texture& texture) {
-    const auto bytes = device.readback(texture);
-    if (!bytes) return bytes.error();
-    const gpu::TextureDesc& desc = texture.desc();
-    return run::imageFrom(*bytes, static_cast<int>(desc.width), static_cast<int>(desc.height), desc.format);
 }
 
 fs::path freePath(const fs::path& folder, const fs::path& effect) {
@@ -92,7 +84,7 @@ Result<void> Viewer::prepare() {
     state_.workspace = inWorld(request_.workspace, request_.scene);
     state_.parameters = request_.run.parameters;
     state_.technique = request_.run.technique;
-    state_.setting = request_.setting;
+    state_.setting = request_.load.setting;
     size_ = {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
     auto effect = readEffect(request_, state_.setting);
     if (!effect) return effect.error();
@@ -216,7 +208,7 @@ Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) 
     levelled_ = what;
     levels_ = {.toneMap = true, .encode = true};
     if (name.empty() && !gpu::isDepth(texture.desc().format)) return {};
-    const auto image = readImage(device_, texture);
+    const auto image = run::readBack(device_, texture);
     if (!image) return image.error();
     levels_ = levelsOf(*image);
     return {};
@@ -254,7 +246,7 @@ Result<void> Viewer::show() {
 }
 
 void Viewer::save() {
-    auto image = readImage(device_, picture_);
+    auto image = run::readBack(device_, picture_);
     const fs::path path = freePath(request_.pictures, request_.effect);
     Result<void> written;
     if (image) {

@@ -2,12 +2,10 @@
 // A window of the desktop with its keys and mouse.
 
 #include "host/gpu/gpu.h"
-
-#include <glm/glm.hpp>
+#include "host/view/input.h"
 
 #include <memory>
 #include <string>
-#include <vector>
 
 struct GLFWwindow;
 
@@ -19,18 +17,6 @@ struct PixelSize {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     bool operator==(const PixelSize&) const = default;
-};
-
-/// What happened since it was last asked. Drags in shares of the window's height, right and up.
-struct Input {
-    std::vector<char32_t> keys; // characters, and the keys of keys.h
-    glm::dvec2 camera{0};
-    glm::dvec2 pan{0};
-    glm::dvec2 light{0};
-    double wheel = 0; // notches; up is positive
-    double lightWheel = 0;
-    bool any = false; // something that the overlay may want to know
-    bool closed = false;
 };
 
 /// One at a time.

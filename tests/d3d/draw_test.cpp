@@ -1,7 +1,7 @@
 // Draws everything with everything, once; compare_test.cpp looks at the results. CTest runs this first (a fixture).
 
 #include "host/emit/flatten.h"
-#include "host/run/execute.h"
+#include "host/run/read_back.h"
 #include "host/support/file.h"
 #include "tests/d3d/engines.h"
 #include "tests/d3d/fur_scene.h"
@@ -25,24 +25,30 @@ Result<void> drawWithVulkan(gpu::Device& device, const Mesh& mesh, const Case& d
     const auto effect = loadCase(drawn);
     if (!effect) return effect.error();
     const Workspace workspace = drawsFur(drawn) ? furWorkspace() : testWorkspace();
-    const RunOptions options{
-        .technique = drawn.technique, .width = kPictureWidth, .height = kPictureHeight, .compiler = Compiler::Dxc, .dump = {"all"}};
-    const run::RunInput input{
-        .device = device, .effect = *effect, .mesh = &mesh, .workspace = workspace, .options = options, .producers = {}};
-    auto prepared = run::prepare(input);
-    if (!prepared) return prepared.error();
-    if (const auto textures = run::prepareTextures(input, *prepared); !textures) return textures;
+    const RunOptions options{.technique = drawn.technique, .width = kPictureWidth, .height = kPictureHeight, .compiler = Compiler::Dxc};
+    run::Stage stage(device, *effect, {.mesh = &mesh, .objects = {}});
+    auto staged = stage.prepare(workspace, options);
+    if (!staged) return staged.error();
+    if (const auto done = stage.draw(*staged, staged->frame.items.size()); !done) return done.error();
+    const run::ObjectRun& run = staged->runs.front();
+    const auto textures = writeTextures(device, stage, run.prepared);
+    if (!textures) return textures.error();
     for (const Engine engine : kDirect3D) {
         if (!drawnBy(drawn, engine)) continue;
-        auto job = writeJob(drawn, engine, input, *prepared);
+        auto job = writeJob(drawn, engine, run, *textures);
         if (!job) return job.error();
         jobFiles[engine].push_back(std::move(*job));
     }
-    const auto result = run::execute(input, *prepared);
-    if (!result) return result.error();
-    for (const auto& [name, image] : result->dumped)
-        if (const auto written = writeFloats(drawing(drawn, Engine::Vulkan, name), image); !written) return written;
-    if (const auto written = writeFloats(drawing(drawn, Engine::Vulkan, "picture"), result->image); !written) return written;
+    for (const auto& described : run.prepared.targets) {
+        const std::string& name = described.first;
+        if (run::isCallers(name)) continue;
+        const auto image = run::readBack(device, stage.resources().targets.at(name));
+        if (!image) return image.error();
+        if (const auto written = writeFloats(drawing(drawn, Engine::Vulkan, name), *image); !written) return written;
+    }
+    const auto picture = run::readBack(device, *stage.resources().picture());
+    if (!picture) return picture.error();
+    if (const auto written = writeFloats(drawing(drawn, Engine::Vulkan, "picture"), *picture); !written) return written;
     return writeFile(statusFile(drawn, Engine::Vulkan), "ok");
 }
 

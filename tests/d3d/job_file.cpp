@@ -82,56 +82,20 @@ std::string header(std::uint32_t format, std::uint32_t width, std::uint32_t heig
     return bytes;
 }
 
-/// A file that brings its mip levels, or a cube map.
-std::string levelsOfFile(std::uint32_t format, const run::TextureData& data) {
-    const auto number = [](int n) { return static_cast<std::uint32_t>(n); };
-    const DdsTexture& file = data.file;
-    std::string bytes = header(format, number(file.at(0, 0).width), number(file.at(0, 0).height), number(file.mips), number(file.faces));
-    for (const Image& image : file.images) {
-        const auto texels = run::texels(image, data.format, data.decode);
-        append(bytes, texels.data(), texels.size());
-    }
-    return bytes;
-}
-
-/// All levels as the device makes them: mip chains made by each engine in its own way would differ in rounding.
-Result<std::string> textureBytes(gpu::Device& device, const std::string& name, const run::TextureData& data) {
-    const auto format = texelFormat(name, data.format);
+/// All levels of all faces as the device has them: mip chains made by each engine in its own way would differ in rounding.
+Result<std::string> textureBytes(gpu::Device& device, const std::string& name, gpu::Texture& texture) {
+    const gpu::TextureDesc& desc = texture.desc();
+    const auto format = texelFormat(name, desc.format);
     if (!format) return format.error();
-    if (!data.file.images.empty()) return levelsOfFile(*format, data);
-    auto texture = device.createTexture({.name = name,
-                                         .format = data.format,
-                                         .width = static_cast<std::uint32_t>(data.image.width),
-                                         .height = static_cast<std::uint32_t>(data.image.height),
-                                         .mips = data.mips ? 0U : 1U});
-    if (!texture) return texture.error();
-    if (const auto done = device.upload(*texture, run::texels(data.image, data.format, data.decode)); !done) return done.error();
-    if (data.mips) {
-        const auto made = device.run([&](gpu::Recorder& recorder) { return recorder.generateMips(*texture); });
-        if (!made) return made.error();
-    }
-    const gpu::TextureDesc& desc = texture->desc();
-    std::string bytes = header(*format, desc.width, desc.height, desc.mips, 1);
-    for (std::uint32_t level = 0; level < desc.mips; ++level) {
-        const auto texels = device.readback(*texture, level);
-        if (!texels) return texels.error();
-        append(bytes, texels->data(), texels->size());
-    }
+    const std::uint32_t faces = desc.cube ? 6 : 1;
+    std::string bytes = header(*format, desc.width, desc.height, desc.mips, faces);
+    for (std::uint32_t face = 0; face < faces; ++face)
+        for (std::uint32_t level = 0; level < desc.mips; ++level) {
+            const auto texels = device.readback(texture, level, face);
+            if (!texels) return texels.error();
+            append(bytes, texels->data(), texels->size());
+        }
     return bytes;
-}
-
-Result<std::string> textureLines(const run::RunInput& input, const run::Prepared& prepared) {
-    std::string lines;
-    for (const auto& [name, data] : prepared.textures) {
-        const auto bytes = textureBytes(input.device, name, data);
-        if (!bytes) return bytes.error();
-        const std::string file = contentHash(*bytes) + ".texture";
-        std::error_code code;
-        if (!fs::exists(drawings() / file, code))
-            if (const auto written = writeFile(drawings() / file, *bytes); !written) return written.error();
-        lines += fmt::format("texture {} {}\n", name, file);
-    }
-    return lines;
 }
 
 std::string blendLine(std::size_t slot, const TargetBlend& blend) {
@@ -206,18 +170,33 @@ std::string entryFile(const Case& drawn, const ShaderReference& shader) {
     return drawn.effectName() + "." + shader.entry + ".cso";
 }
 
-Result<std::string> writeJob(const Case& drawn, Engine engine, const run::RunInput& input, const run::Prepared& prepared) {
+Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const run::Prepared& prepared) {
+    std::string lines;
+    for (const auto& entry : prepared.textures) {
+        gpu::Texture* texture = stage.resources().texture(prepared, entry.first);
+        assert(texture); // the frame has sampled it
+        const auto bytes = textureBytes(device, entry.first, *texture);
+        if (!bytes) return bytes.error();
+        const std::string file = contentHash(*bytes) + ".texture";
+        std::error_code code;
+        if (!fs::exists(drawings() / file, code))
+            if (const auto written = writeFile(drawings() / file, *bytes); !written) return written.error();
+        lines += fmt::format("texture {} {}\n", entry.first, file);
+    }
+    return lines;
+}
+
+Result<std::string> writeJob(const Case& drawn, Engine engine, const run::ObjectRun& run, const std::string& textures) {
+    const auto& [input, prepared] = run;
     const Technique* technique = input.effect.findTechnique(drawn.technique);
     assert(technique);
-    const auto textures = textureLines(input, prepared);
-    if (!textures) return textures.error();
     const glm::vec3 background = input.workspace.background;
     std::string lines = fmt::format("technique {}\npicture {} {}{}\n", drawn.technique, kPictureWidth, kPictureHeight,
                                     text({background.x, background.y, background.z}));
     if (prepared.drawsMesh) lines += fmt::format("mesh {}\n", drawsFur(drawn) ? kFurMeshFile : kMeshFile);
     for (const auto& [name, numbers] : input.workspace.parameters)
         lines += fmt::format("value {}{}\n", name, text(numbers));
-    lines += sceneLines(prepared.scene) + *textures;
+    lines += sceneLines(prepared.scene) + textures;
     if (engine != Engine::Direct3D11) lines += fmt::format("effect {}\n", effectFile(drawn, engine));
     if (engine != Engine::Direct3D9) lines += targetLines(prepared); // Wine's Direct3D 10 cannot read the numbers of annotations
     if (engine == Engine::Direct3D11)

@@ -1,7 +1,7 @@
 #pragma once
 // The scene and one technique as plain files for the Direct3D clients (tests/d3d/client/job.h): the same inputs that the Vulkan host uses.
 
-#include "host/run/prepare.h"
+#include "host/run/stage.h"
 #include "tests/d3d/cases.h"
 
 namespace tegument::test {
@@ -9,8 +9,11 @@ namespace tegument::test {
 /// Vertices and indices, as the Vulkan host uploads them.
 [[nodiscard]] Result<void> writeMeshFile(const std::filesystem::path& path, const Mesh& mesh);
 
-/// Writes `<case>.<engine>.job` and the textures that it names; returns its file name.
-[[nodiscard]] Result<std::string> writeJob(const Case& drawn, Engine engine, const run::RunInput& input, const run::Prepared& prepared);
+/// The textures that a technique samples, as its frame was drawn on Vulkan: written as files, named by lines of the job.
+[[nodiscard]] Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const run::Prepared& prepared);
+
+/// Writes `<case>.<engine>.job`; returns its file name. `textures`: what writeTextures returned.
+[[nodiscard]] Result<std::string> writeJob(const Case& drawn, Engine engine, const run::ObjectRun& run, const std::string& textures);
 
 /// Names of files that writeJob refers to and the compiler makes.
 [[nodiscard]] std::string effectFile(const Case& drawn, Engine engine);

@@ -142,5 +142,48 @@ TEST(Preprocessor, line_directives_do_not_move_positions) {
     EXPECT_EQ(loaded("#line 100 \"other.fx\"\nfloat gA;").findParameter("gA")->at.line, 2);
 }
 
+const char* const kQuality = "#define FX_SETTINGS QUALITY draft good best\n"
+                             "#define FX_METADATA size SIDE quality QUALITY\n"
+                             "#ifndef QUALITY\n#define QUALITY 1\n#endif\n"
+                             "#define SIDE 64\n"
+                             "float gQuality = QUALITY;\n";
+
+TEST(EffectSettings, are_named_by_the_effect_with_the_one_that_it_has) {
+    const Effect effect = loaded(kQuality);
+    ASSERT_TRUE(effect.settings);
+    EXPECT_EQ(effect.settings->define, "QUALITY");
+    EXPECT_EQ(effect.settings->names, (std::vector<std::string>{"draft", "good", "best"}));
+    EXPECT_EQ(effect.settings->current, "good");
+    EXPECT_EQ(effect.metadata, (std::map<std::string, std::string>{{"quality", "1"}, {"size", "64"}}));
+}
+
+TEST(EffectSettings, are_chosen_by_name_in_both_views) {
+    const Result<Effect> effect =
+        load(Files{{"main.fx", kQuality + std::string("static const float kQuality = QUALITY;")}}, {.setting = "best"});
+    EXPECT_EQ(loaded(effect).settings->current, "best");
+    EXPECT_EQ(numbers(*effect, "gQuality"), std::vector<double>{2});
+    EXPECT_NE(effect->code.find("kQuality = 2"), std::string::npos);
+    EXPECT_EQ(effect->defines, (std::vector<std::pair<std::string, std::string>>{{"QUALITY", "2"}})) << "what other compilers need";
+}
+
+TEST(EffectSettings, follow_a_definition_of_their_switch) {
+    EXPECT_EQ(loaded(load(Files{{"main.fx", kQuality}}, {.defines = {{"QUALITY", "0"}}})).settings->current, "draft");
+    EXPECT_EQ(loaded(load(Files{{"main.fx", kQuality}}, {.defines = {{"QUALITY", "7"}}})).settings->current, "7") << "it has no name";
+}
+
+TEST(EffectSettings, that_are_unknown_are_an_error_of_the_command_line_with_those_there_are) {
+    const Result<Effect> effect = load(Files{{"main.fx", kQuality}}, {.setting = "worst"});
+    ASSERT_EQ(firstCode(effect), 4051);
+    EXPECT_EQ(effect.error().blame, Blame::Usage);
+    EXPECT_EQ(effect.error().diagnostics.front().hint, "draft, good, best");
+    EXPECT_EQ(firstCode(load(Files{{"main.fx", "float gA;"}}, {.setting = "draft"})), 4051) << "no settings at all";
+}
+
+TEST(EffectSettings, are_absent_where_the_effect_names_none) {
+    const Effect effect = loaded("float gA;");
+    EXPECT_FALSE(effect.settings);
+    EXPECT_TRUE(effect.metadata.empty());
+}
+
 } // namespace
 } // namespace tegument::test

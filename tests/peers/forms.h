@@ -18,7 +18,7 @@ inline std::vector<std::filesystem::path> peerFiles() {
 }
 
 inline std::vector<Variant> peerForms() {
-    std::vector<Variant> forms = settingVariants();
+    std::vector<Variant> forms = settingVariants("effects/peers/Separable.fx");
     forms.push_back({.name = "printed", .defines = {{"TEGUMENT_PEERS_AS_PRINTED", "1"}}});
     return forms;
 }

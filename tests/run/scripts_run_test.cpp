@@ -235,11 +235,27 @@ TEST_F(Scripts, pictures_say_how_they_were_made) {
     const auto& metadata = result->image.metadata;
     EXPECT_EQ(metadata.at("effect"), "scripts.fx");
     EXPECT_EQ(metadata.at("technique"), "Several");
-    EXPECT_EQ(metadata.at("setting"), "corrected");
-    EXPECT_EQ(metadata.at("map_size"), "1024");
+    EXPECT_FALSE(metadata.contains("setting")) << "this effect has none";
+    EXPECT_FALSE(metadata.contains("map_size"));
     EXPECT_EQ(metadata.at("device"), device_->info().name);
     EXPECT_EQ(metadata.at("compiler"), compilerName(defaultCompiler()));
     EXPECT_EQ(result->dumped.at("gHalfMap").metadata.at("target"), "gHalfMap");
+}
+
+TEST_F(Scripts, pictures_say_what_the_effect_wants_said) {
+    const auto result =
+        run("product.fx", row(4, ""), nullptr, {}, {.defines = {{"GREEN", "0.25"}}, .includeFolders = {}, .setting = "loud"});
+    ASSERT_TRUE(succeeded(result));
+    const auto& metadata = result->image.metadata;
+    EXPECT_EQ(metadata.at("setting"), "loud");
+    EXPECT_EQ(metadata.at("green"), "0.25");
+    EXPECT_EQ(metadata.at("gain"), "8") << "a parameter's value; its default follows the setting";
+    RunOptions set = row(4, "");
+    set.parameters["gGain"] = {3};
+    const auto other = run("product.fx", set);
+    ASSERT_TRUE(succeeded(other));
+    EXPECT_EQ(other->image.metadata.at("setting"), "quiet");
+    EXPECT_EQ(other->image.metadata.at("gain"), "3");
 }
 
 class BadTargets : public Run, public testing::WithParamInterface<std::pair<const char*, int>> {};

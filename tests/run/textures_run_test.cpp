@@ -1,12 +1,9 @@
-// Textures: who names them, who draws them, how they are decoded.
+// Textures: who names them, how they are decoded. Those that other effects draw: products_run_test.cpp.
 
-#include "host/run/producer.h"
-#include "host/support/file.h"
 #include "tests/run/fixture.h"
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 
 namespace tegument::test {
@@ -14,24 +11,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Works in a folder and with a cache of its own.
+/// Works in a folder of its own.
 class Textures : public Run {
 protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("tegument_run_" + std::to_string(::getpid()));
         fs::remove_all(folder_);
         fs::create_directories(folder_);
-        if (const char* old = std::getenv("TEGUMENT_CACHE")) oldCache_ = old;
-        ::setenv("TEGUMENT_CACHE", (folder_ / "cache").c_str(), 1);
         Run::SetUp();
     }
 
     void TearDown() override {
         Run::TearDown();
-        if (oldCache_)
-            ::setenv("TEGUMENT_CACHE", oldCache_->c_str(), 1);
-        else
-            ::unsetenv("TEGUMENT_CACHE");
         fs::remove_all(folder_);
     }
 
@@ -62,16 +53,7 @@ protected:
         return run("textures.fx", options, mesh, workspace, load);
     }
 
-    std::vector<fs::path> products() const {
-        std::vector<fs::path> found;
-        std::error_code code;
-        for (const auto& entry : fs::directory_iterator(folder_ / "cache" / "produced", code))
-            found.push_back(entry.path());
-        return found;
-    }
-
     fs::path folder_;
-    std::optional<std::string> oldCache_;
 };
 
 TEST_F(Textures, eight_bit_colour_maps_are_decoded_from_srgb) {
@@ -142,14 +124,15 @@ TEST_F(Textures, a_fallback_stands_in_where_nothing_names_a_file) {
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.1F, 0.2F, 0.3F, 0.4F}, 1e-6F));
 }
 
-TEST_F(Textures, kernel_sizes_of_one_are_warned_of_with_their_share) {
+TEST_F(Textures, texels_above_the_largest_value_that_the_effect_names_are_warned_of_with_their_share) {
     Mesh mesh = square();
     mesh.textures.push_back({.role = "kernelSize", .image = {.width = 4, .height = 1, .channels = 1, .pixels = {0.5F, 1, 0.99F, 0}}});
     const auto result = draw(pixel("Fallback"), &mesh);
     ASSERT_TRUE(succeeded(result));
     ASSERT_EQ(result->warnings.size(), 1U);
     EXPECT_EQ(result->warnings.front().code, 4034);
-    EXPECT_EQ(result->warnings.front().text, "25.00 % of the kernel size map's texels are 1.0, which marks texels without skin");
+    EXPECT_EQ(result->warnings.front().text, "25.00 % of the texels of gFallbackMap are above 0.99");
+    EXPECT_EQ(result->warnings.front().hint, "paint 0.99 at most");
 }
 
 TEST_F(Textures, a_texture_that_nothing_names_is_an_error_that_says_where_it_looked) {
@@ -177,68 +160,6 @@ TEST_F(Textures, setting_an_unknown_texture_is_an_error_with_the_nearest_name) {
     const auto result = draw(pixel("Fallback", {{"gFallbackMop", "x.png"}}));
     ASSERT_EQ(code(result), 4010);
     EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gFallbackMap'?");
-}
-
-TEST_F(Textures, another_effect_draws_a_texture) {
-    const auto result = draw(pixel("Product"));
-    ASSERT_TRUE(succeeded(result));
-    EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.5F / 8, 0.5F / 4, 2, 0.5F}, 1e-3F)); // halves
-}
-
-TEST_F(Textures, the_producing_effect_gets_the_same_definitions) {
-    const auto result = draw(pixel("Product"), nullptr, {}, {.defines = {{"GREEN", "0.25"}}, .includeFolders = {}});
-    ASSERT_TRUE(succeeded(result));
-    EXPECT_EQ(result->image.at(0, 0, 3), 0.25F);
-}
-
-TEST_F(Textures, the_producing_effect_gets_the_workspace_s_values) {
-    Workspace workspace;
-    workspace.parameters["gGain"] = {4};
-    const auto result = draw(pixel("Product"), nullptr, workspace);
-    ASSERT_TRUE(succeeded(result));
-    EXPECT_EQ(result->image.at(0, 0, 2), 4.0F);
-}
-
-TEST_F(Textures, a_product_is_drawn_once_and_then_read_from_the_cache) {
-    ASSERT_TRUE(succeeded(draw(pixel("Product"))));
-    ASSERT_EQ(products().size(), 1U);
-    auto product = loadImage(products().front());
-    ASSERT_TRUE(succeeded(product));
-    product->at(0, 0, 2) = 100;
-    ASSERT_TRUE(succeeded(writeExr(products().front(), *product)));
-    const auto result = draw(pixel("Product"));
-    ASSERT_TRUE(succeeded(result));
-    EXPECT_EQ(result->image.at(0, 0, 2), 100.0F);
-}
-
-TEST_F(Textures, a_damaged_product_is_drawn_again) {
-    ASSERT_TRUE(succeeded(draw(pixel("Product"))));
-    ASSERT_EQ(products().size(), 1U);
-    std::ofstream(products().front(), std::ios::trunc) << "damaged";
-    const auto result = draw(pixel("Product"));
-    ASSERT_TRUE(succeeded(result));
-    EXPECT_EQ(result->image.at(0, 0, 2), 2.0F);
-    EXPECT_TRUE(succeeded(loadImage(products().front()))) << "the cache holds a picture again";
-}
-
-TEST_F(Textures, another_value_is_another_product) {
-    Workspace workspace;
-    workspace.parameters["gGain"] = {4};
-    ASSERT_TRUE(succeeded(draw(pixel("Product"))));
-    ASSERT_TRUE(succeeded(draw(pixel("Product"), nullptr, workspace)));
-    EXPECT_EQ(products().size(), 2U);
-}
-
-TEST_F(Textures, a_producer_without_that_target_is_an_error_that_says_who_asked) {
-    const auto result = draw(pixel("NoTarget"));
-    ASSERT_EQ(code(result), 4036);
-    EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gProductMap'?");
-    EXPECT_NE(format(result.error()).find("gNoTargetMap is drawn by"), std::string::npos);
-    EXPECT_EQ(result.error().diagnostics.back().code, 4037);
-}
-
-TEST_F(Textures, producers_in_a_circle_are_an_error) {
-    EXPECT_EQ(code(draw(pixel("Circle"))), 4035);
 }
 
 } // namespace

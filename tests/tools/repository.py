@@ -333,6 +333,39 @@ def links_lead_somewhere(root):
             yield f"{path}:{number}: {match[1]}"
 
 
+def names_of_the_settings_stand_in_one_place(root):
+    """Programs read them from the effect; the rooms that judge the skin include what CMake makes of that line."""
+    place = root / "hlsl" / "settings.fxh"
+    line = re.search(r"^#define FX_SETTINGS \w+ (.*)$", text_of(place), re.M)
+    names = line[1].split() if line else []
+    otherwise = {"fur.cpp", "fur_roots.cpp", "prep_mesh.cpp"}  # "seed" of random numbers, and of an order of triangles
+    for room in ["host", "meshprep", "hlsl", "effects"]:
+        for path in files(root / room, SOURCES):
+            for number, text in enumerate(without_comments(text_of(path)).splitlines(), 1):
+                for string in re.findall(r'"((?:\\.|[^"\\])*)"', text):
+                    said = [n for n in names if string == n or (n.isalnum() and not n.isalpha() and n in string)]
+                    if said and path != place and not (said == ["seed"] and path.name in otherwise):
+                        yield f"{path}:{number}: \"{string}\" names a setting; they stand in {place.name}"
+
+
+def included_by(root, path, seen):
+    """Headers that a header includes, and those that they do."""
+    for name in re.findall(r'^#include "(host/[^"]+)"', text_of(path), re.M):
+        if name not in seen:
+            seen.add(name)
+            included_by(root, root / name, seen)
+    return seen
+
+
+def headers_that_need_no_gpu_include_none(root):
+    for path in files(root / "host", {".h"}):
+        comment = " ".join(re.match(r"(?:#pragma once\n)?((?://.*\n)*)", text_of(path))[1].replace("//", "").split())
+        if not re.search(r"[Nn]eeds no GPU|knows a GPU|[Nn]o GPU\b", comment):
+            continue
+        for name in sorted(n for n in included_by(root, path, set()) if n.startswith("host/gpu/")):
+            yield f"{path}: says that it needs no GPU, and includes {name}"
+
+
 def nothing_but_tests_reads_the_shared_folder(root):
     """A test may default an environment variable to it; documents and the program make sense without it."""
     for path, number, match in lines_with(root, SOURCES | PROSE | SCRIPTS, r"\.\./" + r"shared\b"):
@@ -379,6 +412,8 @@ CHECKS = {
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,
         every_test_that_the_conventions_name_exists,
+        names_of_the_settings_stand_in_one_place,
+        headers_that_need_no_gpu_include_none,
         nothing_but_tests_reads_the_shared_folder,
         dependencies_are_those_that_bootstrap_installs,
     )

@@ -68,6 +68,22 @@ class Checks(unittest.TestCase):
         self.accepts(check, {**page, "tests/a_test.cpp": "TEST_P(Obj, v_is_turned) {}\n"})
         self.finds(check, {**page, "tests/a_test.cpp": "TEST(Obj, v_is_kept) {}\n"}, "conventions.md:1: no test Obj.v_is_turned")
 
+    def test_a_setting_is_named_where_its_switch_is_and_nowhere_else(self):
+        check = "names_of_the_settings_stand_in_one_place"
+        named = {"hlsl/settings.fxh": "#define FX_SETTINGS LOOK seed deon2007 corrected\n"}
+        self.accepts(check, {**named, "host/a.cpp": '// "corrected"\nauto a = load(kSettingCorrected); f("it was corrected");'})
+        self.accepts(check, {**named, "host/app/fur.cpp": 'json["seed"] = 1;'})
+        for text in ['"corrected"', '"seed"', '"seed, deon2007 or corrected"']:
+            self.finds(check, {**named, "host/a.cpp": f"f({text});"}, f"host/a.cpp:1: {text}")
+        self.finds(check, {**named, "effects/a.fx": 'string UIHelp = "as in deon2007";'}, "effects/a.fx:1")
+
+    def test_a_header_that_needs_no_gpu_includes_none_by_any_way(self):
+        check = "headers_that_need_no_gpu_include_none"
+        gpu = {"host/gpu/gpu.h": "#pragma once\n", "host/run/b.h": '#pragma once\n#include "host/gpu/gpu.h"\n'}
+        self.accepts(check, {**gpu, "host/run/a.h": '#pragma once\n// Draws.\n#include "host/run/b.h"\n'})
+        self.accepts(check, {**gpu, "host/run/a.h": '#pragma once\n// Needs no GPU.\n#include "host/run/c.h"\n'})
+        self.finds(check, {**gpu, "host/run/a.h": '#pragma once\n// A plan;\n// needs no GPU.\n#include "host/run/b.h"\n'}, "host/run/a.h: says")
+
     def test_an_unfinished_mark_is_found(self):
         mark = "TO" + "DO"
         self.finds("nothing_is_left_unfinished", {"host/a.h": f"int a; // {mark}: more"}, f"host/a.h:1: {mark}")

@@ -142,7 +142,7 @@ TEST(FileWatch, a_change_while_the_list_is_renewed_is_not_lost) {
 TEST(Steps, passes_go_round_and_come_back) {
     const SessionFrame frame = frameOf({"P1", "P2", "P3"});
     ViewState state = stateOf(frame);
-    EXPECT_EQ(passCount(state), EffectSession::kAllPasses);
+    EXPECT_EQ(passCount(state), kAllPasses);
     const ViewState start = state;
     for (const std::size_t expected : {1U, 2U, 3U, 1U}) {
         EXPECT_EQ(apply(state, Command::NextPass, start), Request::Draw);
@@ -174,7 +174,10 @@ TEST(Steps, techniques_and_settings_go_round) {
     EXPECT_EQ(state.technique, "B");
     EXPECT_EQ(apply(state, Command::NextTechnique, start), Request::Draw);
     EXPECT_EQ(state.technique, "A");
-    for (const char* expected : {"seed", "deon2007", "corrected"}) {
+    EXPECT_EQ(apply(state, Command::NextSetting, start), Request::None) << "an effect without settings";
+    state.settings = {"low", "middle", "high"};
+    state.setting = "high";
+    for (const char* expected : {"low", "middle", "high"}) {
         EXPECT_EQ(apply(state, Command::NextSetting, start), Request::Load);
         EXPECT_EQ(state.setting, expected);
     }

@@ -1,5 +1,6 @@
 // tegument invariance: every technique draws the same picture of the same scene, however it is put.
 
+#include "generated/setting_names.h"
 #include "host/lab/invariance/invariance.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
@@ -109,6 +110,7 @@ int invariance(const InvarianceArguments& arguments) {
 void addInvariance(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<InvarianceArguments>();
     InvarianceOptions& options = arguments->options;
+    options.setting = kSettingCorrected;
     CLI::App* command =
         program.add_subcommand("invariance", "Hold techniques against themselves: the same scene in other units, turned, mirrored");
     command->add_option("files", arguments->files, "Effect files; default: all of the folder of effects");
@@ -118,8 +120,8 @@ void addInvariance(CLI::App& program, Action& action) {
     command->add_option("--mesh", arguments->mesh, "A mesh of your own instead of the generated head");
     command->add_option("--unit-mm", arguments->unitMm, "Millimetres per unit of the mesh file");
     command->add_option("-w,--workspace", arguments->workspace, "Camera, light, textures and parameters of your own");
-    command->add_option("--setting", options.setting, "seed, deon2007 or corrected")
-        ->check(CLI::IsMember(settingNames()))
+    command->add_option("--setting", options.setting, "Setting of the effects, by name")
+        ->check(CLI::IsMember(std::vector<std::string>(kSettingNames.begin(), kSettingNames.end())))
         ->capture_default_str();
     command->add_option("--map-size", options.mapSize, "Texels along each side of the maps")
         ->check(CLI::Range(16, 4096))

@@ -1,5 +1,6 @@
 // tegument verify: every module alone against its reference in double precision.
 
+#include "generated/setting_names.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
@@ -22,7 +23,7 @@ namespace {
 struct VerifyArguments {
     std::vector<std::string> modules;
     std::string effects = "effects";
-    std::vector<std::string> settings = {"corrected"};
+    std::vector<std::string> settings = {kSettingCorrected};
     std::string compiler;
     std::string device;
     std::string output = "out/verify";
@@ -144,8 +145,8 @@ void addVerify(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("verify", "Hold every module against its reference in double precision");
     command->add_option("modules", arguments->modules, "Modules, for example Beckmann TSM; default: all");
     command->add_option("--effects", arguments->effects, "Folder of the effect files")->capture_default_str();
-    command->add_option("--setting", arguments->settings, "seed, deon2007 or corrected; may be repeated")
-        ->check(CLI::IsMember(settingNames()))
+    command->add_option("--setting", arguments->settings, "Setting of the effects, by name; may be repeated")
+        ->check(CLI::IsMember(std::vector<std::string>(kSettingNames.begin(), kSettingNames.end())))
         ->capture_default_str();
     command->add_option("--map-size", arguments->mapSize, "Texels along each side of the texture-space maps")
         ->check(CLI::Range(16, 4096))

@@ -1,5 +1,6 @@
 #include "host/lab/bench/ablation.h"
 
+#include "generated/setting_names.h"
 #include <fmt/format.h>
 
 namespace tegument::bench {
@@ -57,7 +58,7 @@ std::vector<Variation> variations() {
 
 Contender contenderOf(const Variation& variation, const BenchOptions& options) {
     Contender contender{.technique = variation.technique,
-                        .setting = variation.setting == 0 ? "seed" : "corrected",
+                        .setting = variation.setting == 0 ? kSettingSeed : kSettingCorrected,
                         .variant = variation.what,
                         .source = {},
                         .effect = options.effects / "Main.fx",

@@ -1,5 +1,6 @@
 #include "host/lab/bench/choice.h"
 
+#include "generated/setting_names.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,9 +27,8 @@ std::string word(const std::string& text) {
 }
 
 std::string define(const std::string& name, const std::string& value) {
-    static const std::vector<std::string> kSettings = {"seed", "deon2007", "corrected"};
-    if (name == "TEGUMENT_SETTING" && value.size() == 1 && value[0] >= '0' && value[0] <= '2')
-        return " --setting " + kSettings[static_cast<std::size_t>(value[0] - '0')];
+    for (std::size_t i = 0; i < kSettingNames.size(); ++i)
+        if (name == kSettingSwitch && value == std::to_string(i)) return std::string(" --setting ") + kSettingNames.at(i);
     return " -D " + word(name + "=" + value);
 }
 

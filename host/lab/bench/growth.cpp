@@ -1,5 +1,6 @@
 #include "host/lab/bench/growth.h"
 
+#include "generated/setting_names.h"
 #include "host/lab/bench/shapes.h"
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ double timeOf(const Drawn& drawn, const std::string& pass) {
 
 Contender contenderOf(const GrowthOptions& options, const Sweep& sweep, const Point& point) {
     return {.technique = sweep.technique,
-            .setting = "corrected",
+            .setting = kSettingCorrected,
             .variant = fmt::format("{:.0f} {}", point.x, sweep.quantity),
             .source = {},
             .effect = options.effects / sweep.effect,

@@ -1,7 +1,7 @@
 #include "host/lab/bench/measure.h"
 
 #include "host/image/compare.h"
-#include "host/run/pixels.h"
+#include "host/run/read_back.h"
 #include "host/run/session.h"
 
 #include <fmt/format.h>
@@ -77,11 +77,9 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
         .milliseconds = spreadOf(entrant.frames), .passes = {}, .bytes = entrant.bytes, .targetBytes = entrant.targetBytes, .picture = {}};
     for (const std::string& name : entrant.passNames)
         drawn.passes.push_back({name, quantile(entrant.passes.at(name), 0.5)});
-    gpu::Texture& target = *entrant.session->target("");
-    const auto texels = device.readback(target);
-    if (!texels) return texels.error();
-    drawn.picture =
-        run::imageFrom(*texels, static_cast<int>(target.desc().width), static_cast<int>(target.desc().height), target.desc().format);
+    auto picture = run::readBack(device, *entrant.session->target(""));
+    if (!picture) return picture.error();
+    drawn.picture = std::move(*picture);
     return drawn;
 }
 

@@ -1,5 +1,6 @@
 #include "host/lab/bench/truth.h"
 
+#include "generated/setting_names.h"
 #include "host/support/file.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ double parameterOf(const Workspace& workspace, const std::string& name, double f
 
 /// Setting `corrected` with what the scene sets itself.
 reference::SkinSettings settingsOf(const Workspace& workspace) {
-    reference::SkinSettings settings = reference::skinSettings("corrected");
+    reference::SkinSettings settings = reference::skinSettings(kSettingCorrected);
     settings.mix = parameterOf(workspace, "gMix", settings.mix);
     settings.roughness = parameterOf(workspace, "gRoughness", settings.roughness);
     settings.intensity = parameterOf(workspace, "gSpecularIntensity", settings.intensity);

@@ -16,7 +16,7 @@
 namespace tegument {
 
 struct InvarianceOptions {
-    std::string setting = "corrected"; // seed, deon2007 or corrected
+    std::string setting; // empty: as the effects have it
     Compiler compiler = Compiler::Dxc;
     int mapSize = 192;                   // texels a side of the maps in texture space and of the light's map
     int pictureSize = 192;               // pixels a side; as many as texels, so that a map that is shown is shown texel by texel

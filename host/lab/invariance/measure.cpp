@@ -98,13 +98,8 @@ bool wanted(const std::vector<std::string>& only, const std::string& name) {
 }
 
 Result<Effect> load(const fs::path& file, const InvarianceOptions& options) {
-    static const std::vector<std::string> kSettings = {"seed", "deon2007", "corrected"};
-    const auto setting = std::ranges::find(kSettings, options.setting);
-    if (setting == kSettings.end())
-        return usageError(4051, fmt::format("there is no setting '{}'", options.setting), "seed, deon2007 or corrected");
-    return loadEffect(file, {.defines = {{"TEGUMENT_SETTING", std::to_string(setting - kSettings.begin())},
-                                         {"TEGUMENT_MAP_SIZE", std::to_string(options.mapSize)}},
-                             .includeFolders = {}});
+    return loadEffect(
+        file, {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(options.mapSize)}}, .includeFolders = {}, .setting = options.setting});
 }
 
 /// All cases of one technique.

@@ -1,7 +1,6 @@
 #include "host/lab/invariance/painter.h"
 
-#include "host/run/frame.h"
-#include "host/run/pixels.h"
+#include "host/run/read_back.h"
 
 namespace tegument::invariance {
 
@@ -34,54 +33,28 @@ void exchangeLeftAndRight(Image& image) {
                 std::swap(image.at(x, y, c), image.at(image.width - 1 - x, y, c));
 }
 
-Result<Image> readPicture(gpu::Device& device, gpu::Texture& picture) {
-    const auto bytes = device.readback(picture);
-    if (!bytes) return bytes.error();
-    const gpu::TextureDesc& desc = picture.desc();
-    return run::imageFrom(*bytes, static_cast<int>(desc.width), static_cast<int>(desc.height), desc.format);
-}
-
 } // namespace
 
 Result<Image> Painter::draw(const EngineScene& scene) {
     RunOptions options = options_;
     options.parameters = scene.set;
     const RunObject object{.mesh = &scene.mesh, .workspace = scene.workspace, .placement = scene.placement};
-    const run::PlacedObject placed{.placement = scene.placement,
-                                   .scene = run::placeObjects(scene.workspace, std::span(&object, 1)),
-                                   .worldUnitMm = scene.workspace.worldUnitMm};
-    const run::RunInput input{.device = device_,
-                              .effect = effect_,
-                              .mesh = &scene.mesh,
-                              .workspace = scene.workspace,
-                              .options = options,
-                              .producers = {},
-                              .placed = &placed,
-                              .before = &known_};
-    auto prepared = run::prepare(input);
-    if (!prepared) return prepared.error();
-    if (const auto textures = run::prepareTextures(input, *prepared); !textures) return textures.error();
-    remember(*prepared);
-    run::Resources resources;
-    resources.pipelines = std::move(pipelines_);
-    if (const auto allocated = run::allocate(input, *prepared, resources); !allocated) return allocated.error();
-    const run::ObjectRun only{input, *prepared};
-    auto frame = run::buildFrame(std::span(&only, 1), resources);
-    if (!frame) return frame.error();
-    if (const auto mesh = resources.meshes.find(&scene.mesh); scene.split && mesh != resources.meshes.end())
-        splitMeshDraws(*frame, &mesh->second.vertices);
-    if (const auto drawn = device_.run([&](gpu::Recorder& recorder) { return run::record(*frame, recorder); }); !drawn)
-        return drawn.error();
-    auto image = readPicture(device_, *resources.picture());
-    pipelines_ = std::move(resources.pipelines);
+    stage_.setScene({.mesh = nullptr, .objects = std::span(&object, 1)});
+    auto staged = stage_.prepare(scene.workspace, options);
+    if (!staged) return staged.error();
+    remember(staged->prepared.front());
+    const auto& meshes = stage_.resources().store.meshes;
+    if (const auto mesh = meshes.find(&scene.mesh); scene.split && mesh != meshes.end())
+        splitMeshDraws(staged->frame, &mesh->second.vertices);
+    if (const auto drawn = stage_.draw(*staged, staged->frame.items.size()); !drawn) return drawn.error();
+    auto image = run::readBack(device_, *stage_.resources().picture());
     if (image && scene.mirrored) exchangeLeftAndRight(*image);
     return image;
 }
 
 void Painter::remember(const run::Prepared& prepared) {
-    known_.programs.insert(prepared.programs.begin(), prepared.programs.end());
     for (const auto& program : prepared.programs)
-        reads_.insert(program.second.numbers.begin(), program.second.numbers.end());
+        reads_.insert(program.second->numbers.begin(), program.second->numbers.end());
     for (const auto& texture : prepared.textures)
         reads_.insert(texture.first);
 }

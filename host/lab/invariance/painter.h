@@ -2,7 +2,7 @@
 // Inside host/lab/invariance: one technique, drawn for many scenes; what it compiled for one serves the next.
 
 #include "host/lab/invariance/engine_scene.h"
-#include "host/run/resources.h"
+#include "host/run/stage.h"
 
 #include <set>
 #include <string>
@@ -12,7 +12,8 @@ namespace tegument::invariance {
 class Painter {
 public:
     /// Device, effect and the options, whose technique is drawn, must outlive it. Their parameters are left aside: a scene brings its own.
-    Painter(gpu::Device& device, const Effect& effect, const RunOptions& options) : device_(device), effect_(effect), options_(options) {}
+    Painter(gpu::Device& device, const Effect& effect, const RunOptions& options)
+        : device_(device), stage_(device, effect, {}), options_(options) {}
 
     [[nodiscard]] Result<Image> draw(const EngineScene& scene);
 
@@ -23,11 +24,9 @@ private:
     void remember(const run::Prepared& prepared);
 
     gpu::Device& device_;
-    const Effect& effect_;
+    run::Stage stage_;
     const RunOptions& options_;
     std::set<std::string> reads_;
-    run::Prepared known_; // only its compiled passes
-    std::map<run::PipelineKey, gpu::Pipeline> pipelines_;
 };
 
 } // namespace tegument::invariance

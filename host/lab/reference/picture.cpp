@@ -1,5 +1,6 @@
 #include "host/lab/reference/picture.h"
 
+#include "generated/setting_names.h"
 #include <algorithm>
 #include <cmath>
 
@@ -72,7 +73,7 @@ glm::dvec3 lambert(const SkinScene& light, const SurfacePoint& point, const glm:
 }
 
 GosselinSettings gosselinSettings(const std::string& name) {
-    if (name == "corrected") return {};
+    if (name == kSettingCorrected) return {};
     return {.discs = {.size = 1.5, .turn = 0, .asPrinted = true}, .shadowedReflection = false};
 }
 

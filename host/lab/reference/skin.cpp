@@ -1,5 +1,6 @@
 #include "host/lab/reference/skin.h"
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/specular.h"
 
 #include <algorithm>
@@ -27,9 +28,9 @@ double decoded(double encoded) { // IEC 61966-2-1
 
 SkinSettings skinSettings(const std::string& name) {
     SkinSettings settings;
-    if (name == "corrected") return settings;
+    if (name == kSettingCorrected) return settings;
     settings.printedAlbedo = true;
-    if (name == "deon2007") return settings;
+    if (name == kSettingDeon2007) return settings;
     settings.mix = 0.4;
     settings.attenuation = 1;
     settings.thicknessAsDepth = true;

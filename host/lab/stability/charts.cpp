@@ -1,5 +1,6 @@
 // Stretch and blurs under charts that are hard to blur in.
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/profile.h"
 #include "host/lab/stability/work.h"
 #include "host/lab/verify/truth.h"
@@ -127,7 +128,7 @@ Result<void> measureStretch(const Context& context, const HardScene& scene) {
 
 Result<void> measureCharts(const Context& context) {
     if (!context.wants("Convolution") && !context.wants("Stretch")) return {};
-    const auto effect = load(context, context.options.effects / "Convolution.fx", "corrected", {{"TEGUMENT_MAP_BITS", "32"}});
+    const auto effect = load(context, context.options.effects / "Convolution.fx", kSettingCorrected, {{"TEGUMENT_MAP_BITS", "32"}});
     if (!effect) return effect.error();
     for (const HardScene& scene : chartScenes()) {
         context.say(fmt::format("charts: {}", scene.name));

@@ -1,7 +1,8 @@
 // Every technique of every effect on hostile scenes: no value of any target may be NaN or infinite.
 
+#include "generated/setting_names.h"
 #include "host/lab/stability/work.h"
-#include "host/run/pixels.h"
+#include "host/run/read_back.h"
 
 #include <fmt/format.h>
 
@@ -20,20 +21,13 @@ struct Tally {
     std::set<std::string> refusals;
 };
 
-Result<Image> readTarget(const Context& context, gpu::Texture& target) {
-    const auto bytes = context.device.readback(target);
-    if (!bytes) return bytes.error();
-    const gpu::TextureDesc& desc = target.desc();
-    return run::imageFrom(*bytes, static_cast<int>(desc.width), static_cast<int>(desc.height), desc.format);
-}
-
 Result<void> scan(const Context& context, EffectSession& session, const SessionFrame& frame, const std::string& what, Tally& tally) {
     std::vector<std::string> names = frame.targets;
     names.emplace_back();
     for (const std::string& name : names) {
         gpu::Texture* target = session.target(name);
         if (!target) continue;
-        const auto image = readTarget(context, *target);
+        const auto image = run::readBack(context.device, *target);
         if (!image) return image.error();
         const NotFinite found = notFinite(*image);
         if (found.count == 0) continue;
@@ -75,7 +69,7 @@ Result<void> measureFinite(const Context& context) {
     for (const auto& file : effectFiles(context)) {
         Tally tally;
         std::size_t techniques = 0;
-        for (const char* setting : {"seed", "corrected"}) {
+        for (const char* setting : {kSettingSeed, kSettingCorrected}) {
             const auto effect = load(context, file, setting);
             if (!effect) return effect.error();
             techniques = effect->techniques.size();

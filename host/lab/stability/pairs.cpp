@@ -1,5 +1,6 @@
 // The same picture made in two ways: half and float targets, two compilers, two devices.
 
+#include "generated/setting_names.h"
 #include "host/lab/stability/work.h"
 
 #include <fmt/format.h>
@@ -58,7 +59,7 @@ using DrawPair = std::function<Result<std::pair<Image, Image>>(const std::filesy
 /// Every technique of an effect in settings seed and corrected.
 Result<Pairs> pairsOf(const Context& context, const std::filesystem::path& file, const DrawPair& drawPair) {
     Pairs pairs;
-    for (const char* setting : {"seed", "corrected"}) {
+    for (const char* setting : {kSettingSeed, kSettingCorrected}) {
         const auto effect = load(context, file, setting);
         if (!effect) return effect.error();
         for (const Technique& technique : effect->techniques) {
@@ -92,7 +93,7 @@ Result<void> measureFormats(const Context& context) {
                                       Subject{"Convolution.fx", "Poisson"}, Subject{"Main.fx", "DEonLuebke"},
                                       Subject{"Main.fx", "Gosselin"}};
     for (const Subject& subject : kSubjects)
-        for (const char* setting : {"seed", "deon2007", "corrected"}) {
+        for (const char* setting : kSettingNames) {
             const auto file = context.options.effects / subject.file;
             if (!context.wants(file.stem().string())) continue;
             context.say(fmt::format("formats: {} [{}]", subject.technique, setting));

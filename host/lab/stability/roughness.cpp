@@ -1,5 +1,6 @@
 // The reflection at grazing angles and for narrow lobes, and the two precomputed tables at their edges.
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/skin.h"
 #include "host/lab/reference/specular.h"
 #include "host/lab/stability/work.h"
@@ -117,7 +118,7 @@ double lobeLimit(double m, bool software) {
 }
 
 Result<void> measureLobes(const Context& context) {
-    const auto effect = load(context, context.options.effects / "Specular.fx", "corrected");
+    const auto effect = load(context, context.options.effects / "Specular.fx", kSettingCorrected);
     if (!effect) return effect.error();
     std::deque<View> wide;
     for (const Directions& directions : kWide)

@@ -1,6 +1,7 @@
 // One scene in many sizes: what is measured in mm is scaled with it, so the exact picture stays the same and every change is rounding, or
 // a constant in mm that an effect does not let its caller scale.
 
+#include "generated/setting_names.h"
 #include "host/lab/stability/work.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ void scaleLengths(const Effect& effect, const std::string& setting, double facto
     const auto all = [](std::size_t) { return true; };
     scaleBy("gGaussianSigma", factor, all);
     scaleBy("gGaussianWeight", factor * factor, [](std::size_t i) { return i % 4 == 3; }); // variances
-    if (setting == "corrected") {
+    if (setting == kSettingCorrected) {
         scaleBy("gBlurSize", factor, all);
         scaleBy("gShadowTolerance", factor, all);
     }
@@ -44,25 +45,25 @@ struct Subject {
 };
 
 constexpr Subject kSubjects[] = {
-    {"Specular.fx", "Specular", "corrected"},
-    {"ShadowMap.fx", "Shadow", "seed"},
-    {"ShadowMap.fx", "Shadow", "corrected"},
-    {"TSM.fx", "TSM", "corrected"},
-    {"Irradiance.fx", "Irradiance", "seed"},
-    {"Irradiance.fx", "Irradiance", "corrected"},
-    {"Convolution.fx", "Convolution", "corrected"},
-    {"Convolution.fx", "Poisson", "corrected"},
-    {"Main.fx", "DEonLuebke", "seed"},
-    {"Main.fx", "DEonLuebke", "corrected"},
-    {"Main.fx", "Gosselin", "seed"},
-    {"Main.fx", "Gosselin", "corrected"},
-    {"Main.fx", "DEonLuebkeCulled", "corrected"},
-    {"Fur.fx", "CubeCombined", "corrected"},
+    {"Specular.fx", "Specular", kSettingCorrected},
+    {"ShadowMap.fx", "Shadow", kSettingSeed},
+    {"ShadowMap.fx", "Shadow", kSettingCorrected},
+    {"TSM.fx", "TSM", kSettingCorrected},
+    {"Irradiance.fx", "Irradiance", kSettingSeed},
+    {"Irradiance.fx", "Irradiance", kSettingCorrected},
+    {"Convolution.fx", "Convolution", kSettingCorrected},
+    {"Convolution.fx", "Poisson", kSettingCorrected},
+    {"Main.fx", "DEonLuebke", kSettingSeed},
+    {"Main.fx", "DEonLuebke", kSettingCorrected},
+    {"Main.fx", "Gosselin", kSettingSeed},
+    {"Main.fx", "Gosselin", kSettingCorrected},
+    {"Main.fx", "DEonLuebkeCulled", kSettingCorrected},
+    {"Fur.fx", "CubeCombined", kSettingCorrected},
 };
 
 /// Outside the charts the seed's stretch counts as 1 (its Table 7): a length in disguise, which nobody can scale.
 bool scalesItself(const Subject& subject) {
-    return std::string_view(subject.technique) != "DEonLuebke" || std::string_view(subject.setting) != "seed";
+    return std::string_view(subject.technique) != "DEonLuebke" || std::string_view(subject.setting) != kSettingSeed;
 }
 
 struct Deviation {

@@ -1,6 +1,7 @@
 // How wrong a shadow is for every tolerance: lit points that it darkens (acne), and how far from what throws it a shadow begins
 // (peter-panning).
 
+#include "generated/setting_names.h"
 #include "host/lab/stability/work.h"
 #include "host/lab/verify/truth.h"
 
@@ -123,7 +124,7 @@ Result<void> sweep(const Context& context, const Effect& effect, const Tolerance
     HardScene wall = wallScene();
     const Seen capSeen = look(context, cap);
     const Seen wallSeen = look(context, wall);
-    const bool corrected = std::string(tolerances.setting) == "corrected";
+    const bool corrected = std::string(tolerances.setting) == kSettingCorrected;
     for (const double value : tolerances.values) {
         context.say(fmt::format("shadow: [{}], tolerance {:g}", tolerances.setting, value));
         cap.parameters = wall.parameters = {{"gShadowTolerance", {value}}};
@@ -149,9 +150,9 @@ Result<void> sweep(const Context& context, const Effect& effect, const Tolerance
 
 Result<void> measureShadow(const Context& context) {
     if (!context.wants("ShadowMap")) return {};
-    const std::vector<Tolerances> all = {{"seed", {0, 1e-4, 1e-3, 5e-3, 2e-2, 1e-1}, 5e-3, true},
-                                         {"deon2007", {0, 0.1, 0.3, 1, 2, 5}, 2, false},
-                                         {"corrected", {0, 0.03, 0.1, 0.3, 1, 3, 10}, 0.3, false}};
+    const std::vector<Tolerances> all = {{kSettingSeed, {0, 1e-4, 1e-3, 5e-3, 2e-2, 1e-1}, 5e-3, true},
+                                         {kSettingDeon2007, {0, 0.1, 0.3, 1, 2, 5}, 2, false},
+                                         {kSettingCorrected, {0, 0.03, 0.1, 0.3, 1, 3, 10}, 0.3, false}};
     for (const Tolerances& tolerances : all) {
         const auto effect = load(context, context.options.effects / "ShadowMap.fx", tolerances.setting);
         if (!effect) return effect.error();

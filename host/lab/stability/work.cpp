@@ -1,5 +1,6 @@
 #include "host/lab/stability/work.h"
 
+#include "generated/setting_names.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -16,16 +17,12 @@ bool Context::wants(std::string_view module) const {
            std::ranges::any_of(options.modules, [&](const std::string& name) { return equalsIgnoreCase(name, module); });
 }
 
-std::string settingNumber(const std::string& setting) {
-    return setting == "seed" ? "0" : setting == "deon2007" ? "1" : "2";
-}
-
 Result<Effect> load(const Context& context, const fs::path& file, const std::string& setting, const Defines& defines) {
     LoadOptions options{.defines = defines, .includeFolders = {}};
     const auto missing = [&](const char* name) {
         return std::ranges::none_of(options.defines, [&](const auto& define) { return define.first == name; });
     };
-    if (missing("TEGUMENT_SETTING")) options.defines.emplace_back("TEGUMENT_SETTING", settingNumber(setting));
+    if (missing(kSettingSwitch)) options.setting = setting;
     if (missing("TEGUMENT_MAP_SIZE")) options.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(context.options.size));
     return loadEffect(file, options);
 }

@@ -5,6 +5,7 @@
 #include "host/image/image.h"
 #include "host/lab/stability/stability.h"
 #include "host/mesh/mesh.h"
+#include "host/run/run.h"
 #include "host/run/session.h"
 #include "host/scene/workspace.h"
 

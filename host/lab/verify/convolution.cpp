@@ -1,5 +1,6 @@
 // Module Convolution: the cascade of Gaussians and the Poisson blurs, fed with the light that they were given.
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/chart_map.h"
 #include "host/lab/reference/profile.h"
 #include "host/lab/verify/truth.h"
@@ -66,13 +67,13 @@ std::vector<std::uint8_t> awayFromBorders(const Map& map, int texels) {
 constexpr std::array kTargets = {"gIrradiance2Map", "gIrradiance3Map", "gIrradiance4Map", "gIrradiance5Map", "gIrradiance6Map"};
 
 Limits cascadeLimits(const Context& context) {
-    if (context.options.setting == "corrected")
+    if (context.options.setting == kSettingCorrected)
         return {.relativeL2 = 5e-3,
                 .p99 = 0.04,
                 .bias = 1e-3,
                 .why = "seven taps are not a Gaussian beyond their variance, and the cascade takes the stretch of the texel it stands on "
                        "at each step"};
-    if (context.options.setting == "deon2007")
+    if (context.options.setting == kSettingDeon2007)
         return {.relativeL2 = 0.02,
                 .p99 = 0.1,
                 .bias = 0.012,
@@ -83,7 +84,7 @@ Limits cascadeLimits(const Context& context) {
 
 /// What setting `corrected` counts as present in the given light: the filter of shadows, a box three texels of the light's map wide.
 double presentVariance(const Context& context, const Scene& scene) {
-    if (context.options.setting != "corrected") return 0;
+    if (context.options.setting != kSettingCorrected) return 0;
     const Truth truth = truthOf(scene, context.options);
     const double box = 3 * truth.light.footprint(0.5 * (truth.lightNear + truth.lightFar));
     return box * box / 12;
@@ -104,9 +105,9 @@ Result<void> compareCascade(ModuleReport& report, const Context& context, const 
                     {kTargets[k], rgb(rendered), imageFrom(reference::spread(given, std::max(variance - present, 0.0)), 3), counts},
                     cascadeLimits(context));
         if (!compared) return compared.error();
-        if (context.options.setting == "corrected") continue;
-        printed =
-            asPrinted(given, printed, k == 0 ? profile[0].variance : profile[k].variance, variance, context.options.setting == "deon2007");
+        if (context.options.setting == kSettingCorrected) continue;
+        printed = asPrinted(given, printed, k == 0 ? profile[0].variance : profile[k].variance, variance,
+                            context.options.setting == kSettingDeon2007);
         const auto same =
             compare(report, context, {fmt::format("{} as printed", kTargets[k]), rgb(rendered), imageFrom(printed, 3), counts},
                     {.relativeL2 = 2e-3,
@@ -138,7 +139,7 @@ Result<void> verifyCascade(ModuleReport& report, const Context& context, const S
 }
 
 Result<void> verifyPoisson(ModuleReport& report, const Context& context, const Scene& scene) {
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     const int size = context.options.mapSize;
     const reference::Discs discs = corrected ? reference::Discs{.size = 2.4} : reference::Discs{.size = 4, .turn = 0, .asPrinted = true};
     const auto run = render(
@@ -175,7 +176,7 @@ Result<void> verifyWhite(ModuleReport& report, const Context& context, const Sce
                                       .workspace = scene.workspace,
                                       .defines = {{"TEGUMENT_MAP_BITS", "32"}}});
     if (!run) return run.error();
-    const double gain = context.options.setting == "corrected" ? 1 : 1.001;
+    const double gain = context.options.setting == kSettingCorrected ? 1 : 1.001;
     double largest = 0;
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {

@@ -1,5 +1,6 @@
 #include "host/lab/verify/errata.h"
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/convolution.h"
 #include "host/lab/reference/specular.h"
 #include "host/lab/verify/plane_edge.h"
@@ -100,7 +101,7 @@ double tableAt(const Image& table, double cosine, double m) {
 /// The printed and the corrected table as the device draws them, at the centres of texels near the usual places.
 Result<void> addAlbedo(Errata& errata, gpu::Device& device, VerifyOptions options) {
     std::vector<Image> tables;
-    for (const char* setting : {"deon2007", "corrected"}) {
+    for (const char* setting : {kSettingDeon2007, kSettingCorrected}) {
         options.setting = setting;
         const auto run =
             verify::render({device, options}, {.effect = "EnergyAttenuation.fx", .workspace = {}, .dump = {"gEnergyAttenuationMap"}});
@@ -130,7 +131,7 @@ Result<void> addKernel(Errata& errata, gpu::Device& device, VerifyOptions option
     std::vector<double> gains;
     std::vector<verify::DrawnEdge> edges;
     options.mapSize = 512;
-    for (const char* setting : {"seed", "deon2007", "corrected"}) {
+    for (const char* setting : kSettingNames) {
         options.setting = setting;
         auto edge = verify::drawEdge({device, options}, 0.15, 0.5);
         if (!edge) return edge.error();
@@ -184,7 +185,7 @@ Result<void> addEdges(Errata& errata, gpu::Device& device, const VerifyOptions& 
         study("B: normalised, right variance, float64", {.texel = texel, .normalised = true});
         study("C: B, first Gaussian sharp per pixel, float64", {.texel = texel, .normalised = true, .sharpFirst = true});
         study("D: B, first two Gaussians exact per pixel, float64", {.texel = texel, .normalised = true, .exact = 2});
-        for (const char* setting : {"seed", "deon2007", "corrected"}) {
+        for (const char* setting : kSettingNames) {
             const auto error = drawnError(device, options, texel, setting);
             if (!error) return error.error();
             errata.edges.push_back(rowOf("drawn, setting "s + setting, texel, *error));

@@ -1,5 +1,6 @@
 // Module Fur: the six techniques on a torus, and the layers drawn from outside on a ball, against every fragment of every layer by rays.
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/fur.h"
 #include "host/image/dds.h"
 #include "host/lab/verify/fur_scene.h"
@@ -195,7 +196,7 @@ Drawn drawReference(const View& view, const Part& part, const Maps& maps, const 
 }
 
 Limits limitsOf(const Context& context, bool opaque) {
-    if (context.options.setting != "corrected")
+    if (context.options.setting != kSettingCorrected)
         return {.relativeL2 = 0.1, .bias = 0.02, .apart = 0.5, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"};
     if (opaque)
         return {.relativeL2 = 0.02,

@@ -1,5 +1,6 @@
 #include "host/lab/verify/fur_exact.h"
 
+#include "generated/setting_names.h"
 #include "host/lab/verify/fur_regression.h"
 #include "host/lab/verify/truth.h"
 #include "host/support/parallel.h"
@@ -118,7 +119,7 @@ namespace {
 
 /// The printed settings throw false shadows upon the skin between strands: one comparison, no slope (docs/modules/TSM.md).
 Limits limitsOf(const Context& context, const WindowLimits& window) {
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     return {.relativeL2 = corrected ? window.relativeL2 : 2.2 * window.relativeL2,
             .bias = corrected ? window.bias : window.bias + 0.02,
             .why = corrected ? window.why : std::string(window.why) + "; false shadows of the printed comparison"};

@@ -1,5 +1,6 @@
 #include "host/lab/verify/fur_regression.h"
 
+#include "generated/setting_names.h"
 #include "host/image/compare.h"
 #include "host/image/dds.h"
 #include "host/lab/verify/corner_grid.h"
@@ -46,7 +47,7 @@ struct View {
         : scene(strands), truth(truthOf(strands.scene, options)),
           shells(strands.scene.mesh, strands.coat, truth.camera, strands.grown, grid), light{truth.light.eye, truth.skin.lightColour()},
           eye{truth.camera.eye, 2 * truth.camera.tangentX / truth.camera.width},
-          tolerance(kTolerance * static_cast<double>(strands.scene.mesh.bounds.radius)), filtered(options.setting == "corrected") {}
+          tolerance(kTolerance * static_cast<double>(strands.scene.mesh.bounds.radius)), filtered(options.setting == kSettingCorrected) {}
 
     const StrandsScene& scene;
     Truth truth;
@@ -178,7 +179,7 @@ Limits limitsOf(const Context& context, bool far) {
                 .bias = 5e-3,
                 .apart = 0.3,
                 .why = "coverage to expect: the trapezoid of the strands' radii at the ends of a segment stands for their integral"};
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     return {.relativeL2 = corrected ? 0.02 : 0.03,
             .p99 = corrected ? 1e-3 : 0.02,
             .p999 = 0.1,
@@ -191,7 +192,7 @@ Limits limitsOf(const Context& context, bool far) {
 
 /// A tenth more than lavapipe has. In the printed settings the skin's shadow is one texel, too.
 double mostApartOf(const Context& context, bool far) {
-    if (context.options.setting == "corrected") return far ? 0.21 : 0.13;
+    if (context.options.setting == kSettingCorrected) return far ? 0.21 : 0.13;
     return far ? 0.65 : 0.38;
 }
 

@@ -1,5 +1,6 @@
 #include "host/lab/verify/fur_scene.h"
 
+#include "generated/setting_names.h"
 #include "host/lab/verify/work.h"
 
 #include <algorithm>
@@ -80,8 +81,8 @@ Mesh ball() {
 FurScene sceneWith(const VerifyOptions& options, Mesh (*make)(), const char* name) {
     FurScene scene{.name = name, .scene = {}, .coat = {}};
     scene.coat = {.layers = 12, .length = 0.08, .lean = 0.5, .spread = 0.8, .taper = 1, .softness = 0.5, .fill = {0.05, 0.1, 0.15}};
-    scene.coat.kajiyaKay = options.setting == "seed" ? 0 : 1;
-    scene.coat.fringes = options.setting == "corrected";
+    scene.coat.kajiyaKay = options.setting == kSettingSeed ? 0 : 1;
+    scene.coat.fringes = options.setting == kSettingCorrected;
     if (options.mesh && options.workspace) {
         scene.scene = {*options.mesh, *options.workspace};
         scene.name = options.mesh->name;

@@ -1,5 +1,6 @@
 #include "host/lab/verify/fur_windows.h"
 
+#include "generated/setting_names.h"
 #include "host/lab/verify/fur_scene.h"
 
 #include <algorithm>
@@ -239,7 +240,7 @@ Result<FurWindow> makeWindow(const VerifyOptions& options, const std::string& te
     scene.coat = {.layers = change.layers.value_or(32),
                   .length = view.coat * view.spacing,
                   .lean = view.bends.lean,
-                  .kajiyaKay = options.setting == "seed" ? 0.0 : 1.0,
+                  .kajiyaKay = options.setting == kSettingSeed ? 0.0 : 1.0,
                   .fill = {0.05, 0.1, 0.15}};
     scene.fur = {.spacing = view.spacing * radius,
                  .thickness = scene.coat.length * radius,

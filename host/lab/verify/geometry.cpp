@@ -1,5 +1,6 @@
 // Modules that say where things are: OriginalTexture, Stretch, ShadowMap, TSM.
 
+#include "generated/setting_names.h"
 #include "host/lab/verify/truth.h"
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ void addCoverage(ModuleReport& report, const Context& context, const Image& rend
 
 /// Depth as the setting stores it.
 double stored(const Truth& truth, const std::string& setting, const reference::SurfacePoint& point) {
-    return setting == "seed" ? truth.zOverW(point.position) : glm::length(point.position - truth.light.origin(point.position));
+    return setting == kSettingSeed ? truth.zOverW(point.position) : glm::length(point.position - truth.light.origin(point.position));
 }
 
 double largestInside(const Image& map, int which, const Seen& seen, const std::vector<std::uint8_t>& counts,
@@ -50,7 +51,7 @@ double largestInside(const Image& map, int which, const Seen& seen, const std::v
 
 void addDepth(ModuleReport& report, const Context& context, const Truth& truth, const Image& map, const Seen& seen,
               const std::vector<std::uint8_t>& counts) {
-    const bool ratio = context.options.setting == "seed";
+    const bool ratio = context.options.setting == kSettingSeed;
     const double largest =
         largestInside(map, 0, seen, counts, [&](const reference::SurfacePoint& p) { return stored(truth, context.options.setting, p); });
     // A texel is 0.7 mm on the built-in body and slopes reach 4: 1/512 of a texel moves the depth by 0.005 mm.
@@ -160,7 +161,7 @@ Result<ModuleReport> verifyTsm(const Context& context) {
                   "1/256 texel of the light's map, many texels of the charts where the light grazes");
     }
     addCoverage(report, context, map, 3, seen);
-    const bool ratio = context.options.setting == "seed";
+    const bool ratio = context.options.setting == kSettingSeed;
     const Image exact = paint(seen, 3, [&](const reference::SurfacePoint& p, std::size_t) {
         const double depth = stored(truth, context.options.setting, p);
         return glm::dvec4(ratio ? depth : (depth - truth.lightNear) / (truth.lightFar - truth.lightNear), p.uv, 1);

@@ -1,5 +1,6 @@
 // Modules that say how bright things are, point by point: Specular, Irradiance.
 
+#include "generated/setting_names.h"
 #include "host/lab/verify/truth.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace tegument::verify {
 
 Limits shadowLimits(const Context& context) {
-    if (context.options.setting == "corrected")
+    if (context.options.setting == kSettingCorrected)
         return {.relativeL2 = 0.03,
                 .p99 = 0,
                 .p999 = 0.5,
@@ -74,7 +75,7 @@ Result<ModuleReport> verifySpecular(const Context& context) {
     const Limits printed{.relativeL2 = 0.1, .bias = 0.02, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"};
     const Limits shadowed{
         .relativeL2 = 5e-3, .p99 = 5e-3, .bias = 5e-4, .apart = 0.5, .why = "as unshadowed; single points of the shadow map"};
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     const std::array cases = {SpecularCase{"SpecularUnshadowed", "unshadowed", false, true, mapped},
                               SpecularCase{"Specular", "shadowed", true, true, corrected ? shadowed : printed},
                               SpecularCase{"SpecularSmooth", "shadowed, normals of the mesh", true, false, corrected ? shadowed : printed}};
@@ -142,7 +143,7 @@ Result<ModuleReport> verifyIrradiance(const Context& context) {
     const Image exact = paint(seen, 3, [&](const reference::SurfacePoint& point, std::size_t) {
         return glm::dvec4(truth.skin.entering(point, truth.skin.lit(point)), 1);
     });
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     const auto compared = compare(
         report, context, {"gIrradianceMap", rgb(drawn), exact, counts, interior(seen)},
         corrected

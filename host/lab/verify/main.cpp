@@ -1,5 +1,6 @@
 // Module Main: the whole picture of each technique, lit from in front and from behind.
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/picture.h"
 #include "host/lab/verify/truth.h"
 
@@ -75,7 +76,7 @@ Result<void> comparePart(ModuleReport& report, const Context& context, const Par
 }
 
 Limits pictureLimits(const Context& context, bool fromBehind) {
-    if (context.options.setting != "corrected")
+    if (context.options.setting != kSettingCorrected)
         return {.relativeL2 = 0.15,
                 .bias = 0.06,
                 .apart = 1.5,
@@ -97,7 +98,7 @@ Limits pictureLimits(const Context& context, bool fromBehind) {
 
 /// Tight: without the disc's turn, its own mean or a quarter of its size the picture is 4e-3 to 7e-3 away.
 Limits gosselinLimits(const Context& context) {
-    if (context.options.setting != "corrected")
+    if (context.options.setting != kSettingCorrected)
         return {.relativeL2 = 0.01, .bias = 3e-3, .apart = 0.5, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"};
     return {.relativeL2 = 3e-3,
             .p99 = 0.01,
@@ -113,7 +114,7 @@ Result<ModuleReport> verifyMain(const Context& context) {
                         .summary = "Every pixel against the formula of docs/skin.md with shadows and thickness by rays, each map blurred "
                                    "by one Gaussian of its whole width, or by the discs, reflectance and albedo evaluated; in front and "
                                    "behind"};
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     const Limits plain =
         corrected
             ? Limits{.relativeL2 = 5e-3, .p99 = 0.02, .bias = 2e-3, .apart = 0.4, .why = "look-ups of colour in 8 bits; the albedo table"}

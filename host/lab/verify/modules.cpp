@@ -1,3 +1,4 @@
+#include "generated/setting_names.h"
 #include "host/lab/verify/work.h"
 #include "host/support/text.h"
 
@@ -55,8 +56,9 @@ Result<ModuleReport> verifyModule(gpu::Device& device, const std::string& module
     if (found == kModules.end())
         return usageError(4050, fmt::format("there is no reference for a module '{}'", module),
                           fmt::format("{} known: {}", didYouMean(module, all), fmt::join(all, ", ")));
-    if (options.setting != "seed" && options.setting != "deon2007" && options.setting != "corrected")
-        return usageError(4051, fmt::format("there is no setting '{}'", options.setting), "seed, deon2007 or corrected");
+    if (std::ranges::find(kSettingNames, options.setting) == kSettingNames.end())
+        return usageError(4051, fmt::format("there is no setting '{}'", options.setting),
+                          fmt::format("{}", fmt::join(kSettingNames, ", ")));
     return found->verify({device, options});
 }
 

@@ -1,5 +1,6 @@
 // The two precomputed tables: Beckmann's distribution and the directional albedo.
 
+#include "generated/setting_names.h"
 #include "host/lab/reference/specular.h"
 #include "host/lab/verify/work.h"
 
@@ -110,7 +111,7 @@ Result<ModuleReport> verifyBeckmann(const Context& context) {
 }
 
 Result<ModuleReport> verifyEnergyAttenuation(const Context& context) {
-    const bool corrected = context.options.setting == "corrected";
+    const bool corrected = context.options.setting == kSettingCorrected;
     ModuleReport report{.module = "EnergyAttenuation",
                         .summary = corrected ? "The albedo texture against Gauss-Legendre quadrature of the reflectance"
                                              : "The texture of the printed rule with 32 x 32 nodes against that rule in double precision"};

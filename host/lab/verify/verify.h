@@ -1,6 +1,7 @@
 #pragma once
 // Every module of the library against an independent reference in double precision.
 
+#include "generated/setting_names.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"
@@ -46,7 +47,7 @@ struct ModuleReport {
 
 struct VerifyOptions {
     std::filesystem::path effects = "effects"; // folder of the .fx files
-    std::string setting = "corrected";
+    std::string setting = kSettingCorrected;
     Compiler compiler = Compiler::Dxc;
     int mapSize = 256;     // texels a side of the maps in texture space
     int pictureSize = 256; // pixels a side of what the camera sees

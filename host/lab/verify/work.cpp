@@ -57,10 +57,7 @@ std::optional<double> relativeApart(const Comparison& comparison) {
 } // namespace
 
 Result<RunResult> render(const Context& context, const RenderJob& job) {
-    static const std::vector<std::string> kSettings = {"seed", "deon2007", "corrected"};
-    const auto setting = std::ranges::find(kSettings, context.options.setting) - kSettings.begin();
-    LoadOptions load{.defines = job.defines, .includeFolders = {}};
-    load.defines.emplace_back("TEGUMENT_SETTING", std::to_string(setting));
+    LoadOptions load{.defines = job.defines, .includeFolders = {}, .setting = context.options.setting};
     load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(context.options.mapSize));
     const auto effect = loadEffect(context.options.effects / job.effect, load);
     if (!effect) return effect.error();

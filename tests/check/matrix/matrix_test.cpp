@@ -29,7 +29,7 @@ protected:
 const CheckReport& allEffects() {
     static const CheckReport kReport =
         checkEffects(effectFiles(), {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvGlslang},
-                     {.variants = settingVariants(), .includeFolders = {}});
+                     {.includeFolders = {}, .allSettings = true});
     return kReport;
 }
 
@@ -114,8 +114,7 @@ CheckReport flattenedEffects() {
         files.push_back(folder / original.filename());
         EXPECT_TRUE(writeFile(files.back(), text ? *text : ""));
     }
-    CheckReport report =
-        checkEffects(files, {Target::Fx2, Target::Fx4, Target::Fx5}, {.variants = settingVariants(), .includeFolders = {}});
+    CheckReport report = checkEffects(files, {Target::Fx2, Target::Fx4, Target::Fx5}, {.includeFolders = {}, .allSettings = true});
     fs::remove_all(folder);
     return report;
 }

@@ -1,0 +1,41 @@
+#pragma once
+// What a run is asked for, and of what scene. Needs no GPU.
+
+#include "host/spirv/compile.h"
+#include "host/mesh/mesh.h"
+#include "host/scene/workspace.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tegument {
+
+struct RunOptions {
+    std::string technique; // empty: the effect's default
+    int width = 1024;      // the final target, 1..16384
+    int height = 1024;
+    int samples = 1; // of a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean. The effect's own targets have one
+    Compiler compiler = Compiler::Dxc;
+    std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
+    std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder
+    std::vector<std::string> dump;                         // target names; "all"
+    int warmUpFrames = 0;
+    int frames = 1; // pass times are medians over these
+};
+
+/// One mesh of a scene of several.
+struct RunObject {
+    const Mesh* mesh = nullptr;
+    Workspace workspace; // workspaceOf(): its own textures and parameters
+    Placement placement;
+};
+
+/// What is drawn: one mesh, none, or the objects of a scene. Who draws keeps pointing at them.
+struct SessionScene {
+    const Mesh* mesh = nullptr;
+    std::span<const RunObject> objects; // where there are any, `mesh` is null
+};
+
+} // namespace tegument

@@ -1,0 +1,34 @@
+#pragma once
+// What a drawn frame consists of. Needs no GPU.
+
+#include "host/support/result.h"
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegument {
+
+inline constexpr std::size_t kAllPasses = std::numeric_limits<std::size_t>::max();
+
+struct SessionPass {
+    std::string name;                 // "ConvolutionU" ...; a pass run several times: one entry per run, in order
+    int object = 0;                   // which of the scene's objects it drew
+    std::vector<std::string> targets; // colours, then depth; empty name: the caller's
+    double milliseconds = 0;          // median over the frames; 0 for passes that were not drawn
+};
+
+struct SessionFrame {
+    std::string technique;
+    std::vector<SessionPass> passes;           // of the whole frame, in order
+    std::optional<double> resolveMilliseconds; // where a pixel of the caller's targets has several samples
+    std::vector<std::string>
+        produced; // effect files that had to draw a texture for this frame, in order; none where nothing they read changed
+    std::vector<std::string> targets;            // of the effect, that the frame uses
+    std::map<std::string, std::string> metadata; // as a picture of it carries
+    std::vector<Diagnostic> warnings;
+};
+
+} // namespace tegument

@@ -1,0 +1,102 @@
+#include "host/run/stage.h"
+
+namespace tegument::run {
+
+namespace {
+
+bool same(const TargetDesc& a, const TargetDesc& b) {
+    return a.extent == b.extent && a.format == b.format && a.mips == b.mips && a.samples == b.samples;
+}
+
+} // namespace
+
+Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene) : device_(device), effect_(effect), scene_(scene) {}
+
+void Stage::setScene(SessionScene scene) {
+    scene_ = scene;
+    products_.dropNodes();
+    resources_.targets.clear();
+    allocated_.clear();
+    store_ = {};
+}
+
+void Stage::addInput(StagedFrame& staged, const Mesh* mesh, const Workspace& workspace, const RunOptions& options) {
+    staged.inputs.push_back({.effect = effect_,
+                             .mesh = mesh,
+                             .workspace = workspace,
+                             .options = options,
+                             .placed = staged.placed.empty() ? nullptr : &staged.placed.back(),
+                             .compiled = &kit_.programs,
+                             .uploaded = &store_.uploaded});
+}
+
+StagedFrame Stage::inputsOf(const Workspace& workspace, const RunOptions& options) {
+    StagedFrame staged;
+    if (scene_.objects.empty()) {
+        addInput(staged, scene_.mesh, workspace, options);
+        return staged;
+    }
+    const PlacedScene placed = placeObjects(workspace, scene_.objects);
+    for (const RunObject& object : scene_.objects) {
+        staged.placed.push_back({.placement = object.placement, .scene = placed, .worldUnitMm = workspace.worldUnitMm});
+        addInput(staged, object.mesh, object.workspace, options);
+    }
+    return staged;
+}
+
+void Stage::dropTargets(const std::deque<Prepared>& prepared) {
+    std::map<std::string, TargetDesc> wanted;
+    for (const Prepared& object : prepared)
+        wanted.insert(object.targets.begin(), object.targets.end());
+    std::erase_if(allocated_, [&](const auto& entry) {
+        const auto found = wanted.find(entry.first);
+        if (found != wanted.end() && same(found->second, entry.second)) return false;
+        resources_.targets.erase(entry.first);
+        return true;
+    });
+    allocated_ = std::move(wanted);
+}
+
+Result<void> Stage::equip(const RunInput& input, Prepared& prepared, std::vector<FrameNode>& before) {
+    if (const auto textures = prepareTextures(input, prepared); !textures) return textures;
+    if (const auto nodes = products_.use(input, prepared, before); !nodes) return nodes;
+    if (const auto allocated = allocate(input, prepared, resources_); !allocated) return allocated;
+    forgetTexels(prepared, store_.uploaded);
+    return {};
+}
+
+Result<StagedFrame> Stage::prepare(const Workspace& workspace, const RunOptions& options) {
+    if (options.compiler != compiler_) {
+        products_.forget();
+        kit_ = {};
+        compiler_ = options.compiler;
+    }
+    StagedFrame staged = inputsOf(workspace, options);
+    for (const RunInput& input : staged.inputs) {
+        auto prepared = run::prepare(input);
+        if (!prepared) return prepared.error();
+        kit_.programs.insert(prepared->programs.begin(), prepared->programs.end());
+        staged.prepared.push_back(std::move(*prepared));
+        staged.runs.push_back({input, staged.prepared.back()});
+    }
+    dropTargets(staged.prepared);
+    products_.begin();
+    std::vector<FrameNode> before;
+    for (std::size_t i = 0; i < staged.inputs.size(); ++i)
+        if (const auto equipped = equip(staged.inputs[i], staged.prepared[i], before); !equipped) return equipped.error();
+    auto frame = buildFrame(staged.runs, resources_);
+    if (!frame) return frame.error();
+    staged.frame = std::move(*frame);
+    staged.frame.before = std::move(before);
+    return staged;
+}
+
+Result<std::vector<gpu::TimedSection>> Stage::draw(StagedFrame& staged, std::size_t items) {
+    auto sections = device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
+    if (!sections) return sections;
+    staged.frame.before.clear();
+    products_.finish();
+    return sections;
+}
+
+} // namespace tegument::run

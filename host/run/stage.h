@@ -1,0 +1,57 @@
+#pragma once
+// The scene of a session on the device, and the one loop over its objects. Inside host/run, and for those that change a frame before it is
+// drawn; all others take a session.
+
+#include "host/run/products.h"
+
+#include <deque>
+
+namespace tegument::run {
+
+/// A frame of all objects, ready to be drawn. Points at the workspace and the options that it was made for.
+struct StagedFrame {
+    std::deque<PlacedObject> placed; // these three: one for each object
+    std::deque<RunInput> inputs;
+    std::deque<Prepared> prepared;
+    std::vector<ObjectRun> runs;
+    Frame frame;
+};
+
+class Stage {
+public:
+    /// Device, effect and scene must outlive it.
+    Stage(gpu::Device& device, const Effect& effect, SessionScene scene);
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// Other meshes: nothing but compiled passes and pipelines is kept.
+    void setScene(SessionScene scene);
+
+    /// Plans, compiles, loads, allocates; nothing is drawn yet. What an earlier frame left is used.
+    [[nodiscard]] Result<StagedFrame> prepare(const Workspace& workspace, const RunOptions& options);
+    /// Draws the frame, or its first `items`; the textures that other effects draw for it only the first time. Times of the passes, in
+    /// order, then of the resolve.
+    [[nodiscard]] Result<std::vector<gpu::TimedSection>> draw(StagedFrame& staged, std::size_t items);
+
+    [[nodiscard]] Resources& resources() { return resources_; }
+    [[nodiscard]] const Resources& resources() const { return resources_; }
+
+private:
+    void addInput(StagedFrame& staged, const Mesh* mesh, const Workspace& workspace, const RunOptions& options);
+    [[nodiscard]] StagedFrame inputsOf(const Workspace& workspace, const RunOptions& options);
+    /// Targets of the last frame that this one does not have, or has in another size, make room.
+    void dropTargets(const std::deque<Prepared>& prepared);
+    [[nodiscard]] Result<void> equip(const RunInput& input, Prepared& prepared, std::vector<FrameNode>& before);
+
+    gpu::Device& device_;
+    const Effect& effect_;
+    SessionScene scene_;
+    Compiler compiler_ = Compiler::Dxc; // of the kit's programs
+    Store store_;
+    Kit kit_;
+    Resources resources_{device_, store_, kit_, {}};
+    std::map<std::string, TargetDesc> allocated_; // as asked for
+    Products products_{device_, store_};
+};
+
+} // namespace tegument::run

@@ -1,0 +1,22 @@
+#pragma once
+// What keys and mouse ask for. Needs no GPU and no window.
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace tegument::view {
+
+/// What happened since it was last asked. Drags in shares of the window's height, right and up.
+struct Input {
+    std::vector<char32_t> keys; // characters, and the keys of keys.h
+    glm::dvec2 camera{0};
+    glm::dvec2 pan{0};
+    glm::dvec2 light{0};
+    double wheel = 0; // notches; up is positive
+    double lightWheel = 0;
+    bool any = false; // something that the overlay may want to know
+    bool closed = false;
+};
+
+} // namespace tegument::view

@@ -14,11 +14,11 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 Texture2D gBeckmannMap : RENDERCOLORTARGET < int Width = 512; int Height = 512; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-SAMPLER2D(gBeckmann, POINT, CLAMP);
+TG_SAMPLER2D(gBeckmann, POINT, CLAMP);
 
 float4 BeckmannPS(QuadVarying input) : SV_Target0
 {
-    float encoded = beckmannEncode(beckmannPH(input.uv.x, input.uv.y));
+    float encoded = tgBeckmannEncode(tgBeckmannPH(input.uv.x, input.uv.y));
     return float4(encoded, encoded, encoded, 1.0);
 }
 
@@ -32,7 +32,7 @@ technique Beckmann < string Script =
     "RenderColorTarget0=gBeckmannMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    QUAD_PASS(Precompute, QuadVS, BeckmannPS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Precompute, QuadVS, BeckmannPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

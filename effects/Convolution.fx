@@ -1,6 +1,6 @@
-// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's blurs, gBlurCount
-// of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the charts of the mesh: what comes
-// out is the sum of the weights.
+// Convolution: the cascade of Gaussians over the irradiance; shows the six maps weighted by the profile. Technique Poisson: Gosselin's
+// blurs, gBlurCount of them; shows the last. Techniques White and WhitePoisson feed them the constant gConstantIrradiance instead, over the
+// charts of the mesh: what comes out is the sum of the weights.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -38,10 +38,10 @@ struct ConstantVarying
     float4 position : SV_Position;
 };
 
-ConstantVarying ConstantVS(MeshInput input)
+ConstantVarying ConstantVS(TgMeshInput input)
 {
     ConstantVarying output;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
     return output;
 }
 
@@ -58,19 +58,19 @@ float4 ShowPS(QuadVarying input) : SV_Target0
     float3 sum = first.rgb * gGaussianWeight[0].rgb + tex2Dlod(gIrradiance2, uv).rgb * gGaussianWeight[1].rgb +
                  tex2Dlod(gIrradiance3, uv).rgb * gGaussianWeight[2].rgb + tex2Dlod(gIrradiance4, uv).rgb * gGaussianWeight[3].rgb +
                  tex2Dlod(gIrradiance5, uv).rgb * gGaussianWeight[4].rgb + tex2Dlod(gIrradiance6, uv).rgb * gGaussianWeight[5].rgb;
-    return float4(sum, 1.0) * seamValidity(first);
+    return float4(sum, 1.0) * tgSeamValidity(first);
 }
 
 float4 ShowOddPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gBlurOdd, float4(input.uv, 0.0, 0.0));
-    return float4(texel.rgb, 1.0) * seamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
+    return float4(texel.rgb, 1.0) * tgSeamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
 }
 
 float4 ShowEvenPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gBlurEven, float4(input.uv, 0.0, 0.0));
-    return float4(texel.rgb, 1.0) * seamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
+    return float4(texel.rgb, 1.0) * tgSeamValidity(tex2Dlod(gIrradiance, float4(input.uv, 0.0, 0.0)));
 }
 
 #ifdef FX_TECHNIQUES
@@ -91,19 +91,19 @@ technique Convolution < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=; Pass=Show;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique White < string Script =
@@ -120,18 +120,18 @@ technique White < string Script =
     "RenderColorTarget0=gIrradiance6Map; Clear=Color; Pass=ConvolutionUV5;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_BUFFER)
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Constant, ConstantVS, ConstantPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique Poisson < string Script =
@@ -143,16 +143,16 @@ technique Poisson < string Script =
     "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
     "RenderColorTarget0=; Pass=gBlurIndex?ShowOdd:ShowEven:ShowOdd:ShowEven:ShowOdd:ShowEven;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_BUFFER)
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_BUFFER)
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_BUFFER)
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_BUFFER)
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_BUFFER)
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_BUFFER)
-    QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
-    QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur1, QuadVS, Blur1PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur2, QuadVS, Blur2PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur3, QuadVS, Blur3PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur4, QuadVS, Blur4PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur5, QuadVS, Blur5PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 
 technique WhitePoisson < string Script =
@@ -162,14 +162,14 @@ technique WhitePoisson < string Script =
     "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
     "RenderColorTarget0=; Pass=gBlurIndex?ShowOdd:ShowEven:ShowOdd:ShowEven:ShowOdd:ShowEven;"; >
 {
-    MESH_PASS(Constant, ConstantVS, ConstantPS, STATE_BUFFER)
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_BUFFER)
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_BUFFER)
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_BUFFER)
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_BUFFER)
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_BUFFER)
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_BUFFER)
-    QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, STATE_BUFFER)
-    QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, STATE_BUFFER)
+    TG_MESH_PASS(Constant, ConstantVS, ConstantPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur1, QuadVS, Blur1PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur2, QuadVS, Blur2PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur3, QuadVS, Blur3PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur4, QuadVS, Blur4PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur5, QuadVS, Blur5PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowOdd, QuadVS, ShowOddPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(ShowEven, QuadVS, ShowEvenPS, TG_STATE_BUFFER)
 }
 #endif

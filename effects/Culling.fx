@@ -1,5 +1,5 @@
-// Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause should be seen;
-// below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
+// Culling: which texels the prepasses spare the later passes, one colour per cause. Above the map, and the view itself, where no cause
+// should be seen; below the whole mesh from the eye's side and from behind. Techniques: PrePass, passes 2 and 3 in the form of the setting;
 // ReachDEonLuebke and ReachGosselin, the form that leaves the picture as it is (DEonLuebkeCulled, GosselinCulled).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
@@ -28,8 +28,9 @@ float4 gBlackColor < string UIName = "Black in the colour map"; string UIWidget 
 float3 gMeshCenter : BOUNDINGCENTER < string UIWidget = "None"; >;
 float gMeshRadius : BOUNDINGSPHERESIZE < string UIWidget = "None"; >;
 
-Texture2D gCullingMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-SAMPLER2D(gCulling, POINT, CLAMP);
+Texture2D gCullingMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1;
+    string Format = "A16B16G16R16F"; >;
+TG_SAMPLER2D(gCulling, POINT, CLAMP);
 
 struct CauseVarying
 {
@@ -45,11 +46,11 @@ struct PanelVarying
     float4 clip : TEXCOORD2; // panels of the mesh as a whole: a point in the middle of the view
 };
 
-CauseVarying HiddenVS(MeshInput input)
+CauseVarying HiddenVS(TgMeshInput input)
 {
     CauseVarying output;
     output.cull = cullVarying(input);
-    output.cull.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.cull.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
     output.hidden = float2(outsidePoint(output.cull) ? 1.0 : 0.0, facesAway(output.cull, 0.0) ? 1.0 : 0.0);
     return output;
 }
@@ -63,7 +64,7 @@ float4 causeColour(float outside, float away)
 // Per vertex a triangle is culled for the cause of any of its vertices.
 float4 HiddenPS(CauseVarying input) : SV_Target0
 {
-    if (kCullPerPixel)
+    if (kTgCullPerPixel)
         return causeColour(outsidePoint(input.cull) ? 1.0 : 0.0, facesAway(input.cull, 0.0) ? 1.0 : 0.0);
     return causeColour(input.hidden.x, input.hidden.y);
 }
@@ -71,7 +72,7 @@ float4 HiddenPS(CauseVarying input) : SV_Target0
 // Whatever the reach does not spare either is outside or faces away.
 float4 HiddenReachPS(CauseVarying input) : SV_Target0
 {
-    return causeColour(cullOutside(input.cull.clip) ? 1.0 : 0.0, 1.0);
+    return causeColour(tgCullOutside(input.cull.clip) ? 1.0 : 0.0, 1.0);
 }
 
 // Drawn at depth 0 with EQUAL, as the passes are that the prepasses spare.
@@ -84,10 +85,10 @@ float4 ProcessedPS(QuadVarying input) : SV_Target0
 float4 panelPosition(float2 position, float2 panel, float depth)
 {
     float2 square = min(gViewportSize.x, gViewportSize.y) / gViewportSize;
-    return HALF_PIXEL(float4(0.5 * position * square + panel, depth, 1.0), gViewportSize);
+    return TG_HALF_PIXEL(float4(0.5 * position * square + panel, depth, 1.0), gViewportSize);
 }
 
-PanelVarying ShowMapVS(QuadInput input)
+PanelVarying ShowMapVS(TgQuadInput input)
 {
     PanelVarying output;
     output.position = panelPosition(input.position.xy, float2(-0.5, 0.5), 0.0);
@@ -97,31 +98,31 @@ PanelVarying ShowMapVS(QuadInput input)
     return output;
 }
 
-float shadeOf(MeshInput input, float3 toEye)
+float shadeOf(TgMeshInput input, float3 toEye)
 {
-    float3 normal = worldNormal(input.normal);
+    float3 normal = tgWorldNormal(input.normal);
     return 0.3 + 0.7 * saturate(dot(normal, toEye));
 }
 
-PanelVarying ShowViewVS(MeshInput input)
+PanelVarying ShowViewVS(TgMeshInput input)
 {
     PanelVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.clip = mul(float4(world, 1.0), gViewProjection);
-    output.position = HALF_PIXEL(float4(0.5 * (output.clip.xy + output.clip.w), output.clip.zw), gViewportSize);
+    output.position = TG_HALF_PIXEL(float4(0.5 * (output.clip.xy + output.clip.w), output.clip.zw), gViewportSize);
     output.uv = input.uv;
-    output.shade = shadeOf(input, safeNormalize(gCameraPosition - world));
+    output.shade = shadeOf(input, tgSafeNormalize(gCameraPosition - world));
     return output;
 }
 
 // Parallel projection along the view, the whole mesh in the panel; side: 1 from the eye, -1 from behind.
-PanelVarying meshPanel(MeshInput input, float side, float2 panel)
+PanelVarying meshPanel(TgMeshInput input, float side, float2 panel)
 {
     PanelVarying output;
-    float3 right = side * safeNormalize(mul(gViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
-    float3 up = safeNormalize(mul(gViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
+    float3 right = side * tgSafeNormalize(mul(gViewProjection, float4(1.0, 0.0, 0.0, 0.0)).xyz);
+    float3 up = tgSafeNormalize(mul(gViewProjection, float4(0.0, 1.0, 0.0, 0.0)).xyz);
     float3 toEye = cross(right, up);
-    float3 p = (worldPosition(input.position) - gMeshCenter) / max(gMeshRadius, 1e-6);
+    float3 p = (tgWorldPosition(input.position) - gMeshCenter) / max(gMeshRadius, 1e-6);
     output.position = panelPosition(float2(dot(p, right), dot(p, up)), panel, 0.5 - 0.5 * dot(p, toEye));
     output.uv = input.uv;
     output.shade = shadeOf(input, toEye);
@@ -129,19 +130,19 @@ PanelVarying meshPanel(MeshInput input, float side, float2 panel)
     return output;
 }
 
-PanelVarying ShowFrontVS(MeshInput input)
+PanelVarying ShowFrontVS(TgMeshInput input)
 {
     return meshPanel(input, 1.0, float2(-0.5, -0.5));
 }
 
-PanelVarying ShowBackVS(MeshInput input)
+PanelVarying ShowBackVS(TgMeshInput input)
 {
     return meshPanel(input, -1.0, float2(0.5, -0.5));
 }
 
 float4 ShowPS(PanelVarying input) : SV_Target0
 {
-    clip(cullOutside(input.clip) ? -1.0 : 1.0);
+    clip(tgCullOutside(input.clip) ? -1.0 : 1.0);
     return float4(tex2Dlod(gCulling, float4(input.uv, 0.0, 0.0)).rgb * input.shade, 1.0);
 }
 
@@ -152,14 +153,14 @@ technique PrePass < string Script =
     "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
 {
-    MESH_PASS(Hidden, HiddenVS, HiddenPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    TG_MESH_PASS(Hidden, HiddenVS, HiddenPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
+    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
 }
 
 technique ReachDEonLuebke < string Script =
@@ -173,19 +174,19 @@ technique ReachDEonLuebke < string Script =
     "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
 {
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, CullReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, CullReachVPS, STATE_BUFFER)
-    MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullTiles, QuadVS, CullTilesPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachU, QuadVS, CullReachUPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachV, QuadVS, CullReachVPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Hidden, HiddenVS, HiddenReachPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
+    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
 }
 
 technique ReachGosselin < string Script =
@@ -197,17 +198,17 @@ technique ReachGosselin < string Script =
     "Pass=Hidden; Pass=PrePass1; Pass=PrePass2; Pass=Processed;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=ShowMap; Pass=ShowView; Pass=ShowFront; Pass=ShowBack;"; >
 {
-    MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, STATE_BUFFER)
-    MESH_PASS(Hidden, HiddenVS, HiddenReachPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    QUAD_PASS(Processed, QuadVS, ProcessedPS, STATE_EQUAL)
-    QUAD_PASS(ShowMap, ShowMapVS, ShowPS, STATE_BUFFER)
-    MESH_PASS(ShowView, ShowViewVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowFront, ShowFrontVS, ShowPS, STATE_SOLID)
-    MESH_PASS(ShowBack, ShowBackVS, ShowPS, STATE_SOLID)
+    TG_MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullTiles, QuadVS, CullTilesPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Hidden, HiddenVS, HiddenReachPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
+    TG_QUAD_PASS(Processed, QuadVS, ProcessedPS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ShowMap, ShowMapVS, ShowPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(ShowView, ShowViewVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowFront, ShowFrontVS, ShowPS, TG_STATE_SOLID)
+    TG_MESH_PASS(ShowBack, ShowBackVS, ShowPS, TG_STATE_SOLID)
 }
 #endif

@@ -1,4 +1,5 @@
-// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1), two halves whose sum it is, and shows it.
+// EnergyAttenuation: precomputes the directional albedo rho_dt of the specular lobe (x = cosine, y = roughness m, rho_s = 1), two halves
+// whose sum it is, and shows it.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -13,17 +14,17 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 Texture2D gEnergyAttenuationMap : RENDERCOLORTARGET < int Width = 128; int Height = 128; int MipLevels = 1; string Format = "G16R16F"; >;
-SAMPLER2D(gEnergyAttenuation, POINT, CLAMP);
+TG_SAMPLER2D(gEnergyAttenuation, POINT, CLAMP);
 
 float4 EnergyAttenuationPS(QuadVarying input) : SV_Target0
 {
-    float albedo = energyDirectionalAlbedo(input.uv.x, input.uv.y);
-    return float4(energyTexel(albedo), 0.0, 1.0);
+    float albedo = tgEnergyDirectionalAlbedo(input.uv.x, input.uv.y);
+    return float4(tgEnergyTexel(albedo), 0.0, 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
-    float albedo = halvesSum(tex2Dlod(gEnergyAttenuation, float4(input.uv, 0.0, 0.0)).xy);
+    float albedo = tgHalvesSum(tex2Dlod(gEnergyAttenuation, float4(input.uv, 0.0, 0.0)).xy);
     return float4(albedo, albedo, albedo, 1.0);
 }
 
@@ -32,7 +33,7 @@ technique EnergyAttenuation < string Script =
     "RenderColorTarget0=gEnergyAttenuationMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    QUAD_PASS(Precompute, QuadVS, EnergyAttenuationPS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Precompute, QuadVS, EnergyAttenuationPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

@@ -1,6 +1,7 @@
-// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a sphere map
-// (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each technique draws the shadow
-// map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
+// Fur: shells over any mesh, as seed 004 defines them, without texture coordinates. Six techniques: the fur lies in a cube map or in a
+// sphere map (tegument fur texture makes both) and is looked up by the position of the vertex, by its normal, or by the sum of both. Each
+// technique draws the shadow map, the hull of the coat into one of its own if wanted, the skin, then gFurLayers shells, what lies behind
+// the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
@@ -28,12 +29,12 @@ technique name < string Script = \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" HULL_SCRIPT \
     ROUNDS_SCRIPT("Skin", "Shells"); > \
 { \
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
     HULL_PASSES \
-    MESH_PASS(Skin, SkinVS, CoatedSkinPS, STATE_SOLID) \
-    MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, STATE_INSIDE) \
-    LAYER_PASS(Behind, "gFurLayers", BehindVS, shellPS, STATE_LAYER) \
-    LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, STATE_LAYER) \
+    TG_MESH_PASS(Skin, SkinVS, CoatedSkinPS, TG_STATE_SOLID) \
+    TG_MESH_PASS(CoatEnd, CoatEndVS, CoatEndPS, TG_STATE_INSIDE) \
+    TG_LAYER_PASS(Behind, "gFurLayers", BehindVS, shellPS, TG_STATE_LAYER) \
+    TG_LAYER_PASS(Shells, "gFurLayers", ShellsVS, shellPS, TG_STATE_LAYER) \
 }
 
 FUR_TECHNIQUE(CubePosition, CubePositionPS)

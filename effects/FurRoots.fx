@@ -1,5 +1,6 @@
-// FurRoots: fur whose strands grow on the surface itself, in proportion to area, without texture coordinates, seams or stretch, and few layers that each sweep
-// what lies between them and the next. Technique Cellular needs nothing but the mesh; technique Roots reads roots made by `tegument fur roots`.
+// FurRoots: fur whose strands grow on the surface itself, in proportion to area, without texture coordinates, seams or stretch, and few
+// layers that each sweep what lies between them and the next. Technique Cellular needs nothing but the mesh; technique Roots reads roots
+// made by `tegument fur roots`.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
@@ -27,11 +28,11 @@ technique name < string Script = \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;" \
     ROUNDS_SCRIPT("Skin", "Strands"); > \
 { \
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED) \
-    MESH_PASS(Skin, SkinVS, SkinPS, STATE_SOLID) \
-    MESH_PASS(CoatEnd, endVS, CoatEndPS, STATE_INSIDE) \
-    LAYER_PASS(Behind, "gFurLayers", behindVS, strandsPS, STATE_LAYER) \
-    LAYER_PASS(Strands, "gFurLayers", strandsVS, strandsPS, STATE_LAYER) \
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
+    TG_MESH_PASS(Skin, SkinVS, SkinPS, TG_STATE_SOLID) \
+    TG_MESH_PASS(CoatEnd, endVS, CoatEndPS, TG_STATE_INSIDE) \
+    TG_LAYER_PASS(Behind, "gFurLayers", behindVS, strandsPS, TG_STATE_LAYER) \
+    TG_LAYER_PASS(Strands, "gFurLayers", strandsVS, strandsPS, TG_STATE_LAYER) \
 }
 
 STRANDS_TECHNIQUE(Cellular, CellularEndVS, CellularBehindVS, CellularVS, CellularPS)

@@ -1,5 +1,5 @@
-// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's passes take it
-// (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
+// Irradiance: diffuse light with shadow, drawn into texture space, shown as it is stored. Techniques: Irradiance, as d'Eon and Luebke's
+// passes take it (colour, energy, thickness in alpha); IrradianceGosselin, as Gosselin's do (white, kernel size in alpha).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -38,9 +38,9 @@ technique Irradiance < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=; Pass=Show;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique IrradianceGosselin < string Script =
@@ -49,8 +49,8 @@ technique IrradianceGosselin < string Script =
     "RenderColorTarget0=gIrradianceMap; RenderDepthStencilTarget=; ClearSetColor=gClearInvalid; Clear=Color; Pass=Irradiance;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

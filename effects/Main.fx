@@ -1,6 +1,7 @@
-// Main: human skin, in 15 passes after d'Eon and Luebke 2007 and in 8 after Gosselin, Sander and Mitchell 2004, as seed 000 Tables 3 and 4 order them.
-// Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin; DEonLuebkeCulled and
-// GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without diffusion, to set beside them.
+// Main: human skin, in 15 passes after d'Eon and Luebke 2007 and in 8 after Gosselin, Sander and Mitchell 2004, as seed 000 Tables 3 and 4
+// order them. Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin;
+// DEonLuebkeCulled and GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without
+// diffusion, to set beside them.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -57,21 +58,21 @@ technique DEonLuebke < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, FinalVS, FinalPS, TG_STATE_SOLID)
 }
 
 technique DEonLuebkeCulled < string Script = OWN_SHADOW_SCRIPT
@@ -97,25 +98,25 @@ technique DEonLuebkeCulled < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, CullReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, CullReachVPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, STATE_EQUAL)
-    QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, FinalPS, STATE_SOLID)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(CullNeed, CullNeedVS, CullNeedPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullTiles, QuadVS, CullTilesPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachU, QuadVS, CullReachUPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachV, QuadVS, CullReachVPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU1, QuadVS, ConvolutionU1PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV1, QuadVS, ConvolutionUV1PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU2, QuadVS, ConvolutionU2PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV2, QuadVS, ConvolutionUV2PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU3, QuadVS, ConvolutionU3PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV3, QuadVS, ConvolutionUV3PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU4, QuadVS, ConvolutionU4PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV4, QuadVS, ConvolutionUV4PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionU5, QuadVS, ConvolutionU5PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(ConvolutionUV5, QuadVS, ConvolutionUV5PS, TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, FinalVS, FinalPS, TG_STATE_SOLID)
 }
 
 technique Gosselin < string Script =
@@ -130,18 +131,18 @@ technique Gosselin < string Script =
     "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=gBlurIndex?Final:FinalEven:Final:FinalEven:Final:FinalEven;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_EQUAL)
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_EQUAL)
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, GosselinFinalPS, STATE_SOLID)
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_EQUAL)
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_EQUAL)
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_EQUAL)
-    MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur1, QuadVS, Blur1PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur2, QuadVS, Blur2PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur3, QuadVS, Blur3PS, TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, FinalVS, GosselinFinalPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(Blur4, QuadVS, Blur4PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur5, QuadVS, Blur5PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, TG_STATE_EQUAL)
+    TG_MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, TG_STATE_SOLID)
 }
 
 technique GosselinCulled < string Script =
@@ -159,22 +160,22 @@ technique GosselinCulled < string Script =
     "Pass=gBlurIndex?Blur1:Blur2:Blur3:Blur4:Blur5:Blur6; LoopEnd;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=gBlurIndex?Final:FinalEven:Final:FinalEven:Final:FinalEven;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, STATE_BUFFER)
-    QUAD_PASS(CullTiles, QuadVS, CullTilesPS, STATE_BUFFER)
-    QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, STATE_BUFFER)
-    QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, STATE_BUFFER)
-    QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, STATE_PREPASS)
-    MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, STATE_PREPASS)
-    MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, STATE_EQUAL)
-    QUAD_PASS(Blur1, QuadVS, Blur1PS, STATE_EQUAL)
-    QUAD_PASS(Blur2, QuadVS, Blur2PS, STATE_EQUAL)
-    QUAD_PASS(Blur3, QuadVS, Blur3PS, STATE_EQUAL)
-    MESH_PASS(Final, FinalVS, GosselinFinalPS, STATE_SOLID)
-    QUAD_PASS(Blur4, QuadVS, Blur4PS, STATE_EQUAL)
-    QUAD_PASS(Blur5, QuadVS, Blur5PS, STATE_EQUAL)
-    QUAD_PASS(Blur6, QuadVS, Blur6PS, STATE_EQUAL)
-    MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(CullNeed, BlurNeedVS, BlurNeedPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullTiles, QuadVS, CullTilesPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachU, QuadVS, BlurReachUPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(CullReachV, QuadVS, BlurReachVPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(PrePass2, PrePass2ReachVS, PrePass2ReachPS, TG_STATE_PREPASS)
+    TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur1, QuadVS, Blur1PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur2, QuadVS, Blur2PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur3, QuadVS, Blur3PS, TG_STATE_EQUAL)
+    TG_MESH_PASS(Final, FinalVS, GosselinFinalPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(Blur4, QuadVS, Blur4PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur5, QuadVS, Blur5PS, TG_STATE_EQUAL)
+    TG_QUAD_PASS(Blur6, QuadVS, Blur6PS, TG_STATE_EQUAL)
+    TG_MESH_PASS(FinalEven, FinalVS, GosselinFinalEvenPS, TG_STATE_SOLID)
 }
 
 technique Lambert < string Script = OWN_SHADOW_SCRIPT
@@ -183,7 +184,7 @@ technique Lambert < string Script = OWN_SHADOW_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
     OWN_SHADOW_PASS
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    MESH_PASS(Final, FinalVS, LambertPS, STATE_SOLID)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Final, FinalVS, LambertPS, TG_STATE_SOLID)
 }
 #endif

@@ -17,11 +17,11 @@ struct TextureVarying
     float2 uv : TEXCOORD0;
 };
 
-TextureVarying TextureVS(MeshInput input)
+TextureVarying TextureVS(TgMeshInput input)
 {
     TextureVarying output;
-    float4 clip = mul(float4(worldPosition(input.position), 1.0), gViewProjection);
-    output.position = HALF_PIXEL(clip, gViewportSize);
+    float4 clip = mul(float4(tgWorldPosition(input.position), 1.0), gViewProjection);
+    output.position = TG_HALF_PIXEL(clip, gViewportSize);
     output.uv = input.uv;
     return output;
 }
@@ -34,6 +34,6 @@ float4 TexturePS(TextureVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique OriginalTexture < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Texture;"; >
 {
-    MESH_PASS(Texture, TextureVS, TexturePS, STATE_SOLID)
+    TG_MESH_PASS(Texture, TextureVS, TexturePS, TG_STATE_SOLID)
 }
 #endif

@@ -1,4 +1,5 @@
-// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the mesh.
+// ShadowMap: depth of the surface nearest to the light, shown between the light's planes; technique Shadow shows what it shades on the
+// mesh.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
@@ -18,22 +19,22 @@ float Script : STANDARDSGLOBAL <
 // Nearest white, farthest black, black where there is no surface.
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
-    float texel = shadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
-    float depth = kDepthInMillimetres ? (texel - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel;
+    float texel = tgShadowStored(tex2Dlod(gShadow, float4(input.uv, 0.0, 0.0))).x;
+    float depth = kTgDepthInMillimetres ? (texel - tgMillimetres(gLightNear)) / max(tgMillimetres(gLightFar - gLightNear), 1e-6) : texel;
     return float4(float3(1.0, 1.0, 1.0) * saturate(1.0 - depth), 1.0);
 }
 
-SurfaceVarying ShadowVS(MeshInput input)
+SurfaceVarying ShadowVS(TgMeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    output.position = TG_HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
     return output;
 }
 
 float4 ShadowPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
-    return float4(float3(1.0, 1.0, 1.0) * surfaceShadow(SAMPLER2D_ARG(gShadow), p), 1.0);
+    return float4(float3(1.0, 1.0, 1.0) * surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p), 1.0);
 }
 
 #ifdef FX_TECHNIQUES
@@ -42,8 +43,8 @@ technique ShadowMap < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 
 technique Shadow < string Script =
@@ -51,7 +52,7 @@ technique Shadow < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Shadow;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Shadow, ShadowVS, ShadowPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Shadow, ShadowVS, ShadowPS, TG_STATE_SOLID)
 }
 #endif

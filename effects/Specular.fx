@@ -1,5 +1,5 @@
-// Specular: the light that the surface reflects, alone, on the mesh. Techniques: Specular, shadowed, with the normal map; SpecularUnshadowed, as
-// Gosselin's Final in setting seed has it; SpecularSmooth, shadowed, with the normals of the mesh.
+// Specular: the light that the surface reflects, alone, on the mesh. Techniques: Specular, shadowed, with the normal map;
+// SpecularUnshadowed, as Gosselin's Final in setting seed has it; SpecularSmooth, shadowed, with the normals of the mesh.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -18,23 +18,23 @@ float Script : STANDARDSGLOBAL <
     string Script = "Technique=Specular;";
 > = 0.8;
 
-SurfaceVarying SpecularVS(MeshInput input)
+SurfaceVarying SpecularVS(TgMeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    output.position = TG_HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
     return output;
 }
 
 float4 reflected(SurfaceVarying input, LitPoint p)
 {
     p.scatters = tex2D(gSkin, input.uv).a;
-    return float4(reflectedLight(p, safeNormalize(gCameraPosition - input.world)), 1.0);
+    return float4(reflectedLight(p, tgSafeNormalize(gCameraPosition - input.world)), 1.0);
 }
 
 float4 SpecularPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     return reflected(input, p);
 }
 
@@ -47,7 +47,7 @@ float4 SpecularSmoothPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
     p.normal = p.meshNormal;
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     return reflected(input, p);
 }
 
@@ -57,13 +57,13 @@ technique Specular < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Specular, SpecularVS, SpecularPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Specular, SpecularVS, SpecularPS, TG_STATE_SOLID)
 }
 
 technique SpecularUnshadowed < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(Specular, SpecularVS, SpecularUnshadowedPS, STATE_SOLID)
+    TG_MESH_PASS(Specular, SpecularVS, SpecularUnshadowedPS, TG_STATE_SOLID)
 }
 
 technique SpecularSmooth < string Script =
@@ -71,7 +71,7 @@ technique SpecularSmooth < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Specular;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Specular, SpecularVS, SpecularSmoothPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Specular, SpecularVS, SpecularSmoothPS, TG_STATE_SOLID)
 }
 #endif

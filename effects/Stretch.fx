@@ -1,5 +1,5 @@
-// Stretch: uv per mm along U and V, precomputed once per mesh, shown as it is stored. Alpha: 0 inside the charts, 1 outside; there the map holds the
-// mean over the charts, taken from the last mip level.
+// Stretch: uv per mm along U and V, precomputed once per mesh, shown as it is stored. Alpha: 0 inside the charts, 1 outside; there the map
+// holds the mean over the charts, taken from the last mip level.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
@@ -13,10 +13,12 @@ float Script : STANDARDSGLOBAL <
     string Script = "Technique=Stretch;";
 > = 0.8;
 
-Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0; string Format = "A32B32G32R32F"; >;
-Texture2D gStretchMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-SAMPLER2D(gStretchCharts, POINT, CLAMP);
-SAMPLER2D(gStretch, POINT, CLAMP);
+Texture2D gStretchChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0;
+    string Format = "A32B32G32R32F"; >;
+Texture2D gStretchMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1;
+    string Format = "A16B16G16R16F"; >;
+TG_SAMPLER2D(gStretchCharts, POINT, CLAMP);
+TG_SAMPLER2D(gStretch, POINT, CLAMP);
 
 // Beyond any mip chain: selects its last level.
 static const float kLastLevel = 20.0;
@@ -27,17 +29,17 @@ struct StretchVarying
     float3 world : TEXCOORD0; // mm
 };
 
-StretchVarying StretchVS(MeshInput input)
+StretchVarying StretchVS(TgMeshInput input)
 {
     StretchVarying output;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
-    output.world = millimetres(worldPosition(input.position));
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
+    output.world = tgMillimetres(tgWorldPosition(input.position));
     return output;
 }
 
 float4 StretchPS(StretchVarying input) : SV_Target0
 {
-    return float4(stretchEncode(ddx(input.world), ddy(input.world), kMapSize), 0.0, 0.0);
+    return float4(tgStretchEncode(ddx(input.world), ddy(input.world), kTgMapSize), 0.0, 0.0);
 }
 
 float4 FillPS(QuadVarying input) : SV_Target0
@@ -60,8 +62,8 @@ technique Stretch < string Script =
     "RenderColorTarget0=gStretchMap; Pass=Fill;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    MESH_PASS(Charts, StretchVS, StretchPS, STATE_BUFFER)
-    QUAD_PASS(Fill, QuadVS, FillPS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(Charts, StretchVS, StretchPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Fill, QuadVS, FillPS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

@@ -16,7 +16,8 @@ float Script : STANDARDSGLOBAL <
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
     float4 texel = tex2Dlod(gTsm, float4(input.uv, 0.0, 0.0));
-    float depth = kDepthInMillimetres ? (texel.x - millimetres(gLightNear)) / max(millimetres(gLightFar - gLightNear), 1e-6) : texel.x;
+    float depth = kTgDepthInMillimetres
+        ? (texel.x - tgMillimetres(gLightNear)) / max(tgMillimetres(gLightFar - gLightNear), 1e-6) : texel.x;
     return float4(float3(saturate(depth), texel.yz) * texel.w, 1.0);
 }
 
@@ -26,7 +27,7 @@ technique TSM < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=TSM;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Show;"; >
 {
-    MESH_PASS(TSM, TsmVS, TsmPS, STATE_TWOSIDED)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_MESH_PASS(TSM, TsmVS, TsmPS, TG_STATE_TWOSIDED)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

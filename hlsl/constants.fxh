@@ -1,36 +1,37 @@
 // Constants of setting corrected that a printed setting changes. Black: up to 2/255 in sRGB, for photographed maps hold no exact black.
-// SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the compiler.
+// SKIN_... and FUR_... are default values of parameters (literals, so that hosts can read them); k... are constants, folded by the
+// compiler.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../hlsl/settings.fxh"
 #endif
 #ifndef TEGUMENT_CONSTANTS_FXH
 #define TEGUMENT_CONSTANTS_FXH
 
-#define SKIN_MIX 0.5
-#define SKIN_SHADOW_TOLERANCE 0.3
-#define SKIN_BLUR_SIZE 1.2
-#define SKIN_BLUR_TURN 2.39996
-#define FUR_KAJIYA_KAY 1.0
-#define FUR_TAPER 0.0
-#define FUR_FRINGES 1.0
+#define TG_SKIN_MIX 0.5
+#define TG_SKIN_SHADOW_TOLERANCE 0.3
+#define TG_SKIN_BLUR_SIZE 1.2
+#define TG_SKIN_BLUR_TURN 2.39996
+#define TG_FUR_KAJIYA_KAY 1.0
+#define TG_FUR_TAPER 0.0
+#define TG_FUR_FRINGES 1.0
 
 #ifndef TEGUMENT_LIBRARY
-static const bool kCorrected = true;
+static const bool kTgCorrected = true;
 // Depth in shadow maps: the distance to the light in mm, or z/w. Whether the test is filtered.
-static const bool kDepthInMillimetres = true;
-static const bool kFilterShadow = true;
+static const bool kTgDepthInMillimetres = true;
+static const bool kTgFilterShadow = true;
 // First Gaussian that light through thin parts is taken from.
-static const int kFirstTransmitted = 4;
+static const int kTgFirstTransmitted = 4;
 // Whether the cascade counts what has blurred its first map.
-static const bool kConvolveExactly = true;
+static const bool kTgConvolveExactly = true;
 // Poisson blurs: radii in mm of the surface, or texels. Whether specular reflection is shadowed, for which Final reads the shadow map.
-static const bool kPoissonStretched = true;
-static const bool kShadowSpecular = true;
+static const bool kTgPoissonStretched = true;
+static const bool kTgShadowSpecular = true;
 // Culling: whether fragments are culled, or whole vertices.
-static const bool kCullPerPixel = true;
+static const bool kTgCullPerPixel = true;
 #endif
 
 // Culling: largest channel of a colour that counts as black, linear.
-static const float kBlack = 2.0 / 255.0 / 12.92;
+static const float kTgBlack = 2.0 / 255.0 / 12.92;
 
 #endif

@@ -1,5 +1,5 @@
-// Group fur: shells, near and afar, the vectors that look up fur maps, the light on strands; strands that grow on the surface itself: the lattice or the roots that they stand in,
-// cones, and the ray's way through them. About the paths see surface.fxh.
+// Group fur: shells, near and afar, the vectors that look up fur maps, the light on strands; strands that grow on the surface itself: the
+// lattice or the roots that they stand in, cones, and the ray's way through them. About the paths see surface.fxh.
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/fur/shell.fxh"
 #include "../hlsl/fur/afar.fxh"

@@ -1,4 +1,5 @@
-// Group peers: other people's diffusion, to compare with. About the paths see surface.fxh. Effects in effects/peers include the files one by one.
+// Group peers: other people's diffusion, to compare with. About the paths see surface.fxh. Effects in effects/peers include the files one
+// by one.
 #include "../hlsl/surface.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/peers/screen.fxh"

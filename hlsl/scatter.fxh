@@ -1,4 +1,5 @@
-// Group scatter: light in texture space, its convolution by Gaussians and by Poisson discs, seams, transmission. About the paths see surface.fxh.
+// Group scatter: light in texture space, its convolution by Gaussians and by Poisson discs, seams, transmission. About the paths see
+// surface.fxh.
 #include "../hlsl/surface.fxh"
 #include "../hlsl/scatter/profile.fxh"
 #include "../hlsl/scatter/irradiance.fxh"

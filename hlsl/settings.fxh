@@ -34,9 +34,12 @@
 #else
 // docs/settings.md lists every constant with its source.
 //   TEGUMENT_SETTING   0 seed, 1 deon2007, 2 corrected (default)
-//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else 1
-//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure what it is worth
-//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what that saves
+//   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting corrected, else
+// 1
+//   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to measure
+// what it is worth
+//   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure what
+// that saves
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 #ifndef TEGUMENT_SETTING
 #define TEGUMENT_SETTING 2
@@ -60,29 +63,29 @@
 #define TEGUMENT_PEERS_AS_PRINTED (TEGUMENT_SETTING != 2)
 #endif
 #if TEGUMENT_PEERS_AS_PRINTED
-#define PEER_SEPARABLE_UNIT 2.8
+#define TG_PEER_SEPARABLE_UNIT 2.8
 #else
-#define PEER_SEPARABLE_UNIT 1.0
+#define TG_PEER_SEPARABLE_UNIT 1.0
 #endif
 #if TEGUMENT_MAP_BITS == 32
-#define SKIN_MAP_FORMAT "A32B32G32R32F"
+#define TG_SKIN_MAP_FORMAT "A32B32G32R32F"
 #else
-#define SKIN_MAP_FORMAT "A16B16G16R16F"
+#define TG_SKIN_MAP_FORMAT "A16B16G16R16F"
 #endif
 
 // Fur: whether its colour comes from a map, too.
-static const bool kFurColorMap = TEGUMENT_FUR_COLOR_MAP == 1;
+static const bool kTgFurColorMap = TEGUMENT_FUR_COLOR_MAP == 1;
 
 // Culling: the causes, one by one.
-static const bool kCullFrustum = TEGUMENT_CULL_FRUSTUM == 1;
-static const bool kCullBackFaces = TEGUMENT_CULL_BACK_FACES == 1;
-static const bool kCullBlack = TEGUMENT_CULL_BLACK == 1;
+static const bool kTgCullFrustum = TEGUMENT_CULL_FRUSTUM == 1;
+static const bool kTgCullBackFaces = TEGUMENT_CULL_BACK_FACES == 1;
+static const bool kTgCullBlack = TEGUMENT_CULL_BLACK == 1;
 
 // Peers (docs/peers.md).
-static const bool kPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
+static const bool kTgPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 
-// What is printed takes the place of what is right file by file, under the same names: the guard of every file that is not to be read is set here, and
-// nothing else chooses. Groups include both.
+// What is printed takes the place of what is right file by file, under the same names: the guard of every file that is not to be read is
+// set here, and nothing else chooses. Groups include both.
 #if TEGUMENT_PEERS_AS_PRINTED
 #define TEGUMENT_PEERS_BURLEY_WEIGHT_FXH
 #define TEGUMENT_PEERS_RING_LIGHT_FXH
@@ -117,30 +120,31 @@ static const bool kPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 #endif
 #endif
 
-static const float kPi = 3.14159265;
-static const float kMapSize = TEGUMENT_MAP_SIZE;
-// The largest half is 65504; ten passes of the printed kernel, whose weights sum to 1.001, must not reach it. A float's, 3.4e38, is far beyond any light.
-static const float kLargestHalf = 64512.0;
-static const float kLargestLight = TEGUMENT_MAP_BITS == 32 ? 1e30 : kLargestHalf;
-static const bool kNormalXY = TEGUMENT_NORMAL_XY == 1;
+static const float kTgPi = 3.14159265;
+static const float kTgMapSize = TEGUMENT_MAP_SIZE;
+// The largest half is 65504; ten passes of the printed kernel, whose weights sum to 1.001, must not reach it. A float's, 3.4e38, is far
+// beyond any light.
+static const float kTgLargestHalf = 64512.0;
+static const float kTgLargestLight = TEGUMENT_MAP_BITS == 32 ? 1e30 : kTgLargestHalf;
+static const bool kTgNormalXY = TEGUMENT_NORMAL_XY == 1;
 
 // Specular. Reflectance at normal incidence of an interface with index 1.4, ((1.4 - 1) / (1.4 + 1))^2, as the paper rounds it.
-static const float kFresnel0 = 0.028;
+static const float kTgFresnel0 = 0.028;
 
-// Transmission: distance at which nothing passes, mm; decay of the stored exp(-k t), per mm (the paper's exp(-20 t) with 100 mm to the unit);
-// largest alpha, because 1 marks texels outside the charts.
-static const float kOpaqueDistance = 5000.0;
-static const float kThicknessDecay = 0.2;
-static const float kLargestAlpha = 0.99;
+// Transmission: distance at which nothing passes, mm; decay of the stored exp(-k t), per mm (the paper's exp(-20 t) with 100 mm to the
+// unit); largest alpha, because 1 marks texels outside the charts.
+static const float kTgOpaqueDistance = 5000.0;
+static const float kTgThicknessDecay = 0.2;
+static const float kTgLargestAlpha = 0.99;
 
 // Convolution. Sum and variance of the printed kernel {.006 .061 .242 .383 .242 .061 .006} in units of its spacing.
-static const float kKernelSum = 1.001;
-static const float kKernelVariance = 1.0789;
+static const float kTgKernelSum = 1.001;
+static const float kTgKernelVariance = 1.0789;
 
 // Seams: whether texels outside the charts are told from those inside.
-static const bool kRepairSeams = TEGUMENT_SEAM_REPAIR == 1;
+static const bool kTgRepairSeams = TEGUMENT_SEAM_REPAIR == 1;
 
-// Stretch maps hold kStretchScale * (texels of a 1024 map per mm): c = 0.1 of the seed's equation 27 brings heads into 0..1.
-static const float kStretchScale = 0.1 * 1024.0;
+// Stretch maps hold kTgStretchScale * (texels of a 1024 map per mm): c = 0.1 of the seed's equation 27 brings heads into 0..1.
+static const float kTgStretchScale = 0.1 * 1024.0;
 
 #endif

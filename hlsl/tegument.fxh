@@ -4,7 +4,7 @@
 // HOW TO USE
 //   #define TEGUMENT_MAP_SIZE 1024      // what differs from the defaults below
 //   #include "tegument.hlsl"
-//   float4 main(...) : SV_Target { ... kelemenSpecular(normal, toLight, toEye, 0.3, 0.18) ... }
+//   float4 main(...) : SV_Target { ... tgKelemenSpecular(normal, toLight, toEye, 0.3, 0.18) ... }
 //
 // WHAT TO DEFINE BEFORE (each has a default)
 //   TEGUMENT_HLSL_3      for ps_3_0 and vs_3_0: functions take a sampler2D in place of a texture and its sampler
@@ -14,18 +14,25 @@
 //   TEGUMENT_SEAM_REPAIR 0: texels outside the charts count as valid, to measure what the repair is worth: 1
 //
 // WHAT TO GIVE
-//   Lengths in mm, unless a comment says that any unit will do. Unit vectors from the surface outwards. Colours linear; the light's colour is its
-//   irradiance / pi, so that a white matt surface facing it reflects exactly that. Matrices for row vectors, mul(v, M); clip space Direct3D's.
-//   A texture with its sampler: SAMPLER2D_ARG_OF(sampler, texture), or SAMPLER2D_ARG(gX) for texture gXMap with sampler gX. In functions of your own
-//   declare such an argument as SAMPLER2D_PARAM(name) and hand it on as SAMPLER2D_ARG(name). Shadow maps and maps of light are read by POINT, CLAMP.
+//   Lengths in mm, unless a comment says that any unit will do. Unit vectors from the surface outwards. Colours linear; the light's colour
+// is its
+//   irradiance / pi, so that a white matt surface facing it reflects exactly that. Matrices for row vectors, mul(v, M); clip space
+// Direct3D's.
+//   A texture with its sampler: TG_SAMPLER2D_ARG_OF(sampler, texture), or TG_SAMPLER2D_ARG(gX) for texture gXMap with sampler gX. In
+// functions of your own
+//   declare such an argument as TG_SAMPLER2D_PARAM(name) and hand it on as TG_SAMPLER2D_ARG(name). Shadow maps and maps of light are read
+// by POINT, CLAMP.
 //
 // SKIN, IN PASSES (docs/modules of the project has the formulas)
-//   1 light's view      shadowDepth, with uv: a translucent shadow map (depth, u, v, 1), 32 bits, cleared to 0
-//   2 once for a mesh   stretchEncode(ddx(mm), ddy(mm), size) drawn at unwrapPosition(uv, 0): texels per mm. Once: energyTexel(energyDirectionalAlbedo)
-//   3 irradiance        drawn at unwrapPosition(uv, 0), cleared to (0, 0, 0, 1): irradianceEntering; alpha transmissionEncode(transmissionThickness)
-//   4 to 13 cascade     U and V of five convolutions, widths kSkinWidth: gaussianIncrement, gaussianSpacing, gaussianConvolve
-//   14 picture          sum of kSkinProfile times the six maps, transmissionShare of maps 4 to 6 at tsmEntry, irradianceColour, kelemenSpecular
-// Without a texture space: preintegratedLight, burleyGather, separableConvolve. Fur: furDistance, furCoverage, furDiffuse, furSpecular.
+//   1 light's view      tgShadowDepth, with uv: a translucent shadow map (depth, u, v, 1), 32 bits, cleared to 0
+//   2 once for a mesh   tgStretchEncode(ddx(mm), ddy(mm), size) drawn at tgUnwrapPosition(uv, 0): texels per mm. Once:
+// tgEnergyTexel(tgEnergyDirectionalAlbedo)
+//   3 irradiance        drawn at tgUnwrapPosition(uv, 0), cleared to (0, 0, 0, 1): tgIrradianceEntering; alpha
+// tgTransmissionEncode(tgTransmissionThickness)
+//   4 to 13 cascade     U and V of five convolutions, widths kTgSkinWidth: tgGaussianIncrement, tgGaussianSpacing, tgGaussianConvolve
+//   14 picture          sum of kTgSkinProfile times the six maps, tgTransmissionShare of maps 4 to 6 at tgTsmEntry, tgIrradianceColour,
+// tgKelemenSpecular Without a texture space: tgPreintegratedLight, tgBurleyGather, tgSeparableConvolve. Fur: tgFurDistance, tgFurCoverage,
+// tgFurDiffuse, tgFurSpecular.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/space.fxh"
 #include "../hlsl/surface.fxh"

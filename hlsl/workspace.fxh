@@ -1,7 +1,7 @@
-// What the scene gives to every effect: transforms, light, camera, target; the vertex streams; clear values of the scripts; space.fxh with these matrices.
-// Conventions (docs/conventions.md): right-handed, row vectors; world coordinates times gUnitMm are mm; light colour is E/pi; one light with its own
-// pyramid, or with parallel rays where the w column of its matrix is (0, 0, 0, 1). What is shown, clipped or aimed stays in world units; every length
-// that is compared with one in mm comes through millimetres().
+// What the scene gives to every effect: transforms, light, camera, target; the vertex streams; clear values of the scripts; space.fxh with
+// these matrices. Conventions (docs/conventions.md): right-handed, row vectors; world coordinates times gUnitMm are mm; light colour is
+// E/pi; one light with its own pyramid, or with parallel rays where the w column of its matrix is (0, 0, 0, 1). What is shown, clipped or
+// aimed stays in world units; every length that is compared with one in mm comes through tgMillimetres().
 #ifndef TEGUMENT_SPACE_FXH
 #include "../hlsl/space.fxh"
 #endif
@@ -12,9 +12,11 @@ float4x4 gWorld : WORLD < string UIWidget = "None"; >;
 float4x4 gWorldInverseTranspose : WORLDINVERSETRANSPOSE < string UIWidget = "None"; >;
 float4x4 gViewProjection : VIEWPROJECTION < string UIWidget = "None"; >;
 float4x4 gLightViewProjection : VIEWPROJECTION < string Object = "PointLight0"; string UIWidget = "None"; >;
-float3 gLightPosition : POSITION < string Object = "PointLight0"; string Space = "World"; string UIName = "Light position"; string UIHelp = "world units; of parallel light a point on its near plane"; >;
+float3 gLightPosition : POSITION < string Object = "PointLight0"; string Space = "World"; string UIName = "Light position";
+    string UIHelp = "world units; of parallel light a point on its near plane"; >;
 float gLightNear : NEARCLIP < string Object = "PointLight0"; string UIWidget = "None"; >;
-float3 gLightColor : DIFFUSE < string Object = "PointLight0"; string UIName = "Light colour"; string UIWidget = "Color"; string UIHelp = "irradiance / pi, linear"; >;
+float3 gLightColor : DIFFUSE < string Object = "PointLight0"; string UIName = "Light colour"; string UIWidget = "Color";
+    string UIHelp = "irradiance / pi, linear"; >;
 float gLightFar : FARCLIP < string Object = "PointLight0"; string UIWidget = "None"; >;
 float3 gCameraPosition : CAMERAPOSITION < string UIWidget = "None"; >;
 float gUnitMm : UNITMM < string UIWidget = "None"; string UIHelp = "mm in one unit of the world"; > = 1.0;
@@ -25,7 +27,7 @@ float2 gViewportSize : VIEWPORTPIXELSIZE < string UIWidget = "None"; >;
 float gClearNear < string UIWidget = "None"; > = 0.0;
 float gClearFar < string UIWidget = "None"; > = 1.0;
 
-struct MeshInput
+struct TgMeshInput
 {
     float3 position : POSITION;
     float3 normal : NORMAL;
@@ -33,77 +35,77 @@ struct MeshInput
     float2 uv : TEXCOORD0;
 };
 
-struct QuadInput
+struct TgQuadInput
 {
     float3 position : POSITION;
     float2 uv : TEXCOORD0;
 };
 
 // Lengths in world units.
-float3 worldPosition(float3 position)
+float3 tgWorldPosition(float3 position)
 {
-    return worldPosition(position, gWorld);
+    return tgWorldPosition(position, gWorld);
 }
 
 // World units into mm.
-float millimetres(float length)
+float tgMillimetres(float length)
 {
     return length * gUnitMm;
 }
 
-float3 millimetres(float3 v)
+float3 tgMillimetres(float3 v)
 {
     return v * gUnitMm;
 }
 
-float3 worldNormal(float3 normal)
+float3 tgWorldNormal(float3 normal)
 {
-    return worldNormal(normal, gWorldInverseTranspose);
+    return tgWorldNormal(normal, gWorldInverseTranspose);
 }
 
-float4 worldTangent(float4 tangent)
+float4 tgWorldTangent(float4 tangent)
 {
-    return worldTangent(tangent, gWorld);
+    return tgWorldTangent(tangent, gWorld);
 }
 
-float3 meshAxes(float3 v)
+float3 tgMeshAxes(float3 v)
 {
-    return meshAxes(v, gWorld);
+    return tgMeshAxes(v, gWorld);
 }
 
-bool lightParallel()
+bool tgLightParallel()
 {
-    return lightParallel(gLightViewProjection);
+    return tgLightParallel(gLightViewProjection);
 }
 
-float3 lightRays()
+float3 tgLightRays()
 {
-    return lightRays(gLightViewProjection);
+    return tgLightRays(gLightViewProjection);
 }
 
-float3 lightVector(float3 world)
+float3 tgLightVector(float3 world)
 {
-    return lightVector(world, gLightPosition, gLightViewProjection);
+    return tgLightVector(world, gLightPosition, gLightViewProjection);
 }
 
-float3 lightDirection(float3 world)
+float3 tgLightDirection(float3 world)
 {
-    return lightDirection(world, gLightPosition, gLightViewProjection);
+    return tgLightDirection(world, gLightPosition, gLightViewProjection);
 }
 
-float3 lightRight()
+float3 tgLightRight()
 {
-    return lightRight(gLightViewProjection);
+    return tgLightRight(gLightViewProjection);
 }
 
-float3 lightUp()
+float3 tgLightUp()
 {
-    return lightUp(gLightViewProjection);
+    return tgLightUp(gLightViewProjection);
 }
 
-float lightSpread()
+float tgLightSpread()
 {
-    return lightSpread(gLightViewProjection, millimetres(1.0));
+    return tgLightSpread(gLightViewProjection, tgMillimetres(1.0));
 }
 
 #endif

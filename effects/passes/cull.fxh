@@ -2,7 +2,8 @@
 #ifndef TEGUMENT_PASSES_CULL_FXH
 #define TEGUMENT_PASSES_CULL_FXH
 
-Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
+Texture2D gUnwrapDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE;
+    string Format = "D24S8"; >;
 
 struct CullVarying
 {
@@ -21,40 +22,40 @@ bool blackAround(float2 uv)
     bool black = true;
     [unroll] for (int j = -1; j <= 1; j++)
         [unroll] for (int i = -1; i <= 1; i++)
-            black = black && cullBlack(tex2Dlod(gSkin, float4(uv + float2(i, j) * kRepairRadius / kMapSize, 0.0, 0.0)).rgb);
+            black = black && tgCullBlack(tex2Dlod(gSkin, float4(uv + float2(i, j) * kRepairRadius / kTgMapSize, 0.0, 0.0)).rgb);
     return black;
 }
 
 // slack: share of N.V by which a point may face away and still count as visible.
 bool facesAway(CullVarying input, float slack)
 {
-    return cullBackFace(safeNormalize(input.normal), safeNormalize(input.toEye), slack);
+    return tgCullBackFace(tgSafeNormalize(input.normal), tgSafeNormalize(input.toEye), slack);
 }
 
 // Equations 41 and 42 in the form of the setting.
 bool outsidePoint(CullVarying input)
 {
-    return cullOutsideView(input.clip);
+    return tgCullOutsideView(input.clip);
 }
 
 bool hiddenPoint(CullVarying input)
 {
-    return (kCullFrustum && outsidePoint(input)) || (kCullBackFaces && facesAway(input, 0.0));
+    return (kTgCullFrustum && outsidePoint(input)) || (kTgCullBackFaces && facesAway(input, 0.0));
 }
 
-CullVarying cullVarying(MeshInput input)
+CullVarying cullVarying(TgMeshInput input)
 {
     CullVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.clip = mul(float4(world, 1.0), gViewProjection);
-    output.normal = worldNormal(input.normal);
+    output.normal = tgWorldNormal(input.normal);
     output.toEye = gCameraPosition - world;
     output.position = float4(0.0, 0.0, 0.0, 1.0);
     output.uv = input.uv;
     return output;
 }
 
-QuadVarying PrePass1VS(QuadInput input)
+QuadVarying PrePass1VS(TgQuadInput input)
 {
     QuadVarying output = QuadVS(input);
     output.position.z = 1.0;
@@ -63,22 +64,22 @@ QuadVarying PrePass1VS(QuadInput input)
 
 float4 PrePass1PS(QuadVarying input) : SV_Target0
 {
-    clip(kCullBlack && blackAround(input.uv) ? 1.0 : -1.0);
+    clip(kTgCullBlack && blackAround(input.uv) ? 1.0 : -1.0);
     return 0.0;
 }
 
 // Setting seed culls whole vertices, by their depth; corrected culls fragments.
-CullVarying PrePass2VS(MeshInput input)
+CullVarying PrePass2VS(TgMeshInput input)
 {
     CullVarying output = cullVarying(input);
-    float z = kCullPerPixel || hiddenPoint(output) ? 1.0 : 0.0;
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, z), gViewportSize);
+    float z = kTgCullPerPixel || hiddenPoint(output) ? 1.0 : 0.0;
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, z), gViewportSize);
     return output;
 }
 
 float4 PrePass2PS(CullVarying input) : SV_Target0
 {
-    clip(!kCullPerPixel || hiddenPoint(input) ? 1.0 : -1.0);
+    clip(!kTgCullPerPixel || hiddenPoint(input) ? 1.0 : -1.0);
     return 0.0;
 }
 

@@ -5,13 +5,13 @@
 // What the specular layer leaves of light that crosses the surface at this cosine.
 float diffuseShare(float cosine)
 {
-    float albedo = halvesSum(tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).xy);
-    return energyDiffuseShare(albedo, gSpecularIntensity);
+    float albedo = tgHalvesSum(tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).xy);
+    return tgEnergyDiffuseShare(albedo, gSpecularIntensity);
 }
 
 float3 enteringLight(LitPoint p)
 {
-    return irradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
+    return tgIrradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
 }
 
 #endif

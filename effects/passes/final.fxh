@@ -2,66 +2,66 @@
 #ifndef TEGUMENT_PASSES_FINAL_FXH
 #define TEGUMENT_PASSES_FINAL_FXH
 
-SurfaceVarying FinalVS(MeshInput input)
+SurfaceVarying FinalVS(TgMeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    output.position = TG_HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
     return output;
 }
 
 // Maps 2 to 6 are filled around the charts by their convolution, so they may be filtered.
-SAMPLER2D_OF(gFinal2, gIrradiance2Map, LINEAR, CLAMP);
-SAMPLER2D_OF(gFinal3, gIrradiance3Map, LINEAR, CLAMP);
-SAMPLER2D_OF(gFinal4, gIrradiance4Map, LINEAR, CLAMP);
-SAMPLER2D_OF(gFinal5, gIrradiance5Map, LINEAR, CLAMP);
-SAMPLER2D_OF(gFinal6, gIrradiance6Map, LINEAR, CLAMP);
+TG_SAMPLER2D_OF(gFinal2, gIrradiance2Map, LINEAR, CLAMP);
+TG_SAMPLER2D_OF(gFinal3, gIrradiance3Map, LINEAR, CLAMP);
+TG_SAMPLER2D_OF(gFinal4, gIrradiance4Map, LINEAR, CLAMP);
+TG_SAMPLER2D_OF(gFinal5, gIrradiance5Map, LINEAR, CLAMP);
+TG_SAMPLER2D_OF(gFinal6, gIrradiance6Map, LINEAR, CLAMP);
 
 // Table 7, last row: where no texel is valid, diffusion is left out.
 float4 lightHere(float4 texel, float3 unblurred)
 {
-    return seamValidity(texel) > 0.0 ? texel : float4(unblurred, transmissionEncode(kOpaqueDistance));
+    return tgSeamValidity(texel) > 0.0 ? texel : float4(unblurred, tgTransmissionEncode(kTgOpaqueDistance));
 }
 
-float4 fetchHere(SAMPLER2D_PARAM(map), float2 uv, float3 unblurred)
+float4 fetchHere(TG_SAMPLER2D_PARAM(map), float2 uv, float3 unblurred)
 {
     return lightHere(tex2Dlod(map, float4(uv, 0.0, 0.0)), unblurred);
 }
 
 // Light of one map where it entered the body. `before`: the map here that carries the thickness.
-float3 fetchThere(SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaussian, float apart)
+float3 fetchThere(TG_SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaussian, float apart)
 {
     float4 texel = tex2Dlod(map, float4(uv, 0.0, 0.0));
-    float thickness = transmissionDecode(before.w, millimetres(gLightFar - gLightNear));
-    return gaussian.rgb * texel.rgb * (seamValidity(texel) * transmissionShare(thickness, gaussian.w, apart));
+    float thickness = tgTransmissionDecode(before.w, tgMillimetres(gLightFar - gLightNear));
+    return gaussian.rgb * texel.rgb * (tgSeamValidity(texel) * tgTransmissionShare(thickness, gaussian.w, apart));
 }
 
 float3 diffusedLight(SurfaceVarying input, LitPoint p)
 {
     float3 unblurred = enteringLight(p);
-    float4 m1 = lightHere(seamBilinear(SAMPLER2D_ARG(gIrradiance), input.uv), unblurred);
-    float4 m2 = fetchHere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), input.uv, unblurred);
-    float4 m3 = fetchHere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), input.uv, unblurred);
-    float4 m4 = fetchHere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), input.uv, unblurred);
-    float4 m5 = fetchHere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), input.uv, unblurred);
-    float4 m6 = fetchHere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), input.uv, unblurred);
+    float4 m1 = lightHere(tgSeamBilinear(TG_SAMPLER2D_ARG(gIrradiance), input.uv), unblurred);
+    float4 m2 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), input.uv, unblurred);
+    float4 m3 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), input.uv, unblurred);
+    float4 m4 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), input.uv, unblurred);
+    float4 m5 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), input.uv, unblurred);
+    float4 m6 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), input.uv, unblurred);
     float3 here = m1.rgb * gGaussianWeight[0].rgb + m2.rgb * gGaussianWeight[1].rgb + m3.rgb * gGaussianWeight[2].rgb +
                   m4.rgb * gGaussianWeight[3].rgb + m5.rgb * gGaussianWeight[4].rgb + m6.rgb * gGaussianWeight[5].rgb;
     float4 entry = lightEntry(p);
-    float apart = transmissionScale(millimetres(input.world), input.uv) * length(input.uv - entry.xy);
-    float3 there = fetchThere(SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), entry.xy, m3, gGaussianWeight[3], apart) +
-                   fetchThere(SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), entry.xy, m4, gGaussianWeight[4], apart) +
-                   fetchThere(SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), entry.xy, m5, gGaussianWeight[5], apart);
-    if (kFirstTransmitted == 2)
-        there += fetchThere(SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), entry.xy, m1, gGaussianWeight[1], apart) +
-                 fetchThere(SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), entry.xy, m2, gGaussianWeight[2], apart);
+    float apart = tgTransmissionScale(tgMillimetres(input.world), input.uv) * length(input.uv - entry.xy);
+    float3 there = fetchThere(TG_SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), entry.xy, m3, gGaussianWeight[3], apart) +
+                   fetchThere(TG_SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), entry.xy, m4, gGaussianWeight[4], apart) +
+                   fetchThere(TG_SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), entry.xy, m5, gGaussianWeight[5], apart);
+    if (kTgFirstTransmitted == 2)
+        there += fetchThere(TG_SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), entry.xy, m1, gGaussianWeight[1], apart) +
+                 fetchThere(TG_SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), entry.xy, m2, gGaussianWeight[2], apart);
     return here + gTransmission * entry.w * there;
 }
 
 float4 FinalPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
-    float3 skin = diffusedLight(input, p) * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    float3 skin = diffusedLight(input, p) * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
     return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
 }
@@ -70,8 +70,8 @@ float4 FinalPS(SurfaceVarying input) : SV_Target0
 float4 LambertPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
-    float3 skin = enteringLight(p) * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    float3 skin = enteringLight(p) * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
     return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
 }

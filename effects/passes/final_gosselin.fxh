@@ -2,34 +2,34 @@
 #ifndef TEGUMENT_PASSES_FINAL_GOSSELIN_FXH
 #define TEGUMENT_PASSES_FINAL_GOSSELIN_FXH
 
-// Table 7, last row: where no texel is valid, N.L. Plain material does not scatter; without the shadow map its light has to come from the blur, which
-// a kernel size of 0 leaves as it is.
-float3 gosselinDiffuse(SAMPLER2D_PARAM(map), float2 uv, LitPoint p)
+// Table 7, last row: where no texel is valid, N.L. Plain material does not scatter; without the shadow map its light has to come from the
+// blur, which a kernel size of 0 leaves as it is.
+float3 gosselinDiffuse(TG_SAMPLER2D_PARAM(map), float2 uv, LitPoint p)
 {
-    float4 texel = seamBilinear(SAMPLER2D_ARG(map), uv);
-    float scattered = seamValidity(texel) * (kShadowSpecular ? p.scatters : 1.0);
+    float4 texel = tgSeamBilinear(TG_SAMPLER2D_ARG(map), uv);
+    float scattered = tgSeamValidity(texel) * (kTgShadowSpecular ? p.scatters : 1.0);
     return lerp(diffuseLight(p), texel.rgb, scattered);
 }
 
-float4 gosselinFinal(SAMPLER2D_PARAM(map), SurfaceVarying input)
+float4 gosselinFinal(TG_SAMPLER2D_PARAM(map), SurfaceVarying input)
 {
     LitPoint p = surfacePoint(input);
     float4 colour = tex2D(gSkin, input.uv);
     p.scatters = colour.a;
-    if (kShadowSpecular)
-        p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
-    return float4(colour.rgb * gosselinDiffuse(SAMPLER2D_ARG(map), input.uv, p) + reflectedLight(p, toEye), 1.0);
+    if (kTgShadowSpecular)
+        p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    return float4(colour.rgb * gosselinDiffuse(TG_SAMPLER2D_ARG(map), input.uv, p) + reflectedLight(p, toEye), 1.0);
 }
 
 float4 GosselinFinalPS(SurfaceVarying input) : SV_Target0
 {
-    return gosselinFinal(SAMPLER2D_ARG(gBlurOdd), input);
+    return gosselinFinal(TG_SAMPLER2D_ARG(gBlurOdd), input);
 }
 
 float4 GosselinFinalEvenPS(SurfaceVarying input) : SV_Target0
 {
-    return gosselinFinal(SAMPLER2D_ARG(gBlurEven), input);
+    return gosselinFinal(TG_SAMPLER2D_ARG(gBlurEven), input);
 }
 
 #endif

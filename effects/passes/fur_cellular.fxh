@@ -18,15 +18,15 @@ float4 furCells(float4 met, FurSweep sweep, FurPiece piece)
     {
         [branch] if (abs(dot(middle - cell - 0.5, sweep.normal)) < slab)
         {
-            float3 residue = furCellResidue(cell);
-            float3 root = piece.begin - cell - furUnit(residue);
+            float3 residue = tgFurCellResidue(cell);
+            float3 root = piece.begin - cell - tgFurUnit(residue);
             float distance = dot(root, sweep.normal);
             root -= sweep.normal * distance;
             float3 away = root + 0.5 * piece.along;
             [branch] if (abs(distance) < kFurRho && dot(away, away) < piece.reach * piece.reach)
             {
-                float3 random = furUnit(furMixed(residue));
-                float share = max(lerp(gFurShortest, 1.0, random.y) * furNearness(distance, kFurRho), 0.01);
+                float3 random = tgFurUnit(tgFurMixed(residue));
+                float share = max(lerp(gFurShortest, 1.0, random.y) * tgFurNearness(distance, kFurRho), 0.01);
                 [branch] if (share > piece.low)
                     met = furMeet(met, sweep, piece, root, share, gFurRadius, 1.0, random);
             }
@@ -42,7 +42,8 @@ StrandsVarying cellularVarying(FurInput input, float layer, float round)
 {
     FurGrowth growth;
     growth.spacing = gFurSpacing * gMeshRadius;
-    growth.place = meshAxes(worldPosition(input.position) - gBoundingCenter) / growth.spacing; // near 0, where cells are numbered exactly
+    // near 0, where cells are numbered exactly
+    growth.place = tgMeshAxes(tgWorldPosition(input.position) - gBoundingCenter) / growth.spacing;
     growth.lean = 0.0;
     growth.density = 1.0;
     growth.shortest = gFurShortest;
@@ -50,14 +51,14 @@ StrandsVarying cellularVarying(FurInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying CellularVS(LAYER_INPUT(FurInput, input))
+StrandsVarying CellularVS(TG_LAYER_INPUT(FurInput, input))
 {
-    return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
+    return cellularVarying(input, TG_LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying CellularBehindVS(LAYER_INPUT(FurInput, input))
+StrandsVarying CellularBehindVS(TG_LAYER_INPUT(FurInput, input))
 {
-    return cellularVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
+    return cellularVarying(input, TG_LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
 StrandsVarying CellularEndVS(FurInput input)
@@ -67,9 +68,9 @@ StrandsVarying CellularEndVS(FurInput input)
     return output;
 }
 
-float4 CellularPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
+float4 CellularPS(TG_PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
 {
-    FurSweep sweep = furSweep(input, PIXEL_CENTRE(input));
+    FurSweep sweep = furSweep(input, TG_PIXEL_CENTRE(input));
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // Each turn takes the next place on the way, and from the second on the piece between it and the last one.

@@ -2,8 +2,9 @@
 #ifndef TEGUMENT_PASSES_FUR_COAT_FXH
 #define TEGUMENT_PASSES_FUR_COAT_FXH
 
-Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur"; string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
-SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
+Texture2D gFurColorMap < float4 Fallback = { 1.0, 1.0, 1.0, 1.0 }; string UIName = "Colour of the fur";
+    string UIHelp = "with TEGUMENT_FUR_COLOR_MAP=1"; >;
+TG_SAMPLER2D_SRGB(gFurColor, LINEAR, WRAP);
 
 static const float kShadowTolerance = 0.005; // share of the mesh's radius
 
@@ -11,11 +12,12 @@ struct FurInput
 {
     float3 position : POSITION;
     float3 normal : NORMAL;
-    float2 uv : TEXCOORD0; // read with kFurColorMap only
+    float2 uv : TEXCOORD0; // read with kTgFurColorMap only
 };
 
-// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far outside of it.
-// But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the plain ones'.
+// centroid: far away a triangle is smaller than a pixel. With several samples a pixel its values would be taken at the pixel's centre, far
+// outside of it. But where a pixel takes them changes from pixel to pixel then, so that their differences are no derivatives: those are the
+// plain ones'.
 struct FurVarying
 {
     float4 position : SV_Position;
@@ -31,7 +33,7 @@ struct FurVarying
 // Of a point of the world from the light, mm. Parallel light has planes of equal distance.
 float furFromLight(float3 world)
 {
-    return millimetres(dot(lightDirection(world), lightVector(world)));
+    return tgMillimetres(dot(tgLightDirection(world), tgLightVector(world)));
 }
 
 // Where tips hang, and how far: of this length, shares of the coat.
@@ -43,17 +45,17 @@ float3 furHang()
 FurVarying furVarying(FurInput input, float height)
 {
     FurVarying output;
-    float3 skin = worldPosition(input.position);
-    output.rest = meshAxes(skin - gBoundingCenter);
+    float3 skin = tgWorldPosition(input.position);
+    output.rest = tgMeshAxes(skin - gBoundingCenter);
     output.normal = input.normal;
     output.plainRest = float4(output.rest, kFurNear);
     output.plainNormal = input.normal;
-    output.coat = float4(height, kFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
-    output.world = skin + furStrand(worldNormal(input.normal), furHang(), height) * furDistance(gFurLength, gMeshRadius, height);
+    output.coat = float4(height, kTgFurColorMap ? input.uv : float2(0.0, 0.0), 1.0);
+    output.world = skin + tgFurStrand(tgWorldNormal(input.normal), furHang(), height) * tgFurDistance(gFurLength, gMeshRadius, height);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     float4 position = mul(float4(output.world, 1.0), gViewProjection);
-    position.z = furNearDepth(position.z, position.w);
-    output.position = HALF_PIXEL(position, gViewportSize);
+    position.z = tgFurNearDepth(position.z, position.w);
+    output.position = TG_HALF_PIXEL(position, gViewportSize);
     return output;
 }
 
@@ -65,23 +67,23 @@ FurVarying SkinVS(FurInput input)
 // mm, or z/w.
 float furShadowTolerance()
 {
-    float range = kDepthInMillimetres ? millimetres(1.0) : 1.0 / max(gLightFar - gLightNear, 1e-6);
+    float range = kTgDepthInMillimetres ? tgMillimetres(1.0) : 1.0 / max(gLightFar - gLightNear, 1e-6);
     return kShadowTolerance * gMeshRadius * range;
 }
 
-// Whether the skin leaves light to this point of the coat; what the coat itself takes is furTransmittance.
+// Whether the skin leaves light to this point of the coat; what the coat itself takes is tgFurTransmittance.
 float furShadow(FurVarying input, float3 normal, float3 toLight)
 {
-    float depth = shadowDepth(input.lightClip, millimetres(lightVector(input.world)));
-    float2 slope = shadowSlope(normal, lightRight(), lightUp(), toLight, shadowFootprint(input.lightClip.w, lightSpread()));
-    return shadowTest(SAMPLER2D_ARG(gShadow), shadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
+    float depth = tgShadowDepth(input.lightClip, tgMillimetres(tgLightVector(input.world)));
+    float2 slope = tgShadowSlope(normal, tgLightRight(), tgLightUp(), toLight, tgShadowFootprint(input.lightClip.w, tgLightSpread()));
+    return tgShadowTest(TG_SAMPLER2D_ARG(gShadow), tgShadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
 }
 
 // Albedo of fur at this place: from root to tip, times the colour map.
 float3 furAlbedo(FurVarying input)
 {
     float3 albedo = lerp(gFurRootColor, gFurTipColor, input.coat.x);
-    if (kFurColorMap)
+    if (kTgFurColorMap)
         albedo *= tex2D(gFurColor, input.coat.yz).rgb;
     return albedo;
 }
@@ -89,24 +91,25 @@ float3 furAlbedo(FurVarying input)
 // Radiance of strands of this albedo in light of colour 1 that nothing shadows.
 float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye)
 {
-    float3 diffuse = albedo * furDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
-    return diffuse + gFurSpecular * furSpecular(strand, toLight, toEye, gFurExponent);
+    float3 diffuse = albedo * tgFurDiffuse(strand, toLight, gFurMultiple) * (1.0 - gFurSpecular);
+    return diffuse + gFurSpecular * tgFurSpecular(strand, toLight, toEye, gFurExponent);
 }
 
-// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats let through.
+// Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats
+// let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
 {
-    float3 normal = worldNormal(input.normal);
-    float3 strand = furTangent(normal, furHang(), input.coat.x);
-    float3 toLight = lightDirection(input.world);
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
+    float3 normal = tgWorldNormal(input.normal);
+    float3 strand = tgFurTangent(normal, furHang(), input.coat.x);
+    float3 toLight = tgLightDirection(input.world);
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float cosine = dot(normal, toLight);
     float3 dull = albedo * saturate(cosine);
     float3 strands = furStrandLight(albedo, strand, toLight, toEye);
-    float open = lerp(1.0, furTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+    float open = lerp(1.0, tgFurTransmittance(input.coat.x, cosine, gFurDensity, gFurLength), gFurKajiyaKay);
     float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
-    return direct + albedo * gFurFill * furFill(input.coat.x, gFurDensity, gFurMultiple);
+    return direct + albedo * gFurFill * tgFurFill(input.coat.x, gFurDensity, gFurMultiple);
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0

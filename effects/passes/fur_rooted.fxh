@@ -2,8 +2,9 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOTED_FXH
 #define TEGUMENT_PASSES_FUR_ROOTED_FXH
 
-Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots"; string UIHelp = "from tegument fur roots, made from this mesh"; >;
-SAMPLER2D(gFurRoots, POINT, CLAMP);
+Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots";
+    string UIHelp = "from tegument fur roots, made from this mesh"; >;
+TG_SAMPLER2D(gFurRoots, POINT, CLAMP);
 
 static const float kFurMostRoots = 64.0; // of a list: what is nearer than the reach of one cell
 
@@ -17,7 +18,7 @@ struct FurRootGrid
 
 float4 furRootsHeader(float index)
 {
-    return tex2Dlod(gFurRoots, float4((index + 0.5) / kFurRootsWidth, 0.0, 0.0, 0.0));
+    return tex2Dlod(gFurRoots, float4((index + 0.5) / kTgFurRootsWidth, 0.0, 0.0, 0.0));
 }
 
 FurRootGrid furRootGrid()
@@ -32,7 +33,7 @@ FurRootGrid furRootGrid()
 // A root's texels lie side by side in one row.
 float4 furRootTexel(float2 texel, float number)
 {
-    return tex2Dlod(gFurRoots, float4(texel.x + number / kFurRootsWidth, texel.y, 0.0, 0.0));
+    return tex2Dlod(gFurRoots, float4(texel.x + number / kTgFurRootsWidth, texel.y, 0.0, 0.0));
 }
 
 // The strands of the list.
@@ -41,9 +42,9 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
     float last = list > 0.0 ? kFurMostRoots : -1.0;
     [loop] for (float i = 0.0; i <= last; i += 1.0)
     {
-        float entry = furTable(SAMPLER2D_ARG(gFurRoots), grid.rows.x, list, i);
+        float entry = tgFurTable(TG_SAMPLER2D_ARG(gFurRoots), grid.rows.x, list, i);
         last = entry < 0.0 ? i + 3.0 : last;
-        float2 texel = furTexel(abs(entry), grid.rows.x);
+        float2 texel = tgFurTexel(abs(entry), grid.rows.x);
         float4 place = furRootTexel(texel, 0.0);
         float3 root = piece.begin - place.xyz * data.x;
         root -= sweep.normal * dot(root, sweep.normal);
@@ -54,7 +55,8 @@ float4 furRoots(float4 met, FurSweep sweep, FurPiece piece, FurRootGrid grid, fl
             float4 lean = furRootTexel(texel, 2.0);
             // Roots of an opposite sheet look the other way.
             float share = max(min(dot(up.xyz, sweep.normal), up.w * abs(data.z)), 0.01);
-            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal), frac(lean.w * float3(1.0, 256.0, 65536.0)));
+            met = furMeet(met, sweep, piece, root, share, place.w * data.y, dot(lean.xyz, sweep.normal),
+                frac(lean.w * float3(1.0, 256.0, 65536.0)));
         }
     }
     return met;
@@ -65,8 +67,8 @@ StrandsVarying rootsVarying(FurInput input, float layer, float round)
 {
     FurRootGrid grid = furRootGrid();
     float4 ball = furRootsHeader(4.0);
-    float3 place = furRootPlace(meshAxes(worldPosition(input.position) - gBoundingCenter), gMeshRadius, ball);
-    float4 coat = furRootCoat(SAMPLER2D_ARG(gFurRoots), place, grid.origin, grid.bricks, grid.rows, furRootsHeader(6.0).y);
+    float3 place = tgFurRootPlace(tgMeshAxes(tgWorldPosition(input.position) - gBoundingCenter), gMeshRadius, ball);
+    float4 coat = tgFurRootCoat(TG_SAMPLER2D_ARG(gFurRoots), place, grid.origin, grid.bricks, grid.rows, furRootsHeader(6.0).y);
     float4 strands = furRootsHeader(3.0);
     FurGrowth growth;
     float spacing = rsqrt(max(strands.w, 1e-10)); // mm
@@ -79,14 +81,14 @@ StrandsVarying rootsVarying(FurInput input, float layer, float round)
     return strandsVarying(input, layer, growth, round);
 }
 
-StrandsVarying RootsVS(LAYER_INPUT(FurInput, input))
+StrandsVarying RootsVS(TG_LAYER_INPUT(FurInput, input))
 {
-    return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurNear);
+    return rootsVarying(input, TG_LAYER_INDEX(gFurLayer), kFurNear);
 }
 
-StrandsVarying RootsBehindVS(LAYER_INPUT(FurInput, input))
+StrandsVarying RootsBehindVS(TG_LAYER_INPUT(FurInput, input))
 {
-    return rootsVarying(input, LAYER_INDEX(gFurLayer), kFurBehind);
+    return rootsVarying(input, TG_LAYER_INDEX(gFurLayer), kFurBehind);
 }
 
 StrandsVarying RootsEndVS(FurInput input)
@@ -96,10 +98,10 @@ StrandsVarying RootsEndVS(FurInput input)
     return output;
 }
 
-float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
+float4 RootsPS(TG_PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
 {
     FurRootGrid grid = furRootGrid();
-    FurSweep sweep = furSweep(input, PIXEL_CENTRE(input));
+    FurSweep sweep = furSweep(input, TG_PIXEL_CENTRE(input));
     FurPiece piece = furFirstPiece();
     float4 met = 0.0;
     // As in CellularPS.
@@ -109,7 +111,7 @@ float4 RootsPS(PIXEL_INPUT(StrandsVarying, input)) : SV_Target0
         float3 middle = (piece.begin + 0.5 * piece.along) / input.plainRest.w;
         [branch] if (i > 0)
         {
-            float list = furRootList(SAMPLER2D_ARG(gFurRoots), middle, grid.origin, grid.bricks, grid.rows);
+            float list = tgFurRootList(TG_SAMPLER2D_ARG(gFurRoots), middle, grid.origin, grid.bricks, grid.rows);
             met = furRoots(met, sweep, piece, grid, float3(input.plainRest.w, input.plainNormal.w, input.plainFromEye.w), list);
         }
     }

@@ -4,8 +4,8 @@
 
 Texture2D gFurSphereMap < float4 Fallback = { 1.0, 1.0, 1.0, 0.0 }; string UIName = "Fur as a sphere map"; >;
 TextureCube gFurCubeMap < float4 Fallback = { 1.0, 1.0, 1.0, 0.0 }; string UIName = "Fur as a cube map"; >;
-SAMPLER2D(gFurSphere, LINEAR, CLAMP);
-SAMPLERCUBE(gFurCube, LINEAR);
+TG_SAMPLER2D(gFurSphere, LINEAR, CLAMP);
+TG_SAMPLERCUBE(gFurCube, LINEAR);
 
 static const float kFurFaint = 0.002; // coverage that a layer seen from afar may leave out: 32 of them add up
 static const float kFurKernel = 1.7;   // bilinear texels of the fitting level are a mean over sqrt(3) times a pixel's width
@@ -19,19 +19,19 @@ float shellNearness(FurVarying input)
 
 FurVarying shellVarying(FurInput input, float layer)
 {
-    FurVarying output = furVarying(input, furSpread(furLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
+    FurVarying output = furVarying(input, tgFurSpread(tgFurLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread));
     output.coat.w = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
     return output;
 }
 
-FurVarying ShellsVS(LAYER_INPUT(FurInput, input))
+FurVarying ShellsVS(TG_LAYER_INPUT(FurInput, input))
 {
-    return shellVarying(input, LAYER_INDEX(gFurLayer));
+    return shellVarying(input, TG_LAYER_INDEX(gFurLayer));
 }
 
-FurVarying BehindVS(LAYER_INPUT(FurInput, input))
+FurVarying BehindVS(TG_LAYER_INPUT(FurInput, input))
 {
-    FurVarying output = shellVarying(input, LAYER_INDEX(gFurLayer));
+    FurVarying output = shellVarying(input, TG_LAYER_INDEX(gFurLayer));
     output.plainRest.w = kFurBehind;
     return output;
 }
@@ -52,12 +52,12 @@ float4 CoatEndPS(FurVarying input) : SV_Target0
 // side: of a pixel, radians of the map.
 float shellSlope(FurVarying input, float side)
 {
-    float3 normal = worldNormal(input.normal);
-    float3 view = safeNormalize(input.world - gCameraPosition);
+    float3 normal = tgWorldNormal(input.normal);
+    float3 view = tgSafeNormalize(input.world - gCameraPosition);
     float3 strand = normal + 2.0 * input.coat.x * furHang();
-    float way = furWayOver(view, normal, strand) * gFurLength * gMeshRadius;
+    float way = tgFurWayOver(view, normal, strand) * gFurLength * gMeshRadius;
     float pixel = max(length(ddx(input.plainRest.xyz)), length(ddy(input.plainRest.xyz)));
-    return furHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
+    return tgFurHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
 }
 
 // Of a pixel, radians of the map: its shorter and its longer side.
@@ -68,23 +68,24 @@ float2 shellSides(float3 v)
     return float2(clamp(min(sides.x, sides.y), 0.01 * longer, longer), longer);
 }
 
-// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the printed settings they
-// keep their own. A curl moves the place, but neighbouring pixels' alike.
+// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the
+// printed settings they keep their own. A curl moves the place, but neighbouring pixels' alike.
 float4 cubeTexel(float3 place, float3 plain, float shrink)
 {
-    if (kCorrected)
+    if (kTgCorrected)
         return texCUBEgrad(gFurCube, place, ddx(plain) * shrink, ddy(plain) * shrink);
     return texCUBEbias(gFurCube, float4(place, log2(shrink)));
 }
 
 float4 sphereTexel(float2 place, float2 plain, float shrink)
 {
-    if (kCorrected)
+    if (kTgCorrected)
         return tex2Dgrad(gFurSphere, place, ddx(plain) * shrink, ddy(plain) * shrink);
     return tex2Dbias(gFurSphere, float4(place, 0.0, log2(shrink)));
 }
 
-// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up anyway.
+// The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up
+// anyway.
 float shellShrink(float2 sides)
 {
     return gFurDeviation > 0.0 ? max(sides.x / max(sides.y, 1e-20), 0.01) : 1.0;
@@ -93,14 +94,14 @@ float shellShrink(float2 sides)
 // texel: of a fur map, colour and coverage (or height) of its strands. Only what is drawn is lit.
 float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 {
-    float variance = furHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
-    float afar = furAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
-    float mean = furMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, sides.y));
-    float coverage = furCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
+    float variance = tgFurHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
+    float afar = tgFurAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
+    float mean = tgFurMeanCoverage(texel.a, input.coat.xw, variance, gFurSoftness, shellSlope(input, sides.y));
+    float coverage = tgFurCoverage(texel.a, input.coat.x, gFurTaper, gFurSoftness);
     float tested = lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar);
     float left = furInRound(shellNearness(input), pixel, input.plainRest.w) < 0.0 ? -1.0 : tested;
     clip(left);
-    float drawn = lerp(furLayerCoverage(coverage, gFurLayers), mean, afar);
+    float drawn = lerp(tgFurLayerCoverage(coverage, gFurLayers), mean, afar);
     float4 color = float4(0.0, 0.0, 0.0, max(drawn, gFurOuterFirst));
     float3 albedo = furAlbedo(input) * texel.rgb;
     [branch] if (left >= 0.0)
@@ -111,44 +112,46 @@ float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
 float4 cubeShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     float2 sides = shellSides(plain);
-    return shell(input, pixel, sides, cubeTexel(furCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
+    return shell(input, pixel, sides, cubeTexel(tgFurCurled(v, input.coat.x, gFurCurl), plain, shellShrink(sides)));
 }
 
 float4 sphereShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
     float2 sides = shellSides(plain);
-    float2 place = furSphereCoordinate(furCurled(v, input.coat.x, gFurCurl));
-    return shell(input, pixel, sides, sphereTexel(place, furSphereCoordinate(plain), shellShrink(sides)));
+    float2 place = tgFurSphereCoordinate(tgFurCurled(v, input.coat.x, gFurCurl));
+    return shell(input, pixel, sides, sphereTexel(place, tgFurSphereCoordinate(plain), shellShrink(sides)));
 }
 
-float4 CubePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
+float4 CubePositionPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.rest), furDirection(input.plainRest.xyz));
+    return cubeShell(input, TG_PIXEL_CENTRE(input), tgFurDirection(input.rest), tgFurDirection(input.plainRest.xyz));
 }
 
-float4 CubeNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
+float4 CubeNormalPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furDirection(input.normal), furDirection(input.plainNormal));
+    return cubeShell(input, TG_PIXEL_CENTRE(input), tgFurDirection(input.normal), tgFurDirection(input.plainNormal));
 }
 
-float4 CubeCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
+float4 CubeCombinedPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return cubeShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
+    return cubeShell(input, TG_PIXEL_CENTRE(input), tgFurCombinedVector(input.rest, input.normal),
+        tgFurCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
-float4 SpherePositionPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
+float4 SpherePositionPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.rest), furDirection(input.plainRest.xyz));
+    return sphereShell(input, TG_PIXEL_CENTRE(input), tgFurDirection(input.rest), tgFurDirection(input.plainRest.xyz));
 }
 
-float4 SphereNormalPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
+float4 SphereNormalPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furDirection(input.normal), furDirection(input.plainNormal));
+    return sphereShell(input, TG_PIXEL_CENTRE(input), tgFurDirection(input.normal), tgFurDirection(input.plainNormal));
 }
 
-float4 SphereCombinedPS(PIXEL_INPUT(FurVarying, input)) : SV_Target0
+float4 SphereCombinedPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0
 {
-    return sphereShell(input, PIXEL_CENTRE(input), furCombinedVector(input.rest, input.normal), furCombinedVector(input.plainRest.xyz, input.plainNormal));
+    return sphereShell(input, TG_PIXEL_CENTRE(input), tgFurCombinedVector(input.rest, input.normal),
+        tgFurCombinedVector(input.plainRest.xyz, input.plainNormal));
 }
 
 #endif

@@ -1,5 +1,5 @@
-// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands, heights in shares of the
-// coat; places in the mesh's own axes.
+// Pass Strands: each layer sweeps the ray's way down to the next layer, through all strands near it. Lengths in spacings of the strands,
+// heights in shares of the coat; places in the mesh's own axes.
 #ifndef TEGUMENT_PASSES_FUR_STRANDS_FXH
 #define TEGUMENT_PASSES_FUR_STRANDS_FXH
 
@@ -8,8 +8,8 @@ static const float kFurMostSteps = 8.0;   // of a sweep; what lies beyond is tak
 static const float kFurOpaque = 0.99;      // coverage beyond which nothing further down is looked for
 static const float kFurFarSegment = 64.0; // added to gFurSegment where only coverage is expected
 static const float kFurLeastCosine = 0.01; // between ray and layer, at which a ray goes on for longest
-// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The longest way is
-// 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
+// The same where only coverage is expected: a pixel holds several strands, the skin bends within it, and one triangle's tilt is noise. The
+// longest way is 1 / (2 c), three coats: what a ball of 4.5 coats' radius lets a ray go, sqrt(2 R H).
 static const float kFurFarCosine = 1.0 / 6.0;
 static const float kFurNearest = 1e-4; // that light is, share of the mesh's radius
 
@@ -20,10 +20,11 @@ struct StrandsVarying
     centroid float4 rest : TEXCOORD0;    // place of the skin below, spacings; layers above this one, and a half
     centroid float4 normal : TEXCOORD1;  // height in the coat
     centroid float4 fromEye : TEXCOORD2; // spacings; width of a pixel, spacings
-    centroid float4 toLight : TEXCOORD3; // mm; how often layers may be halved here (furSpare)
+    centroid float4 toLight : TEXCOORD3; // mm; how often layers may be halved here (tgFurSpare)
     centroid float4 lightClip : TEXCOORD4;
     centroid float4 lean : TEXCOORD5;  // of the tips, share of the coat; share of the full density of strands
-    centroid float4 coat : TEXCOORD6;  // least, as in furPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
+    // least, as in tgFurPath; coat, spacings; shortest strand, share of the longest; 1 / mean length of strands, likewise
+    centroid float4 coat : TEXCOORD6;
     float4 plainRest : TEXCOORD7;      // roots' data: 1 / spacing, 1/mm
     float4 plainNormal : TEXCOORD8;    // roots' data: radius of a strand, spacings, over that of the data, mm
     float4 plainFromEye : TEXCOORD9;   // roots' data: 1 / length of the coat, 1/mm; all times the round (fur_rounds.fxh)
@@ -43,7 +44,7 @@ struct FurGrowth
 // The ray's way from a layer to the next, and how it is walked.
 struct FurSweep
 {
-    FurPath path;
+    TgFurPath path;
     float3 place;  // over the skin
     float3 normal;
     float3 view;   // unit
@@ -76,38 +77,38 @@ float furFade(float width)
     return saturate(width - 1.0);
 }
 
-// The reverse of meshAxes.
+// The reverse of tgMeshAxes.
 float3 furFromAxes(float3 v)
 {
-    return v.x * worldUnit(gWorld[0].xyz) + v.y * worldUnit(gWorld[1].xyz) + v.z * worldUnit(gWorld[2].xyz);
+    return v.x * tgWorldUnit(gWorld[0].xyz) + v.y * tgWorldUnit(gWorld[1].xyz) + v.z * tgWorldUnit(gWorld[2].xyz);
 }
 
 // Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
 StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, float round)
 {
-    float height = furLayerHeight(layer, gFurLayers, 0.0);
+    float height = tgFurLayerHeight(layer, gFurLayers, 0.0);
     FurVarying coat = furVarying(input, height);
-    float3 leaning = furFromAxes(growth.lean) * furDistance(gFurLength, gMeshRadius, height) * height;
+    float3 leaning = furFromAxes(growth.lean) * tgFurDistance(gFurLength, gMeshRadius, height) * height;
     float3 world = coat.world + leaning;
     float4 position = mul(float4(world, 1.0), gViewProjection);
-    position.z = furNearDepth(position.z, position.w);
+    position.z = tgFurNearDepth(position.z, position.w);
     float thickness = max(gFurLength * gMeshRadius / growth.spacing, 1.0);
-    float3 fromEye = meshAxes(world - gCameraPosition) / growth.spacing;
+    float3 fromEye = tgMeshAxes(world - gCameraPosition) / growth.spacing;
     float width = 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x * length(fromEye);
-    float3 normal = meshAxes(worldNormal(input.normal));
+    float3 normal = tgMeshAxes(tgWorldNormal(input.normal));
     // By the upright coat, for that alone is the same for all layers.
-    float cosine = dot(safeNormalize(fromEye), normal);
-    float upright = thickness * furSine(cosine) / max(-cosine, kFurLeastCosine);
+    float cosine = dot(tgSafeNormalize(fromEye), normal);
+    float upright = thickness * tgFurSine(cosine) / max(-cosine, kFurLeastCosine);
     StrandsVarying output;
-    output.position = HALF_PIXEL(position, gViewportSize);
+    output.position = TG_HALF_PIXEL(position, gViewportSize);
     output.rest = float4(growth.place, gFurLayers - 0.5 - layer);
     output.normal = float4(normal, height);
     output.fromEye = float4(fromEye, width);
     // Tips before the near plane of parallel light have the light before them all the same.
-    float3 toLight = meshAxes(lightDirection(world)) * max(furFromLight(world), kFurNearest * millimetres(gMeshRadius));
-    output.toLight = float4(toLight, furSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
+    float3 toLight = tgMeshAxes(tgLightDirection(world)) * max(furFromLight(world), kFurNearest * tgMillimetres(gMeshRadius));
+    output.toLight = float4(toLight, tgFurSpare(gFurLayers, upright, gFurSegment + furFade(width) * kFurFarSegment, gFurFewest));
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.lean = float4(growth.lean + meshAxes(furHang()), growth.density);
+    output.lean = float4(growth.lean + tgMeshAxes(furHang()), growth.density);
     float least = lerp(kFurLeastCosine, kFurFarCosine, furFade(width));
     output.coat = float4(least * least, thickness, min(growth.shortest, 0.999), 2.0 / (1.0 + growth.shortest));
     output.plainRest = float4(growth.place, growth.data.x);
@@ -119,38 +120,38 @@ StrandsVarying strandsVarying(FurInput input, float layer, FurGrowth growth, flo
 // From a strand's root to its axis at this height: its stray along its own side, and one of its turns, which begin at that side.
 float2 furBend(float height)
 {
-    float2 turn = furWave(gFurTurns * height + float3(0.0, 0.75, 0.5)).xy; // as cosine and sine
+    float2 turn = tgFurWave(gFurTurns * height + float3(0.0, 0.75, 0.5)).xy; // as cosine and sine
     return height * (float2(gFurScatter * height, 0.0) + gFurCurls * turn);
 }
 
-// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root, 1 tip), brightness.
-// root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
+// Adds one strand to what a sweep has met: x coverage; y to w shares of coverage times height in the coat, place along the strand (0 root,
+// 1 tip), brightness. root: way from it to the piece's begin, tangential. share: of the coat's height. stray: share of what strands bend.
 // random: of the strand, in (0, 1).
 float4 furMeet(float4 met, FurSweep sweep, FurPiece piece, float3 root, float share, float radius, float stray, float3 random)
 {
     float3 side = random - 0.5;
-    side = stray * furAlong(side - sweep.normal * dot(side, sweep.normal));
+    side = stray * tgFurAlong(side - sweep.normal * dot(side, sweep.normal));
     float3 across = cross(sweep.normal, side);
     float2 unbend = piece.bendLow - piece.bend;
     float3 from = root - piece.bend.x * side - piece.bend.y * across;
     float3 along = piece.along - unbend.x * side - unbend.y * across;
     float drop = piece.top - piece.low;
-    float2 covered = furCone(from, along, radius * (1.0 - piece.top / share), radius * drop / share, sweep.width);
+    float2 covered = tgFurCone(from, along, radius * (1.0 - piece.top / share), radius * drop / share, sweep.width);
     float height = piece.top - drop * covered.y;
     float tint = 1.0 + gFurVariation * (random.z - 0.5);
     return met + (covered.x - met.x * covered.x) * float4(1.0, height, saturate(height / share), tint);
 }
 
-// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all. density: per square
-// spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
+// Coverage to expect takes the place of what lies beyond the steps of a sweep and, as strands grow thinner than pixels (fade), of all.
+// density: per square spacing; shortest: strand, share of the longest; perLength: 1 / the mean one, likewise.
 float4 furExpect(float4 met, float fade, float density, float shortest, float perLength, float2 heights, float way)
 {
-    float2 radius = gFurRadius * furMeanRadius(heights, shortest);
+    float2 radius = gFurRadius * tgFurMeanRadius(heights, shortest);
     // Strands are met as often as they are wide: the mean height where the width changes evenly.
     float height = dot(2.0 * radius + radius.yx, heights) / (3.0 * radius.x + (3.0 * radius.y + 1e-4));
     float along = saturate(height * perLength);
     met *= 1.0 - fade;
-    return met + (1.0 - met.x) * furExpected(density, radius, way) * float4(1.0, height, along, 1.0);
+    return met + (1.0 - met.x) * tgFurExpected(density, radius, way) * float4(1.0, height, along, 1.0);
 }
 
 // 1 / distance from the eye, per spacing.
@@ -167,27 +168,27 @@ float4 CoatEndPS(StrandsVarying input) : SV_Target0
 FurSweep furSweep(StrandsVarying input, float2 pixel)
 {
     FurSweep sweep;
-    sweep.normal = furAlong(input.normal.xyz);
+    sweep.normal = tgFurAlong(input.normal.xyz);
     float nearness = strandsNearness(input);
     sweep.view = input.fromEye.xyz * nearness;
     sweep.place = input.rest.xyz;
     sweep.height = input.normal.w;
     sweep.width = input.fromEye.w;
     sweep.fade = furFade(sweep.width);
-    float stride = furStride(input.toLight.w);
+    float stride = tgFurStride(input.toLight.w);
     sweep.bottom = max(sweep.height - stride / gFurLayers, 0.0);
 
     float depth = sweep.height - sweep.bottom;
-    FurSlopes slopes;
+    TgFurSlopes slopes;
     slopes.normalAcross = ddx(input.plainNormal.xyz);
     slopes.normalDown = ddy(input.plainNormal.xyz);
     slopes.across = ddx(input.plainFromEye.xyz);
     slopes.down = ddy(input.plainFromEye.xyz);
     slopes.placeAcross = ddx(input.plainRest.xyz);
     slopes.placeDown = ddy(input.plainRest.xyz);
-    sweep.path = furPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.coat.y, input.coat.x, slopes);
+    sweep.path = tgFurPath(sweep.view, sweep.normal + (sweep.height + sweep.bottom) * input.lean.xyz, input.coat.y, input.coat.x, slopes);
 
-    sweep.end = furFall(sweep.path.bow, depth);
+    sweep.end = tgFurFall(sweep.path.bow, depth);
     float way = length(sweep.path.travel) * sweep.end;
     float pieces = min(way / kFurStep, kFurMostSteps - 1.0) + 1.0;
     sweep.step = sweep.end / max(way / kFurStep, 1.0);
@@ -211,7 +212,8 @@ FurPiece furFirstPiece()
     return piece;
 }
 
-// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in which tufts lean together.
+// The piece from where the last one ends to where the path has come after so many steps. Places are those in the strands' own lattice, in
+// which tufts lean together.
 FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
 {
     float drop = min(steps * sweep.step, sweep.end);
@@ -219,10 +221,10 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     piece.begin = last.end;
     piece.top = last.low;
     piece.bend = last.bendLow;
-    piece.low = sweep.height - furFallen(sweep.path.bow, drop);
+    piece.low = sweep.height - tgFurFallen(sweep.path.bow, drop);
     piece.bendLow = furBend(piece.low);
     float3 place = sweep.place + sweep.path.travel * drop;
-    float3 tuft = gFurTufts * piece.low * piece.low * furTuft(place / gFurTuftSize);
+    float3 tuft = gFurTufts * piece.low * piece.low * tgFurTuft(place / gFurTuftSize);
     float sink = 0.5 * drop * drop * dot(sweep.path.travel, sweep.path.turn); // as the skin bends away
     piece.end = place + tuft - sweep.normal * (dot(tuft, sweep.normal) + sink);
     piece.along = piece.end - piece.begin;
@@ -232,13 +234,13 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     return piece;
 }
 
-// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As shadowLit of shadowDepth, in fewer slots of
-// shader model 3: outside of the light's view and before it all is lit.
+// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As tgShadowLit of
+// tgShadowDepth, in fewer slots of shader model 3: outside of the light's view and before it all is lit.
 float furSkinShadow(float4 lightClip, float distance)
 {
     float within = min(lightClip.w - max(abs(lightClip.x), abs(lightClip.y)), lightClip.z);
-    float depth = (kDepthInMillimetres ? distance : lightClip.z / lightClip.w) - furShadowTolerance();
-    float texel = shadowStored(tex2Dlod(gShadow, float4(shadowCoordinate(lightClip), 0.0, 0.0))).x;
+    float depth = (kTgDepthInMillimetres ? distance : lightClip.z / lightClip.w) - furShadowTolerance();
+    float texel = tgShadowStored(tex2Dlod(gShadow, float4(tgShadowCoordinate(lightClip), 0.0, 0.0))).x;
     return within > 0.0 && depth > texel ? 0.0 : 1.0;
 }
 
@@ -250,12 +252,13 @@ float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float
     clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
-    float3 strand = furAlong(sweep.normal + 2.0 * mean.x * input.lean.xyz);
+    float3 strand = tgFurAlong(sweep.normal + 2.0 * mean.x * input.lean.xyz);
     float perDistance = rsqrt(dot(input.toLight.xyz, input.toLight.xyz));
     float3 toLight = input.toLight.xyz * perDistance;
-    float open = furSkinShadow(input.lightClip, 1.0 / perDistance) * furTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
+    float open = furSkinShadow(input.lightClip, 1.0 / perDistance)
+        * tgFurTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
-    return float4(direct + albedo * gFurFill * furFill(mean.x, gFurDensity, gFurMultiple), met.x);
+    return float4(direct + albedo * gFurFill * tgFurFill(mean.x, gFurDensity, gFurMultiple), met.x);
 }
 
 #endif

@@ -2,30 +2,31 @@
 #ifndef TEGUMENT_PASSES_IRRADIANCE_FXH
 #define TEGUMENT_PASSES_IRRADIANCE_FXH
 
-Texture2D gIrradianceMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = SKIN_MAP_FORMAT; >;
-SAMPLER2D(gIrradiance, POINT, CLAMP);
+Texture2D gIrradianceMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1;
+    string Format = TG_SKIN_MAP_FORMAT; >;
+TG_SAMPLER2D(gIrradiance, POINT, CLAMP);
 
-SurfaceVarying IrradianceVS(MeshInput input)
+SurfaceVarying IrradianceVS(TgMeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(unwrapPosition(input.uv, 0.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(tgUnwrapPosition(input.uv, 0.0), gViewportSize);
     return output;
 }
 
 // By the normal of the mesh: that of the normal map would punch holes of no thickness into every bump that catches light.
 float thicknessTowardsLight(LitPoint p)
 {
-    float range = kDepthInMillimetres ? 1.0 : millimetres(gLightFar - gLightNear);
-    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.lightUv, p.axisX, p.axisY, p.toLight, p.footprint, range);
+    float range = kTgDepthInMillimetres ? 1.0 : tgMillimetres(gLightFar - gLightNear);
+    float3 litNormal = tgTsmNormal(TG_SAMPLER2D_ARG(gTsm), p.lightUv, p.axisX, p.axisY, p.toLight, p.footprint, range);
     float4 entry = lightEntry(p);
-    return entry.w > 0.5 ? transmissionThickness(entry.z, dot(p.meshNormal, p.toLight), p.meshNormal, litNormal) : kOpaqueDistance;
+    return entry.w > 0.5 ? tgTransmissionThickness(entry.z, dot(p.meshNormal, p.toLight), p.meshNormal, litNormal) : kTgOpaqueDistance;
 }
 
 float4 IrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
-    float alpha = transmissionEncode(thicknessTowardsLight(p));
-    return float4(irradianceBounded(enteringLight(p), kLargestLight), p.scatters > 0.5 ? alpha : 1.0);
+    float alpha = tgTransmissionEncode(thicknessTowardsLight(p));
+    return float4(tgIrradianceBounded(enteringLight(p), kTgLargestLight), p.scatters > 0.5 ? alpha : 1.0);
 }
 
 #endif

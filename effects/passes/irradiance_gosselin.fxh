@@ -1,9 +1,10 @@
-// Pass Irradiance of Gosselin's technique: diffuse light without colour into texture space; alpha: the kernel size, at most kLargestAlpha.
+// Pass Irradiance of Gosselin's technique: diffuse light without colour into texture space; alpha: the kernel size, at most
+// kTgLargestAlpha.
 #ifndef TEGUMENT_PASSES_IRRADIANCE_GOSSELIN_FXH
 #define TEGUMENT_PASSES_IRRADIANCE_GOSSELIN_FXH
 
 Texture2D gKernelSizeMap : KERNELSIZE < float4 Fallback = { 0.6, 0.6, 0.6, 1.0 }; string UIName = "Kernel size map"; >;
-SAMPLER2D(gKernelSize, LINEAR, CLAMP);
+TG_SAMPLER2D(gKernelSize, LINEAR, CLAMP);
 
 float3 diffuseLight(LitPoint p)
 {
@@ -13,9 +14,9 @@ float3 diffuseLight(LitPoint p)
 float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     float kernel = tex2D(gKernelSize, input.uv).x;
-    return float4(irradianceBounded(diffuseLight(p), kLargestLight), kernel < kLargestAlpha ? kernel : kLargestAlpha);
+    return float4(tgIrradianceBounded(diffuseLight(p), kTgLargestLight), kernel < kTgLargestAlpha ? kernel : kTgLargestAlpha);
 }
 
 #endif

@@ -1,5 +1,5 @@
-// The diffusion profile: a sum of six Gaussians (d'Eon and Luebke 2007). Weights of each channel sum to 1; the widths are the square roots of the
-// variances, kept apart because the convolutions need nothing else.
+// The diffusion profile: a sum of six Gaussians (d'Eon and Luebke 2007). Weights of each channel sum to 1; the widths are the square roots
+// of the variances, kept apart because the convolutions need nothing else.
 #ifndef TEGUMENT_PASSES_PROFILE_FXH
 #define TEGUMENT_PASSES_PROFILE_FXH
 

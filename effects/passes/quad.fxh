@@ -8,10 +8,10 @@ struct QuadVarying
     float2 uv : TEXCOORD0;
 };
 
-QuadVarying QuadVS(QuadInput input)
+QuadVarying QuadVS(TgQuadInput input)
 {
     QuadVarying output;
-    output.position = HALF_PIXEL(float4(input.position.xy, 0.0, 1.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(float4(input.position.xy, 0.0, 1.0), gViewportSize);
     output.uv = input.uv;
     return output;
 }

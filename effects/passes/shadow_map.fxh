@@ -2,9 +2,11 @@
 #ifndef TEGUMENT_PASSES_SHADOW_MAP_FXH
 #define TEGUMENT_PASSES_SHADOW_MAP_FXH
 
-Texture2D gShadowMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "R32F"; >;
-Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
-SAMPLER2D(gShadow, POINT, CLAMP);
+Texture2D gShadowMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1;
+    string Format = "R32F"; >;
+Texture2D gShadowDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE;
+    string Format = "D24S8"; >;
+TG_SAMPLER2D(gShadow, POINT, CLAMP);
 
 struct ShadowVarying
 {
@@ -13,19 +15,19 @@ struct ShadowVarying
     float4 lightClip : TEXCOORD1;
 };
 
-ShadowVarying ShadowMapVS(MeshInput input)
+ShadowVarying ShadowMapVS(TgMeshInput input)
 {
     ShadowVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.position = HALF_PIXEL(output.lightClip, gViewportSize);
-    output.toLight = millimetres(lightVector(world));
+    output.position = TG_HALF_PIXEL(output.lightClip, gViewportSize);
+    output.toLight = tgMillimetres(tgLightVector(world));
     return output;
 }
 
 float4 ShadowMapPS(ShadowVarying input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, input.toLight), 0.0, 0.0, 1.0);
+    return float4(tgShadowDepth(input.lightClip, input.toLight), 0.0, 0.0, 1.0);
 }
 
 #endif

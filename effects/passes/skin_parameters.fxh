@@ -2,9 +2,12 @@
 #ifndef TEGUMENT_PASSES_SKIN_PARAMETERS_FXH
 #define TEGUMENT_PASSES_SKIN_PARAMETERS_FXH
 
-float gMix < string UIName = "Colour before diffusion"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "exponent of the colour that light takes on entering; the rest on leaving"; > = SKIN_MIX;
-float gShadowTolerance < string UIName = "Shadow tolerance"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 10.0; float UIStep = 0.001; string UIHelp = "mm; in setting seed a share of the light's depth range"; > = SKIN_SHADOW_TOLERANCE;
-float gTransmission < string UIName = "Transmission"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "weight of the light through thin parts"; > = 1.0;
+float gMix < string UIName = "Colour before diffusion"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0;
+    float UIStep = 0.01; string UIHelp = "exponent of the colour that light takes on entering; the rest on leaving"; > = TG_SKIN_MIX;
+float gShadowTolerance < string UIName = "Shadow tolerance"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 10.0;
+    float UIStep = 0.001; string UIHelp = "mm; in setting seed a share of the light's depth range"; > = TG_SKIN_SHADOW_TOLERANCE;
+float gTransmission < string UIName = "Transmission"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0;
+    float UIStep = 0.01; string UIHelp = "weight of the light through thin parts"; > = 1.0;
 int gUsePrePass < string UIName = "Cull texels that do not show"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1; > = 0;
 
 #endif

@@ -1,9 +1,11 @@
-// What the lit passes of d'Eon and Luebke's technique know besides: colour, shadow and entry of light by the translucent shadow map, energy.
+// What the lit passes of d'Eon and Luebke's technique know besides: colour, shadow and entry of light by the translucent shadow map,
+// energy.
 #ifndef TEGUMENT_PASSES_SKIN_POINT_FXH
 #define TEGUMENT_PASSES_SKIN_POINT_FXH
 
-Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
-SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap";
+    string ResourceName = "energy_attenuation.dds"; >;
+TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 // Techniques begin with OWN_SHADOW_SCRIPT and OWN_SHADOW_PASS, which are empty where the translucent shadow map serves as the shadow map.
 #if TEGUMENT_SHADOW_FROM_TSM
@@ -13,7 +15,7 @@ SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #define OWN_SHADOW_SCRIPT \
     "RenderColorTarget0=gShadowMap; RenderDepthStencilTarget=gShadowDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
-#define OWN_SHADOW_PASS MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
+#define OWN_SHADOW_PASS TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
 #endif
 
 LitPoint litPoint(SurfaceVarying input)
@@ -23,18 +25,18 @@ LitPoint litPoint(SurfaceVarying input)
     p.albedo = colour.rgb;
     p.scatters = colour.a;
 #if TEGUMENT_SHADOW_FROM_TSM
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gTsm), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gTsm), p);
 #else
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
 #endif
     return p;
 }
 
-// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At the outline seen
-// from the light a texel may hold a surface behind this one.
+// Where the light entered on its way to this point: u, v, and the way through the body (mm, or z/w); w = 0 where there is no such place. At
+// the outline seen from the light a texel may hold a surface behind this one.
 float4 lightEntry(LitPoint p)
 {
-    float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.lightUv);
+    float4 texel = tgTsmEntry(TG_SAMPLER2D_ARG(gTsm), p.lightUv);
     float path = p.depth - texel.x;
     return float4(texel.yz, max(path, 0.0), path > -gShadowTolerance ? texel.w : 0.0);
 }

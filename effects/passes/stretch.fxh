@@ -3,6 +3,6 @@
 #define TEGUMENT_PASSES_STRETCH_FXH
 
 Texture2D gStretchMap < string Producer = "Stretch.fx/gStretchMap"; string ResourceName = "stretch.dds"; >;
-SAMPLER2D(gStretch, POINT, CLAMP);
+TG_SAMPLER2D(gStretch, POINT, CLAMP);
 
 #endif

@@ -3,7 +3,7 @@
 #define TEGUMENT_PASSES_SURFACE_FXH
 
 Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
-SAMPLER2D(gNormal, LINEAR, CLAMP);
+TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
 
 struct SurfaceVarying
 {
@@ -31,13 +31,13 @@ struct LitPoint
     float3 axisY;    // and up
 };
 
-SurfaceVarying surfaceVarying(MeshInput input)
+SurfaceVarying surfaceVarying(TgMeshInput input)
 {
     SurfaceVarying output;
     output.uv = input.uv;
-    output.world = worldPosition(input.position);
-    output.normal = worldNormal(input.normal);
-    output.tangent = worldTangent(input.tangent);
+    output.world = tgWorldPosition(input.position);
+    output.normal = tgWorldNormal(input.normal);
+    output.tangent = tgWorldTangent(input.tangent);
     output.lightClip = mul(float4(output.world, 1.0), gLightViewProjection);
     output.position = float4(0.0, 0.0, 0.0, 1.0);
     return output;
@@ -47,28 +47,28 @@ SurfaceVarying surfaceVarying(MeshInput input)
 LitPoint surfacePoint(SurfaceVarying input)
 {
     LitPoint p;
-    float3 toLight = lightVector(input.world);
+    float3 toLight = tgLightVector(input.world);
     p.albedo = float3(1.0, 1.0, 1.0);
     p.scatters = 1.0;
-    p.normal = surfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
-    p.meshNormal = safeNormalize(input.normal);
-    p.toLight = lightDirection(input.world);
+    p.normal = tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
+    p.meshNormal = tgSafeNormalize(input.normal);
+    p.toLight = tgLightDirection(input.world);
     p.cosine = dot(p.normal, p.toLight);
     p.shadow = 1.0;
-    p.lightUv = shadowCoordinate(input.lightClip);
-    p.depth = shadowDepth(input.lightClip, millimetres(toLight));
+    p.lightUv = tgShadowCoordinate(input.lightClip);
+    p.depth = tgShadowDepth(input.lightClip, tgMillimetres(toLight));
     // Printed: by the distance.
-    p.footprint = shadowFootprint(kFilterShadow || lightParallel() ? input.lightClip.w : length(toLight), lightSpread());
-    p.axisX = lightRight();
-    p.axisY = lightUp();
+    p.footprint = tgShadowFootprint(kTgFilterShadow || tgLightParallel() ? input.lightClip.w : length(toLight), tgLightSpread());
+    p.axisX = tgLightRight();
+    p.axisY = tgLightUp();
     return p;
 }
 
 // map: of depths seen from the light.
-float surfaceShadow(SAMPLER2D_PARAM(map), LitPoint p)
+float surfaceShadow(TG_SAMPLER2D_PARAM(map), LitPoint p)
 {
-    float2 slope = shadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
-    return shadowTest(SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope) * shadowHorizon(dot(p.meshNormal, p.toLight));
+    float2 slope = tgShadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
+    return tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope) * tgShadowHorizon(dot(p.meshNormal, p.toLight));
 }
 
 #endif

@@ -2,9 +2,11 @@
 #ifndef TEGUMENT_PASSES_TSM_FXH
 #define TEGUMENT_PASSES_TSM_FXH
 
-Texture2D gTsmMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1; string Format = "A32B32G32R32F"; >;
-Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8"; >;
-SAMPLER2D(gTsm, POINT, CLAMP);
+Texture2D gTsmMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 1;
+    string Format = "A32B32G32R32F"; >;
+Texture2D gTsmDepthMap : RENDERDEPTHSTENCILTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; string Format = "D24S8";
+    >;
+TG_SAMPLER2D(gTsm, POINT, CLAMP);
 
 struct TsmVarying
 {
@@ -14,20 +16,20 @@ struct TsmVarying
     float4 lightClip : TEXCOORD2;
 };
 
-TsmVarying TsmVS(MeshInput input)
+TsmVarying TsmVS(TgMeshInput input)
 {
     TsmVarying output;
-    float3 world = worldPosition(input.position);
+    float3 world = tgWorldPosition(input.position);
     output.lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    output.position = HALF_PIXEL(output.lightClip, gViewportSize);
+    output.position = TG_HALF_PIXEL(output.lightClip, gViewportSize);
     output.uv = input.uv;
-    output.toLight = millimetres(lightVector(world));
+    output.toLight = tgMillimetres(tgLightVector(world));
     return output;
 }
 
 float4 TsmPS(TsmVarying input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, input.toLight), input.uv, 1.0);
+    return float4(tgShadowDepth(input.lightClip, input.toLight), input.uv, 1.0);
 }
 
 #endif

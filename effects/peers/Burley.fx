@@ -1,6 +1,6 @@
-// Burley: normalised diffusion gathered over a disc of the picture with importance sampling, after Golubev 2018, as a peer of Main.fx (docs/peers.md).
-// Techniques Burley20, 40 and 80, by the number of samples. TEGUMENT_PEERS_AS_PRINTED chooses between the published weights on a disc that faces the eye and
-// weights over area on one that lies in the surface.
+// Burley: normalised diffusion gathered over a disc of the picture with importance sampling, after Golubev 2018, as a peer of Main.fx
+// (docs/peers.md). Techniques Burley20, 40 and 80, by the number of samples. TEGUMENT_PEERS_AS_PRINTED chooses between the published
+// weights on a disc that faces the eye and weights over area on one that lies in the surface.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"
@@ -53,10 +53,10 @@ technique Burley20 < string Script =
     "RenderColorTarget0=gScatterMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=Gather;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(Gather, QuadVS, Gather20PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(Gather, QuadVS, Gather20PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 
 technique Burley40 < string Script =
@@ -67,10 +67,10 @@ technique Burley40 < string Script =
     "RenderColorTarget0=gScatterMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=Gather;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(Gather, QuadVS, Gather40PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(Gather, QuadVS, Gather40PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 
 technique Burley80 < string Script =
@@ -81,9 +81,9 @@ technique Burley80 < string Script =
     "RenderColorTarget0=gScatterMap; RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=; Pass=Gather;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(Gather, QuadVS, Gather80PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(Gather, QuadVS, Gather80PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 #endif

@@ -1,6 +1,6 @@
-// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx (docs/peers.md). Technique
-// Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too. TEGUMENT_PEERS_AS_PRINTED chooses between the printed
-// listing and FaceWorks' one-dimensional integral.
+// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx (docs/peers.md).
+// Technique Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too. TEGUMENT_PEERS_AS_PRINTED
+// chooses between the printed listing and FaceWorks' one-dimensional integral.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"
@@ -50,8 +50,8 @@ technique Preintegrated < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Final, PeerVS, PreintegratedPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Final, PeerVS, PreintegratedPS, TG_STATE_SOLID)
 }
 
 technique PreintegratedPenumbra < string Script =
@@ -59,7 +59,7 @@ technique PreintegratedPenumbra < string Script =
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=ShadowMap;"
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Final, PeerVS, PreintegratedPenumbraPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Final, PeerVS, PreintegratedPenumbraPS, TG_STATE_SOLID)
 }
 #endif

@@ -1,4 +1,5 @@
-// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey ground.
+// PreintegratedTable: precomputes light around a ring over N.L (x) and curvature (y), less its unscattered part, and shows it on a grey
+// ground.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/space.fxh"
@@ -20,12 +21,12 @@ float Script : STANDARDSGLOBAL <
 > = 0.8;
 
 Texture2D gPreintegratedMap : RENDERCOLORTARGET < int Width = 257; int Height = 65; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
-SAMPLER2D(gPreintegrated, POINT, CLAMP);
+TG_SAMPLER2D(gPreintegrated, POINT, CLAMP);
 
 float4 PreintegratedTablePS(QuadVarying input) : SV_Target0
 {
-    float2 arguments = preintegratedArguments(input.uv);
-    return float4(preintegratedTexel(gGaussianWeight, arguments.x, arguments.y), 1.0);
+    float2 arguments = tgPreintegratedArguments(input.uv);
+    return float4(tgPreintegratedTexel(gGaussianWeight, arguments.x, arguments.y), 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0
@@ -38,7 +39,7 @@ technique PreintegratedTable < string Script =
     "RenderColorTarget0=gPreintegratedMap; RenderDepthStencilTarget=; Pass=Precompute;"
     "RenderColorTarget0=; Pass=Show;"; >
 {
-    QUAD_PASS(Precompute, QuadVS, PreintegratedTablePS, STATE_BUFFER)
-    QUAD_PASS(Show, QuadVS, ShowPS, STATE_BUFFER)
+    TG_QUAD_PASS(Precompute, QuadVS, PreintegratedTablePS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)
 }
 #endif

@@ -1,5 +1,6 @@
-// Separable: separable screen-space subsurface scattering after Jimenez et al. 2015, as a peer of Main.fx (docs/peers.md). Techniques Separable7, 11, 17 and
-// 25, by the number of samples along each axis. TEGUMENT_PEERS_AS_PRINTED chooses between the authors' kernel and one of the six Gaussians.
+// Separable: separable screen-space subsurface scattering after Jimenez et al. 2015, as a peer of Main.fx (docs/peers.md). Techniques
+// Separable7, 11, 17 and 25, by the number of samples along each axis. TEGUMENT_PEERS_AS_PRINTED chooses between the authors' kernel and
+// one of the six Gaussians.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"
@@ -52,11 +53,11 @@ technique Separable7 < string Script =
     "RenderColorTarget0=gScatterMap; Pass=AlongY;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX7PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY7PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(AlongX, QuadVS, AlongX7PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(AlongY, QuadVS, AlongY7PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 
 technique Separable11 < string Script =
@@ -68,11 +69,11 @@ technique Separable11 < string Script =
     "RenderColorTarget0=gScatterMap; Pass=AlongY;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX11PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY11PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(AlongX, QuadVS, AlongX11PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(AlongY, QuadVS, AlongY11PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 
 technique Separable17 < string Script =
@@ -84,11 +85,11 @@ technique Separable17 < string Script =
     "RenderColorTarget0=gScatterMap; Pass=AlongY;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX17PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY17PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(AlongX, QuadVS, AlongX17PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(AlongY, QuadVS, AlongY17PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 
 technique Separable25 < string Script =
@@ -100,10 +101,10 @@ technique Separable25 < string Script =
     "RenderColorTarget0=gScatterMap; Pass=AlongY;"
     "RenderColorTarget0=; Pass=Final;"; >
 {
-    MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, STATE_TWOSIDED)
-    MESH_PASS(Light, PeerVS, LightPS, STATE_SOLID)
-    QUAD_PASS(AlongX, QuadVS, AlongX25PS, STATE_BUFFER)
-    QUAD_PASS(AlongY, QuadVS, AlongY25PS, STATE_BUFFER)
-    MESH_PASS(Final, PeerVS, ScreenFinalPS, STATE_SOLID)
+    TG_MESH_PASS(ShadowMap, ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED)
+    TG_MESH_PASS(Light, PeerVS, LightPS, TG_STATE_SOLID)
+    TG_QUAD_PASS(AlongX, QuadVS, AlongX25PS, TG_STATE_BUFFER)
+    TG_QUAD_PASS(AlongY, QuadVS, AlongY25PS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Final, PeerVS, ScreenFinalPS, TG_STATE_SOLID)
 }
 #endif

@@ -8,9 +8,9 @@
 #ifndef TEGUMENT_CULL_OUTSIDE_FXH
 #define TEGUMENT_CULL_OUTSIDE_FXH
 
-bool cullOutsideView(float4 clip)
+bool tgCullOutsideView(float4 clip)
 {
-    return cullOutside(clip);
+    return tgCullOutside(clip);
 }
 
 #endif

@@ -1,5 +1,6 @@
-// Texture-space culling (seed 5.3.1; Gosselin et al. 2004): a prepass writes depth 1 where a texel cannot show, and the later passes, drawn at depth 0
-// with the test EQUAL, skip it. normal, toEye: unit; toEye points from the surface to the eye (the seed's wording, taken literally, would cull the front).
+// Texture-space culling (seed 5.3.1; Gosselin et al. 2004): a prepass writes depth 1 where a texel cannot show, and the later passes, drawn
+// at depth 0 with the test EQUAL, skip it. normal, toEye: unit; toEye points from the surface to the eye (the seed's wording, taken
+// literally, would cull the front).
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"
 #endif
@@ -16,20 +17,20 @@
 #define TEGUMENT_CULL_VISIBILITY_FXH
 
 // Both signs, and all that is behind the camera.
-bool cullOutside(float4 clip)
+bool tgCullOutside(float4 clip)
 {
     return clip.w <= 0.0 || abs(clip.x) > clip.w || abs(clip.y) > clip.w;
 }
 
 // slack: 0 in the seed. A triangle may face the eye although its interpolated normal does not yet.
-bool cullBackFace(float3 normal, float3 toEye, float slack)
+bool tgCullBackFace(float3 normal, float3 toEye, float slack)
 {
     return dot(normal, toEye) < -slack;
 }
 
-bool cullBlack(float3 colour)
+bool tgCullBlack(float3 colour)
 {
-    return max(colour.r, max(colour.g, colour.b)) <= kBlack;
+    return max(colour.r, max(colour.g, colour.b)) <= kTgBlack;
 }
 
 #endif

@@ -6,7 +6,7 @@
 #define TEGUMENT_PEERS_SEPARABLE_KERNEL_FXH
 
 // Marginal of the six Gaussians, each row that of its cell between the midpoints to its neighbours; offsets in mm.
-static const float4 kSeparableKernel[32] = {
+static const float4 kTgSeparableKernel[32] = {
     // 7 samples
     float4(3.139999e-01, 5.842734e-01, 7.127511e-01, 0.000000),
     float4(1.587820e-01, 1.885519e-01, 1.412234e-01, 0.244444),
@@ -46,19 +46,20 @@ static const float4 kSeparableKernel[32] = {
 };
 
 // Weights (RGB) and offset of row i of the table.
-float4 separableTap(int i)
+float4 tgSeparableTap(int i)
 {
-    return kSeparableKernel[i];
+    return kTgSeparableKernel[i];
 }
 
 // uv for each unit of the offsets: so many pixels as bring it that far along the surface.
-float2 separableStep(float2 axis, float3 across, float depth, float2 frustum, float unit)
+float2 tgSeparableStep(float2 axis, float3 across, float depth, float2 frustum, float unit)
 {
     return axis * (unit / max(length(across), 1e-6));
 }
 
-// What a tap keeps of its own light: the squared cosine between the way to the tap and the surface at the centre, whose unit vector is along.
-float separableShare(float3 way, float3 along, float scale)
+// What a tap keeps of its own light: the squared cosine between the way to the tap and the surface at the centre, whose unit vector is
+// along.
+float tgSeparableShare(float3 way, float3 along, float scale)
 {
     float ahead = dot(way, along);
     return ahead * ahead / max(dot(way, way), 1e-12);

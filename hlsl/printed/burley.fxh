@@ -8,20 +8,21 @@
 #ifndef TEGUMENT_PRINTED_BURLEY_FXH
 #define TEGUMENT_PRINTED_BURLEY_FXH
 
-// R(apart) / density of the taps, which are drawn from R itself with the widest d: the tap lies `radius` away on the disc, and `apart` in space.
-float3 burleyWeight(float apart, float radius, float3 d, float widest)
+// R(apart) / density of the taps, which are drawn from R itself with the widest d: the tap lies `radius` away on the disc, and `apart` in
+// space.
+float3 tgBurleyWeight(float apart, float radius, float3 d, float widest)
 {
-    float3 ratio = burleyPolar(apart, d) / max(burleyPolar(radius, float3(widest, widest, widest)), 1e-30);
+    float3 ratio = tgBurleyPolar(apart, d) / max(tgBurleyPolar(radius, float3(widest, widest, widest)), 1e-30);
     return ratio;
 }
 
-float burleyApart(float3 way, float3 normal, float radius)
+float tgBurleyApart(float3 way, float3 normal, float radius)
 {
     float departure = way.z;
     return sqrt(radius * radius + departure * departure);
 }
 
-float2 burleyPlace(float2 at, float2 pixel)
+float2 tgBurleyPlace(float2 at, float2 pixel)
 {
     return pixel;
 }

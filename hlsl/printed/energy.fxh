@@ -18,38 +18,38 @@
 #define TEGUMENT_PRINTED_ENERGY_FXH
 
 // 32 x 32 nodes: within the 65,536 instructions that ps_3_0 is sure to execute.
-static const int kEnergyNodes = 32;
+static const int kTgEnergyNodes = 32;
 
 // The printed rule: both ends of [0, 2 pi] and [0, pi/2] are nodes, every node has the same weight.
-float energyNode(float3 toEye, float roughness, int i, int j)
+float tgEnergyNode(float3 toEye, float roughness, int i, int j)
 {
-    float phi = 2.0 * kPi * i / (kEnergyNodes - 1.0);
-    float theta = 0.5 * kPi * j / (kEnergyNodes - 1.0);
+    float phi = 2.0 * kTgPi * i / (kTgEnergyNodes - 1.0);
+    float theta = 0.5 * kTgPi * j / (kTgEnergyNodes - 1.0);
     float3 toLight = float3(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta));
-    float weight = kPi * kPi / (kEnergyNodes * kEnergyNodes) * sin(theta);
-    return weight * kelemenSpecular(float3(0.0, 0.0, 1.0), toLight, toEye, roughness, 1.0);
+    float weight = kTgPi * kTgPi / (kTgEnergyNodes * kTgEnergyNodes) * sin(theta);
+    return weight * tgKelemenSpecular(float3(0.0, 0.0, 1.0), toLight, toEye, roughness, 1.0);
 }
 
-float energyDirectionalAlbedo(float cosine, float roughness)
+float tgEnergyDirectionalAlbedo(float cosine, float roughness)
 {
     float3 toEye = float3(sqrt(max(1.0 - cosine * cosine, 0.0)), 0.0, cosine);
     float sum = 0.0;
-    [loop] for (int i = 0; i < kEnergyNodes; i++)
-        [loop] for (int j = 0; j < kEnergyNodes; j++)
-            sum += energyNode(toEye, roughness, i, j);
+    [loop] for (int i = 0; i < kTgEnergyNodes; i++)
+        [loop] for (int j = 0; j < kTgEnergyNodes; j++)
+            sum += tgEnergyNode(toEye, roughness, i, j);
     return sum;
 }
 
 // The printed table reaches pi times an albedo.
-float2 energyTexel(float albedo)
+float2 tgEnergyTexel(float albedo)
 {
-    return halvesOf(albedo, albedo < 2.0 ? 1.0 / 1024.0 : 1.0 / 256.0);
+    return tgHalvesOf(albedo, albedo < 2.0 ? 1.0 / 1024.0 : 1.0 / 256.0);
 }
 
 // Clamped: with rho_s = 1 the printed table exceeds 1 at grazing angles and light would turn negative.
-float energyDiffuseShare(float albedo, float intensity)
+float tgEnergyDiffuseShare(float albedo, float intensity)
 {
-    float weight = kAttenuateByIntensity ? intensity : 1.0;
+    float weight = kTgAttenuateByIntensity ? intensity : 1.0;
     return max(1.0 - weight * albedo, 0.0);
 }
 

@@ -17,29 +17,29 @@
 #ifndef TEGUMENT_PRINTED_FILTER_FXH
 #define TEGUMENT_PRINTED_FILTER_FXH
 
-float shadowDepth(float4 lightClip, float3 toLight)
+float tgShadowDepth(float4 lightClip, float3 toLight)
 {
-    float depth = kDepthInMillimetres ? length(toLight) : lightClip.z / max(lightClip.w, 1e-6);
+    float depth = kTgDepthInMillimetres ? length(toLight) : lightClip.z / max(lightClip.w, 1e-6);
     return lightClip.z > 0.0 ? depth : 0.0;
 }
 
-float2 shadowSlope(float3 normal, float3 axisX, float3 axisY, float3 toLight, float footprint)
+float2 tgShadowSlope(float3 normal, float3 axisX, float3 axisY, float3 toLight, float footprint)
 {
     return float2(0.0, 0.0);
 }
 
-float shadowHorizon(float cosine)
+float tgShadowHorizon(float cosine)
 {
     return 1.0;
 }
 
 // depth, tolerance: mm, or z/w.
-float shadowTest(SAMPLER2D_PARAM(map), float2 coordinate, float depth, float tolerance, float2 slope)
+float tgShadowTest(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float tolerance, float2 slope)
 {
-    return shadowLit(SAMPLER2D_ARG(map), coordinate, depth - tolerance);
+    return tgShadowLit(TG_SAMPLER2D_ARG(map), coordinate, depth - tolerance);
 }
 
-float3 tsmAcross(float3 axis, float3 back, float3 toLight)
+float3 tgTsmAcross(float3 axis, float3 back, float3 toLight)
 {
     return axis;
 }

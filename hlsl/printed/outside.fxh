@@ -6,12 +6,12 @@
 #define TEGUMENT_PRINTED_OUTSIDE_FXH
 
 // In the plane of the eye the ratio has no value.
-static const float kSmallestClipW = 1e-6;
+static const float kTgSmallestClipW = 1e-6;
 
 // The right and the upper side only; of the points behind the camera, which have no picture, half count as inside.
-bool cullOutsideView(float4 clip)
+bool tgCullOutsideView(float4 clip)
 {
-    float2 ratio = clip.xy / (abs(clip.w) > kSmallestClipW ? clip.w : kSmallestClipW);
+    float2 ratio = clip.xy / (abs(clip.w) > kTgSmallestClipW ? clip.w : kTgSmallestClipW);
     return ratio.x > 1.0 || ratio.y > 1.0;
 }
 

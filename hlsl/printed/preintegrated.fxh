@@ -9,28 +9,28 @@
 #define TEGUMENT_PRINTED_PREINTEGRATED_FXH
 
 // What the listing multiplies variances with.
-static const float kPrintedVariance = 1.414;
+static const float kTgPrintedVariance = 1.414;
 
-// The listing's integral: half a turn, chords 2 rho sin(x / 2), the radial profile's weights on a line, variances times 1.414, normalised. Its steps are
-// laid where the profile is, instead of over the whole half turn.
-float3 preintegratedScattered(float4 gaussians[6], float angle, float curvature)
+// The listing's integral: half a turn, chords 2 rho sin(x / 2), the radial profile's weights on a line, variances times 1.414, normalised.
+// Its steps are laid where the profile is, instead of over the whole half turn.
+float3 tgPreintegratedScattered(float4 gaussians[6], float angle, float curvature)
 {
-    float bent = max(curvature, kPreintegratedFlattest);
-    float reach = min(2.0 * asin(min(0.5 * kPreintegratedReach * bent, 1.0)), 0.5 * kPi);
+    float bent = max(curvature, kTgPreintegratedFlattest);
+    float reach = min(2.0 * asin(min(0.5 * kTgPreintegratedReach * bent, 1.0)), 0.5 * kTgPi);
     float3 sum = float3(0.0, 0.0, 0.0);
     float3 total = float3(0.0, 0.0, 0.0);
-    [loop] for (int i = 0; i < kPreintegratedSteps; i++)
+    [loop] for (int i = 0; i < kTgPreintegratedSteps; i++)
     {
-        float x = (i + 0.5) / kPreintegratedSteps * reach;
-        float3 weight = preintegratedProfile(gaussians, 2.0 * sin(0.5 * x) / bent, kPrintedVariance);
-        sum += preintegratedPair(angle, x) * weight;
+        float x = (i + 0.5) / kTgPreintegratedSteps * reach;
+        float3 weight = tgPreintegratedProfile(gaussians, 2.0 * sin(0.5 * x) / bent, kTgPrintedVariance);
+        sum += tgPreintegratedPair(angle, x) * weight;
         total += 2.0 * weight;
     }
     return sum / max(total, 1e-20);
 }
 
 // Per mm: lengths of the sums of changes.
-float preintegratedCurvature(float3 normal, float3 world)
+float tgPreintegratedCurvature(float3 normal, float3 world)
 {
     float3 nx = ddx(normal);
     float3 ny = ddy(normal);

@@ -6,7 +6,7 @@
 #define TEGUMENT_PRINTED_SEPARABLE_FXH
 
 // What the authors' program computes with its default strength (.48 .41 .28) and falloff (1 .37 .3).
-static const float4 kSeparableKernel[32] = {
+static const float4 kTgSeparableKernel[32] = {
     // 7 samples
     float4(6.197395e-01, 8.026325e-01, 8.902653e-01, 0.000000),
     float4(1.404804e-01, 8.437434e-02, 4.904676e-02, 0.222222),
@@ -46,19 +46,19 @@ static const float4 kSeparableKernel[32] = {
 };
 
 // Weights (RGB) and offset of row i of the table.
-float4 separableTap(int i)
+float4 tgSeparableTap(int i)
 {
-    return kSeparableKernel[i];
+    return kTgSeparableKernel[i];
 }
 
 // As far as it appears in the height of the picture when it faces the eye, also across.
-float2 separableStep(float2 axis, float3 across, float depth, float2 frustum, float unit)
+float2 tgSeparableStep(float2 axis, float3 across, float depth, float2 frustum, float unit)
 {
     return (axis.x > 0.0 ? float2(1.0, 0.0) : float2(0.0, 1.0)) * (0.5 * unit / (frustum.y * max(depth, 1e-3)));
 }
 
-// By the difference of depth; scale from separableScale.
-float separableShare(float3 way, float3 along, float scale)
+// By the difference of depth; scale from tgSeparableScale.
+float tgSeparableShare(float3 way, float3 along, float scale)
 {
     return 1.0 - saturate(scale * abs(way.z));
 }

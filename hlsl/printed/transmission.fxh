@@ -1,5 +1,5 @@
-// scatter/transmission.fxh as the seed prints it (equation 39): alpha is the depth itself, in units of the light's depth range, the exponent lacks its 1/2, and
-// nothing fades near the lit side.
+// scatter/transmission.fxh as the seed prints it (equation 39): alpha is the depth itself, in units of the light's depth range, the
+// exponent lacks its 1/2, and nothing fades near the lit side.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"
 #endif
@@ -10,23 +10,23 @@
 #define TEGUMENT_PRINTED_TRANSMISSION_FXH
 
 // What is no number, as the thickness by a normal that is none, is opaque: it must not reach the neighbours.
-float transmissionEncode(float thickness)
+float tgTransmissionEncode(float thickness)
 {
-    float known = thickness >= 0.0 ? thickness : kOpaqueDistance;
-    return min(known, kLargestAlpha);
+    float known = thickness >= 0.0 ? thickness : kTgOpaqueDistance;
+    return min(known, kTgLargestAlpha);
 }
 
 // range: mm between the light's planes.
-float transmissionDecode(float alpha, float range)
+float tgTransmissionDecode(float alpha, float range)
 {
     return alpha * range;
 }
 
-float transmissionShare(float thickness, float variance, float apart)
+float tgTransmissionShare(float thickness, float variance, float apart)
 {
-    float v = max(variance, kSmallestVariance);
+    float v = max(variance, kTgSmallestVariance);
     float exponent = thickness * thickness * 1.0 / v;
-    return exponent < kNothingPasses ? exp(-exponent) : 0.0;
+    return exponent < kTgNothingPasses ? exp(-exponent) : 0.0;
 }
 
 #endif

@@ -5,23 +5,24 @@
 #define TEGUMENT_SCATTER_IRRADIANCE_FXH
 
 // Powers of zero are undefined where the exponent is zero too.
-static const float kSmallestAlbedo = 1e-5;
+static const float kTgSmallestAlbedo = 1e-5;
 
-float3 irradianceColour(float3 albedo, float exponent)
+float3 tgIrradianceColour(float3 albedo, float exponent)
 {
-    return pow(max(albedo, kSmallestAlbedo), exponent);
+    return pow(max(albedo, kTgSmallestAlbedo), exponent);
 }
 
-// What a map of light may hold: no convolution can then make an infinity of it, nor 0 times an infinity of its neighbours. What is no number is black.
-// largest: of the map's format.
-float3 irradianceBounded(float3 light, float largest)
+// What a map of light may hold: no convolution can then make an infinity of it, nor 0 times an infinity of its neighbours. What is no
+// number is black. largest: of the map's format.
+float3 tgIrradianceBounded(float3 light, float largest)
 {
-    return float3(light.r > 0.0 ? min(light.r, largest) : 0.0, light.g > 0.0 ? min(light.g, largest) : 0.0, light.b > 0.0 ? min(light.b, largest) : 0.0);
+    return float3(light.r > 0.0 ? min(light.r, largest) : 0.0, light.g > 0.0 ? min(light.g, largest) : 0.0,
+        light.b > 0.0 ? min(light.b, largest) : 0.0);
 }
 
-float3 irradianceEntering(float3 albedo, float mix, float3 light, float cosine, float shadow, float share)
+float3 tgIrradianceEntering(float3 albedo, float mix, float3 light, float cosine, float shadow, float share)
 {
-    return irradianceColour(albedo, mix) * light * (saturate(cosine) * shadow * share);
+    return tgIrradianceColour(albedo, mix) * light * (saturate(cosine) * shadow * share);
 }
 
 #endif

@@ -1,5 +1,5 @@
-// One blur of Gosselin's technique (Gosselin, Sander and Mitchell 2004): 13 taps, the texel itself and twelve of a Poisson disc (seed 5.3, equations 36
-// and 40). The alpha of the map is the kernel size, at most kLargestAlpha; every blur leaves it as it is.
+// One blur of Gosselin's technique (Gosselin, Sander and Mitchell 2004): 13 taps, the texel itself and twelve of a Poisson disc (seed 5.3,
+// equations 36 and 40). The alpha of the map is the kernel size, at most kTgLargestAlpha; every blur leaves it as it is.
 // Units: size in mm on the surface, density = texels per mm; radii in uv, one along each axis.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
@@ -17,45 +17,45 @@
 #define TEGUMENT_SCATTER_POISSON_FXH
 
 // Mean of the printed points. Left in, each blur shifts the light by a tenth of the radius.
-static const float2 kPoissonMean = float2(0.030452, -0.104674);
+static const float2 kTgPoissonMean = float2(0.030452, -0.104674);
 // Outside the charts the taps reach this far at least (texels), so that what Final looks up between texels is filled.
-static const float kPoissonFill = 3.0;
+static const float kTgPoissonFill = 3.0;
 
 // rotation: cosine and sine of the angle by which the disc is turned.
-float2 poissonPoint(int i, float2 rotation)
+float2 tgPoissonPoint(int i, float2 rotation)
 {
-    float2 p = kPoissonDisc[i] - kPoissonMean;
+    float2 p = kTgPoissonDisc[i] - kTgPoissonMean;
     return float2(p.x * rotation.x - p.y * rotation.y, p.x * rotation.y + p.y * rotation.x);
 }
 
-float2 poissonRadius(float size, float4 centre, float2 density)
+float2 tgPoissonRadius(float size, float4 centre, float2 density)
 {
-    float kernel = min(centre.w, kLargestAlpha);
+    float kernel = min(centre.w, kTgLargestAlpha);
     float2 texels = size * kernel * density;
-    return (seamValidity(centre) < 1.0 ? max(texels, kPoissonFill) : texels) / kMapSize;
+    return (tgSeamValidity(centre) < 1.0 ? max(texels, kTgPoissonFill) : texels) / kTgMapSize;
 }
 
 // The mean of the valid taps. A texel outside the charts takes their mean kernel size too.
-float4 poissonBlur(SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 radius, float2 rotation)
+float4 tgPoissonBlur(TG_SAMPLER2D_PARAM(map), float2 uv, float4 centre, float2 radius, float2 rotation)
 {
-    float inside = seamValidity(centre);
+    float inside = tgSeamValidity(centre);
     float4 sum = inside * centre;
     float total = inside;
     [unroll] for (int i = 0; i < 12; i++)
     {
-        float4 tap = TG_TEX2DLOD(map, float4(uv + poissonPoint(i, rotation) * radius, 0.0, 0.0));
-        float validity = seamValidity(tap);
+        float4 tap = TG_TEX2DLOD(map, float4(uv + tgPoissonPoint(i, rotation) * radius, 0.0, 0.0));
+        float validity = tgSeamValidity(tap);
         sum += validity * tap;
         total += validity;
     }
     float4 mean = sum / max(total, 1.0);
-    return total > 0.0 ? float4(mean.rgb, inside > 0.0 ? centre.w : mean.w) : kInvalidTexel;
+    return total > 0.0 ? float4(mean.rgb, inside > 0.0 ? centre.w : mean.w) : kTgInvalidTexel;
 }
 
 // How far `count` blurs reach where the kernel size is 1: mm on the surface, texels besides. Taps fall on the nearest texel.
-float2 poissonReach(float size, float count)
+float2 tgPoissonReach(float size, float count)
 {
-    return float2(size * kPoissonLongest * count, (kPoissonFill + 0.5) * count);
+    return float2(size * kTgPoissonLongest * count, (kTgPoissonFill + 0.5) * count);
 }
 
 #endif

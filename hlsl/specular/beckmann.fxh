@@ -4,23 +4,23 @@
 #define TEGUMENT_SPECULAR_BECKMANN_FXH
 
 // c^4 m^2 below 1e-12 would overflow the quotient before the exponential brings it to zero.
-static const float kSmallestCosine = 1e-3;
-static const float kSmallestRoughness = 1e-3;
+static const float kTgSmallestCosine = 1e-3;
+static const float kTgSmallestRoughness = 1e-3;
 
-float beckmannPH(float cosine, float roughness)
+float tgBeckmannPH(float cosine, float roughness)
 {
-    float c2 = max(cosine, kSmallestCosine) * max(cosine, kSmallestCosine);
-    float m2 = max(roughness, kSmallestRoughness) * max(roughness, kSmallestRoughness);
+    float c2 = max(cosine, kTgSmallestCosine) * max(cosine, kTgSmallestCosine);
+    float m2 = max(roughness, kTgSmallestRoughness) * max(roughness, kTgSmallestRoughness);
     return exp((c2 - 1.0) / (c2 * m2)) / (m2 * c2 * c2);
 }
 
 // PH spans eight decades; its tenth root fits a texture.
-float beckmannEncode(float ph)
+float tgBeckmannEncode(float ph)
 {
     return 0.5 * pow(max(ph, 1e-30), 0.1);
 }
 
-float beckmannDecode(float texel)
+float tgBeckmannDecode(float texel)
 {
     return pow(max(2.0 * texel, 0.0), 10.0);
 }

@@ -14,41 +14,41 @@
 #define TEGUMENT_SPECULAR_ENERGY_FXH
 
 // 32 x 32 nodes: within the 65,536 instructions that ps_3_0 is sure to execute.
-static const int kEnergyNodes = 32;
+static const int kTgEnergyNodes = 32;
 
-// Half vectors drawn from PH N.H / pi, so tan^2 = -m^2 ln(1 - u). With dw = 4 V.H dH and |L + V| = 2 V.H the integrand over the density becomes
-// pi F N.L / (V.H N.H) = pi F (2 - N.V / (V.H N.H)), which is bounded and continuous. Midpoints; half a turn, by symmetry.
-float energyNode(float3 toEye, float roughness, int i, int j)
+// Half vectors drawn from PH N.H / pi, so tan^2 = -m^2 ln(1 - u). With dw = 4 V.H dH and |L + V| = 2 V.H the integrand over the density
+// becomes pi F N.L / (V.H N.H) = pi F (2 - N.V / (V.H N.H)), which is bounded and continuous. Midpoints; half a turn, by symmetry.
+float tgEnergyNode(float3 toEye, float roughness, int i, int j)
 {
-    float phi = kPi * (i + 0.5) / kEnergyNodes;
-    float u = (j + 0.5) / kEnergyNodes;
+    float phi = kTgPi * (i + 0.5) / kTgEnergyNodes;
+    float u = (j + 0.5) / kTgEnergyNodes;
     float slope = roughness * sqrt(-log(1.0 - u));
     float cosine = rsqrt(1.0 + slope * slope);
     float sine = slope * cosine;
     float3 halfway = float3(sine * cos(phi), sine * sin(phi), cosine);
     float vh = dot(toEye, halfway);
     float share = vh > 0.0 ? max(2.0 - toEye.z / (vh * cosine), 0.0) : 0.0;
-    return fresnelSchlick(vh, kFresnel0) * share * kPi / (kEnergyNodes * kEnergyNodes);
+    return tgFresnelSchlick(vh, kTgFresnel0) * share * kTgPi / (kTgEnergyNodes * kTgEnergyNodes);
 }
 
 // The lobe integrates to pi, not 1 (docs/conventions.md): an albedo is a pi-th of it.
-float energyDirectionalAlbedo(float cosine, float roughness)
+float tgEnergyDirectionalAlbedo(float cosine, float roughness)
 {
     float3 toEye = float3(sqrt(max(1.0 - cosine * cosine, 0.0)), 0.0, cosine);
     float sum = 0.0;
-    [loop] for (int i = 0; i < kEnergyNodes; i++)
-        [loop] for (int j = 0; j < kEnergyNodes; j++)
-            sum += energyNode(toEye, roughness, i, j);
-    return sum * (1.0 / kPi);
+    [loop] for (int i = 0; i < kTgEnergyNodes; i++)
+        [loop] for (int j = 0; j < kTgEnergyNodes; j++)
+            sum += tgEnergyNode(toEye, roughness, i, j);
+    return sum * (1.0 / kTgPi);
 }
 
-float2 energyTexel(float albedo)
+float2 tgEnergyTexel(float albedo)
 {
-    return halvesOf(albedo, 1.0 / 1024.0);
+    return tgHalvesOf(albedo, 1.0 / 1024.0);
 }
 
 // Share of light left to diffusion.
-float energyDiffuseShare(float albedo, float intensity)
+float tgEnergyDiffuseShare(float albedo, float intensity)
 {
     return max(1.0 - intensity * albedo, 0.0);
 }

@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_SPECULAR_FRESNEL_FXH
 #define TEGUMENT_SPECULAR_FRESNEL_FXH
 
-float fresnelSchlick(float cosine, float f0)
+float tgFresnelSchlick(float cosine, float f0)
 {
     float c = 1.0 - saturate(cosine);
     float c2 = c * c;

@@ -17,15 +17,15 @@
 #define TEGUMENT_SPECULAR_KELEMEN_FXH
 
 // |L + V|^2 is 4 (L.H)^2: it vanishes when the light stands behind the point, where N.L of a visible point is 0 or small too.
-static const float kSmallestHalfSquare = 1e-4;
+static const float kTgSmallestHalfSquare = 1e-4;
 
-float kelemenSpecular(float3 normal, float3 toLight, float3 toEye, float roughness, float intensity)
+float tgKelemenSpecular(float3 normal, float3 toLight, float3 toEye, float roughness, float intensity)
 {
     float3 h = toLight + toEye;
-    float3 halfway = safeNormalize(h);
-    float ph = beckmannPH(dot(normal, halfway), roughness);
-    float fresnel = fresnelSchlick(dot(toEye, halfway), kFresnel0);
-    return saturate(dot(normal, toLight)) * intensity * ph * fresnel / max(dot(h, h), kSmallestHalfSquare);
+    float3 halfway = tgSafeNormalize(h);
+    float ph = tgBeckmannPH(dot(normal, halfway), roughness);
+    float fresnel = tgFresnelSchlick(dot(toEye, halfway), kTgFresnel0);
+    return saturate(dot(normal, toLight)) * intensity * ph * fresnel / max(dot(h, h), kTgSmallestHalfSquare);
 }
 
 #endif

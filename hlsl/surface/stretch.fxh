@@ -7,18 +7,18 @@
 #define TEGUMENT_SURFACE_STRETCH_FXH
 
 // A texel smaller than this (mm) belongs to a degenerate triangle: its stretch would be infinite.
-static const float kSmallestTexel = 1e-3;
+static const float kTgSmallestTexel = 1e-3;
 
 // texelU, texelV: world-space step across one texel of a map with `size` texels a side. Exact: an unwrapped triangle is affine.
-float2 stretchEncode(float3 texelU, float3 texelV, float size)
+float2 tgStretchEncode(float3 texelU, float3 texelV, float size)
 {
-    float2 millimetres = max(float2(length(texelU), length(texelV)), kSmallestTexel);
-    return kStretchScale / (millimetres * size);
+    float2 millimetres = max(float2(length(texelU), length(texelV)), kTgSmallestTexel);
+    return kTgStretchScale / (millimetres * size);
 }
 
-float2 stretchUvPerMillimetre(float4 texel)
+float2 tgStretchUvPerMillimetre(float4 texel)
 {
-    return texel.xy / kStretchScale;
+    return texel.xy / kTgStretchScale;
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_SURFACE_UNWRAP_FXH
 #define TEGUMENT_SURFACE_UNWRAP_FXH
 
-float4 unwrapPosition(float2 uv, float z)
+float4 tgUnwrapPosition(float2 uv, float z)
 {
     return float4(uv.x * 2.0 - 1.0, 1.0 - uv.y * 2.0, z, 1.0);
 }

@@ -26,10 +26,10 @@ struct PlaceVarying
     float4 position : SV_Position;
     float2 place : TEXCOORD0;
 };
-PlaceVarying PlaceVS(MeshInput input)
+PlaceVarying PlaceVS(TgMeshInput input)
 {
     PlaceVarying output;
-    output.position = HALF_PIXEL(float4(input.position.xy, 0.5, 1.0), gViewportSize);
+    output.position = TG_HALF_PIXEL(float4(input.position.xy, 0.5, 1.0), gViewportSize);
     output.place = input.position.xy;
     return output;
 }
@@ -40,7 +40,7 @@ float4 PlacePS(PlaceVarying input) : SV_Target0
 #ifdef FX_TECHNIQUES
 technique Places < string Script = "RenderColorTarget0=gPlaceMap; ClearSetColor=gClearEmpty; Clear=Color; Pass=Places;"; >
 {
-    MESH_PASS(Places, PlaceVS, PlacePS, STATE_BUFFER)
+    TG_MESH_PASS(Places, PlaceVS, PlacePS, TG_STATE_BUFFER)
 }
 #endif
 )";

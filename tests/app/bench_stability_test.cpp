@@ -24,7 +24,7 @@ float4 FaultyPS(QuadVarying input) : SV_Target0 { return (input.uv.x + 1.0) / gZ
 #ifdef FX_TECHNIQUES
 technique Faulty < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Faulty;"; >
 {
-    QUAD_PASS(Faulty, QuadVS, FaultyPS, STATE_BUFFER)
+    TG_QUAD_PASS(Faulty, QuadVS, FaultyPS, TG_STATE_BUFFER)
 }
 #endif
 )");

@@ -68,7 +68,7 @@ float4 BadPS(QuadVarying input) : SV_Target0 { return float4()" +
 #ifdef FX_TECHNIQUES
 technique Bad < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Bad;"; >
 {
-    QUAD_PASS(Bad, QuadVS, BadPS, STATE_BUFFER)
+    TG_QUAD_PASS(Bad, QuadVS, BadPS, TG_STATE_BUFFER)
 }
 #endif
 )";

@@ -56,7 +56,7 @@ const std::string kPass = R"(
 struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
 V VS(float3 position : POSITION) { V o; o.position = float4(position, 1); o.uv = position.xy; return o; }
 #ifdef FX_TECHNIQUES
-technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+technique T { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = compile TG_PS_MODEL PS(); TG_STATE_BUFFER; } }
 #endif
 )";
 

@@ -47,7 +47,7 @@ double reached(int x, int y, int stepX, int stepY, glm::dvec2 reach) {
     return 0;
 }
 
-constexpr const char* kTileUv = "float2 uv = (float2(a0, a1) + 0.51) / kCullTiles; ";
+constexpr const char* kTileUv = "float2 uv = (float2(a0, a1) + 0.51) / kTgCullTiles; ";
 
 std::vector<Argument> tileArguments() {
     return {whole(0, kTiles - 1), whole(0, kTiles - 1), whole(0, 1), vector(2, 0.1, 30)};
@@ -55,13 +55,13 @@ std::vector<Argument> tileArguments() {
 
 std::vector<FunctionCase> visibility() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "cullOutside",
-                     .body = "return float4(cullOutside(a0) ? 1 : 0, 0, 0, 0);",
+    cases.push_back({.function = "tgCullOutside",
+                     .body = "return float4(tgCullOutside(a0) ? 1 : 0, 0, 0, 0);",
                      .arguments = {vector(4, 0.1, 1000)},
                      .expected = [](const Inputs& x) { return values(outside(x.vec4(0)) ? 1 : 0); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "comparisons of given numbers"}});
-    cases.push_back({.function = "cullOutsideView",
-                     .body = "return float4(cullOutsideView(a0) ? 1 : 0, 0, 0, 0);",
+    cases.push_back({.function = "tgCullOutsideView",
+                     .body = "return float4(tgCullOutsideView(a0) ? 1 : 0, 0, 0, 0);",
                      .arguments = {vector(4, 0.1, 1000)},
                      .expected =
                          [](const Inputs& x) {
@@ -71,13 +71,13 @@ std::vector<FunctionCase> visibility() {
                          },
                      .tolerance = {.forward = 0, .backward = 4, .why = "quotients against a threshold"},
                      .settings = {0, 1, 2}});
-    cases.push_back({.function = "cullBackFace",
-                     .body = "return float4(cullBackFace(a0, a1, a2) ? 1 : 0, 0, 0, 0);",
+    cases.push_back({.function = "tgCullBackFace",
+                     .body = "return float4(tgCullBackFace(a0, a1, a2) ? 1 : 0, 0, 0, 0);",
                      .arguments = {unit(), unit(), linear(0, 0.5)},
                      .expected = [](const Inputs& x) { return values(glm::dot(x.vec3(0), x.vec3(1)) < -x.scalar(2) ? 1 : 0); },
                      .tolerance = {.forward = 0, .backward = 4, .why = "a dot product against a threshold"}});
-    cases.push_back({.function = "cullBlack",
-                     .body = "return float4(cullBlack(a0) ? 1 : 0, 0, 0, 0);",
+    cases.push_back({.function = "tgCullBlack",
+                     .body = "return float4(tgCullBlack(a0) ? 1 : 0, 0, 0, 0);",
                      .arguments = {linear(0, 0.002, 3)},
                      .expected =
                          [](const Inputs& x) {
@@ -91,8 +91,8 @@ std::vector<FunctionCase> visibility() {
 
 std::vector<FunctionCase> reach() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "reachOfCascade",
-                     .body = "return float4(reachOfCascade(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgReachOfCascade",
+                     .body = "return float4(tgReachOfCascade(a0, a1), 0, 0);",
                      .arguments = {linear(0, 3, 4), linear(0, 3, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -104,8 +104,8 @@ std::vector<FunctionCase> reach() {
                              return values(3 * sum, 17); // 5 convolutions of 3 texels, 2 for the look-up
                          },
                      .tolerance = {.forward = 8, .backward = 8, .why = "roots of differences of squares"}});
-    cases.push_back({.function = "reachOfBlurs",
-                     .body = "return float4(reachOfBlurs(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgReachOfBlurs",
+                     .body = "return float4(tgReachOfBlurs(a0, a1), 0, 0);",
                      .arguments = {linear(0, 20), whole(0, 6)},
                      .expected =
                          [](const Inputs& x) {
@@ -117,8 +117,8 @@ std::vector<FunctionCase> reach() {
                      .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
                      .settings = {0, 2}});
     cases.push_back(
-        {.function = "reachTile",
-         .body = std::string(kTileUv) + "return reachTile(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), uv);",
+        {.function = "tgReachTile",
+         .body = std::string(kTileUv) + "return tgReachTile(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), uv);",
          .arguments = {whole(0, kTiles - 1), whole(0, kTiles - 1)},
          .expected =
              [](const Inputs& x) { return values(tileMaximum(static_cast<int>(x.scalar(0)), static_cast<int>(x.scalar(1)), x.seed())); },
@@ -126,10 +126,10 @@ std::vector<FunctionCase> reach() {
          .settings = {0, 2},
          .map = &needMap()});
     cases.push_back(
-        {.function = "reachFrom",
+        {.function = "tgReachFrom",
          .body = std::string(kTileUv) +
-                 "float2 axis = (a2 < 0.5 ? float2(1, 0) : float2(0, -1)) / kCullTiles;"
-                 "return float4(reachFrom(SAMPLER2D_ARG(gTest), uv, axis, a2 < 0.5 ? float2(1, 0) : float2(0, 1), a3), 0, 0, 0);",
+                 "float2 axis = (a2 < 0.5 ? float2(1, 0) : float2(0, -1)) / kTgCullTiles;"
+                 "return float4(tgReachFrom(TG_SAMPLER2D_ARG(gTest), uv, axis, a2 < 0.5 ? float2(1, 0) : float2(0, 1), a3), 0, 0, 0);",
          .arguments = tileArguments(),
          .expected =
              [](const Inputs& x) {
@@ -139,8 +139,8 @@ std::vector<FunctionCase> reach() {
          .tolerance = {.forward = 0, .backward = 4, .why = "a product against a threshold"},
          .map = &needMap()});
     cases.push_back(
-        {.function = "reachAlong",
-         .body = std::string(kTileUv) + "return reachAlong(SAMPLER2D_ARG(gTest), uv, a2 < 0.5 ? float2(1, 0) : float2(0, 1), a3);",
+        {.function = "tgReachAlong",
+         .body = std::string(kTileUv) + "return tgReachAlong(TG_SAMPLER2D_ARG(gTest), uv, a2 < 0.5 ? float2(1, 0) : float2(0, 1), a3);",
          .arguments = tileArguments(),
          .expected =
              [](const Inputs& x) {
@@ -152,7 +152,7 @@ std::vector<FunctionCase> reach() {
                  const glm::dvec4 here = tile(column, row);
                  return values(std::max(forwards, backwards), here.y, here.z, 1);
              },
-         .tolerance = {.forward = 0, .backward = 4, .why = "as reachFrom"},
+         .tolerance = {.forward = 0, .backward = 4, .why = "as tgReachFrom"},
          .map = &needMap()});
     return cases;
 }

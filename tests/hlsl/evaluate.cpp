@@ -56,7 +56,7 @@ std::string pixelShader(const FunctionCase& function, const Samples& samples, co
 #include "../hlsl/fur.fxh"
 Texture2D gInputMap;
 Texture2D gTestMap;
-SAMPLER2D(gTest, POINT, CLAMP);
+TG_SAMPLER2D(gTest, POINT, CLAMP);
 float4 call(float values[)";
     code += fmt::format("{}], float2 pixel)\n{{\n{}    {}\n}}\n", grid.texels * 4, argumentCode(function.arguments), function.body);
     code += fmt::format(R"(

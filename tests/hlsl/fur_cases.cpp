@@ -75,8 +75,8 @@ bool isUnit(const glm::dvec3& v) {
 
 std::vector<FunctionCase> shells() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "furLayerHeight",
-                     .body = "return float4(furLayerHeight(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgFurLayerHeight",
+                     .body = "return float4(tgFurLayerHeight(a0, a1, a2), 0, 0, 0);",
                      .arguments = {whole(0, 255), whole(0, 256), whole(0, 1)},
                      .expected =
                          [](const Inputs& x) {
@@ -84,19 +84,19 @@ std::vector<FunctionCase> shells() {
                              return values(saturate((x.scalar(2) > 0.5 ? n - x.scalar(0) : x.scalar(0) + 1) / n));
                          },
                      .tolerance = {.forward = 4, .backward = 0, .why = "a quotient of whole numbers"}});
-    cases.push_back({.function = "furSpread",
-                     .body = "return float4(furSpread(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurSpread",
+                     .body = "return float4(tgFurSpread(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0.001, 1), linear(0.25, 4)},
                      .expected = [](const Inputs& x) { return values(std::pow(x.scalar(0), x.scalar(1))); },
                      .tolerance = {.forward = 120, .backward = 4, .absolute = 1e-6, .why = "exp2 of a product up to 40: 3 + 2|x| ULP"}});
     cases.push_back(
-        {.function = "furDistance",
-         .body = "return float4(furDistance(a0, a1, a2), 0, 0, 0);",
+        {.function = "tgFurDistance",
+         .body = "return float4(tgFurDistance(a0, a1, a2), 0, 0, 0);",
          .arguments = {linear(0, 0.5), logarithmic(1, 1e3), linear(0, 1)},
          .expected = [](const Inputs& x) { return values(x.scalar(0) * x.scalar(1) * x.scalar(2)); },
          .tolerance = {.forward = 2, .backward = 0, .absolute = 1e-35, .why = "two products, of which a denormal one is flushed to 0"}});
-    cases.push_back({.function = "furNearDepth",
-                     .body = "return float4(furNearDepth(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurNearDepth",
+                     .body = "return float4(tgFurNearDepth(a0, a1), 0, 0, 0);",
                      .arguments = {linear(-50, 100), linear(1, 1000)},
                      .expected =
                          [](const Inputs& x) {
@@ -106,20 +106,20 @@ std::vector<FunctionCase> shells() {
                          },
                      .tolerance = {.forward = 180, .backward = 4, .absolute = 1e-6, .why = "exp: 3 + 2|x| ULP with |x| up to 80"},
                      .domain = [](const Inputs& x) { return x.scalar(1) >= 1; }});
-    cases.push_back({.function = "furStrand",
-                     .body = "return float4(furStrand(a0, a1, a2), 0);",
+    cases.push_back({.function = "tgFurStrand",
+                     .body = "return float4(tgFurStrand(a0, a1, a2), 0);",
                      .arguments = {unit(), vector(3, 0.01, 2), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(x.vec3(0) + x.scalar(2) * x.vec3(1)); },
                      .tolerance = {.forward = 2, .backward = 1, .why = "a product and a sum"}});
     cases.push_back(
-        {.function = "furTangent",
-         .body = "return float4(furTangent(a0, a1, a2), 0);",
+        {.function = "tgFurTangent",
+         .body = "return float4(tgFurTangent(a0, a1, a2), 0);",
          .arguments = {unit(), vector(3, 0.01, 2), linear(0, 1)},
          .expected = [](const Inputs& x) { return values(normalised(x.vec3(0) + 2 * x.scalar(2) * x.vec3(1))); },
          .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "normalised: an inverse square root; the sum may cancel"},
          .domain = [](const Inputs& x) { return glm::length(x.vec3(0) + 2 * x.scalar(2) * x.vec3(1)) > 0.1; }});
-    cases.push_back({.function = "furCoverage",
-                     .body = "return float4(furCoverage(a0, a1, a2, a3), 0, 0, 0);",
+    cases.push_back({.function = "tgFurCoverage",
+                     .body = "return float4(tgFurCoverage(a0, a1, a2, a3), 0, 0, 0);",
                      .arguments = {linear(0, 1), linear(0, 1), linear(0, 1), linear(0, 0.5)},
                      .expected =
                          [](const Inputs& x) {
@@ -129,8 +129,8 @@ std::vector<FunctionCase> shells() {
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a quotient by as little as 1e-4, interpolated"}});
     cases.push_back(
-        {.function = "furLayerCoverage",
-         .body = "return float4(furLayerCoverage(a0, a1), 0, 0, 0);",
+        {.function = "tgFurLayerCoverage",
+         .body = "return float4(tgFurLayerCoverage(a0, a1), 0, 0, 0);",
          .arguments = {linear(0, 1), whole(1, 512)},
          .expected = [](const Inputs& x) { return values(1 - std::pow(1 - x.scalar(0), 32 / x.scalar(1))); },
          .tolerance =
@@ -152,8 +152,8 @@ double meanCoverage(double mean, double height, double above, double variance, d
 
 std::vector<FunctionCase> afar() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "furHeightVariance",
-                     .body = "return float4(furHeightVariance(a0, a1, a2, a3), 0, 0, 0);",
+    cases.push_back({.function = "tgFurHeightVariance",
+                     .body = "return float4(tgFurHeightVariance(a0, a1, a2, a3), 0, 0, 0);",
                      .arguments = {linear(0, 0.5), logarithmic(1e-4, 0.2), logarithmic(1e-4, 1), linear(0, 1)},
                      .expected =
                          [](const Inputs& x) {
@@ -162,14 +162,14 @@ std::vector<FunctionCase> afar() {
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-35, .why = "products and a quotient"},
                      .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-4 && x.scalar(2) >= 1e-4; }});
-    cases.push_back({.function = "furHeightSlope",
-                     .body = "return float4(furHeightSlope(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurHeightSlope",
+                     .body = "return float4(tgFurHeightSlope(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 0.5), logarithmic(1e-4, 0.2)},
                      .expected = [](const Inputs& x) { return values(2.8 * x.scalar(0) / x.scalar(1)); },
                      .tolerance = {.forward = 4, .backward = 0, .absolute = 1e-35, .why = "a product and a quotient"},
                      .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-4; }});
-    cases.push_back({.function = "furWayOver",
-                     .body = "return float4(furWayOver(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgFurWayOver",
+                     .body = "return float4(tgFurWayOver(a0, a1, a2), 0, 0, 0);",
                      .arguments = {unit(), unit(), vector(3, 0.1, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -185,14 +185,14 @@ std::vector<FunctionCase> afar() {
                              return isUnit(x.vec3(0)) && isUnit(x.vec3(1)) && glm::dot(x.vec3(0), x.vec3(1)) < -0.1 &&
                                     glm::length(x.vec3(2)) < 10;
                          }});
-    cases.push_back({.function = "furAfar",
-                     .body = "return float4(furAfar(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurAfar",
+                     .body = "return float4(tgFurAfar(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 0.25), linear(0.01, 1)},
                      .expected = [](const Inputs& x) { return values(1 / (1 + 0.03 * std::pow(x.scalar(1), 2) / x.scalar(0))); },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 5e-3, .why = "1e-8 beside the square of a softness of 0.01"},
                      .domain = [](const Inputs& x) { return x.scalar(0) > 1e-6 && x.scalar(1) >= 0.01; }});
-    cases.push_back({.function = "furMeanCoverage",
-                     .body = "return float4(furMeanCoverage(a0, float2(a1, a1 + a2), a3, a4, a5), 0, 0, 0);",
+    cases.push_back({.function = "tgFurMeanCoverage",
+                     .body = "return float4(tgFurMeanCoverage(a0, float2(a1, a1 + a2), a3, a4, a5), 0, 0, 0);",
                      .arguments = {linear(0, 1), linear(0, 1), linear(0.01, 0.5), linear(0.01, 0.2), linear(0.01, 1), linear(0, 50)},
                      .expected =
                          [](const Inputs& x) {
@@ -210,16 +210,16 @@ std::vector<FunctionCase> afar() {
 std::vector<FunctionCase> vectors() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "furCombinedVector",
-         .body = "return float4(furCombinedVector(a0, a1), 0);",
+        {.function = "tgFurCombinedVector",
+         .body = "return float4(tgFurCombinedVector(a0, a1), 0);",
          .arguments = {vector(3, 0.1, 1000), unit()},
          .expected = [](const Inputs& x) { return values(combined(x.vec3(0), x.vec3(1))); },
          .tolerance = {.forward = 8, .backward = 4, .absolute = 2e-6, .why = "three times normalised; nearly opposite vectors cancel"},
          .domain = [](const Inputs& x) { // near cancellation the sum's direction is the rounding's
              return glm::length(normalised(x.vec3(0)) + normalised(x.vec3(1))) > 0.05;
          }});
-    cases.push_back({.function = "furDirection",
-                     .body = "return float4(furDirection(a0), 0);",
+    cases.push_back({.function = "tgFurDirection",
+                     .body = "return float4(tgFurDirection(a0), 0);",
                      .arguments = {vector(3, 0.1, 1000)},
                      .expected =
                          [](const Inputs& x) {
@@ -228,8 +228,8 @@ std::vector<FunctionCase> vectors() {
                          },
                      .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-6, .why = "one normalisation"},
                      .domain = [](const Inputs& x) { return x.vec3(0) == glm::dvec3(0) || glm::length(x.vec3(0)) > 1e-3; }});
-    cases.push_back({.function = "furCurled",
-                     .body = "return float4(furCurled(a0, a1, a2), 0);",
+    cases.push_back({.function = "tgFurCurled",
+                     .body = "return float4(tgFurCurled(a0, a1, a2), 0);",
                      .arguments = {unit(), linear(0, 1), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(curled(x.vec3(0), x.scalar(1), x.scalar(2))); },
                      .tolerance = {.forward = 8,
@@ -237,8 +237,8 @@ std::vector<FunctionCase> vectors() {
                                    .absolute = 2e-6,
                                    .why = "sine and cosine: 2^-11 absolute in Vulkan, measured far better"},
                      .domain = [](const Inputs& x) { return isUnit(x.vec3(0)) && std::abs(std::abs(x.scalar(0, 1)) - 0.9) > 1e-6; }});
-    cases.push_back({.function = "furSphereCoordinate",
-                     .body = "return float4(furSphereCoordinate(a0), 0, 0);",
+    cases.push_back({.function = "tgFurSphereCoordinate",
+                     .body = "return float4(tgFurSphereCoordinate(a0), 0, 0);",
                      .arguments = {unit()},
                      .expected =
                          [](const Inputs& x) {
@@ -253,14 +253,14 @@ std::vector<FunctionCase> vectors() {
 std::vector<FunctionCase> lights() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "furSine",
-         .body = "return float4(furSine(a0), 0, 0, 0);",
+        {.function = "tgFurSine",
+         .body = "return float4(tgFurSine(a0), 0, 0, 0);",
          .arguments = {cosine()},
          .expected = [](const Inputs& x) { return values(sineFrom(x.scalar(0))); },
          .tolerance = {.forward = 8, .backward = 2, .why = "the root of 1 - c^2, whose rounding the argument's ULP stands for"}});
     cases.push_back(
-        {.function = "furDiffuse",
-         .body = "return float4(furDiffuse(a0, a1, a2), 0, 0, 0);",
+        {.function = "tgFurDiffuse",
+         .body = "return float4(tgFurDiffuse(a0, a1, a2), 0, 0, 0);",
          .arguments = {unit(), unit(), linear(0, 1)},
          .expected =
              [](const Inputs& x) { return values(sineFrom(glm::dot(x.vec3(0), x.vec3(1))) * std::lerp(1 / kPi, 1.0, x.scalar(2))); },
@@ -268,24 +268,24 @@ std::vector<FunctionCase> lights() {
                        .backward = 4,
                        .absolute = 4e-4,
                        .why = "along the strand the sine is the root of what rounding leaves of 1 - c^2"}});
-    cases.push_back({.function = "furSpecular",
-                     .body = "return float4(furSpecular(a0, a1, a2, a3), 0, 0, 0);",
+    cases.push_back({.function = "tgFurSpecular",
+                     .body = "return float4(tgFurSpecular(a0, a1, a2, a3), 0, 0, 0);",
                      .arguments = {unit(), unit(), unit(), linear(1, 200)},
                      .expected = [](const Inputs& x) { return values(specular(x.vec3(0), x.vec3(1), x.vec3(2), x.scalar(3))); },
                      .tolerance = {.forward = 400,
                                    .backward = 4,
                                    .absolute = 1e-4,
                                    .why = "a power of up to 200: 3 + 2|x| ULP with |x| up to 126, and 200 times those of its base"}});
-    cases.push_back({.function = "furWay",
-                     .body = "return float4(furWay(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgFurWay",
+                     .body = "return float4(tgFurWay(a0, a1, a2), 0, 0, 0);",
                      .arguments = {linear(0, 1), cosine(), linear(0, 0.5)},
                      .expected = [](const Inputs& x) { return values(wayOut(x.scalar(0), x.scalar(1), x.scalar(2))); },
                      .tolerance = {.forward = 64,
                                    .backward = 4,
                                    .absolute = 2e-3,
                                    .why = "a way of up to 2,000 coats; the root near the horizon, where its argument cancels"}});
-    cases.push_back({.function = "furForeignCoat",
-                     .body = "return float4(furForeignCoat(a0, a1, a1 + a2, a3, a4), 0, 0, 0);",
+    cases.push_back({.function = "tgFurForeignCoat",
+                     .body = "return float4(tgFurForeignCoat(a0, a1, a1 + a2, a3, a4), 0, 0, 0);",
                      .arguments = {linear(0, 200), linear(0, 100), linear(0, 50), linear(0, 10), logarithmic(0.5, 20)},
                      .expected =
                          [](const Inputs& x) {
@@ -294,8 +294,8 @@ std::vector<FunctionCase> lights() {
                      .tolerance = {.forward = 32, .backward = 4, .absolute = 1e-3, .why = "differences of places up to 200, over 0.5"},
                      .domain = [](const Inputs& x) { return x.scalar(4) >= 0.5; }});
     cases.push_back(
-        {.function = "furTransmittance",
-         .body = "return float4(furTransmittance(a0, a1, a2, a3), 0, 0, 0);",
+        {.function = "tgFurTransmittance",
+         .body = "return float4(tgFurTransmittance(a0, a1, a2, a3), 0, 0, 0);",
          .arguments = {linear(0, 1), cosine(), linear(0, 20), linear(0, 0.5)},
          .expected = [](const Inputs& x) { return values(transmittance(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
          .tolerance = {.forward = 180,
@@ -304,8 +304,8 @@ std::vector<FunctionCase> lights() {
                        .why = "exp: 3 + 2|x| ULP with |x| up to 87; a way of up to 2,000 coats, whose rounding is what is left of "
                               "light after more than ten of them"}});
     cases.push_back(
-        {.function = "furFill",
-         .body = "return float4(furFill(a0, a1, a2), 0, 0, 0);",
+        {.function = "tgFurFill",
+         .body = "return float4(tgFurFill(a0, a1, a2), 0, 0, 0);",
          .arguments = {linear(0, 1), linear(0, 20), linear(0, 1)},
          .expected = [](const Inputs& x) { return values(std::exp(-x.scalar(1) * (1 - x.scalar(0))) * (0.5 + 0.5 * x.scalar(2))); },
          .tolerance = {.forward = 48, .backward = 4, .absolute = 1e-7, .why = "exp: 3 + 2|x| ULP with |x| up to 20"}});

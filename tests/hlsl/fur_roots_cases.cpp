@@ -49,8 +49,8 @@ glm::dvec3 waves(const glm::dvec3& x) {
 std::vector<FunctionCase> cells() {
     const Tolerance exact{.forward = 0, .backward = 0, .why = "whole numbers below 2^22"};
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "furResidue",
-                     .body = "return float4(furResidue(float3(a0, a1, a2)), 0);",
+    cases.push_back({.function = "tgFurResidue",
+                     .body = "return float4(tgFurResidue(float3(a0, a1, a2)), 0);",
                      .arguments = {whole(-4190000, 4190000), whole(-1019, 1019), whole(0, 4190000)},
                      .expected =
                          [](const Inputs& x) {
@@ -58,35 +58,35 @@ std::vector<FunctionCase> cells() {
                              return valuesOf({residue(v[0]), residue(v[1]), residue(v[2])});
                          },
                      .tolerance = exact});
-    cases.push_back({.function = "furMixed",
-                     .body = "return float4(furMixed(float3(a0, a1, a2)), 0);",
+    cases.push_back({.function = "tgFurMixed",
+                     .body = "return float4(tgFurMixed(float3(a0, a1, a2)), 0);",
                      .arguments = {whole(0, 1018), whole(0, 1018), whole(0, 1018)},
                      .expected = [](const Inputs& x) { return valuesOf(mixedWhole(whole3(x))); },
                      .tolerance = exact});
-    cases.push_back({.function = "furCellResidue",
-                     .body = "return float4(furCellResidue(float3(a0, a1, a2)), 0);",
+    cases.push_back({.function = "tgFurCellResidue",
+                     .body = "return float4(tgFurCellResidue(float3(a0, a1, a2)), 0);",
                      .arguments = {whole(-2399, 2399), whole(-2399, 2399), whole(-2399, 2399)},
                      .expected = [](const Inputs& x) { return valuesOf(mixedWhole(mixedWhole(whole3(x)))); },
                      .tolerance = exact});
-    cases.push_back({.function = "furUnit",
-                     .body = "return float4(furUnit(a0), 0);",
+    cases.push_back({.function = "tgFurUnit",
+                     .body = "return float4(tgFurUnit(a0), 0);",
                      .arguments = {linear(0, 1018, 3)},
                      .expected = [](const Inputs& x) { return values((x.vec3(0) + 0.5) / 1019.0); },
                      .tolerance = {.forward = 3, .backward = 1, .why = "a sum and a product with a rounded reciprocal"}});
     cases.push_back(
-        {.function = "furNearness",
-         .body = "return float4(furNearness(a0, a1), 0, 0, 0);",
+        {.function = "tgFurNearness",
+         .body = "return float4(tgFurNearness(a0, a1), 0, 0, 0);",
          .arguments = {linear(-1, 1), linear(0.1, 1)},
          .expected = [](const Inputs& x) { return values(std::clamp(4 * (1 - std::abs(x.scalar(0)) / x.scalar(1)), 0.0, 1.0)); },
          .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-6, .why = "a difference of numbers up to 4"}});
     cases.push_back(
-        {.function = "furWave",
-         .body = "return float4(furWave(a0), 0);",
+        {.function = "tgFurWave",
+         .body = "return float4(tgFurWave(a0), 0);",
          .arguments = {linear(-50, 50, 3)},
          .expected = [](const Inputs& x) { return values(waves(x.vec3(0))); },
          .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-5, .why = "the fraction of numbers up to 50 rounds at 4e-6"}});
-    cases.push_back({.function = "furTuft",
-                     .body = "return float4(furTuft(a0), 0);",
+    cases.push_back({.function = "tgFurTuft",
+                     .body = "return float4(tgFurTuft(a0), 0);",
                      .arguments = {linear(-50, 50, 3)},
                      .expected =
                          [](const Inputs& x) {
@@ -137,8 +137,8 @@ Meeting meeting(const Inputs& x) {
 
 std::vector<FunctionCase> cones() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "furSection",
-                     .body = "return float4(furSection(a0, a1, a2), 0, 0);",
+    cases.push_back({.function = "tgFurSection",
+                     .body = "return float4(tgFurSection(a0, a1, a2), 0, 0);",
                      .arguments = {linear(-0.5, 2, 2), linear(0, 3, 2), logarithmic(1e-2, 4)},
                      .expected =
                          [](const Inputs& x) {
@@ -149,8 +149,8 @@ std::vector<FunctionCase> cones() {
     // Sideways the ray is less steep than the cone; from above it is steeper, and may begin above the tip.
     for (const bool above : {false, true})
         cases.push_back(
-            {.function = "furCone",
-             .body = "return float4(furCone(a0, a1, a2, a3 * length(a1), a4), 0, 0);",
+            {.function = "tgFurCone",
+             .body = "return float4(tgFurCone(a0, a1, a2, a3 * length(a1), a4), 0, 0);",
              .arguments = {vector(3, 0.05, 1.5), vector(3, 0.2, 2), linear(above ? -0.2 : 0.02, 0.5),
                            above ? linear(1.1, 4) : linear(0, 0.9), logarithmic(0.05, 1)},
              .expected =
@@ -231,16 +231,16 @@ double meanRadius(double h, double s) {
 
 std::vector<FunctionCase> sweeps() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "furAlong",
-                     .body = "return float4(furAlong(a0), 0);",
+    cases.push_back({.function = "tgFurAlong",
+                     .body = "return float4(tgFurAlong(a0), 0);",
                      .arguments = {vector(3, 1e-3, 1e6)},
                      .expected = [](const Inputs& x) { return values(x.vec3(0) / std::max(glm::length(x.vec3(0)), 1e-30)); },
                      .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-6, .why = "an inverse square root of a sum with 1e-20"},
                      .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) == 0 || glm::length(x.vec3(0)) > 1e-6; }});
-    cases.push_back({.function = "furPath",
-                     .body = "FurSlopes s; s.across = a2; s.down = a3; s.placeAcross = a4; s.placeDown = a5; "
+    cases.push_back({.function = "tgFurPath",
+                     .body = "TgFurSlopes s; s.across = a2; s.down = a3; s.placeAcross = a4; s.placeDown = a5; "
                              "s.normalAcross = a5.yzx; s.normalDown = a4.zxy; "
-                             "FurPath p = furPath(a0, a1, 2.0, 1e-4, s); return float4(p.travel + 100.0 * p.turn, p.bow);",
+                             "TgFurPath p = tgFurPath(a0, a1, 2.0, 1e-4, s); return float4(p.travel + 100.0 * p.turn, p.bow);",
                      .arguments = {unit(), vector(3, 0.5, 4), vector(3, 0.5, 2), vector(3, 0.5, 2), vector(3, 0.5, 2), vector(3, 0.5, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -262,28 +262,28 @@ std::vector<FunctionCase> sweeps() {
                              return std::min(glm::length(x.vec3(2)), glm::length(x.vec3(3))) > 0.1 && sine > 0.2 &&
                                     std::abs(slope(x).cosine) > 0.2 && std::abs(glm::length(x.vec3(0)) - 1) < 1e-6;
                          }});
-    cases.push_back({.function = "furFall",
-                     .body = "return float4(furFall(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurFall",
+                     .body = "return float4(tgFurFall(a0, a1), 0, 0, 0);",
                      .arguments = {linear(-1, 20), logarithmic(1e-3, 1)},
                      .expected = [](const Inputs& x) { return values(fall(std::max(x.scalar(0), 1e-3), x.scalar(1))); },
                      .tolerance = {.forward = 8, .backward = 8, .absolute = 1e-6, .why = "the root of a difference near 0"},
                      .domain = [](const Inputs& x) { return std::abs(1 - 2 * x.scalar(0) * x.scalar(1)) > 1e-4; }});
     cases.push_back(
-        {.function = "furFallen",
-         .body = "return float4(furFallen(a0, a1), 0, 0, 0);",
+        {.function = "tgFurFallen",
+         .body = "return float4(tgFurFallen(a0, a1), 0, 0, 0);",
          .arguments = {linear(-1, 20), linear(0, 4)},
          .expected = [](const Inputs& x) { return values(fallen(std::max(x.scalar(0), 1e-3), x.scalar(1))); },
          .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a sum of 20,000 slopes, the one with the kink by 1e-8"}});
     cases.push_back(
-        {.function = "furSpare",
-         .body = "return float4(furSpare(a0, a1, a2, a3), 0, 0, 0);",
+        {.function = "tgFurSpare",
+         .body = "return float4(tgFurSpare(a0, a1, a2, a3), 0, 0, 0);",
          .arguments = {whole(1, 512), logarithmic(0.1, 1000), logarithmic(0.5, 16), whole(1, 64)},
          .expected =
              [](const Inputs& x) { return values(std::log2(x.scalar(0)) - std::log2(std::max(x.scalar(1) / x.scalar(2), x.scalar(3)))); },
          .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-6, .why = "a logarithm of a quotient"},
          .domain = [](const Inputs& x) { return x.scalar(0) >= 1 && x.scalar(2) >= 0.5 && x.scalar(3) >= 1; }});
-    cases.push_back({.function = "furStride",
-                     .body = "return float4(furStride(a0), 0, 0, 0);",
+    cases.push_back({.function = "tgFurStride",
+                     .body = "return float4(tgFurStride(a0), 0, 0, 0);",
                      .arguments = {linear(-4, 9)},
                      .expected =
                          [](const Inputs& x) { // how often 2 goes into it
@@ -294,8 +294,8 @@ std::vector<FunctionCase> sweeps() {
                          },
                      .tolerance = {.forward = 2, .backward = 0, .why = "powers of two from a rounded exponential"},
                      .domain = [](const Inputs& x) { return std::abs(x.scalar(0) + 0.02 - std::round(x.scalar(0) + 0.02)) > 1e-5; }});
-    cases.push_back({.function = "furMeanRadius",
-                     .body = "return float4(furMeanRadius(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgFurMeanRadius",
+                     .body = "return float4(tgFurMeanRadius(a0, a1), 0, 0);",
                      .arguments = {linear(0, 1, 2), linear(0.1, 0.9)},
                      .expected =
                          [](const Inputs& x) {
@@ -304,8 +304,8 @@ std::vector<FunctionCase> sweeps() {
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-5, .why = "1 - least + h ln(least) cancels near the tips"},
                      .samples = 1024});
-    cases.push_back({.function = "furExpected",
-                     .body = "return float4(furExpected(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgFurExpected",
+                     .body = "return float4(tgFurExpected(a0, a1, a2), 0, 0, 0);",
                      .arguments = {linear(0, 2), linear(0, 0.5, 2), linear(0, 20)},
                      .expected =
                          [](const Inputs& x) {
@@ -320,7 +320,7 @@ std::vector<FunctionCase> sweeps() {
     return cases;
 }
 
-/// Texels and tables of the map as if it were kFurRootsWidth = 4096 wide and three texels high.
+/// Texels and tables of the map as if it were kTgFurRootsWidth = 4096 wide and three texels high.
 constexpr std::int64_t kWidth = 4096;
 constexpr std::int64_t kRows = 3;
 
@@ -379,8 +379,8 @@ bool offFaces(const glm::dvec3& place) { // of cells, where rounding decides
 std::vector<FunctionCase> roots() {
     const Tolerance exact{.forward = 0, .backward = 0, .why = "whole numbers"};
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "furTexel",
-                     .body = "return float4(furTexel(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgFurTexel",
+                     .body = "return float4(tgFurTexel(a0, a1), 0, 0);",
                      .arguments = {whole(0, 8000000), whole(1, 4000)},
                      .expected =
                          [](const Inputs& x) {
@@ -389,8 +389,8 @@ std::vector<FunctionCase> roots() {
                                            (static_cast<double>(index / kWidth) + 0.5) / x.scalar(1));
                          },
                      .tolerance = {.forward = 4, .backward = 0, .why = "two quotients and their sum; a texel's border is 1,000 ULP away"}});
-    cases.push_back({.function = "furRootPlace",
-                     .body = "return float4(furRootPlace(a0, a1, float4(a2, a3)), 0);",
+    cases.push_back({.function = "tgFurRootPlace",
+                     .body = "return float4(tgFurRootPlace(a0, a1, float4(a2, a3)), 0);",
                      .arguments = {vector(3, 1e-6, 1e6), logarithmic(1e-6, 1e6), vector(3, 0.1, 1e3), logarithmic(1, 1e3)},
                      .expected =
                          [](const Inputs& x) { // as many radii from the centre of one ball as of the other
@@ -398,57 +398,59 @@ std::vector<FunctionCase> roots() {
                          },
                      .tolerance = {.forward = 4, .backward = 4, .absolute = 1e-4, .why = "a sum of up to 1e3 that may cancel"},
                      .domain = [](const Inputs& x) { return x.scalar(1) >= 1e-6 && glm::length(x.vec3(0)) < 2 * x.scalar(1); }});
-    cases.push_back({.function = "furPick",
-                     .body = "return float4(furPick(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurPick",
+                     .body = "return float4(tgFurPick(a0, a1), 0, 0, 0);",
                      .arguments = {linear(-5, 5, 4), whole(0, 3)},
                      .expected = [](const Inputs& x) { return values(x.scalar(0, static_cast<std::size_t>(std::llround(x.scalar(1))))); },
                      .tolerance = exact});
     cases.push_back(
-        {.function = "furCellNumber",
-         .body = "return float4(furCellNumber(float3(a0, a1, a2), float3(a3, a4, 100)), 0, 0, 0);",
+        {.function = "tgFurCellNumber",
+         .body = "return float4(tgFurCellNumber(float3(a0, a1, a2), float3(a3, a4, 100)), 0, 0, 0);",
          .arguments = {whole(0, 99), whole(0, 99), whole(0, 99), whole(1, 100), whole(1, 100)},
          .expected =
              [](const Inputs& x) { return values(x.scalar(0) + x.scalar(3) * x.scalar(1) + x.scalar(3) * x.scalar(4) * x.scalar(2)); },
          .tolerance = exact});
-    cases.push_back({.function = "furTable",
-                     .body = "return float4(furTable(SAMPLER2D_ARG(gTest), 3.0, a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFurTable",
+                     .body = "return float4(tgFurTable(TG_SAMPLER2D_ARG(gTest), 3.0, a0, a1), 0, 0, 0);",
                      .arguments = {whole(0, 8000), whole(0, 1000)},
                      .expected = [](const Inputs& x) { return values(tableEntry(std::llround(x.scalar(0)), std::llround(x.scalar(1)))); },
                      .tolerance = exact,
                      .map = &addressMap()});
     cases.push_back(
-        {.function = "furRootList",
-         .body = "return float4(furRootList(SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 4), float2(3, 50)), 0, 0, 0);",
+        {.function = "tgFurRootList",
+         .body =
+             "return float4(tgFurRootList(TG_SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 4), float2(3, 50)), 0, 0, 0);",
          .arguments = {linear(-20, 150, 3)},
          .expected = [](const Inputs& x) { return values(rootList(x.vec3(0))); },
          .tolerance = exact,
          .map = &addressMap(),
          .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
-    cases.push_back({.function = "furBrick",
-                     .body = "FurBrick b = furBrick(SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 4), float2(3, 50)); "
-                             "return float4(b.cell + b.place, b.address);",
-                     .arguments = {linear(-20, 150, 3)},
-                     .expected =
-                         [](const Inputs& x) {
-                             const glm::dvec3 cells = inGrid(x.vec3(0), 4);
-                             const Cell brick = Cell(cells) / std::int64_t(4);
-                             const glm::dvec3 corner(brick * std::int64_t(4));
-                             return values(
-                                 glm::dvec4(glm::floor(cells) + cells - 2.0 * corner, tableEntry(50 + number(brick, kBricks), 0)));
-                         },
-                     .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-5, .why = "cells up to 20, by a division"},
-                     .map = &addressMap(),
-                     .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
-    cases.push_back({.function = "furRootCoat",
-                     .body = "return furRootCoat(SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 8), float2(3, 50), 4.0);",
-                     .arguments = {linear(-20, 300, 3)},
-                     .expected = [](const Inputs& x) { return values(rootCoat(x.vec3(0))); },
-                     .tolerance = {.forward = 16,
-                                   .backward = 8,
-                                   .absolute = 0.05,
-                                   .why = "between whole numbers of up to 8,000, at places that err by 1e-6 cells"},
-                     .map = &addressMap(),
-                     .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
+    cases.push_back(
+        {.function = "tgFurBrick",
+         .body = "TgFurBrick b = tgFurBrick(TG_SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 4), float2(3, 50)); "
+                 "return float4(b.cell + b.place, b.address);",
+         .arguments = {linear(-20, 150, 3)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec3 cells = inGrid(x.vec3(0), 4);
+                 const Cell brick = Cell(cells) / std::int64_t(4);
+                 const glm::dvec3 corner(brick * std::int64_t(4));
+                 return values(glm::dvec4(glm::floor(cells) + cells - 2.0 * corner, tableEntry(50 + number(brick, kBricks), 0)));
+             },
+         .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-5, .why = "cells up to 20, by a division"},
+         .map = &addressMap(),
+         .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
+    cases.push_back(
+        {.function = "tgFurRootCoat",
+         .body = "return tgFurRootCoat(TG_SAMPLER2D_ARG(gTest), a0, float4(1, 2, 3, 7), float4(4, 3, 5, 8), float2(3, 50), 4.0);",
+         .arguments = {linear(-20, 300, 3)},
+         .expected = [](const Inputs& x) { return values(rootCoat(x.vec3(0))); },
+         .tolerance = {.forward = 16,
+                       .backward = 8,
+                       .absolute = 0.05,
+                       .why = "between whole numbers of up to 8,000, at places that err by 1e-6 cells"},
+         .map = &addressMap(),
+         .domain = [](const Inputs& x) { return offFaces(x.vec3(0)); }});
     return cases;
 }
 

@@ -115,7 +115,7 @@ glm::dvec4 repaired(const Line& line, double spacing) {
 }
 
 constexpr const char* kLine =
-    "float2 uv = (float2(a0, a1) + 0.5) / kMapSize; float2 axis = (a2 < 0.5 ? float2(1, 0) : float2(0, 1)) / kMapSize; ";
+    "float2 uv = (float2(a0, a1) + 0.5) / kTgMapSize; float2 axis = (a2 < 0.5 ? float2(1, 0) : float2(0, 1)) / kTgMapSize; ";
 
 /// Spacings up to 30 texels: sigma 2.3 mm at 9 texels per mm.
 std::vector<Argument> alongLine(double low, double high) {
@@ -127,8 +127,8 @@ const Tolerance kTaps{
 
 std::vector<FunctionCase> widths() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "gaussianIncrement",
-                     .body = "return float4(gaussianIncrement(a0, a1, a2, a3), 0, 0, 0);",
+    cases.push_back({.function = "tgGaussianIncrement",
+                     .body = "return float4(tgGaussianIncrement(a0, a1, a2, a3), 0, 0, 0);",
                      .arguments = {linear(0, 3), linear(0, 3), logarithmic(1e-3, 30), linear(0.05, 4)},
                      .expected =
                          [](const Inputs& x) {
@@ -137,8 +137,8 @@ std::vector<FunctionCase> widths() {
                          },
                      .tolerance = {.forward = 4, .backward = 4, .absolute = 2e-8, .why = "a difference of two products; 1/12 rounds"},
                      .settings = {0, 1, 2}});
-    cases.push_back({.function = "gaussianPresent", // a box w wide has variance w^2 / 12: a texel, and three of the light's map
-                     .body = "return float4(gaussianPresent(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgGaussianPresent", // a box w wide has variance w^2 / 12: a texel, and three of the light's map
+                     .body = "return float4(tgGaussianPresent(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 2), linear(0, 10)},
                      .expected =
                          [](const Inputs& x) {
@@ -147,8 +147,8 @@ std::vector<FunctionCase> widths() {
                          },
                      .tolerance = {.forward = 4, .backward = 2, .why = "four products and a sum"}});
     cases.push_back(
-        {.function = "gaussianSpacing",
-         .body = "return float4(gaussianSpacing(a0), 0, 0, 0);",
+        {.function = "tgGaussianSpacing",
+         .body = "return float4(tgGaussianSpacing(a0), 0, 0, 0);",
          .arguments = {logarithmic(1e-6, 1e4)},
          .expected = [](const Inputs& x) { return values(x.corrected() ? spacingFor(x.scalar(0)) : std::sqrt(x.scalar(0))); },
          .tolerance = {.forward = 16,
@@ -156,8 +156,8 @@ std::vector<FunctionCase> widths() {
                        .absolute = 1e-6,
                        .why = "Newton steps on sums of three; 1.0789 is rounded, but only the start depends on it; as printed a root"},
          .settings = {0, 2}});
-    cases.push_back({.function = "gaussianDensity",
-                     .body = "return float4(gaussianDensity(a0), 0, 0);",
+    cases.push_back({.function = "tgGaussianDensity",
+                     .body = "return float4(tgGaussianDensity(a0), 0, 0);",
                      .arguments = {linear(0, 1, 4)},
                      .expected =
                          [](const Inputs& x) {
@@ -166,8 +166,8 @@ std::vector<FunctionCase> widths() {
                          },
                      .tolerance = {.forward = 4, .backward = 0, .why = "a quotient and a product"},
                      .settings = {0, 2}});
-    cases.push_back({.function = "gaussianReach",
-                     .body = "return float4(gaussianReach(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgGaussianReach",
+                     .body = "return float4(tgGaussianReach(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 30), linear(0, 1, 4)},
                      .expected = [](const Inputs& x) { return values(x.scalar(1, 3) > 0.5 ? std::max(x.scalar(0), 1.0) : x.scalar(0)); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "a choice"}});
@@ -177,8 +177,8 @@ std::vector<FunctionCase> widths() {
 std::vector<FunctionCase> convolutions() {
     std::vector<FunctionCase> cases;
     const auto line = [](const std::string& code) { return kLine + code; };
-    cases.push_back({.function = "gaussianTap",
-                     .body = line("float v; float4 t = gaussianTap(SAMPLER2D_ARG(gTest), uv, axis, a3, v); return float4(t.xyz, v);"),
+    cases.push_back({.function = "tgGaussianTap",
+                     .body = line("float v; float4 t = tgGaussianTap(TG_SAMPLER2D_ARG(gTest), uv, axis, a3, v); return float4(t.xyz, v);"),
                      .arguments = alongLine(-30, 30),
                      .expected =
                          [](const Inputs& x) {
@@ -187,16 +187,16 @@ std::vector<FunctionCase> convolutions() {
                          },
                      .tolerance = kTaps,
                      .map = &irradianceMap()});
-    cases.push_back({.function = "gaussianTexel",
-                     .body = line("return gaussianTexel(SAMPLER2D_ARG(gTest), uv, axis, a3);"),
+    cases.push_back({.function = "tgGaussianTexel",
+                     .body = line("return tgGaussianTexel(TG_SAMPLER2D_ARG(gTest), uv, axis, a3);"),
                      .arguments = alongLine(-30, 30),
                      .expected = [](const Inputs& x) { return values(asTexel(Line(x), x.scalar(3))); },
                      .tolerance = kTaps,
                      .settings = {0, 1},
                      .map = &irradianceMap()});
     cases.push_back(
-        {.function = "gaussianConvolve",
-         .body = line("return gaussianConvolve(SAMPLER2D_ARG(gTest), uv, axis, a3);"),
+        {.function = "tgGaussianConvolve",
+         .body = line("return tgGaussianConvolve(TG_SAMPLER2D_ARG(gTest), uv, axis, a3);"),
          .arguments = alongLine(0, 10),
          .expected =
              [](const Inputs& x) { return values(x.corrected() ? overValid(Line(x), x.scalar(3)) : repaired(Line(x), x.scalar(3))); },

@@ -29,29 +29,29 @@ constexpr const char* kFrustumCode = "float2 f = float2(.22, .11); ";
 
 std::vector<FunctionCase> geometry() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "screenFrustum",
-                     .body = "float4x4 m = {a0, 0, 0, 0, 0, a1, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0}; return float4(screenFrustum(m), 0, 0);",
+    cases.push_back({.function = "tgScreenFrustum",
+                     .body = "float4x4 m = {a0, 0, 0, 0, 0, a1, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0}; return float4(tgScreenFrustum(m), 0, 0);",
                      .arguments = {logarithmic(0.1, 100), logarithmic(0.1, 100)},
                      .expected = [](const Inputs& x) { return values(1 / x.scalar(0), 1 / x.scalar(1)); },
                      .tolerance = {.forward = 3, .backward = 0, .why = "two quotients"},
                      .domain = [](const Inputs& x) { return x.scalar(0) > 0.05 && x.scalar(1) > 0.05; }});
     cases.push_back(
-        {.function = "screenPosition",
-         .body = "return float4(screenPosition(a0, a1, a2), 0);",
+        {.function = "tgScreenPosition",
+         .body = "return float4(tgScreenPosition(a0, a1, a2), 0);",
          .arguments = {peerUv(), logarithmic(1, 1e4), linear(0.05, 1, 2)},
          .expected = [](const Inputs& x) { return values(viewPlace(x.vec2(0), x.scalar(1), x.vec2(2))); },
          .tolerance = {.forward = 4, .backward = 1, .why = "a sum that cancels in the middle, which the slack of uv stands for"}});
-    cases.push_back({.function = "screenCoordinate",
-                     .body = "return float4(screenCoordinate(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgScreenCoordinate",
+                     .body = "return float4(tgScreenCoordinate(a0, a1), 0, 0);",
                      .arguments = {linear(1, 1000, 3), linear(0.05, 1, 2)},
                      .expected = [](const Inputs& x) { return values(viewUv(x.vec3(0), x.vec2(1))); },
                      .tolerance = {.forward = 6, .backward = 2, .absolute = 1e-6, .why = "quotients and a sum with 0.5"},
                      .domain = [](const Inputs& x) { return x.scalar(0, 2) > 1e-2 && x.scalar(1) > 0.04 && x.scalar(1, 1) > 0.04; }});
     for (const auto& [axis, body] :
-         {std::pair(glm::dvec2(kPixel, 0), "float2(1.0 / kMapSize, 0)"), std::pair(glm::dvec2(0, kPixel), "float2(0, 1.0 / kMapSize)")})
+         {std::pair(glm::dvec2(kPixel, 0), "float2(1.0 / kTgMapSize, 0)"), std::pair(glm::dvec2(0, kPixel), "float2(0, 1.0 / kTgMapSize)")})
         cases.push_back(
-            {.function = "screenAcross",
-             .body = std::string("return float4(screenAcross(SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
+            {.function = "tgScreenAcross",
+             .body = std::string("return float4(tgScreenAcross(TG_SAMPLER2D_ARG(gTest), a0, ") + body + ", a1), 0);",
              .arguments = {peerUv(), linear(0.1, 0.5, 2)},
              .expected = [along = axis](const Inputs& x) { return values(nextPixel(halvesMap(), x.vec2(0), along, x.vec2(1))); },
              .tolerance = {.forward = 8,
@@ -59,8 +59,8 @@ std::vector<FunctionCase> geometry() {
                            .absolute = 1.5e-4,
                            .why = "a difference of places that are up to 300 mm away, whose ULP is 3e-5"},
              .map = &halvesMap()});
-    cases.push_back({.function = "screenDepthStep", // both halves hold the depth: multiples below 2048, and what is left to 2^-11 of it
-                     .body = "float s = screenDepthStep(a0); float2 h = halvesOf(a0, s); return float4(s, abs(h.x / s) <= 2048.0, "
+    cases.push_back({.function = "tgScreenDepthStep", // both halves hold the depth: multiples below 2048, and what is left to 2^-11 of it
+                     .body = "float s = tgScreenDepthStep(a0); float2 h = tgHalvesOf(a0, s); return float4(s, abs(h.x / s) <= 2048.0, "
                              "abs(f16tof32(f32tof16(h.x)) + f16tof32(f32tof16(h.y)) - a0) <= s / 2048.0, 0);",
                      .arguments = {logarithmic(1, 65000)},
                      .expected = [](const Inputs& x) { return values(x.scalar(0) < 2048    ? 1
@@ -69,8 +69,8 @@ std::vector<FunctionCase> geometry() {
                                                                      1, 1); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "powers of two"},
                      .domain = [](const Inputs& x) { return x.scalar(0) < 65000; }});
-    cases.push_back({.function = "screenNoise",
-                     .body = "return float4(screenNoise(floor(a0)), 0, 0, 0);",
+    cases.push_back({.function = "tgScreenNoise",
+                     .body = "return float4(tgScreenNoise(floor(a0)), 0, 0, 0);",
                      .arguments = {linear(0, 256, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -156,14 +156,14 @@ Values convolved(const glm::dvec2& uv, const glm::dvec2& axis, double unit, cons
 std::vector<FunctionCase> kernels() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "separableTap",
-         .body = "return separableTap((int)a0);",
+        {.function = "tgSeparableTap",
+         .body = "return tgSeparableTap((int)a0);",
          .arguments = {whole(0, 31)},
          .expected = [](const Inputs& x) { return row(static_cast<int>(x.scalar(0)), x.corrected()); },
          .tolerance = {.forward = 10, .backward = 0, .absolute = 6e-7, .why = "weights are written with seven digits, offsets with six"},
          .settings = {0, 1, 2}});
-    cases.push_back({.function = "separableStep",
-                     .body = "return float4(separableStep(a0, a1, a2, a3, a4), 0, 0);",
+    cases.push_back({.function = "tgSeparableStep",
+                     .body = "return float4(tgSeparableStep(a0, a1, a2, a3, a4), 0, 0);",
                      .arguments = {linear(1e-4, 1e-2, 2), vector(3, 0.01, 100), logarithmic(1, 1e4), linear(0.05, 1, 2), linear(0.01, 10)},
                      .expected =
                          [](const Inputs& x) {
@@ -174,23 +174,23 @@ std::vector<FunctionCase> kernels() {
                      .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-12, .why = "a length and two quotients; one axis is 0"},
                      .settings = {0, 2},
                      .domain = [](const Inputs& x) { return x.scalar(3, 1) > 0.04 && glm::length(x.vec3(1)) > 1e-5; }});
-    cases.push_back({.function = "separableShare",
-                     .body = "return float4(separableShare(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgSeparableShare",
+                     .body = "return float4(tgSeparableShare(a0, a1, a2), 0, 0, 0);",
                      .arguments = {vector(3, 1e-3, 100), unit(), logarithmic(1e-3, 10)},
                      .expected = [](const Inputs& x) { return values(share(x.vec3(0), x.vec3(1), x.scalar(2), x.corrected())); },
                      .tolerance = {.forward = 16, .backward = 4, .absolute = 2e-6, .why = "a dot product that may cancel, squared"},
                      .settings = {0, 2},
                      .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 1e-4; }});
-    cases.push_back({.function = "separableScale",
-                     .body = "return float4(separableScale(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgSeparableScale",
+                     .body = "return float4(tgSeparableScale(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0.05, 1, 2), linear(0.01, 10)},
                      .expected = [](const Inputs& x) { return values(depthScale(x.scalar(0, 1), std::max(x.scalar(1), 1e-6))); },
                      .tolerance = {.forward = 6, .backward = 2, .why = "a quotient"},
                      .domain = [](const Inputs& x) { return x.scalar(0, 1) > 0.04; }});
-    cases.push_back({.function = "separableLight",
+    cases.push_back({.function = "tgSeparableLight",
                      .body = std::string(kFrustumCode) + "return " + kScaleCode +
-                             "separableLight(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), a0, screenPosition(a0, 1, f), "
-                             "screenPosition(a1, 600, f), a2, a3);",
+                             "tgSeparableLight(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), a0, tgScreenPosition(a0, 1, f), "
+                             "tgScreenPosition(a1, 600, f), a2, a3);",
                      .arguments = {peerUv(), peerUv(), unit(), logarithmic(1e-3, 1)},
                      .expected =
                          [](const Inputs& x) {
@@ -203,11 +203,12 @@ std::vector<FunctionCase> kernels() {
                      .map = &halvesMap()});
     for (const Table& table : kTables)
         cases.push_back(
-            {.function = "separableConvolve",
-             .body = std::string(kFrustumCode) + "float2 axis = a3 > 0.5 ? float2(1.0 / kMapSize, 0) : float2(0, 1.0 / kMapSize); " +
-                     "return " + kScaleCode +
-                     "separableConvolve(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), a0, axis, f, a1, a2, " +
-                     std::to_string(table.first) + ", " + std::to_string(table.samples / 2) + ");",
+            {.function = "tgSeparableConvolve",
+             .body =
+                 std::string(kFrustumCode) + "float2 axis = a3 > 0.5 ? float2(1.0 / kTgMapSize, 0) : float2(0, 1.0 / kTgMapSize); " +
+                 "return " + kScaleCode +
+                 "tgSeparableConvolve(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), a0, axis, f, a1, a2, " +
+                 std::to_string(table.first) + ", " + std::to_string(table.samples / 2) + ");",
              .arguments = {peerUv(0.2, 0.8), linear(0.2, 6), linear(0, 1, 3), whole(0, 1)},
              .expected =
                  [samples = table.samples](const Inputs& x) {
@@ -282,8 +283,8 @@ Values gathered(const Inputs& x, int count) {
 std::vector<FunctionCase> discs() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "burleyRadius",
-         .body = "return float4(burleyRadius(a0), 0, 0, 0);",
+        {.function = "tgBurleyRadius",
+         .body = "return float4(tgBurleyRadius(a0), 0, 0, 0);",
          .arguments = {linear(0, 0.9999)},
          .expected = [](const Inputs& x) { return values(reference::burleyRadius(std::clamp(x.scalar(0), 0.0, 0.9999999), 1)); },
          .tolerance = {.forward = 8,
@@ -291,8 +292,8 @@ std::vector<FunctionCase> discs() {
                        .absolute = 2e-6,
                        .why = "the logarithm of a number near 1 for small shares: 2^-21 absolute in Vulkan"},
          .domain = [](const Inputs& x) { return x.scalar(0) >= 0 && x.scalar(0) < 0.99995; }});
-    cases.push_back({.function = "burleyPolar",
-                     .body = "return float4(burleyPolar(a0, a1), 0);",
+    cases.push_back({.function = "tgBurleyPolar",
+                     .body = "return float4(tgBurleyPolar(a0, a1), 0);",
                      .arguments = {logarithmic(1e-4, 20), linear(0.05, 5, 3)},
                      .expected =
                          [](const Inputs& x) {
@@ -307,19 +308,19 @@ std::vector<FunctionCase> discs() {
                              return x.scalar(0) > 5e-5 && std::min({x.vec3(1).x, x.vec3(1).y, x.vec3(1).z}) > 0.04;
                          }});
     cases.push_back(
-        {.function = "burleyWeight",
-         .body = "return float4(burleyWeight(a0 * a1, a1, a2, a3), 0);",
+        {.function = "tgBurleyWeight",
+         .body = "return float4(tgBurleyWeight(a0 * a1, a1, a2, a3), 0);",
          .arguments = {linear(1, 3), logarithmic(1e-3, 7), linear(0.05, 0.45, 3), linear(0.45, 1)},
          .expected =
              [](const Inputs& x) { return values(weight(x.scalar(0) * x.scalar(1), x.scalar(1), x.vec3(2), x.scalar(3), x.corrected())); },
-         .tolerance = {.forward = 400, .backward = 8, .absolute = 1e-30, .why = "two of the exponentials of burleyPolar"},
+         .tolerance = {.forward = 400, .backward = 8, .absolute = 1e-30, .why = "two of the exponentials of tgBurleyPolar"},
          .settings = {0, 2},
          .domain =
              [](const Inputs& x) {
                  return x.scalar(0) > 0.5 && x.scalar(1) > 5e-4 && std::min({x.vec3(2).x, x.vec3(2).y, x.vec3(2).z}) > 0.04;
              }});
-    cases.push_back({.function = "burleyDirection",
-                     .body = "return float4(burleyDirection(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgBurleyDirection",
+                     .body = "return float4(tgBurleyDirection(a0, a1), 0, 0);",
                      .arguments = {whole(0, 79), linear(0, 1)},
                      .expected =
                          [](const Inputs& x) {
@@ -327,20 +328,20 @@ std::vector<FunctionCase> discs() {
                              return values(std::cos(angle), std::sin(angle));
                          },
                      .tolerance = {.forward = 4, .backward = 0, .absolute = 5e-5, .why = "an angle of up to 200 radians keeps 2e-5"}});
-    cases.push_back({.function = "burleyPixel",
-                     .body = "return float4(burleyPixel(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgBurleyPixel",
+                     .body = "return float4(tgBurleyPixel(a0, a1), 0, 0);",
                      .arguments = {peerUv(), whole(1, 2000)},
                      .expected = [](const Inputs& x) { return values(middleOf(x.vec2(0), x.vec2(1))); },
                      .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-7, .why = "on the border of two pixels it may be either"}});
     cases.back().arguments[1].components = 2;
-    cases.push_back({.function = "burleyPlace",
-                     .body = "return float4(burleyPlace(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgBurleyPlace",
+                     .body = "return float4(tgBurleyPlace(a0, a1), 0, 0);",
                      .arguments = {linear(0, 1, 2), linear(0, 1, 2)},
                      .expected = [](const Inputs& x) { return values(x.vec2(x.corrected() ? 0 : 1)); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "a choice"},
                      .settings = {0, 2}});
-    cases.push_back({.function = "burleyApart",
-                     .body = "return float4(burleyApart(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgBurleyApart",
+                     .body = "return float4(tgBurleyApart(a0, a1, a2), 0, 0, 0);",
                      .arguments = {vector(3, 1e-2, 20), unit(), logarithmic(1e-3, 10)},
                      .expected =
                          [](const Inputs& x) {
@@ -350,10 +351,11 @@ std::vector<FunctionCase> discs() {
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a dot product that may cancel"},
                      .settings = {0, 2}});
     cases.push_back(
-        {.function = "burleyGather",
-         .body = std::string(kFrustumCode) +
-                 "float3 u = safeNormalize(a1); float3 v = safeNormalize(cross(safeNormalize(a2), u)); return float4(.001, 1, 1, 1) * "
-                 "burleyGather(SAMPLER2D_ARG(gTest), SAMPLER2D_ARG(gTest), a0, float2(kMapSize, kMapSize), f, u, v, a3, 0.0, 20);",
+        {.function = "tgBurleyGather",
+         .body =
+             std::string(kFrustumCode) +
+             "float3 u = tgSafeNormalize(a1); float3 v = tgSafeNormalize(cross(tgSafeNormalize(a2), u)); return float4(.001, 1, 1, 1) * "
+             "tgBurleyGather(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), a0, float2(kTgMapSize, kTgMapSize), f, u, v, a3, 0.0, 20);",
          .arguments = {peerUv(0.2, 0.8), unit(), unit(), linear(0.1, 2, 3)},
          .expected = [](const Inputs& x) { return gathered(x, 20); },
          .tolerance =

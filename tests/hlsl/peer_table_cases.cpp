@@ -31,8 +31,8 @@ const Tolerance kIntegral{.forward = 64,
 
 std::vector<FunctionCase> integrals() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "preintegratedGaussian",
-                     .body = "return float4(preintegratedGaussian(a0, a1, a2), 0);",
+    cases.push_back({.function = "tgPreintegratedGaussian",
+                     .body = "return float4(tgPreintegratedGaussian(a0, a1, a2), 0);",
                      .arguments = {linear(0.005, 1, 4), linear(0, 0.5), linear(1, 1.5)},
                      .expected =
                          [](const Inputs& x) {
@@ -41,8 +41,8 @@ std::vector<FunctionCase> integrals() {
                          },
                      .tolerance = {.forward = 64, .backward = 8, .absolute = 1e-12, .why = "exp: 3 + 2|x| ULP with |x| up to 25"},
                      .domain = [](const Inputs& x) { return x.scalar(0, 3) > 0.004; }});
-    cases.push_back({.function = "preintegratedProfile",
-                     .body = std::string(kGaussianRows) + "return float4(preintegratedProfile(g, a0, a1), 0);",
+    cases.push_back({.function = "tgPreintegratedProfile",
+                     .body = std::string(kGaussianRows) + "return float4(tgPreintegratedProfile(g, a0, a1), 0);",
                      .arguments = {linear(-10, 10), linear(1, 1.5)},
                      .expected =
                          [](const Inputs& x) {
@@ -53,8 +53,8 @@ std::vector<FunctionCase> integrals() {
                          },
                      .tolerance = {.forward = 64, .backward = 8, .absolute = 1e-12, .why = "six exponentials"}});
     cases.push_back(
-        {.function = "preintegratedPair",
-         .body = "return float4(preintegratedPair(a0, a1), 0, 0, 0);",
+        {.function = "tgPreintegratedPair",
+         .body = "return float4(tgPreintegratedPair(a0, a1), 0, 0, 0);",
          .arguments = {linear(0, kPeerPi), linear(0, 5)},
          .expected =
              [](const Inputs& x) {
@@ -62,8 +62,8 @@ std::vector<FunctionCase> integrals() {
              },
          .tolerance = {.forward = 4, .backward = 2, .absolute = 5e-6, .why = "a cosine: 2^-11 in Vulkan, measured far better"}});
     const auto cosineArgument = linear(-1, 1);
-    cases.push_back({.function = "preintegratedScattered",
-                     .body = std::string(kGaussianRows) + "return float4(preintegratedScattered(g, a0, a1), 0);",
+    cases.push_back({.function = "tgPreintegratedScattered",
+                     .body = std::string(kGaussianRows) + "return float4(tgPreintegratedScattered(g, a0, a1), 0);",
                      .arguments = {linear(0, kPeerPi), linear(1e-3, 0.5)},
                      .expected =
                          [](const Inputs& x) {
@@ -73,8 +73,8 @@ std::vector<FunctionCase> integrals() {
                      .tolerance = kIntegral,
                      .samples = 512,
                      .domain = [](const Inputs& x) { return x.scalar(0) >= 0 && x.scalar(0) <= kPeerPi && x.scalar(1) >= 1e-4; }});
-    cases.push_back({.function = "preintegratedScattered",
-                     .body = std::string(kGaussianRows) + "return float4(preintegratedScattered(g, a0, a1), 0);",
+    cases.push_back({.function = "tgPreintegratedScattered",
+                     .body = std::string(kGaussianRows) + "return float4(tgPreintegratedScattered(g, a0, a1), 0);",
                      .arguments = {linear(0, kPeerPi), linear(0.02, 0.5)},
                      .expected =
                          [](const Inputs& x) {
@@ -85,8 +85,8 @@ std::vector<FunctionCase> integrals() {
                      .settings = {0},
                      .samples = 512,
                      .domain = [](const Inputs& x) { return x.scalar(0) >= 0 && x.scalar(0) <= kPeerPi && x.scalar(1) >= 0.02; }});
-    cases.push_back({.function = "preintegratedTexel",
-                     .body = std::string(kGaussianRows) + "return float4(preintegratedTexel(g, a0, a1), 0);",
+    cases.push_back({.function = "tgPreintegratedTexel",
+                     .body = std::string(kGaussianRows) + "return float4(tgPreintegratedTexel(g, a0, a1), 0);",
                      .arguments = {cosineArgument, linear(0.02, 0.5)},
                      .expected = [](const Inputs& x) { return values(texel(x)); },
                      .tolerance = kIntegral,
@@ -110,8 +110,8 @@ glm::dvec3 lookedUp(const Inputs& x) {
 
 std::vector<FunctionCase> lookups() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "preintegratedArguments",
-                     .body = "return float4(preintegratedArguments(a0), 0, 0);",
+    cases.push_back({.function = "tgPreintegratedArguments",
+                     .body = "return float4(tgPreintegratedArguments(a0), 0, 0);",
                      .arguments = {linear(0, 1, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -119,8 +119,8 @@ std::vector<FunctionCase> lookups() {
                              return values(std::clamp(2 * place.x - 1, -1.0, 1.0), std::clamp(place.y / 2, 0.0, 0.5));
                          },
                      .tolerance = {.forward = 4, .backward = 2, .absolute = 3e-7, .why = "sums of numbers near 1"}});
-    cases.push_back({.function = "preintegratedCoordinate",
-                     .body = "return float4(preintegratedCoordinate(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgPreintegratedCoordinate",
+                     .body = "return float4(tgPreintegratedCoordinate(a0, a1), 0, 0);",
                      .arguments = {linear(-1.5, 1.5), linear(0, 1)},
                      .expected =
                          [](const Inputs& x) { // texel (0, 0) is cosine -1 on a flat surface, the last cosine 1 at 2 mm
@@ -129,10 +129,10 @@ std::vector<FunctionCase> lookups() {
                          },
                      .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-7, .why = "sums of numbers near 1"}});
     cases.push_back(
-        {.function = "preintegratedCurvature",
-         .body =
-             "float2 p = pixel - floor(pixel / 2) * 2; return float4(preintegratedCurvature(a0 * p.x + a1 * p.y, a2 * p.x + a3 * p.y), 0, "
-             "0, 0);",
+        {.function = "tgPreintegratedCurvature",
+         .body = "float2 p = pixel - floor(pixel / 2) * 2; return float4(tgPreintegratedCurvature(a0 * p.x + a1 * p.y, a2 * p.x + a3 * "
+                 "p.y), 0, "
+                 "0, 0);",
          .arguments = {linear(-0.1, 0.1, 3), linear(-0.1, 0.1, 3), linear(-2, 2, 3), linear(-2, 2, 3)},
          .expected =
              [](const Inputs& x) {
@@ -146,8 +146,8 @@ std::vector<FunctionCase> lookups() {
          .settings = {0, 2},
          .perQuad = true,
          .domain = [](const Inputs& x) { return glm::length(x.vec3(2)) + glm::length(x.vec3(3)) > 0.2; }});
-    cases.push_back({.function = "preintegratedCosines",
-                     .body = "return float4(preintegratedCosines(a0, a1, a2, a3), 0);",
+    cases.push_back({.function = "tgPreintegratedCosines",
+                     .body = "return float4(tgPreintegratedCosines(a0, a1, a2, a3), 0);",
                      .arguments = {unit(), unit(), unit(), linear(0, 1, 3)},
                      .expected =
                          [](const Inputs& x) {
@@ -158,14 +158,14 @@ std::vector<FunctionCase> lookups() {
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 2e-6, .why = "normalised sums"},
                      .domain = [](const Inputs& x) { return glm::length(x.vec3(0) + x.vec3(1)) > 0.2; }}); // opposite normals cancel
-    cases.push_back({.function = "preintegratedLight",
-                     .body = "return float4(preintegratedLight(SAMPLER2D_ARG(gTest), a0, a1), 0);",
+    cases.push_back({.function = "tgPreintegratedLight",
+                     .body = "return float4(tgPreintegratedLight(TG_SAMPLER2D_ARG(gTest), a0, a1), 0);",
                      .arguments = {linear(-1, 1, 3, 2e-7), linear(0, 0.5, 1, 1e-7)},
                      .expected = [](const Inputs& x) { return values(lookedUp(x)); },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "on the border of two texels it may be either"},
                      .map = &irradianceMap()});
-    cases.push_back({.function = "preintegratedTolerance",
-                     .body = "return float4(preintegratedTolerance(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgPreintegratedTolerance",
+                     .body = "return float4(tgPreintegratedTolerance(a0, a1), 0, 0, 0);",
                      .arguments = {cosine(), linear(1e-3, 0.5)},
                      .expected =
                          [](const Inputs& x) { // 1.25 chords of the ring from N.L = 0.1 on, at most 10 mm
@@ -215,13 +215,13 @@ glm::dvec3 penumbra(const Inputs& x) {
 
 std::vector<FunctionCase> penumbras() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "penumbraTap",
-                     .body = "return float4(penumbraTap(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgPenumbraTap",
+                     .body = "return float4(tgPenumbraTap(a0, a1), 0, 0);",
                      .arguments = {whole(0, 31), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(discTap(static_cast<int>(x.scalar(0)), x.scalar(1))); },
                      .tolerance = {.forward = 8, .backward = 0, .absolute = 2e-5, .why = "an angle of up to 80 radians keeps 1e-5"}});
-    cases.push_back({.function = "penumbraAxis",
-                     .body = "return float4(penumbraAxis(a0, a1, a2, a3, a4), 0);",
+    cases.push_back({.function = "tgPenumbraAxis",
+                     .body = "return float4(tgPenumbraAxis(a0, a1, a2, a3, a4), 0);",
                      .arguments = {vector(3, 0.1, 20), unit(), unit(), unit(), linear(0.05, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -232,8 +232,8 @@ std::vector<FunctionCase> penumbras() {
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-5, .why = "dot products of up to 20 that may cancel"},
                      .domain = [](const Inputs& x) { return x.scalar(4) > 0.01; }});
     cases.push_back(
-        {.function = "penumbraShare",
-         .body = "return float4(penumbraShare(SAMPLER2D_ARG(gTest), a0, a1, a2, a3, a4, a5), 0, 0, 0);",
+        {.function = "tgPenumbraShare",
+         .body = "return float4(tgPenumbraShare(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, a3, a4, a5), 0, 0, 0);",
          .arguments = {peerUv(0.2, 0.8), linear(595, 605), linear(-0.05, 0.05, 3), linear(-0.05, 0.05, 3), linear(0, 5), linear(0, 1)},
          .expected = [](const Inputs& x) { return values(discShare(x)); },
          .tolerance = {.forward = 4,
@@ -242,18 +242,18 @@ std::vector<FunctionCase> penumbras() {
                        .why = "one of 32 taps on the border of two texels, or a depth within rounding, may be either"},
          .map = &shadowMap()});
     cases.push_back(
-        {.function = "penumbraEdge",
-         .body = "return float4(penumbraEdge(a0), 0, 0, 0);",
+        {.function = "tgPenumbraEdge",
+         .body = "return float4(tgPenumbraEdge(a0), 0, 0, 0);",
          .arguments = {linear(-6, 6)},
          .expected = [](const Inputs& x) { return values(0.5 * (1 + std::erf(x.scalar(0) / std::numbers::sqrt2))); },
          .tolerance = {.forward = 0, .backward = 2, .absolute = 3e-7, .why = "the approximation's own 7.5e-8, and rounding near 1"}});
     cases.push_back(
-        {.function = "penumbraShadow",
-         .body = std::string(kGaussianRows) + "return float4(penumbraShadow(g, a0, a1, a2), 0);",
+        {.function = "tgPenumbraShadow",
+         .body = std::string(kGaussianRows) + "return float4(tgPenumbraShadow(g, a0, a1, a2), 0);",
          .arguments = {linear(0, 1), linear(0, 1), linear(1, 20)},
          .expected = [](const Inputs& x) { return values(penumbra(x)); },
          .tolerance = {
-             .forward = 4, .backward = 4, .absolute = 2e-6, .why = "the approximation of penumbraEdge, divided by as little as 0.29"}});
+             .forward = 4, .backward = 4, .absolute = 2e-6, .why = "the approximation of tgPenumbraEdge, divided by as little as 0.29"}});
     return cases;
 }
 

@@ -74,7 +74,7 @@ glm::dvec2 radius(const Inputs& x) {
 }
 
 std::string blurBody(const std::string& function) {
-    return "return " + function + "(SAMPLER2D_ARG(gTest), a0, a1, a2, float2(cos(a3), sin(a3)));";
+    return "return " + function + "(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, float2(cos(a3), sin(a3)));";
 }
 
 /// uv of the texel, the texel itself, radii in uv, angle of the disc.
@@ -92,21 +92,21 @@ const Tolerance kTaps{.forward = 16,
 std::vector<FunctionCase> poissonCases() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "poissonPoint",
-         .body = "return float4(poissonPoint((int)a0, a1), 0, 0);",
+        {.function = "tgPoissonPoint",
+         .body = "return float4(tgPoissonPoint((int)a0, a1), 0, 0);",
          .arguments = {whole(0, 11), linear(-1, 1, 2)},
          .expected = [](const Inputs& x) { return values(point(static_cast<std::size_t>(x.scalar(0)), x.corrected(), x.vec2(1))); },
          .tolerance = {.forward = 4, .backward = 1, .absolute = 1e-6, .why = "the mean is written with six digits"},
          .settings = {0, 2}});
-    cases.push_back({.function = "poissonRadius",
-                     .body = "return float4(poissonRadius(a0, a1, a2), 0, 0);",
+    cases.push_back({.function = "tgPoissonRadius",
+                     .body = "return float4(tgPoissonRadius(a0, a1, a2), 0, 0);",
                      .arguments = {linear(0, 20), linear(0, 1.01, 4), logarithmic(0.1, 20)},
                      .expected = [](const Inputs& x) { return values(radius(x)); },
                      .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
                      .settings = {0, 2}});
     cases.back().arguments[2].components = 2;
-    cases.push_back({.function = "poissonReach",
-                     .body = "return float4(poissonReach(a0, a1), 0, 0);",
+    cases.push_back({.function = "tgPoissonReach",
+                     .body = "return float4(tgPoissonReach(a0, a1), 0, 0);",
                      .arguments = {linear(0, 20), whole(0, 6)},
                      .expected =
                          [](const Inputs& x) { // the longest point of the disc is 1.01; three texels at least outside the charts
@@ -116,8 +116,8 @@ std::vector<FunctionCase> poissonCases() {
                          },
                      .tolerance = {.forward = 4, .backward = 2, .why = "a few products"},
                      .settings = {0, 2}});
-    cases.push_back({.function = "poissonBlur",
-                     .body = blurBody("poissonBlur"),
+    cases.push_back({.function = "tgPoissonBlur",
+                     .body = blurBody("tgPoissonBlur"),
                      .arguments = blurArguments(),
                      .expected = [](const Inputs& x) { return values(x.corrected() ? overValid(Disc(x)) : repaired(Disc(x))); },
                      .tolerance = kTaps,

@@ -44,25 +44,25 @@ double share(const Inputs& x) {
 
 std::vector<FunctionCase> entering() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "irradianceColour",
-                     .body = "return float4(irradianceColour(a0, a1), 0);",
+    cases.push_back({.function = "tgIrradianceColour",
+                     .body = "return float4(tgIrradianceColour(a0, a1), 0);",
                      .arguments = {linear(0, 1, 3), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(glm::pow(glm::max(x.vec3(0), 1e-5), glm::dvec3(x.scalar(1)))); },
                      .tolerance = {.forward = 40, .backward = 2, .why = "pow is exp2(y log2 x): 3 + 2|x| ULP with |x| up to 17"}});
-    cases.push_back({.function = "irradianceBounded",
-                     .body = "return float4(irradianceBounded(a0, kLargestHalf), 0);",
+    cases.push_back({.function = "tgIrradianceBounded",
+                     .body = "return float4(tgIrradianceBounded(a0, kTgLargestHalf), 0);",
                      .arguments = {linear(-1e5, 2e5, 3)},
                      .expected = [](const Inputs& x) { return values(glm::clamp(x.vec3(0), 0.0, 64512.0)); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "one of the given numbers"}});
-    cases.push_back({.function = "irradianceBounded", // what is no number, and what is infinite
-                     .body = "float zero = a0 - a0; float none = zero / zero; return float4(irradianceBounded(float3(none, 1.0 / zero, "
+    cases.push_back({.function = "tgIrradianceBounded", // what is no number, and what is infinite
+                     .body = "float zero = a0 - a0; float none = zero / zero; return float4(tgIrradianceBounded(float3(none, 1.0 / zero, "
                              "-1.0 / zero), 3.0), 0);",
                      .arguments = {linear(1, 2)},
                      .expected = [](const Inputs&) { return values(0, 3, 0); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "given numbers"}});
     cases.push_back(
-        {.function = "irradianceEntering",
-         .body = "return float4(irradianceEntering(a0, a1, a2, a3, a4, a5), 0);",
+        {.function = "tgIrradianceEntering",
+         .body = "return float4(tgIrradianceEntering(a0, a1, a2, a3, a4, a5), 0);",
          .arguments = {linear(0, 1, 3), linear(0, 1), linear(0, 10, 3), cosine(), linear(0, 1), linear(0, 1)},
          .expected =
              [](const Inputs& x) {
@@ -71,14 +71,14 @@ std::vector<FunctionCase> entering() {
              },
          .tolerance = {
              .forward = 48, .backward = 2, .absolute = 1e-36, .why = "one power, four products, of which a denormal one is flushed to 0"}});
-    cases.push_back({.function = "seamValidity",
-                     .body = "return float4(seamValidity(a0), 0, 0, 0);",
+    cases.push_back({.function = "tgSeamValidity",
+                     .body = "return float4(tgSeamValidity(a0), 0, 0, 0);",
                      .arguments = {linear(0, 1.01, 4)},
                      .expected = [](const Inputs& x) { return values(x.scalar(0, 3) < 0.995 ? 1 : 0); },
                      .tolerance = {.forward = 0, .backward = 2, .why = "a comparison with 0.995, rounded"}});
     cases.push_back(
-        {.function = "seamBilinear",
-         .body = "return seamBilinear(SAMPLER2D_ARG(gTest), a0);",
+        {.function = "tgSeamBilinear",
+         .body = "return tgSeamBilinear(TG_SAMPLER2D_ARG(gTest), a0);",
          .arguments = {linear(0.01, 0.99, 2, 2e-7)},
          .expected = [](const Inputs& x) { return values(overValid(x.vec2(0))); },
          .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-5, .why = "the fraction of a texel rounds at 3e-5, the weights with it"},
@@ -88,8 +88,8 @@ std::vector<FunctionCase> entering() {
 
 std::vector<FunctionCase> passing() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "transmissionThickness",
-                     .body = "return float4(transmissionThickness(a0, a1, a2, a3), 0, 0, 0);",
+    cases.push_back({.function = "tgTransmissionThickness",
+                     .body = "return float4(tgTransmissionThickness(a0, a1, a2, a3), 0, 0, 0);",
                      .arguments = {logarithmic(1e-3, 500), cosine(), unit(), unit()},
                      .expected =
                          [](const Inputs& x) {
@@ -100,28 +100,28 @@ std::vector<FunctionCase> passing() {
                          },
                      .tolerance = {.forward = 4, .backward = 2, .why = "a dot product and an interpolation"}});
     cases.push_back(
-        {.function = "transmissionEncode",
-         .body = "return float4(transmissionEncode(a0), 0, 0, 0);",
+        {.function = "tgTransmissionEncode",
+         .body = "return float4(tgTransmissionEncode(a0), 0, 0, 0);",
          .arguments = {logarithmic(1e-4, 5000)},
          .expected = [](const Inputs& x) { return values(std::min(x.seed() ? x.scalar(0) : std::exp(-0.2 * x.scalar(0)), kLargestAlpha)); },
          .tolerance = {.forward = 180, .backward = 1, .why = "exp: 3 + 2|x| ULP with |x| up to 87"},
          .settings = {0, 2}});
-    cases.push_back({.function = "transmissionEncode", // what is no number is opaque
-                     .body = "float zero = a0 - a0; return float4(transmissionEncode(zero / zero), 0, 0, 0);",
+    cases.push_back({.function = "tgTransmissionEncode", // what is no number is opaque
+                     .body = "float zero = a0 - a0; return float4(tgTransmissionEncode(zero / zero), 0, 0, 0);",
                      .arguments = {linear(1, 2)},
                      .expected = [](const Inputs& x) { return values(x.seed() ? kLargestAlpha : 0); },
                      .tolerance = {.forward = 1, .backward = 0, .why = "a constant"},
                      .settings = {0, 2}});
     cases.push_back(
-        {.function = "transmissionDecode",
-         .body = "return float4(transmissionDecode(a0, a1), 0, 0, 0);",
+        {.function = "tgTransmissionDecode",
+         .body = "return float4(tgTransmissionDecode(a0, a1), 0, 0, 0);",
          .arguments = {logarithmic(1e-6, 0.99), linear(1, 1000)},
          .expected =
              [](const Inputs& x) { return values(x.seed() ? x.scalar(0) * x.scalar(1) : -5 * std::log(std::max(x.scalar(0), 1e-6))); },
          .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-6, .why = "log: 3 ULP, 2^-21 absolute near 1"},
          .settings = {0, 2}});
-    cases.push_back({.function = "transmissionShare",
-                     .body = "return float4(transmissionShare(a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgTransmissionShare",
+                     .body = "return float4(tgTransmissionShare(a0, a1, a2), 0, 0, 0);",
                      .arguments = {logarithmic(1e-3, 60), logarithmic(0.0064, 7.41), logarithmic(1e-3, 60)},
                      .expected = [](const Inputs& x) { return values(share(x)); },
                      .tolerance = {.forward = 110,
@@ -131,8 +131,8 @@ std::vector<FunctionCase> passing() {
                      .settings = {0, 2},
                      .domain = [](const Inputs& x) { return x.scalar(1) >= 0.006; }}); // the profile has no narrower Gaussian
     cases.push_back(
-        {.function = "transmissionScale",
-         .body = "float2 p = pixel - floor(pixel / 2) * 2; return float4(transmissionScale(a0 * p.x + a1 * p.y, float2(0.25, 0.5) + a2 * "
+        {.function = "tgTransmissionScale",
+         .body = "float2 p = pixel - floor(pixel / 2) * 2; return float4(tgTransmissionScale(a0 * p.x + a1 * p.y, float2(0.25, 0.5) + a2 * "
                  "p.x + a3 * p.y), 0, 0, 0);",
          .arguments = {linear(-3, 3, 3), linear(-3, 3, 3), linear(-0.03, 0.03, 2, 6e-8), linear(-0.03, 0.03, 2, 6e-8)},
          .expected =

@@ -89,8 +89,8 @@ double filtered(glm::dvec2 uv, double depth, glm::dvec2 slope) {
 
 std::vector<FunctionCase> arithmetic() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "shadowCoordinate",
-                     .body = "return float4(shadowCoordinate(a0), 0, 0);",
+    cases.push_back({.function = "tgShadowCoordinate",
+                     .body = "return float4(tgShadowCoordinate(a0), 0, 0);",
                      .arguments = {vector(4, 1, 1000)},
                      .expected =
                          [](const Inputs& x) {
@@ -100,8 +100,8 @@ std::vector<FunctionCase> arithmetic() {
                      .tolerance = {.forward = 4, .backward = 4, .absolute = 1e-7, .why = "a quotient of 2.5 ULP and a sum with 0.5"},
                      .domain = [](const Inputs& x) { return x.scalar(0, 3) > 1e-3; }});
     cases.push_back(
-        {.function = "shadowDepth",
-         .body = "return float4(shadowDepth(a0, a1), 0, 0, 0);",
+        {.function = "tgShadowDepth",
+         .body = "return float4(tgShadowDepth(a0, a1), 0, 0, 0);",
          .arguments = {vector(4, 1, 1000), vector(3, 1e-3, 1e4)},
          .expected =
              [](const Inputs& x) {
@@ -111,13 +111,13 @@ std::vector<FunctionCase> arithmetic() {
          .tolerance = {.forward = 6, .backward = 1, .absolute = 1e-19, .why = "length or a quotient; squares of 1e-19 mm are denormal"},
          .settings = {0, 2},
          .domain = [](const Inputs& x) { return x.scalar(0, 3) > 1e-3; }});
-    cases.push_back({.function = "shadowFootprint",
-                     .body = "return float4(shadowFootprint(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowFootprint",
+                     .body = "return float4(tgShadowFootprint(a0, a1), 0, 0, 0);",
                      .arguments = {logarithmic(1, 1e4), logarithmic(1e-3, 1e3)},
                      .expected = [](const Inputs& x) { return values(2 * x.scalar(0) * x.scalar(1) * kTexel); },
                      .tolerance = {.forward = 4, .backward = 1, .absolute = 1e-37, .why = "three products; denormal ones may be 0"}});
-    cases.push_back({.function = "shadowSlope",
-                     .body = "return float4(shadowSlope(a0, a1, a2, a3, a4), 0, 0);",
+    cases.push_back({.function = "tgShadowSlope",
+                     .body = "return float4(tgShadowSlope(a0, a1, a2, a3, a4), 0, 0);",
                      .arguments = {unit(), unit(), unit(), unit(), linear(0.01, 10)},
                      .expected =
                          [](const Inputs& x) {
@@ -129,39 +129,40 @@ std::vector<FunctionCase> arithmetic() {
                          },
                      .tolerance = {.forward = 8, .backward = 4, .absolute = 2e-5, .why = "dot products of up to 70 that may cancel"},
                      .settings = {0, 2}});
-    cases.push_back({.function = "shadowSlope", // exact: two rays a texel apart, and where they meet the plane through the first one's end
-                     .body = "return float4(shadowSlope(a0, float3(1, 0, 0), float3(0, 1, 0), normalize(float3(a1, 1)), 1e-3 * a2), 0, 0);",
-                     .arguments = {unit(), linear(-1.5, 1.5, 2), linear(100, 700)},
-                     .expected =
-                         [](const Inputs& x) {
-                             const glm::dvec3 ray = -glm::dvec3(x.vec2(1), 1); // the light looks along -z; w = a2, a texel is 1e-3 of it
-                             const glm::dvec3 place = x.scalar(2) * ray;
-                             const auto distance = [&](const glm::dvec2& texels) {
-                                 const glm::dvec3 next = ray + 1e-3 * glm::dvec3(texels.x, -texels.y, 0);
-                                 return glm::length(next) * glm::dot(x.vec3(0), place) / glm::dot(x.vec3(0), next);
-                             };
-                             const double step = 1e-4;
-                             return values((distance({step, 0}) - distance({-step, 0})) / (2 * step),
-                                           (distance({0, step}) - distance({0, -step})) / (2 * step));
-                         },
-                     .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-5, .why = "the difference of places 2e-4 texels apart"},
-                     .domain = [](const Inputs& x) { return glm::dot(x.vec3(0), glm::normalize(glm::dvec3(x.vec2(1), 1))) > 0.2; }});
-    cases.push_back({.function = "shadowStored",
-                     .body = "return shadowStored(a0);",
+    cases.push_back(
+        {.function = "tgShadowSlope", // exact: two rays a texel apart, and where they meet the plane through the first one's end
+         .body = "return float4(tgShadowSlope(a0, float3(1, 0, 0), float3(0, 1, 0), normalize(float3(a1, 1)), 1e-3 * a2), 0, 0);",
+         .arguments = {unit(), linear(-1.5, 1.5, 2), linear(100, 700)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec3 ray = -glm::dvec3(x.vec2(1), 1); // the light looks along -z; w = a2, a texel is 1e-3 of it
+                 const glm::dvec3 place = x.scalar(2) * ray;
+                 const auto distance = [&](const glm::dvec2& texels) {
+                     const glm::dvec3 next = ray + 1e-3 * glm::dvec3(texels.x, -texels.y, 0);
+                     return glm::length(next) * glm::dot(x.vec3(0), place) / glm::dot(x.vec3(0), next);
+                 };
+                 const double step = 1e-4;
+                 return values((distance({step, 0}) - distance({-step, 0})) / (2 * step),
+                               (distance({0, step}) - distance({0, -step})) / (2 * step));
+             },
+         .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-5, .why = "the difference of places 2e-4 texels apart"},
+         .domain = [](const Inputs& x) { return glm::dot(x.vec3(0), glm::normalize(glm::dvec3(x.vec2(1), 1))) > 0.2; }});
+    cases.push_back({.function = "tgShadowStored",
+                     .body = "return tgShadowStored(a0);",
                      .arguments = {linear(-1, 1000, 4)},
                      .expected =
                          [](const Inputs& x) {
                              return values(stored(x.scalar(0)), stored(x.scalar(0, 1)), stored(x.scalar(0, 2)), stored(x.scalar(0, 3)));
                          },
                      .tolerance = {.forward = 1, .backward = 0, .why = "one sum"}});
-    cases.push_back({.function = "shadowHorizon",
-                     .body = "return float4(shadowHorizon(a0), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowHorizon",
+                     .body = "return float4(tgShadowHorizon(a0), 0, 0, 0);",
                      .arguments = {cosine()},
                      .expected = [](const Inputs& x) { return values(x.corrected() ? std::clamp(x.scalar(0) / 0.05, 0.0, 1.0) : 1); },
                      .tolerance = {.forward = 4, .backward = 0, .why = "a product with a rounded constant"},
                      .settings = {0, 2}});
-    cases.push_back({.function = "shadowBeyond",
-                     .body = "return float4(shadowBeyond(a0), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowBeyond",
+                     .body = "return float4(tgShadowBeyond(a0), 0, 0, 0);",
                      .arguments = {linear(-2, 3, 2)},
                      .expected =
                          [](const Inputs& x) {
@@ -169,8 +170,8 @@ std::vector<FunctionCase> arithmetic() {
                              return values(glm::dot(beyond, beyond));
                          },
                      .tolerance = {.forward = 4, .backward = 2, .absolute = 1e-12, .why = "squares and a sum"}});
-    cases.push_back({.function = "shadowOnMap",
-                     .body = "return shadowOnMap(a0);",
+    cases.push_back({.function = "tgShadowOnMap",
+                     .body = "return tgShadowOnMap(a0);",
                      .arguments = {whole(-9, kTestMapSize + 5)},
                      .expected =
                          [](const Inputs& x) {
@@ -178,8 +179,8 @@ std::vector<FunctionCase> arithmetic() {
                              return values(on(0), on(1), on(2), on(3));
                          },
                      .tolerance = {.forward = 0, .backward = 0, .why = "comparisons of whole numbers"}});
-    cases.push_back({.function = "tsmAcross",
-                     .body = "return float4(tsmAcross(a0, a1, a2), 0);",
+    cases.push_back({.function = "tgTsmAcross",
+                     .body = "return float4(tgTsmAcross(a0, a1, a2), 0);",
                      .arguments = {unit(), unit(), unit()},
                      .expected =
                          [](const Inputs& x) {
@@ -195,8 +196,8 @@ std::vector<FunctionCase> arithmetic() {
 std::vector<FunctionCase> lookups() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "tsmNormal",
-         .body = "return float4(tsmNormal(SAMPLER2D_ARG(gTest), a0, a1, a2, a3, a4, a5), 0);",
+        {.function = "tgTsmNormal",
+         .body = "return float4(tgTsmNormal(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, a3, a4, a5), 0);",
          .arguments = {mapUv(), unit(), unit(), unit(), linear(0.01, 2), linear(0.5, 2)},
          .expected =
              [](const Inputs& x) {
@@ -211,28 +212,28 @@ std::vector<FunctionCase> lookups() {
              if (glm::dot(x.vec3(3), glm::cross(x.vec3(1), x.vec3(2))) < 0.1) return false;
              return glm::length(normalOfLitSide(x.vec2(0), x.vec3(1), x.vec3(2), x.vec3(3), x.scalar(4), x.scalar(5), x.corrected())) > 0.5;
          }});
-    cases.push_back({.function = "tsmEntry",
-                     .body = "return tsmEntry(SAMPLER2D_ARG(gTest), a0);",
+    cases.push_back({.function = "tgTsmEntry",
+                     .body = "return tgTsmEntry(TG_SAMPLER2D_ARG(gTest), a0);",
                      .arguments = {mapUv()},
                      .expected = [](const Inputs& x) { return values(entry(x.vec2(0))); },
                      .tolerance = {.forward = 8, .backward = 2, .absolute = 2e-7, .why = "three interpolations"},
                      .map = &shadowMap()});
-    cases.push_back({.function = "shadowLit",
-                     .body = "return float4(shadowLit(SAMPLER2D_ARG(gTest), a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowLit",
+                     .body = "return float4(tgShadowLit(TG_SAMPLER2D_ARG(gTest), a0, a1), 0, 0, 0);",
                      .arguments = {mapUv(), linear(590, 610)},
                      .expected = [](const Inputs& x) { return values(x.scalar(1) <= depthAt(x.vec2(0)) ? 1 : 0); },
                      .tolerance = {.forward = 0, .backward = 0, .why = "a comparison of given numbers"},
                      .map = &shadowMap()});
-    for (const char* function : {"shadowLit", "shadowFiltered", "tsmEntry"}) // beyond the map's border
+    for (const char* function : {"tgShadowLit", "tgShadowFiltered", "tgTsmEntry"}) // beyond the map's border
         cases.push_back({.function = function,
                          .body = std::string("return ") +
-                                 (function == std::string("tsmEntry") ? "tsmEntry(SAMPLER2D_ARG(gTest), a0)"
-                                  : function == std::string("shadowLit")
-                                      ? "float4(shadowLit(SAMPLER2D_ARG(gTest), a0, 1000.0), 0, 0, 0)"
-                                      : "float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, 1000.0, float2(0, 0)), 0, 0, 0)") +
+                                 (function == std::string("tgTsmEntry") ? "tgTsmEntry(TG_SAMPLER2D_ARG(gTest), a0)"
+                                  : function == std::string("tgShadowLit")
+                                      ? "float4(tgShadowLit(TG_SAMPLER2D_ARG(gTest), a0, 1000.0), 0, 0, 0)"
+                                      : "float4(tgShadowFiltered(TG_SAMPLER2D_ARG(gTest), a0, 1000.0, float2(0, 0)), 0, 0, 0)") +
                                  ";",
                          .arguments = {linear(-3, 4, 2)},
-                         .expected = [entry = function == std::string("tsmEntry")](const Inputs&) { return values(entry ? 0 : 1); },
+                         .expected = [entry = function == std::string("tgTsmEntry")](const Inputs&) { return values(entry ? 0 : 1); },
                          .tolerance = {.forward = 1, .backward = 0, .absolute = 1e-6, .why = "there is no map: lit, and no light entered"},
                          .map = &shadowMap(),
                          .domain =
@@ -240,14 +241,14 @@ std::vector<FunctionCase> lookups() {
                                  const glm::dvec2 beyond = glm::abs(x.vec2(0) - 0.5) - 0.5;
                                  return std::max(beyond.x, beyond.y) > 2 * kTexel;
                              }});
-    cases.push_back({.function = "shadowFiltered", // partly on the map
-                     .body = "return float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, 640.0, float2(0, 0)), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowFiltered", // partly on the map
+                     .body = "return float4(tgShadowFiltered(TG_SAMPLER2D_ARG(gTest), a0, 640.0, float2(0, 0)), 0, 0, 0);",
                      .arguments = {linear(-2 * kTexel, 2 * kTexel, 2, kUvSlack)},
                      .expected = [](const Inputs& x) { return values(filtered(x.vec2(0), 640, glm::dvec2(0))); },
                      .tolerance = {.forward = 16, .backward = 2, .absolute = 1e-4, .why = "weights from a fraction of a texel"},
                      .map = &shadowMap()});
-    cases.push_back({.function = "shadowFiltered",
-                     .body = "return float4(shadowFiltered(SAMPLER2D_ARG(gTest), a0, a1, a2), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowFiltered",
+                     .body = "return float4(tgShadowFiltered(TG_SAMPLER2D_ARG(gTest), a0, a1, a2), 0, 0, 0);",
                      .arguments = {mapUv(), linear(590, 610), linear(-2, 2, 2, 1e-6)},
                      .expected = [](const Inputs& x) { return values(filtered(x.vec2(0), x.scalar(1), x.vec2(2))); },
                      .tolerance = {.forward = 16,
@@ -255,8 +256,8 @@ std::vector<FunctionCase> lookups() {
                                    .absolute = 1e-6,
                                    .why = "sixteen weights from a fraction of a texel that rounds at 3e-5"},
                      .map = &shadowMap()});
-    cases.push_back({.function = "shadowTest",
-                     .body = "return float4(shadowTest(SAMPLER2D_ARG(gTest), a0, a1, a2, a3), 0, 0, 0);",
+    cases.push_back({.function = "tgShadowTest",
+                     .body = "return float4(tgShadowTest(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, a3), 0, 0, 0);",
                      .arguments = {mapUv(), linear(590, 610), linear(0, 3), linear(-2, 2, 2, 1e-6)},
                      .expected =
                          [](const Inputs& x) {
@@ -265,7 +266,7 @@ std::vector<FunctionCase> lookups() {
                              const glm::dvec2 slope = x.vec2(3);
                              return values(filtered(x.vec2(0), depth - std::abs(slope.x) - std::abs(slope.y), slope));
                          },
-                     .tolerance = {.forward = 16, .backward = 2, .absolute = 1e-6, .why = "as shadowFiltered"},
+                     .tolerance = {.forward = 16, .backward = 2, .absolute = 1e-6, .why = "as tgShadowFiltered"},
                      .settings = {0, 1, 2},
                      .map = &shadowMap()});
     return cases;

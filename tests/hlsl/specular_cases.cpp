@@ -14,7 +14,7 @@ namespace {
 /// Vulkan allows exp(x) an error of 3 + 2|x| ULP; |x| reaches 87 before the result is denormal.
 constexpr double kExpUlp = 180;
 
-/// N.L rho_s PH F / |L + V|^2 with the guards that beckmannPH and kelemenSpecular state: |L + V|^2 at least 1e-4, N.H at least 1e-3.
+/// N.L rho_s PH F / |L + V|^2 with the guards that beckmannPH and tgKelemenSpecular state: |L + V|^2 at least 1e-4, N.H at least 1e-3.
 double specular(const glm::dvec3& n, const glm::dvec3& l, const glm::dvec3& v, double m, double rhoS) {
     const glm::dvec3 h = l + v;
     const double square = glm::dot(h, h);
@@ -51,8 +51,8 @@ const Argument kRoughness = linear(0.01, 1);
 std::vector<FunctionCase> lobes() {
     std::vector<FunctionCase> cases;
     cases.push_back(
-        {.function = "beckmannPH",
-         .body = "return float4(beckmannPH(a0, a1), 0, 0, 0);",
+        {.function = "tgBeckmannPH",
+         .body = "return float4(tgBeckmannPH(a0, a1), 0, 0, 0);",
          .arguments = {cosine(0, 1), kRoughness},
          .expected = [](const Inputs& x) { return values(reference::beckmannPH(x.scalar(0), x.scalar(1))); },
          .tolerance = {
@@ -60,26 +60,26 @@ std::vector<FunctionCase> lobes() {
              .backward = 4,
              .absolute = 1e-33,
              .why = "one exponential: 3 + 2|x| ULP, |x| up to 87; below 1.2e-38 it is flushed to 0, before the quotient by m^2 c^4"}});
-    cases.push_back({.function = "beckmannEncode",
-                     .body = "return float4(beckmannEncode(a0), 0, 0, 0);",
+    cases.push_back({.function = "tgBeckmannEncode",
+                     .body = "return float4(tgBeckmannEncode(a0), 0, 0, 0);",
                      .arguments = {logarithmic(1e-29, 1e6)},
                      .expected = [](const Inputs& x) { return values(0.5 * std::pow(std::max(x.scalar(0), 1e-30), 0.1)); },
                      .tolerance = {.forward = 24, .why = "pow is exp2(0.1 log2 x): 3 + 2|0.1 * 97| ULP and 3 of the logarithm"}});
     cases.push_back(
-        {.function = "beckmannDecode",
-         .body = "return float4(beckmannDecode(a0), 0, 0, 0);",
+        {.function = "tgBeckmannDecode",
+         .body = "return float4(tgBeckmannDecode(a0), 0, 0, 0);",
          .arguments = {linear(0, 2)},
          .expected = [](const Inputs& x) { return values(std::pow(2 * x.scalar(0), 10)); },
          .tolerance = {.forward = 300,
                        .why = "pow is exp2(10 log2 x): 3 + 2|x| ULP with |x| up to 126, and ten times those of the logarithm"}});
-    cases.push_back({.function = "fresnelSchlick",
-                     .body = "return float4(fresnelSchlick(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgFresnelSchlick",
+                     .body = "return float4(tgFresnelSchlick(a0, a1), 0, 0, 0);",
                      .arguments = {cosine(-1, 2), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(reference::fresnelSchlick(x.scalar(0), x.scalar(1))); },
                      .tolerance = {.forward = 8, .backward = 2, .why = "eight roundings"}});
     cases.push_back(
-        {.function = "kelemenSpecular",
-         .body = "return float4(kelemenSpecular(a0, a1, a2, a3, a4), 0, 0, 0);",
+        {.function = "tgKelemenSpecular",
+         .body = "return float4(tgKelemenSpecular(a0, a1, a2, a3, a4), 0, 0, 0);",
          .arguments = {unit(), unit(), unit(), kRoughness, linear(0, 1)},
          .expected = [](const Inputs& x) { return values(specular(x.vec3(0), x.vec3(1), x.vec3(2), x.scalar(3), x.scalar(4))); },
          .tolerance = {
@@ -89,8 +89,8 @@ std::vector<FunctionCase> lobes() {
 
 std::vector<FunctionCase> energies() {
     std::vector<FunctionCase> cases;
-    cases.push_back({.function = "energyTexel", // as two halves it is kept to 1e-6
-                     .body = "float2 h = energyTexel(a0); return float4(abs(f16tof32(f32tof16(h.x)) - h.x), h.x + h.y, "
+    cases.push_back({.function = "tgEnergyTexel", // as two halves it is kept to 1e-6
+                     .body = "float2 h = tgEnergyTexel(a0); return float4(abs(f16tof32(f32tof16(h.x)) - h.x), h.x + h.y, "
                              "abs(f16tof32(f32tof16(h.y)) - h.y) < 1e-6, 0);",
                      .arguments = {linear(0, 2)},
                      .expected = [](const Inputs& x) { return values(0, x.scalar(0), 1); },
@@ -98,14 +98,14 @@ std::vector<FunctionCase> energies() {
     cases.push_back(cases.back());
     cases.back().arguments = {linear(0, 7)}; // the printed table reaches pi times an albedo
     cases.back().settings = {0, 1};
-    cases.push_back({.function = "energyDiffuseShare",
-                     .body = "return float4(energyDiffuseShare(a0, a1), 0, 0, 0);",
+    cases.push_back({.function = "tgEnergyDiffuseShare",
+                     .body = "return float4(tgEnergyDiffuseShare(a0, a1), 0, 0, 0);",
                      .arguments = {linear(0, 2), linear(0, 1)},
                      .expected = [](const Inputs& x) { return values(std::max(1 - (x.seed() ? 1 : x.scalar(1)) * x.scalar(0), 0.0)); },
                      .tolerance = {.forward = 2, .backward = 1, .why = "a product and a difference"},
                      .settings = {0, 1, 2}});
-    cases.push_back({.function = "energyNode",
-                     .body = "return float4(energyNode(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
+    cases.push_back({.function = "tgEnergyNode",
+                     .body = "return float4(tgEnergyNode(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
                      .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
                      .expected = [](const Inputs& x) { return values(nodePrinted(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
                      .tolerance = {.forward = kExpUlp,
@@ -114,8 +114,8 @@ std::vector<FunctionCase> energies() {
                                    .why = "N.H rounds at 1e-7, and PH changes by up to 2 / m^2 of its peak for it"},
                      .settings = {0, 1},
                      .domain = [](const Inputs& x) { return x.scalar(1) > 0.03; }});
-    cases.push_back({.function = "energyNode",
-                     .body = "return float4(energyNode(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
+    cases.push_back({.function = "tgEnergyNode",
+                     .body = "return float4(tgEnergyNode(float3(sqrt(max(1.0 - a0 * a0, 0.0)), 0.0, a0), a1, (int)a2, (int)a3), 0, 0, 0);",
                      .arguments = {cosine(0, 1), kRoughness, whole(0, kNodes - 1), whole(0, kNodes - 1)},
                      .expected = [](const Inputs& x) { return values(nodeSampled(x.scalar(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
                      .tolerance = {.forward = 16,
@@ -123,15 +123,15 @@ std::vector<FunctionCase> energies() {
                                    .absolute = 2e-8,
                                    .why = "the half vector's sine is the root of 1 - cosine^2; the weight is pi / 1024"}});
     cases.push_back(
-        {.function = "energyDirectionalAlbedo",
-         .body = "return float4(energyDirectionalAlbedo(a0, a1), 0, 0, 0);",
+        {.function = "tgEnergyDirectionalAlbedo",
+         .body = "return float4(tgEnergyDirectionalAlbedo(a0, a1), 0, 0, 0);",
          .arguments = {cosine(0.05, 1), linear(0.1, 1)},
          .expected = [](const Inputs& x) { return values(reference::directionalAlbedo(x.scalar(0), x.scalar(1)) / std::numbers::pi); },
          .tolerance = {.forward = 4, .backward = 0, .absolute = 2e-3, .why = "1024 midpoints; the horizon cuts some of their cells"},
          .samples = 512});
     cases.push_back(
-        {.function = "energyDirectionalAlbedo",
-         .body = "return float4(energyDirectionalAlbedo(a0, a1), 0, 0, 0);",
+        {.function = "tgEnergyDirectionalAlbedo",
+         .body = "return float4(tgEnergyDirectionalAlbedo(a0, a1), 0, 0, 0);",
          .arguments = {cosine(1e-7, 1), linear(0.1, 1)},
          .expected = [](const Inputs& x) { return values(reference::directionalAlbedoPrinted(x.scalar(0), x.scalar(1), kNodes)); },
          .tolerance = {.forward = 4,

@@ -66,8 +66,8 @@ void addWorld(std::vector<FunctionCase>& cases, const glm::dvec3& scale) {
     const Globals globals = worldGlobals(scale);
     const glm::dmat4 m = matrix(globals.at("gWorld"));
     const double size = std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
-    cases.push_back({.function = "worldPosition",
-                     .body = "return float4(worldPosition(a0), 0);",
+    cases.push_back({.function = "tgWorldPosition",
+                     .body = "return float4(tgWorldPosition(a0), 0);",
                      .arguments = {vector(3, 1e-3, 1e3)},
                      .expected = [m](const Inputs& x) { return values(along(x.vec3(0), m) + glm::dvec3(m[3])); },
                      .tolerance = {.forward = 4,
@@ -76,15 +76,15 @@ void addWorld(std::vector<FunctionCase>& cases, const glm::dvec3& scale) {
                                    .why = "three products and sums that may cancel against the translation of 30 mm, or each other"},
                      .globals = globals});
     cases.push_back(
-        {.function = "worldNormal",
-         .body = "return float4(worldNormal(a0), 0);",
+        {.function = "tgWorldNormal",
+         .body = "return float4(tgWorldNormal(a0), 0);",
          .arguments = {unit()},
          .expected = [m](const Inputs& x) { return values(normalInWorld(glm::normalize(x.vec3(0)), m)); },
          .tolerance = {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "a rounded inverse; sums that may cancel, normalised"},
          .globals = globals,
          .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 0.5; }});
-    cases.push_back({.function = "worldTangent",
-                     .body = "return worldTangent(float4(a0, a1));",
+    cases.push_back({.function = "tgWorldTangent",
+                     .body = "return tgWorldTangent(float4(a0, a1));",
                      .arguments = {unit(), linear(-1, 1)},
                      .expected =
                          [m](const Inputs& x) {
@@ -95,8 +95,8 @@ void addWorld(std::vector<FunctionCase>& cases, const glm::dvec3& scale) {
                      .globals = globals,
                      .domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 0.5; }});
     // A way along the mesh's axes, of the length that it has in the world, comes back as it was.
-    cases.push_back({.function = "meshAxes",
-                     .body = "return float4(meshAxes(a0), 0);",
+    cases.push_back({.function = "tgMeshAxes",
+                     .body = "return float4(tgMeshAxes(a0), 0);",
                      .arguments = {vector(3, 1e-3, 1e3)},
                      .expected =
                          [m](const Inputs& x) {
@@ -162,17 +162,18 @@ void addLight(std::vector<FunctionCase>& cases, bool parallel) {
                          .globals = light.globals});
     };
     add(
-        "lightParallel", "lightParallel() ? 1.0 : 0.0, 0, 0, 0", [parallel](const Inputs&) { return values(parallel ? 1 : 0); }, 0);
+        "tgLightParallel", "tgLightParallel() ? 1.0 : 0.0, 0, 0, 0", [parallel](const Inputs&) { return values(parallel ? 1 : 0); }, 0);
     add(
-        "lightRays", "lightRays(), 0", [light](const Inputs&) { return values(-light.back); }, 2e-6);
+        "tgLightRays", "tgLightRays(), 0", [light](const Inputs&) { return values(-light.back); }, 2e-6);
     add(
-        "lightRight", "lightRight(), 0", [light](const Inputs&) { return values(light.right); }, 2e-6);
+        "tgLightRight", "tgLightRight(), 0", [light](const Inputs&) { return values(light.right); }, 2e-6);
     add(
-        "lightUp", "lightUp(), 0", [light](const Inputs&) { return values(light.up); }, 2e-6);
+        "tgLightUp", "tgLightUp(), 0", [light](const Inputs&) { return values(light.up); }, 2e-6);
     add(
-        "lightSpread", "lightSpread(), 0, 0, 0", [light](const Inputs&) { return values(25.4 * light.half); }, 25.4 * light.half * 1e-6);
+        "tgLightSpread", "tgLightSpread(), 0, 0, 0", [light](const Inputs&) { return values(25.4 * light.half); },
+        25.4 * light.half * 1e-6);
     add(
-        "lightVector", "lightVector(a0), 0",
+        "tgLightVector", "tgLightVector(a0), 0",
         [light](const Inputs& x) {
             const glm::dvec3 way = light.position - x.vec3(0);
             return values(light.parallel ? glm::dot(way, light.back) * light.back : way);
@@ -180,7 +181,7 @@ void addLight(std::vector<FunctionCase>& cases, bool parallel) {
         2e-3);
     // Before the plane of parallel light its direction does not turn round.
     add(
-        "lightDirection", "lightDirection(4.0 * a0), 0",
+        "tgLightDirection", "tgLightDirection(4.0 * a0), 0",
         [light](const Inputs& x) { return values(light.parallel ? light.back : glm::normalize(light.position - 4.0 * x.vec3(0))); }, 5e-6);
     cases.back().domain = [light](const Inputs& x) { return glm::length(light.position - 4.0 * x.vec3(0)) > 50; };
 }
@@ -193,14 +194,14 @@ std::vector<FunctionCase> workspaceCases() {
         addWorld(cases, scale);
     for (const bool parallel : {false, true})
         addLight(cases, parallel);
-    cases.push_back({.function = "millimetres",
-                     .body = "return float4(millimetres(a0), millimetres(a0.x));",
+    cases.push_back({.function = "tgMillimetres",
+                     .body = "return float4(tgMillimetres(a0), tgMillimetres(a0.x));",
                      .arguments = {vector(3, 1e-3, 1e3)},
                      .expected = [](const Inputs& x) { return values(glm::dvec4(1000.0 * x.vec3(0), 1000 * x.scalar(0))); },
                      .tolerance = {.forward = 1, .backward = 0, .why = "one product"},
                      .globals = {{"gUnitMm", {1000}}}});
-    cases.push_back({.function = "worldUnit",
-                     .body = "return float4(worldUnit(a0), 0);",
+    cases.push_back({.function = "tgWorldUnit",
+                     .body = "return float4(tgWorldUnit(a0), 0);",
                      .arguments = {vector(3, 1e-9, 1e9)},
                      .expected = [](const Inputs& x) { return values(x.vec3(0) / std::max(glm::length(x.vec3(0)), 1e-15)); },
                      .tolerance = {.forward = 6, .backward = 2, .why = "a dot product, rsqrt (2 ULP in Vulkan), a product"},

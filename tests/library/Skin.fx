@@ -97,9 +97,9 @@ Quad QuadVS(float3 position : POSITION, float2 uv : TEXCOORD0)
 Surface surfaceAt(Mesh input)
 {
     Surface output;
-    output.world = worldPosition(input.position, gWorld);
-    output.normal = worldNormal(input.normal, gWorldInverseTranspose);
-    output.tangent = worldTangent(input.tangent, gWorld);
+    output.world = tgWorldPosition(input.position, gWorld);
+    output.normal = tgWorldNormal(input.normal, gWorldInverseTranspose);
+    output.tangent = tgWorldTangent(input.tangent, gWorld);
     output.lightClip = mul(float4(output.world, 1.0), gLight);
     output.uv = input.uv;
     output.position = mul(float4(output.world, 1.0), gViewProjection);
@@ -114,7 +114,7 @@ Surface PictureVS(Mesh input)
 Surface MapVS(Mesh input)
 {
     Surface output = surfaceAt(input);
-    output.position = unwrapPosition(input.uv, 0.0);
+    output.position = tgUnwrapPosition(input.uv, 0.0);
     return output;
 }
 
@@ -127,18 +127,18 @@ Surface LightVS(Mesh input)
 
 float3 toLightMm(Surface input)
 {
-    return lightVector(input.world, gLightPosition, gLight) * gUnitMm;
+    return tgLightVector(input.world, gLightPosition, gLight) * gUnitMm;
 }
 
 float4 TsmPS(Surface input) : SV_Target0
 {
-    return float4(shadowDepth(input.lightClip, toLightMm(input)), input.uv, 1.0);
+    return float4(tgShadowDepth(input.lightClip, toLightMm(input)), input.uv, 1.0);
 }
 
 float4 ChartsPS(Surface input) : SV_Target0
 {
     float3 mm = input.world * gUnitMm;
-    return float4(stretchEncode(ddx(mm), ddy(mm), TEGUMENT_MAP_SIZE), 0.0, 0.0);
+    return float4(tgStretchEncode(ddx(mm), ddy(mm), TEGUMENT_MAP_SIZE), 0.0, 0.0);
 }
 
 // Outside the charts their mean, from the last mip level.
@@ -151,12 +151,12 @@ float4 StretchPS(Quad input) : SV_Target0
 
 float4 EnergyPS(Quad input) : SV_Target0
 {
-    return float4(energyTexel(energyDirectionalAlbedo(input.uv.x, input.uv.y)), 0.0, 1.0);
+    return float4(tgEnergyTexel(tgEnergyDirectionalAlbedo(input.uv.x, input.uv.y)), 0.0, 1.0);
 }
 
 float diffuseShare(float cosine)
 {
-    return energyDiffuseShare(halvesSum(gEnergyMap.SampleLevel(gEnergy, float2(saturate(cosine), kRoughness), 0.0).xy), kIntensity);
+    return tgEnergyDiffuseShare(tgHalvesSum(gEnergyMap.SampleLevel(gEnergy, float2(saturate(cosine), kRoughness), 0.0).xy), kIntensity);
 }
 
 struct Lit
@@ -177,104 +177,104 @@ Lit litAt(Surface input)
 {
     Lit p;
     p.colour = gSkinMap.Sample(gSkin, input.uv);
-    p.meshNormal = safeNormalize(input.normal);
-    p.normal = surfaceNormal(input.normal, input.tangent, gNormalMap.Sample(gNormal, input.uv).xyz);
-    p.toLight = lightDirection(input.world, gLightPosition, gLight);
-    p.right = lightRight(gLight);
-    p.up = lightUp(gLight);
-    p.place = shadowCoordinate(input.lightClip);
-    p.depth = shadowDepth(input.lightClip, toLightMm(input));
-    p.footprint = shadowFootprint(input.lightClip.w, lightSpread(gLight, gUnitMm));
-    float2 slope = shadowSlope(p.meshNormal, p.right, p.up, p.toLight, p.footprint);
-    p.shadow = shadowTest(SAMPLER2D_ARG(gTsm), p.place, p.depth, SKIN_SHADOW_TOLERANCE, slope);
-    p.shadow *= shadowHorizon(dot(p.meshNormal, p.toLight));
+    p.meshNormal = tgSafeNormalize(input.normal);
+    p.normal = tgSurfaceNormal(input.normal, input.tangent, gNormalMap.Sample(gNormal, input.uv).xyz);
+    p.toLight = tgLightDirection(input.world, gLightPosition, gLight);
+    p.right = tgLightRight(gLight);
+    p.up = tgLightUp(gLight);
+    p.place = tgShadowCoordinate(input.lightClip);
+    p.depth = tgShadowDepth(input.lightClip, toLightMm(input));
+    p.footprint = tgShadowFootprint(input.lightClip.w, tgLightSpread(gLight, gUnitMm));
+    float2 slope = tgShadowSlope(p.meshNormal, p.right, p.up, p.toLight, p.footprint);
+    p.shadow = tgShadowTest(TG_SAMPLER2D_ARG(gTsm), p.place, p.depth, TG_SKIN_SHADOW_TOLERANCE, slope);
+    p.shadow *= tgShadowHorizon(dot(p.meshNormal, p.toLight));
     return p;
 }
 
 float3 entering(Lit p)
 {
     float cosine = dot(p.normal, p.toLight);
-    return irradianceEntering(p.colour.rgb, SKIN_MIX, gLightColor, cosine, p.shadow, diffuseShare(cosine));
+    return tgIrradianceEntering(p.colour.rgb, TG_SKIN_MIX, gLightColor, cosine, p.shadow, diffuseShare(cosine));
 }
 
 // u, v where the light entered, way through the body, 1 where there is such a place.
 float4 entryOf(Lit p)
 {
-    float4 texel = tsmEntry(SAMPLER2D_ARG(gTsm), p.place);
+    float4 texel = tgTsmEntry(TG_SAMPLER2D_ARG(gTsm), p.place);
     float path = p.depth - texel.x;
-    return float4(texel.yz, max(path, 0.0), path > -SKIN_SHADOW_TOLERANCE ? texel.w : 0.0);
+    return float4(texel.yz, max(path, 0.0), path > -TG_SKIN_SHADOW_TOLERANCE ? texel.w : 0.0);
 }
 
 float4 IrradiancePS(Surface input) : SV_Target0
 {
     Lit p = litAt(input);
     float4 entry = entryOf(p);
-    float3 litNormal = tsmNormal(SAMPLER2D_ARG(gTsm), p.place, p.right, p.up, p.toLight, p.footprint, 1.0);
-    float thickness = transmissionThickness(entry.z, dot(p.meshNormal, p.toLight), p.meshNormal, litNormal);
-    float alpha = transmissionEncode(entry.w > 0.5 ? thickness : kOpaqueDistance);
-    return float4(irradianceBounded(entering(p), kLargestLight), p.colour.a > 0.5 ? alpha : 1.0);
+    float3 litNormal = tgTsmNormal(TG_SAMPLER2D_ARG(gTsm), p.place, p.right, p.up, p.toLight, p.footprint, 1.0);
+    float thickness = tgTransmissionThickness(entry.z, dot(p.meshNormal, p.toLight), p.meshNormal, litNormal);
+    float alpha = tgTransmissionEncode(entry.w > 0.5 ? thickness : kTgOpaqueDistance);
+    return float4(tgIrradianceBounded(entering(p), kTgLargestLight), p.colour.a > 0.5 ? alpha : 1.0);
 }
 
-float4 convolved(SAMPLER2D_PARAM(map), float2 uv, float2 along, float before, float after)
+float4 convolved(TG_SAMPLER2D_PARAM(map), float2 uv, float2 along, float before, float after)
 {
     float4 stretch = gStretchMap.SampleLevel(gStretch, uv, 0.0);
-    float density = dot(gaussianDensity(stretch), along);
-    float middle = lightParallel(gLight) ? 1.0 : 0.5 * (gLightNear + gLightFar);
-    float present = gaussianPresent(shadowFootprint(middle, lightSpread(gLight, gUnitMm)), density);
-    float spacing = gaussianSpacing(gaussianIncrement(before, after, density, present));
-    return gaussianConvolve(SAMPLER2D_ARG(map), uv, along / TEGUMENT_MAP_SIZE, gaussianReach(spacing, stretch));
+    float density = dot(tgGaussianDensity(stretch), along);
+    float middle = tgLightParallel(gLight) ? 1.0 : 0.5 * (gLightNear + gLightFar);
+    float present = tgGaussianPresent(tgShadowFootprint(middle, tgLightSpread(gLight, gUnitMm)), density);
+    float spacing = tgGaussianSpacing(tgGaussianIncrement(before, after, density, present));
+    return tgGaussianConvolve(TG_SAMPLER2D_ARG(map), uv, along / TEGUMENT_MAP_SIZE, tgGaussianReach(spacing, stretch));
 }
 
 #define CONVOLUTION(k, map, before, after) \
     float4 U##k##PS(Quad input) : SV_Target0 \
-    { return convolved(SAMPLER2D_ARG(map), input.uv, float2(1.0, 0.0), before, after); } \
+    { return convolved(TG_SAMPLER2D_ARG(map), input.uv, float2(1.0, 0.0), before, after); } \
     float4 V##k##PS(Quad input) : SV_Target0 \
-    { return convolved(SAMPLER2D_ARG(gBetween), input.uv, float2(0.0, 1.0), before, after); }
-CONVOLUTION(1, gLight1, 0.0, kSkinWidth[1])
-CONVOLUTION(2, gLight2, kSkinWidth[1], kSkinWidth[2])
-CONVOLUTION(3, gLight3, kSkinWidth[2], kSkinWidth[3])
-CONVOLUTION(4, gLight4, kSkinWidth[3], kSkinWidth[4])
-CONVOLUTION(5, gLight5, kSkinWidth[4], kSkinWidth[5])
+    { return convolved(TG_SAMPLER2D_ARG(gBetween), input.uv, float2(0.0, 1.0), before, after); }
+CONVOLUTION(1, gLight1, 0.0, kTgSkinWidth[1])
+CONVOLUTION(2, gLight2, kTgSkinWidth[1], kTgSkinWidth[2])
+CONVOLUTION(3, gLight3, kTgSkinWidth[2], kTgSkinWidth[3])
+CONVOLUTION(4, gLight4, kTgSkinWidth[3], kTgSkinWidth[4])
+CONVOLUTION(5, gLight5, kTgSkinWidth[4], kTgSkinWidth[5])
 
 float4 here(float4 texel, float3 unblurred)
 {
-    return seamValidity(texel) > 0.0 ? texel : float4(unblurred, transmissionEncode(kOpaqueDistance));
+    return tgSeamValidity(texel) > 0.0 ? texel : float4(unblurred, tgTransmissionEncode(kTgOpaqueDistance));
 }
 
 // Light of one Gaussian where it entered; thickness: the alpha of the map before it, here.
 float3 there(float4 texel, float thickness, float4 gaussian, float apart)
 {
-    float through = transmissionDecode(thickness, (gLightFar - gLightNear) * gUnitMm);
-    return gaussian.rgb * texel.rgb * (seamValidity(texel) * transmissionShare(through, gaussian.w, apart));
+    float through = tgTransmissionDecode(thickness, (gLightFar - gLightNear) * gUnitMm);
+    return gaussian.rgb * texel.rgb * (tgSeamValidity(texel) * tgTransmissionShare(through, gaussian.w, apart));
 }
 
 float3 diffused(Surface input, Lit p)
 {
     float3 unblurred = entering(p);
-    float4 m1 = here(seamBilinear(SAMPLER2D_ARG(gLight1), input.uv), unblurred);
+    float4 m1 = here(tgSeamBilinear(TG_SAMPLER2D_ARG(gLight1), input.uv), unblurred);
     float4 m2 = here(gLight2Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m3 = here(gLight3Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m4 = here(gLight4Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m5 = here(gLight5Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m6 = here(gLight6Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
-    float3 sum = m1.rgb * kSkinProfile[0].rgb + m2.rgb * kSkinProfile[1].rgb + m3.rgb * kSkinProfile[2].rgb +
-                 m4.rgb * kSkinProfile[3].rgb + m5.rgb * kSkinProfile[4].rgb + m6.rgb * kSkinProfile[5].rgb;
+    float3 sum = m1.rgb * kTgSkinProfile[0].rgb + m2.rgb * kTgSkinProfile[1].rgb + m3.rgb * kTgSkinProfile[2].rgb +
+                 m4.rgb * kTgSkinProfile[3].rgb + m5.rgb * kTgSkinProfile[4].rgb + m6.rgb * kTgSkinProfile[5].rgb;
     float4 entry = entryOf(p);
-    float apart = transmissionScale(input.world * gUnitMm, input.uv) * length(input.uv - entry.xy);
-    float3 passed = there(gLight4Map.SampleLevel(gLinear, entry.xy, 0.0), m3.w, kSkinProfile[3], apart) +
-                    there(gLight5Map.SampleLevel(gLinear, entry.xy, 0.0), m4.w, kSkinProfile[4], apart) +
-                    there(gLight6Map.SampleLevel(gLinear, entry.xy, 0.0), m5.w, kSkinProfile[5], apart);
+    float apart = tgTransmissionScale(input.world * gUnitMm, input.uv) * length(input.uv - entry.xy);
+    float3 passed = there(gLight4Map.SampleLevel(gLinear, entry.xy, 0.0), m3.w, kTgSkinProfile[3], apart) +
+                    there(gLight5Map.SampleLevel(gLinear, entry.xy, 0.0), m4.w, kTgSkinProfile[4], apart) +
+                    there(gLight6Map.SampleLevel(gLinear, entry.xy, 0.0), m5.w, kTgSkinProfile[5], apart);
     return sum + entry.w * passed;
 }
 
 float4 PicturePS(Surface input) : SV_Target0
 {
     Lit p = litAt(input);
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
-    float3 skin = diffused(input, p) * irradianceColour(p.colour.rgb, 1.0 - SKIN_MIX) * diffuseShare(dot(p.normal, toEye));
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    float3 skin = diffused(input, p) * tgIrradianceColour(p.colour.rgb, 1.0 - TG_SKIN_MIX) * diffuseShare(dot(p.normal, toEye));
     float3 plain = p.colour.rgb * gLightColor * (saturate(dot(p.normal, p.toLight)) * p.shadow);
     float2 lobe = lerp(kPlain, float2(kRoughness, kIntensity), p.colour.a);
-    float3 reflected = gLightColor * p.shadow * kelemenSpecular(p.normal, p.toLight, toEye, lobe.x, lobe.y);
+    float3 reflected = gLightColor * p.shadow * tgKelemenSpecular(p.normal, p.toLight, toEye, lobe.x, lobe.y);
     return float4(lerp(plain, skin, p.colour.a) + reflected, 1.0);
 }
 

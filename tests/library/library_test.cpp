@@ -97,7 +97,7 @@ TEST_F(Library, holds_functions_only_and_redefines_no_keyword) {
 }
 
 TEST_F(Library, leaves_the_printed_forms_out) {
-    EXPECT_EQ(text().find("kDepthInMillimetres"), std::string::npos);
+    EXPECT_EQ(text().find("kTgDepthInMillimetres"), std::string::npos);
     EXPECT_EQ(text().find("begin printed/"), std::string::npos);
     EXPECT_EQ(text().find("_FXH"), std::string::npos) << "a guard of a file that is merged";
 }

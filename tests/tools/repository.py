@@ -202,13 +202,31 @@ def shaders_branch_on_targets_only_in_platform(root):
 def right_forms_know_no_setting(root):
     """In hlsl/ the setting is known to printed/, to settings.fxh, which chooses, and to constants.fxh."""
     flags = set(re.findall(r"^static const (?:bool|int) (\w+)", text_of(root / "hlsl" / "constants.fxh"), re.M))
-    flags |= {"TEGUMENT_SETTING", "TEGUMENT_PEERS_AS_PRINTED", "kPeersAsPrinted"}
+    flags |= {"TEGUMENT_SETTING", "TEGUMENT_PEERS_AS_PRINTED", "kTgPeersAsPrinted"}
     for path in files(root / "hlsl", {".fxh"}):
         if path.parent.name == "printed" or path.name in ("settings.fxh", "constants.fxh"):
             continue
         for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
             for name in sorted(set(re.findall(r"[A-Za-z_]\w*", line)) & flags):
                 yield f"{path}:{number}: {name}: the form for a printed setting belongs into hlsl/printed"
+
+
+def names_of_the_library_carry_one_prefix(root):
+    """What a client of hlsl/ sees: functions tgName, structs TgName, constants kTgName, macros TG_NAME; TEGUMENT_NAME is what it defines itself.
+    Targets are chosen by FX_NAME, and effects keep Direct3D 9's spelling: platform.fxh defines its keywords for them, not for the library."""
+    keywords = {"tex2D", "tex2Dlod", "tex2Dbias", "tex2Dgrad", "texCUBE", "texCUBEbias", "texCUBEgrad", "technique"}
+    kinds = (
+        (r"^(?:static |inline )?(?:(?:void|bool|int|uint|half|float)(?:[1-4](?:x[1-4])?)?|[A-Z]\w*) (\w+)\(", r"tg[A-Z]"),
+        (r"^struct (\w+)", r"Tg[A-Z]"),
+        (r"^static (?:const )?\w+ (\w+)(?!\w|\()", r"kTg[A-Z]"),
+        (r"^\s*#\s*define (\w+)", r"TG_|TEGUMENT_|FX_(?:ENTRY|TECHNIQUES)$"),
+    )
+    for path in files(root / "hlsl", {".fxh"}):
+        for number, line in enumerate(without_comments(text_of(path)).splitlines(), 1):
+            for pattern, prefix in kinds:
+                name = re.match(pattern, line)
+                if name and not re.match(prefix, name[1]) and not (path.name == "platform.fxh" and name[1] in keywords):
+                    yield f"{path}:{number}: {name[1]}"
 
 
 def includes_of_shaders_are_guarded_by_their_name(root):
@@ -272,6 +290,7 @@ CHECKS = {
         every_test_is_built,
         shaders_branch_on_targets_only_in_platform,
         right_forms_know_no_setting,
+        names_of_the_library_carry_one_prefix,
         includes_of_shaders_are_guarded_by_their_name,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,

@@ -121,6 +121,13 @@ class Checks(unittest.TestCase):
         self.finds(check, {**constants, "hlsl/scatter/blur.fxh": branch}, "blur.fxh:4: kExact")
         self.finds(check, {**constants, "hlsl/scatter/blur.fxh": GUARDED.format("#if TEGUMENT_SETTING\n#endif")}, "blur.fxh:4: TEGUMENT_SETTING")
 
+    def test_a_name_of_the_library_without_its_prefix_is_found(self):
+        check = "names_of_the_library_carry_one_prefix"
+        right = "#define TG_SIZE TEGUMENT_SIZE\nstruct TgWay\n{\n};\nstatic const float kTgCircle = 3.0;\nfloat3 tgUnit(float3 v)\n{\n    return v;\n}\n"
+        self.accepts(check, {"hlsl/blur.fxh": right, "hlsl/platform.fxh": "#define tex2D(s, uv) TG_TEX2D(s, uv)\n"})
+        for wrong in ("#define SIZE 4", "struct Way", "static const float kCircle = 3.0;", "float3 unit(float3 v)", "TgWay wayOf(float3 v)", "#define tex2D(s, uv) 0"):
+            self.finds(check, {"hlsl/blur.fxh": wrong + "\n"}, "hlsl/blur.fxh:1: ")
+
     def test_a_folder_without_readme_is_found(self):
         check = "folders_explain_themselves_in_at_most_30_lines"
         self.accepts(check, {"host/run/README.md": "What belongs here.\n"})

@@ -2,21 +2,24 @@
 #ifndef TEGUMENT_PEERS_PASSES_BURLEY_FXH
 #define TEGUMENT_PEERS_PASSES_BURLEY_FXH
 
-float3 gBurleyDistance < string UIName = "Scattering distance d"; float UIMin = 0.001; float UIMax = 5.0; string UIHelp = "mm, for each colour; light travels 3 d on average"; > = { 0.451, 0.104, 0.070 };
-float gBurleyTurn < string UIName = "Turn from pixel to pixel"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0; float UIStep = 0.01; string UIHelp = "0: the same pattern everywhere, which shows as bands instead of noise"; > = 1.0;
+float3 gBurleyDistance < string UIName = "Scattering distance d"; float UIMin = 0.001; float UIMax = 5.0;
+    string UIHelp = "mm, for each colour; light travels 3 d on average"; > = { 0.451, 0.104, 0.070 };
+float gBurleyTurn < string UIName = "Turn from pixel to pixel"; string UIWidget = "Slider"; float UIMin = 0.0; float UIMax = 1.0;
+    float UIStep = 0.01; string UIHelp = "0: the same pattern everywhere, which shows as bands instead of noise"; > = 1.0;
 
 float4 gather(float2 uv, int count)
 {
-    float2 frustum = screenFrustum(gProjection);
+    float2 frustum = tgScreenFrustum(gProjection);
     float3 axisU = float3(1.0, 0.0, 0.0);
     float3 axisV = float3(0.0, 1.0, 0.0);
-    if (!kPeersAsPrinted)
+    if (!kTgPeersAsPrinted)
     {
-        float3 down = screenAcross(SAMPLER2D_ARG(gDepth), uv, float2(0.0, 1.0 / gViewportSize.y), frustum);
-        axisU = safeNormalize(screenAcross(SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
-        axisV = cross(safeNormalize(cross(axisU, down)), axisU);
+        float3 down = tgScreenAcross(TG_SAMPLER2D_ARG(gDepth), uv, float2(0.0, 1.0 / gViewportSize.y), frustum);
+        axisU = tgSafeNormalize(tgScreenAcross(TG_SAMPLER2D_ARG(gDepth), uv, float2(1.0 / gViewportSize.x, 0.0), frustum));
+        axisV = cross(tgSafeNormalize(cross(axisU, down)), axisU);
     }
-    return burleyGather(SAMPLER2D_ARG(gLight), SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance, gBurleyTurn, count);
+    return tgBurleyGather(TG_SAMPLER2D_ARG(gLight), TG_SAMPLER2D_ARG(gDepth), uv, gViewportSize, frustum, axisU, axisV, gBurleyDistance,
+        gBurleyTurn, count);
 }
 
 float4 Gather20PS(QuadVarying input) : SV_Target0

@@ -2,7 +2,8 @@
 #ifndef TEGUMENT_PEERS_PASSES_ENERGY_MAP_FXH
 #define TEGUMENT_PEERS_PASSES_ENERGY_MAP_FXH
 
-Texture2D gEnergyAttenuationMap < string Producer = "../EnergyAttenuation.fx/gEnergyAttenuationMap"; string ResourceName = "energy_attenuation.dds"; >;
-SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+Texture2D gEnergyAttenuationMap < string Producer = "../EnergyAttenuation.fx/gEnergyAttenuationMap";
+    string ResourceName = "energy_attenuation.dds"; >;
+TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
 #endif

@@ -1,12 +1,12 @@
-// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture made of it. As
-// Main.fx has it, with a plain shadow map.
+// What the lit passes of the peers share, so that they differ in nothing but diffusion: the light that enters the skin, and the picture
+// made of it. As Main.fx has it, with a plain shadow map.
 #ifndef TEGUMENT_PEERS_PASSES_POINT_FXH
 #define TEGUMENT_PEERS_PASSES_POINT_FXH
 
-SurfaceVarying PeerVS(MeshInput input)
+SurfaceVarying PeerVS(TgMeshInput input)
 {
     SurfaceVarying output = surfaceVarying(input);
-    output.position = HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
+    output.position = TG_HALF_PIXEL(mul(float4(output.world, 1.0), gViewProjection), gViewportSize);
     return output;
 }
 
@@ -23,8 +23,8 @@ LitPoint peerPoint(SurfaceVarying input)
 // diffused: light under the surface, to be coloured and let out.
 float4 peerRadiance(SurfaceVarying input, LitPoint p, float3 diffused)
 {
-    float3 toEye = safeNormalize(gCameraPosition - input.world);
-    float3 skin = diffused * irradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
     return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
 }

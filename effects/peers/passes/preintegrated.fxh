@@ -2,51 +2,54 @@
 #ifndef TEGUMENT_PEERS_PASSES_PREINTEGRATED_FXH
 #define TEGUMENT_PEERS_PASSES_PREINTEGRATED_FXH
 
-float3 gBumpShare < string UIName = "Bumps left in each colour"; string UIWidget = "Color"; float UIMin = 0.0; float UIMax = 1.0; string UIHelp = "what diffusion leaves of a wave of 1 mm, the size of pores"; > = { 0.247, 0.536, 0.705 };
-float gPenumbraRadius < string UIName = "Reach at shadow edges"; string UIWidget = "Slider"; float UIMin = 0.1; float UIMax = 20.0; float UIStep = 0.1; string UIHelp = "mm"; > = 5.0;
+float3 gBumpShare < string UIName = "Bumps left in each colour"; string UIWidget = "Color"; float UIMin = 0.0; float UIMax = 1.0;
+    string UIHelp = "what diffusion leaves of a wave of 1 mm, the size of pores"; > = { 0.247, 0.536, 0.705 };
+float gPenumbraRadius < string UIName = "Reach at shadow edges"; string UIWidget = "Slider"; float UIMin = 0.1; float UIMax = 20.0;
+    float UIStep = 0.1; string UIHelp = "mm"; > = 5.0;
 
 Texture2D gPreintegratedMap < string Producer = "PreintegratedTable.fx/gPreintegratedMap"; string ResourceName = "preintegrated.dds"; >;
-SAMPLER2D(gPreintegrated, LINEAR, CLAMP);
+TG_SAMPLER2D(gPreintegrated, LINEAR, CLAMP);
 
 // mm in the unit of the shadow map's depth.
 float inDepth(float length)
 {
-    return kDepthInMillimetres ? length : length / max(millimetres(gLightFar - gLightNear), 1.0);
+    return kTgDepthInMillimetres ? length : length / max(tgMillimetres(gLightFar - gLightNear), 1.0);
 }
 
 // Share of light within gPenumbraRadius on the surface.
 float lightAround(LitPoint p, float tolerance, float2 pixel)
 {
-    float3 side = safeNormalize(cross(p.meshNormal, abs(dot(p.meshNormal, p.axisY)) < 0.9 ? p.axisY : p.axisX));
-    float3 axisU = penumbraAxis(gPenumbraRadius * side, p.axisX, p.axisY, p.toLight, p.footprint);
-    float3 axisV = penumbraAxis(gPenumbraRadius * cross(p.meshNormal, side), p.axisX, p.axisY, p.toLight, p.footprint);
+    float3 side = tgSafeNormalize(cross(p.meshNormal, abs(dot(p.meshNormal, p.axisY)) < 0.9 ? p.axisY : p.axisX));
+    float3 axisU = tgPenumbraAxis(gPenumbraRadius * side, p.axisX, p.axisY, p.toLight, p.footprint);
+    float3 axisV = tgPenumbraAxis(gPenumbraRadius * cross(p.meshNormal, side), p.axisX, p.axisY, p.toLight, p.footprint);
     axisU.z = inDepth(axisU.z);
     axisV.z = inDepth(axisV.z);
-    return penumbraShare(SAMPLER2D_ARG(gShadow), p.lightUv, p.depth - tolerance, axisU, axisV, inDepth(gPenumbraRadius), screenNoise(pixel));
+    return tgPenumbraShare(TG_SAMPLER2D_ARG(gShadow), p.lightUv, p.depth - tolerance, axisU, axisV, inDepth(gPenumbraRadius),
+        tgScreenNoise(pixel));
 }
 
 // Shadow without the body's own horizon, which the table has scattered light across. Sharp: as in Main.fx.
 float3 receivedLight(LitPoint p, float curvature, float2 pixel, bool penumbra)
 {
-    float2 slope = shadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
-    float tolerance = gShadowTolerance + inDepth(preintegratedTolerance(dot(p.meshNormal, p.toLight), curvature));
-    float sharp = shadowTest(SAMPLER2D_ARG(gShadow), p.lightUv, p.depth, tolerance, slope);
+    float2 slope = tgShadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
+    float tolerance = gShadowTolerance + inDepth(tgPreintegratedTolerance(dot(p.meshNormal, p.toLight), curvature));
+    float sharp = tgShadowTest(TG_SAMPLER2D_ARG(gShadow), p.lightUv, p.depth, tolerance, slope);
     if (!penumbra)
         return float3(sharp, sharp, sharp);
     float share = lightAround(p, tolerance + abs(slope.x) + abs(slope.y), pixel);
-    return penumbraShadow(gGaussianWeight, sharp, share, gPenumbraRadius);
+    return tgPenumbraShadow(gGaussianWeight, sharp, share, gPenumbraRadius);
 }
 
 float4 preintegrated(SurfaceVarying input, bool penumbra)
 {
     LitPoint p = peerPoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
-    float curvature = preintegratedCurvature(p.meshNormal, millimetres(input.world));
-    float3 cosines = preintegratedCosines(p.meshNormal, p.normal, p.toLight, gBumpShare);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
+    float curvature = tgPreintegratedCurvature(p.meshNormal, tgMillimetres(input.world));
+    float3 cosines = tgPreintegratedCosines(p.meshNormal, p.normal, p.toLight, gBumpShare);
     float4 clip = mul(float4(input.world, 1.0), gViewProjection);
     float3 received = receivedLight(p, curvature, clip.xy / clip.w * gViewportSize * 0.5, penumbra);
-    float3 around = preintegratedLight(SAMPLER2D_ARG(gPreintegrated), cosines, curvature);
-    return peerRadiance(input, p, irradianceColour(p.albedo, gMix) * gLightColor * around * received * diffuseShare(p.cosine));
+    float3 around = tgPreintegratedLight(TG_SAMPLER2D_ARG(gPreintegrated), cosines, curvature);
+    return peerRadiance(input, p, tgIrradianceColour(p.albedo, gMix) * gLightColor * around * received * diffuseShare(p.cosine));
 }
 
 float4 PreintegratedPS(SurfaceVarying input) : SV_Target0

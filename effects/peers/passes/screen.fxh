@@ -1,5 +1,6 @@
-// Passes Light and Final of diffusion over the pixels of the picture. Light: light entering the skin as the camera sees it, with coverage in alpha; depth along
-// the view, mm, 0 where there is no skin; shadow, for the specular reflection, and the depth once more as two halves, to be filtered. Final: the mesh once more, over what the effect has made of it in gScatterMap.
+// Passes Light and Final of diffusion over the pixels of the picture. Light: light entering the skin as the camera sees it, with coverage
+// in alpha; depth along the view, mm, 0 where there is no skin; shadow, for the specular reflection, and the depth once more as two halves,
+// to be filtered. Final: the mesh once more, over what the effect has made of it in gScatterMap.
 #ifndef TEGUMENT_PEERS_PASSES_SCREEN_FXH
 #define TEGUMENT_PEERS_PASSES_SCREEN_FXH
 
@@ -10,10 +11,10 @@ Texture2D gDepthMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; i
 Texture2D gShadeMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gScatterMap : RENDERCOLORTARGET < float2 ViewportRatio = { 1.0, 1.0 }; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 Texture2D gLightDepthMap : RENDERDEPTHSTENCILTARGET < float2 ViewportRatio = { 1.0, 1.0 }; string Format = "D24S8"; >;
-SAMPLER2D(gLight, LINEAR, CLAMP);
-SAMPLER2D(gDepth, POINT, CLAMP);
-SAMPLER2D(gShade, POINT, CLAMP);
-SAMPLER2D(gScatter, POINT, CLAMP);
+TG_SAMPLER2D(gLight, LINEAR, CLAMP);
+TG_SAMPLER2D(gDepth, POINT, CLAMP);
+TG_SAMPLER2D(gShade, POINT, CLAMP);
+TG_SAMPLER2D(gScatter, POINT, CLAMP);
 
 struct LightOutput
 {
@@ -25,13 +26,13 @@ struct LightOutput
 LightOutput LightPS(SurfaceVarying input)
 {
     LitPoint p = peerPoint(input);
-    p.shadow = surfaceShadow(SAMPLER2D_ARG(gShadow), p);
+    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     float skin = step(0.5, p.scatters);
-    float depth = millimetres(mul(float4(input.world, 1.0), gViewProjection).w);
+    float depth = tgMillimetres(mul(float4(input.world, 1.0), gViewProjection).w);
     LightOutput output;
-    output.light = float4(skin * irradianceBounded(enteringLight(p), kLargestHalf), skin);
+    output.light = float4(skin * tgIrradianceBounded(enteringLight(p), kTgLargestHalf), skin);
     output.depth = float4(skin * depth, 0.0, 0.0, 1.0);
-    output.shade = float4(p.shadow, skin * halvesOf(min(depth, kFarthestHalf), screenDepthStep(depth)), 1.0);
+    output.shade = float4(p.shadow, skin * tgHalvesOf(min(depth, kTgFarthestHalf), tgScreenDepthStep(depth)), 1.0);
     return output;
 }
 

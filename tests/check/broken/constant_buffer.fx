@@ -14,9 +14,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PS(); //~ sm5 TG3204
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PS(); //~ sm5 TG3204
+        TG_STATE_BUFFER;
     }
 }
 #endif

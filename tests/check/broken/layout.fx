@@ -10,9 +10,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PS(); //~ spirv-glslang TG3201
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PS(); //~ spirv-glslang TG3201
+        TG_STATE_BUFFER;
     }
 }
 #endif

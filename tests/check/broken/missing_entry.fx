@@ -8,9 +8,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PixelPS(); //~ TG2022
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PixelPS(); //~ TG2022
+        TG_STATE_BUFFER;
     }
 }
 #endif

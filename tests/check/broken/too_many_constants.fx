@@ -16,9 +16,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PS(); //~ fx_2_0 TG3203
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PS(); //~ fx_2_0 TG3203
+        TG_STATE_BUFFER;
     }
 }
 #endif

@@ -1,39 +1,39 @@
 // Seventeen samplers; shader models 3 to 5 have sixteen.
 #include "../../../hlsl/platform.fxh"
 Texture2D g0Map;
-SAMPLER2D(g0, LINEAR, CLAMP);
+TG_SAMPLER2D(g0, LINEAR, CLAMP);
 Texture2D g1Map;
-SAMPLER2D(g1, LINEAR, CLAMP);
+TG_SAMPLER2D(g1, LINEAR, CLAMP);
 Texture2D g2Map;
-SAMPLER2D(g2, LINEAR, CLAMP);
+TG_SAMPLER2D(g2, LINEAR, CLAMP);
 Texture2D g3Map;
-SAMPLER2D(g3, LINEAR, CLAMP);
+TG_SAMPLER2D(g3, LINEAR, CLAMP);
 Texture2D g4Map;
-SAMPLER2D(g4, LINEAR, CLAMP);
+TG_SAMPLER2D(g4, LINEAR, CLAMP);
 Texture2D g5Map;
-SAMPLER2D(g5, LINEAR, CLAMP);
+TG_SAMPLER2D(g5, LINEAR, CLAMP);
 Texture2D g6Map;
-SAMPLER2D(g6, LINEAR, CLAMP);
+TG_SAMPLER2D(g6, LINEAR, CLAMP);
 Texture2D g7Map;
-SAMPLER2D(g7, LINEAR, CLAMP);
+TG_SAMPLER2D(g7, LINEAR, CLAMP);
 Texture2D g8Map;
-SAMPLER2D(g8, LINEAR, CLAMP);
+TG_SAMPLER2D(g8, LINEAR, CLAMP);
 Texture2D g9Map;
-SAMPLER2D(g9, LINEAR, CLAMP);
+TG_SAMPLER2D(g9, LINEAR, CLAMP);
 Texture2D g10Map;
-SAMPLER2D(g10, LINEAR, CLAMP);
+TG_SAMPLER2D(g10, LINEAR, CLAMP);
 Texture2D g11Map;
-SAMPLER2D(g11, LINEAR, CLAMP);
+TG_SAMPLER2D(g11, LINEAR, CLAMP);
 Texture2D g12Map;
-SAMPLER2D(g12, LINEAR, CLAMP);
+TG_SAMPLER2D(g12, LINEAR, CLAMP);
 Texture2D g13Map;
-SAMPLER2D(g13, LINEAR, CLAMP);
+TG_SAMPLER2D(g13, LINEAR, CLAMP);
 Texture2D g14Map;
-SAMPLER2D(g14, LINEAR, CLAMP);
+TG_SAMPLER2D(g14, LINEAR, CLAMP);
 Texture2D g15Map;
-SAMPLER2D(g15, LINEAR, CLAMP);
+TG_SAMPLER2D(g15, LINEAR, CLAMP);
 Texture2D g16Map;
-SAMPLER2D(g16, LINEAR, CLAMP); //~ fx_4_0 fx_5_0 sm5 TG3101
+TG_SAMPLER2D(g16, LINEAR, CLAMP); //~ fx_4_0 fx_5_0 sm5 TG3101
 struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
 V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
 float4 PS(V v) : SV_Target0
@@ -63,9 +63,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PS(); //~ fx_2_0 TG3101
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PS(); //~ fx_2_0 TG3101
+        TG_STATE_BUFFER;
     }
 }
 #endif

@@ -8,9 +8,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101, sm5 TG3004
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101, sm5 TG3004
+        TG_STATE_BUFFER;
     }
 }
 #endif

@@ -1,7 +1,7 @@
 // A size that is text.
 #include "../../../hlsl/platform.fxh"
 Texture2D gMapMap : RENDERCOLORTARGET < string Width = "64"; int Height = 64; >; //~ TG2017
-SAMPLER2D(gMap, POINT, CLAMP);
+TG_SAMPLER2D(gMap, POINT, CLAMP);
 struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
 V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
 float4 PS(V v) : SV_Target0 { return tex2D(gMap, v.uv); }
@@ -10,9 +10,9 @@ technique T
 {
     pass P
     {
-        VertexShader = compile VS_MODEL VS();
-        PixelShader = compile PS_MODEL PS();
-        STATE_BUFFER;
+        VertexShader = compile TG_VS_MODEL VS();
+        PixelShader = compile TG_PS_MODEL PS();
+        TG_STATE_BUFFER;
     }
 }
 #endif

@@ -45,7 +45,7 @@ V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = floa
 )";
 const std::string kTechnique = R"(
 #ifdef FX_TECHNIQUES
-technique T { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = compile PS_MODEL PS(); STATE_BUFFER; } }
+technique T { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = compile TG_PS_MODEL PS(); TG_STATE_BUFFER; } }
 #endif
 )";
 
@@ -70,8 +70,8 @@ TEST_F(CheckMicrosoft, bit_operations_break_shader_model_3_only) {
 
 TEST_F(CheckMicrosoft, a_technique_that_one_target_does_not_see_is_missed) {
     const FileReport report = check(kQuad + "float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }" + kTechnique +
-                                    "#ifdef FX_D3D11\ntechnique Only11 { pass P { VertexShader = compile VS_MODEL VS(); PixelShader = "
-                                    "compile PS_MODEL PS(); STATE_BUFFER; } }\n#endif\n");
+                                    "#ifdef FX_D3D11\ntechnique Only11 { pass P { VertexShader = compile TG_VS_MODEL VS(); PixelShader = "
+                                    "compile TG_PS_MODEL PS(); TG_STATE_BUFFER; } }\n#endif\n");
     EXPECT_EQ(report.targets[0].verdict, Verdict::Failed);
     EXPECT_EQ(report.targets[1].verdict, Verdict::Failed);
     EXPECT_EQ(report.targets[2].verdict, Verdict::Passed) << describe(report);

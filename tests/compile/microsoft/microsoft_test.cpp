@@ -15,17 +15,17 @@ namespace fs = std::filesystem;
 constexpr std::string_view kEffect = R"(
 #ifdef FX_D3D11
 #define technique technique11
-#define PS_MODEL ps_5_0
+#define TG_PS_MODEL ps_5_0
 #elif defined(FX_D3D10)
 #define technique technique10
-#define PS_MODEL ps_4_0
+#define TG_PS_MODEL ps_4_0
 #else
-#define PS_MODEL ps_3_0
+#define TG_PS_MODEL ps_3_0
 #endif
 float4 gTint;
 float4 PS(float2 uv : TEXCOORD0) : SV_Target0 { return gTint * uv.x; }
-technique First { pass P { PixelShader = compile PS_MODEL PS(); } }
-technique Second { pass P { PixelShader = compile PS_MODEL PS(); } pass Q { PixelShader = compile PS_MODEL PS(); } }
+technique First { pass P { PixelShader = compile TG_PS_MODEL PS(); } }
+technique Second { pass P { PixelShader = compile TG_PS_MODEL PS(); } pass Q { PixelShader = compile TG_PS_MODEL PS(); } }
 )";
 
 class Microsoft : public testing::Test {
@@ -79,7 +79,7 @@ TEST_F(Microsoft, techniques_that_fx_4_0_drops_without_a_word_are_missing_in_the
     const auto results = run({{.profile = "fx_4_0",
                                .entry = {},
                                .source = file("d3d9 techniques.fx", kEffect),
-                               .defines = {{"PS_MODEL", "ps_3_0"}},
+                               .defines = {{"TG_PS_MODEL", "ps_3_0"}},
                                .output = {}}});
     EXPECT_TRUE(results[0].ok);
     EXPECT_EQ(results[0].techniqueCount, 0);

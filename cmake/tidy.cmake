@@ -7,9 +7,11 @@ else()
   add_custom_target(tidy COMMAND ${CMAKE_COMMAND} -E echo "clang-tidy is not installed" COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
 endif()
 
-# Headers that the build makes for a program: clang-tidy reads them too, so the target `tidy` makes them first.
+# Headers that the build makes for a program in the current folder. clang-tidy reads them too, so the target `tidy` makes them first;
+# they are another tool's text, and as headers of the system they are not judged.
 function(tegument_generated_headers program)
   add_custom_target(${program}_headers DEPENDS ${ARGN})
   add_dependencies(${program} ${program}_headers)
   add_dependencies(tidy ${program}_headers)
+  target_include_directories(${program} SYSTEM PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()

@@ -36,11 +36,17 @@ def with_headers(path):
     return sorted(known)
 
 
+def configurations(path):
+    """.clang-tidy of the root and of the folders down to a file: a folder's adds to those above it."""
+    folders = [folder for folder in reversed(path.parents) if folder.is_relative_to(ROOT)]
+    return [folder / ".clang-tidy" for folder in folders if (folder / ".clang-tidy").is_file()]
+
+
 def key_of(program, path, command):
     digest = hashlib.sha256()
     digest.update(subprocess.run([program, "--version"], capture_output=True, check=True).stdout)
     digest.update(command.encode())
-    for part in [ROOT / ".clang-tidy", *with_headers(path)]:
+    for part in [*configurations(path), *with_headers(path)]:
         digest.update(part.read_bytes())
     return digest.hexdigest()
 

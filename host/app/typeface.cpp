@@ -81,7 +81,7 @@ int Typeface::height() const {
 }
 
 void Typeface::draw(Image& image, int x, int y, std::string_view text) const {
-    const FT_Face face = face_->face;
+    FT_FaceRec* const face = face_->face;
     const int baseline = y + wholePixels(face->size->metrics.ascender);
     forEachGlyph(face, text, [&](int at) {
         drawGlyph(image, x + at + face->glyph->bitmap_left, baseline - face->glyph->bitmap_top, face->glyph->bitmap);

@@ -204,7 +204,7 @@ Result<void> readStageVariable(const Reader& module, const Declared& variable, b
     return {};
 }
 
-Result<Reflection> readAll(const Reader& module, std::vector<Descriptor> descriptors, Stage stage, const std::string& file) {
+Result<Reflection> readAll(const Reader& module, const std::vector<Descriptor>& descriptors, Stage stage, const std::string& file) {
     Reflection reflection;
     for (const Descriptor& descriptor : descriptors)
         if (const auto read = readDescriptor(module, descriptor, file, reflection); !read) return read.error();
@@ -239,7 +239,7 @@ Result<Reflection> reflect(std::vector<std::uint32_t>& words, Stage stage, std::
         const Reader module(words);
         std::vector<Descriptor> found = descriptors(module);
         number(module, found, set, words);
-        return readAll(module, std::move(found), stage, file);
+        return readAll(module, found, stage, file);
     } catch (const spirv_cross::CompilerError& error) {
         return machineError(3003, fmt::format("{}: SPIRV-Cross cannot read the SPIR-V: {}", file, error.what()),
                             "this is a fault of the compiler: try the other one (--compiler) or another spelling");

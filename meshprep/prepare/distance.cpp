@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] double squaredDistance(const glm::dvec3& point) const {
         constexpr float kAll = std::numeric_limits<float>::infinity();
-        double least = kAll;
+        double least = std::numeric_limits<double>::infinity();
         float radius = kAll;
         tree_.visitNear(glm::vec3(point), kAll, [&](std::uint32_t triangle) {
             const std::uint32_t* t = &triangles_[3 * std::size_t{triangle}];

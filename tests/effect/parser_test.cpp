@@ -230,9 +230,10 @@ TEST(Robustness, at_most_twenty_errors_are_reported) {
 TEST(Robustness, deep_nesting_is_an_error) {
     EXPECT_EQ(firstCode(load("float g = " + std::string(100000, '{') + ";")), 1106);
     EXPECT_EQ(firstCode(load("#if " + std::string(100000, '(') + "\n#endif")), 1006);
-    std::string calls = "1";
+    std::string calls;
     for (int i = 0; i < 300; ++i)
-        calls = "F(" + calls + ")";
+        calls += "F(";
+    calls += "1" + std::string(300, ')');
     EXPECT_EQ(firstCode(load("#define F(x) x\nfloat g = " + calls + ";")), 1011);
     EXPECT_EQ(firstCode(load("float f() " + std::string(100000, '{'))), 1102);
 }

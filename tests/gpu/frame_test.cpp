@@ -174,8 +174,10 @@ TEST_F(Dispatches, that_read_each_others_buffers_wait_for_each_other) {
         return {};
     }));
     const auto sums = fromBytes<float>(must(device().readback(buffers[source])));
-    for (int i = 0; i < kCount; ++i)
-        ASSERT_EQ(sums[static_cast<std::size_t>(i)], static_cast<float>((i + 1) * (i + 2) / 2)) << i; // below 2^24: exact
+    for (int i = 0; i < kCount; ++i) {
+        const int sum = (i + 1) * (i + 2) / 2; // below 2^24: exact
+        ASSERT_EQ(sums[static_cast<std::size_t>(i)], static_cast<float>(sum)) << i;
+    }
 }
 
 TEST_F(Dispatches, write_what_draws_of_the_same_frame_read) {

@@ -128,8 +128,6 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> furRootsCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
-[[nodiscard]] std::vector<FunctionCase> furCases();
-[[nodiscard]] std::vector<FunctionCase> furRootsCases();
 
 /// Texels along the maps that functions are tested with: TEGUMENT_MAP_SIZE.
 inline constexpr int kTestMapSize = 256;

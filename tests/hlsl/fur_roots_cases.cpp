@@ -326,7 +326,8 @@ constexpr std::int64_t kRows = 3;
 
 double tableEntry(std::int64_t first, std::int64_t index) {
     const std::int64_t texel = first + index / 4;
-    const glm::dvec2 uv((static_cast<double>(texel % kWidth) + 0.5) / kWidth, (static_cast<double>(texel / kWidth) + 0.5) / kRows);
+    const std::int64_t row = texel / kWidth;
+    const glm::dvec2 uv((static_cast<double>(texel % kWidth) + 0.5) / kWidth, (static_cast<double>(row) + 0.5) / kRows);
     return addressMap().at(uv)[static_cast<int>(index % 4)];
 }
 
@@ -385,8 +386,9 @@ std::vector<FunctionCase> roots() {
                      .expected =
                          [](const Inputs& x) {
                              const auto index = std::llround(x.scalar(0));
+                             const auto row = index / kWidth;
                              return values((static_cast<double>(index % kWidth) + 0.5) / kWidth,
-                                           (static_cast<double>(index / kWidth) + 0.5) / x.scalar(1));
+                                           (static_cast<double>(row) + 0.5) / x.scalar(1));
                          },
                      .tolerance = {.forward = 4, .backward = 0, .why = "two quotients and their sum; a texel's border is 1,000 ULP away"}});
     cases.push_back({.function = "tgFurRootPlace",

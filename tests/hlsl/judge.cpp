@@ -56,6 +56,7 @@ private:
         double relative = 0;
         double ulp = 0;
         std::size_t component = 0;
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 reads the defaulted operator's comparison with a literal 0 as a pointer
         auto operator<=>(const Errors&) const = default;
     };
 

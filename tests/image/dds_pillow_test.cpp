@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <unistd.h>
 
@@ -33,7 +34,7 @@ Image distinct(int width, int height) {
 std::string described(const Image& image) {
     std::string text = fmt::format("{} {} ", image.width, image.height);
     for (const float value : image.pixels)
-        text += fmt::format("{:02x}", static_cast<int>(value * 255 + 0.5F));
+        text += fmt::format("{:02x}", static_cast<int>(std::floor(value * 255 + 0.5F)));
     return text;
 }
 

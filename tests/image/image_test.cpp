@@ -13,6 +13,7 @@
 #include <jpeglib.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -75,8 +76,7 @@ std::string jpeg(int width, int height, int channels, bool progressive) {
     jpeg_start_compress(&c, TRUE);
     std::vector<unsigned char> row(static_cast<std::size_t>(width * channels));
     for (int y = 0; y < height; ++y) {
-        for (std::size_t i = 0; i < row.size(); ++i)
-            row[i] = static_cast<unsigned char>(64 + 2 * y);
+        std::ranges::fill(row, static_cast<unsigned char>(64 + 2 * y));
         unsigned char* pointer = row.data();
         jpeg_write_scanlines(&c, &pointer, 1);
     }
@@ -284,8 +284,9 @@ TEST_F(Images, a_half_exr_returns_halves_bit_for_bit_and_is_smaller) {
 
 TEST_F(Images, a_jpeg_keeps_smooth_values_within_three_steps) {
     Image image{.width = 32, .height = 32, .channels = 3, .pixels = {}};
-    for (int i = 0; i < 32 * 32; ++i)
-        image.pixels.insert(image.pixels.end(), {static_cast<float>(i % 32) / 31, static_cast<float>(i / 32) / 31, 128.0f / 255});
+    for (int row = 0; row < 32; ++row)
+        for (int column = 0; column < 32; ++column)
+            image.pixels.insert(image.pixels.end(), {static_cast<float>(column) / 31, static_cast<float>(row) / 31, 128.0f / 255});
     image.metadata["attribution"] = "Somebody, CC BY 3.0";
     ASSERT_TRUE(writeJpeg(folder_ / "smooth.jpg", image));
     const auto read = loadImage(folder_ / "smooth.jpg");

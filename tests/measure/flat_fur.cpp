@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <unistd.h>
-#include <utility>
 
 namespace tegument::measure {
 
@@ -24,10 +23,16 @@ fs::path mapFile(const fs::path& folder) {
     return folder / "patch.dds";
 }
 
+/// All of it is `value`.
+Image evenFace(int size, double value) {
+    Image image{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
+    image.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, static_cast<float>(value));
+    return image;
+}
+
 /// Seen from the middle of a cube whose +Z face is the patch, directions are places on it.
 Image face(const reference::FurPatch& patch, int size) {
-    Image image{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
-    image.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, static_cast<float>(kRoot / kSkin));
+    Image image = evenFace(size, kRoot / kSkin);
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column) {
             const auto place = [&](int i) { return kPatchHalf * (2 * (i + 0.5) / size - 1); };
@@ -42,9 +47,7 @@ Result<void> writeMap(const fs::path& folder, const reference::FurPatch& patch) 
     for (int side = 0; side < 6; ++side)
         for (const int size : {kMapSize, kMapSize / 2}) {
             constexpr int kAhead = 4; // +Z
-            Image empty{.width = size, .height = size, .channels = 4, .pixels = {}, .metadata = {}};
-            empty.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4, 0.0F);
-            cube.images.push_back(side == kAhead ? face(patch, size) : std::move(empty));
+            cube.images.push_back(side == kAhead ? face(patch, size) : evenFace(size, 0));
         }
     return writeDds(mapFile(folder), cube);
 }

@@ -7,7 +7,8 @@ namespace tegument::run {
 namespace {
 
 Image onePixel(std::vector<float> channels, int bits) {
-    Image image{.width = 1, .height = 1, .channels = static_cast<int>(channels.size()), .pixels = std::move(channels)};
+    const auto count = static_cast<int>(channels.size());
+    Image image{.width = 1, .height = 1, .channels = count, .pixels = std::move(channels)};
     image.bitsPerChannel = bits;
     return image;
 }

@@ -5,10 +5,8 @@ namespace tegument::run {
 namespace {
 
 Annotation number(const std::string& name, std::vector<double> values) {
-    return {.name = name,
-            .type = {.base = BaseType::Float, .columns = static_cast<int>(values.size()), .name = "float"},
-            .value = std::move(values),
-            .at = {}};
+    const auto count = static_cast<int>(values.size());
+    return {.name = name, .type = {.base = BaseType::Float, .columns = count, .name = "float"}, .value = std::move(values), .at = {}};
 }
 
 Annotation text(const std::string& name, const std::string& value) {

@@ -336,7 +336,7 @@ def links_lead_somewhere(root):
 def names_of_the_settings_stand_in_one_place(root):
     """Programs read them from the effect; the rooms that judge the skin include what CMake makes of that line."""
     place = root / "hlsl" / "settings.fxh"
-    line = re.search(r"^#define FX_SETTINGS \w+ (.*)$", text_of(place), re.M)
+    line = re.search(r"^#define TG_SETTINGS \w+ (.*)$", text_of(place), re.M)
     names = line[1].split() if line else []
     otherwise = {"fur.cpp", "fur_roots.cpp", "prep_mesh.cpp"}  # "seed" of random numbers, and of an order of triangles
     for room in ["host", "meshprep", "hlsl", "effects"]:

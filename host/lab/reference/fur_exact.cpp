@@ -232,7 +232,8 @@ FurExact::~FurExact() = default;
 std::optional<FurExact::Hit> FurExact::meet(const glm::dvec3& origin, const glm::dvec3& direction) const {
     constexpr double kBeyond = 1 + 1e-5; // what is left of the tree is cut off by a 32-bit float
     const auto skin = state_->skin.nearest(origin, direction);
-    double nearest = skin ? skin->distance : kFar;
+    double nearest = kFar;
+    if (skin) nearest = skin->distance;
     double part = 0;
     const Piece* met = nullptr;
     state_->tree->meetAlong(glm::vec3(origin), glm::vec3(direction), static_cast<float>(nearest * kBeyond), [&](std::uint32_t i) {

@@ -282,6 +282,7 @@ private:
     struct Node {
         std::uint64_t place = 0;
         std::size_t texel = 0;
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 reads the defaulted operator's comparison with a literal 0 as a pointer
         auto operator<=>(const Node&) const = default;
     };
 

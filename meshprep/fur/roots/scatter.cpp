@@ -19,21 +19,21 @@ constexpr std::uint32_t kOfTurns = 0x6c8e9cf5U;
 
 /// Which cubes take roots in a round, and how many darts are thrown for each root that they miss.
 struct Round {
-    unsigned level = 0; // cubes of 2^level strata's sides
     double darts = 1;
+    unsigned level = 0; // cubes of 2^level strata's sides
     bool shrinks = false;
 };
 
 /// Few darts while there is much room, for those of one round are compared with each other by one processor; many when few roots are
 /// missing. What a stratum has no room for goes to cubes of 2, then of 4 times its side.
-constexpr Round kRounds[] = {{0, 0.5}, {0, 1}, {0, 2}, {0, 4}, {0, 8}, {0, 16}, {1, 24}, {1, 32}, {1, 64}, {2, 64}, {2, 64}};
+constexpr Round kRounds[] = {{0.5, 0}, {1, 0}, {2, 0}, {4, 0}, {8, 0}, {16, 0}, {24, 1}, {32, 1}, {64, 1}, {64, 2}, {64, 2}};
 constexpr std::size_t kMostRounds = 64;
 
 /// After those. One root in a few hundred may stand anywhere; where more are missing, the surface is rougher than they are apart.
 Round later(std::size_t missing, std::size_t wanted, bool firstAnywhere) {
     constexpr unsigned kAnywhere = 21;
-    if (missing <= std::max<std::size_t>(8, wanted / 400)) return {kAnywhere, 64, !firstAnywhere};
-    return {1, 12, true};
+    if (missing <= std::max<std::size_t>(8, wanted / 400)) return {64, kAnywhere, !firstAnywhere};
+    return {12, 1, true};
 }
 
 /// A cube that still misses roots.

@@ -129,7 +129,7 @@ void Strata::shareOut(std::size_t wanted, const DensityAt& density) {
     const std::vector<double>& weight = density ? weight_ : area_;
     const double perWeight = weight.back() > 0 ? static_cast<double>(wanted) / weight.back() : 0;
     for (Stratum& stratum : strata_)
-        stratum.rootsBefore = static_cast<std::size_t>(weight[stratum.firstPiece] * perWeight + 0.5);
+        stratum.rootsBefore = static_cast<std::size_t>(std::floor(weight[stratum.firstPiece] * perWeight + 0.5));
 }
 
 double Strata::density(const Run& run) const {

@@ -3,7 +3,7 @@
 struct V { float4 position : SV_Position; float2 uv : TEXCOORD0; };
 V VS(float3 position : POSITION, float2 uv : TEXCOORD0) { V o; o.position = float4(position, 1); o.uv = uv; return o; }
 float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }
-#ifdef FX_SM4
+#ifndef TEGUMENT_HLSL_3
 DepthStencilState gSometimes { DepthEnable = TRUE; DepthFunc = SOMETIMES; }; //~ TG2002
 #endif
 #ifdef FX_TECHNIQUES

@@ -56,7 +56,7 @@ TEST(SurfacePoints, are_even_within_a_triangle) {
             corners[static_cast<std::size_t>(c)] += weights[c] > 0.5F;
     }
     for (const int count : corners) // a quarter of the area lies beyond the middle towards each corner; five sigma
-        EXPECT_NEAR(count, kPoints / 4, 5 * std::sqrt(kPoints * 0.25 * 0.75));
+        EXPECT_NEAR(count, kPoints * 0.25, 5 * std::sqrt(kPoints * 0.25 * 0.75));
 }
 
 TEST(Roots, are_as_many_as_asked_for) {

@@ -61,7 +61,7 @@ RootSet rootsOf(const FurPatch& patch, const Mesh& mesh) {
 class RootFile {
 public:
     explicit RootFile(const Image& image)
-        : path_(fs::temp_directory_path() / fmt::format("tegument-swept-{}-{}.dds", ::getpid(), ++count_)),
+        : path_(fs::temp_directory_path() / fmt::format("tegument-swept-{}-{}.dds", ::getpid(), nextNumber())),
           written_(writeDds(path_, makeDds(image, DdsFormat::Rgba32F, false))) {}
     ~RootFile() {
         std::error_code code;
@@ -73,7 +73,10 @@ public:
     [[nodiscard]] std::string path() const { return path_.string(); }
 
 private:
-    static inline int count_ = 0;
+    static int nextNumber() {
+        static int number = 0;
+        return ++number;
+    }
     fs::path path_;
     Result<void> written_;
 };

@@ -61,9 +61,10 @@ TEST(Brows, hairs_do_not_gain_weight_in_coarse_textures) {
     const Brows brows(kEyes, 1);
     const auto mean = [&](float texelMm) {
         double sum = 0;
-        for (int i = 0; i < 10000; ++i)
-            sum += static_cast<double>(brows.coverage(
-                glm::vec3(31 - 12 + 0.24f * static_cast<float>(i % 100), 15 + 0.08f * static_cast<float>(i / 100), 10), texelMm));
+        for (int row = 0; row < 100; ++row)
+            for (int column = 0; column < 100; ++column)
+                sum += static_cast<double>(brows.coverage(
+                    glm::vec3(31 - 12 + 0.24f * static_cast<float>(column), 15 + 0.08f * static_cast<float>(row), 10), texelMm));
         return sum / 10000;
     };
     EXPECT_NEAR(mean(0.5f) / mean(0.1f), 1, 0.15); // overlapping hairs are multiplied texel by texel: a second order effect

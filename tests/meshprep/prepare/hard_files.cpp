@@ -254,8 +254,10 @@ void addStl(Collection& c) {
 std::string stripOf(std::size_t vertices) {
     Points points;
     Faces faces;
-    for (std::size_t i = 0; i < vertices; ++i)
-        points.push_back({static_cast<double>(i / 2), static_cast<double>(i % 2), 0});
+    for (std::size_t i = 0; i < vertices; ++i) {
+        const std::size_t row = i / 2;
+        points.push_back({static_cast<double>(row), static_cast<double>(i % 2), 0});
+    }
     for (int i = 0; i + 2 < static_cast<int>(vertices); ++i)
         faces.push_back(i % 2 == 0 ? std::vector{i, i + 1, i + 2} : std::vector{i + 1, i, i + 2});
     return plyText(points, faces);

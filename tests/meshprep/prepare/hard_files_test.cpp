@@ -189,9 +189,9 @@ TEST_F(HardFiles, a_bow_tie_has_a_normal_per_fan_by_option) {
 }
 
 TEST_F(HardFiles, a_flipped_triangle_is_counted_and_turned_by_option) {
-    const auto as_is = prepare(24);
-    ASSERT_TRUE(as_is);
-    EXPECT_EQ(as_is->report.topology.opposedEdges, 3u);
+    const auto asIs = prepare(24);
+    ASSERT_TRUE(asIs);
+    EXPECT_EQ(asIs->report.topology.opposedEdges, 3u);
     prep::PrepOptions options = lenient();
     options.orient = true;
     const auto turned = prepare(24, options);

@@ -33,7 +33,7 @@ Triangles fan(std::int64_t valence) {
 
 void run(benchmark::State& state, const Triangles& mesh, Method method, const CacheModel& model) {
     std::size_t misses = 0;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         const auto out = reorder(mesh.indices, mesh.positions.size(), method, model);
         state.PauseTiming();
         misses = measure(model, *out, mesh.positions.size()).misses;
@@ -46,7 +46,7 @@ void run(benchmark::State& state, const Triangles& mesh, Method method, const Ca
 void runMeshoptimizer(benchmark::State& state) {
     const Triangles& mesh = sphere(state.range(0));
     std::vector<std::uint32_t> out(mesh.indices.size());
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         meshopt_optimizeVertexCache(out.data(), mesh.indices.data(), out.size(), mesh.positions.size());
     state.SetComplexityN(static_cast<benchmark::IterationCount>(mesh.faces()));
     state.counters["acmr"] = measure(fifo(16), out, mesh.positions.size()).acmr();

@@ -55,7 +55,8 @@ Crossing cross(const Soup& soup, std::size_t face, const glm::dvec3& origin, con
     const double v = glm::dot(direction, q) / volume;
     const double margin = std::min({u, v, 1 - u - v});
     const double t = glm::dot(ac, q) / volume;
-    return {.distance = margin < 0 || t < 0 ? kFar : t, .margin = std::abs(margin)};
+    if (margin < 0 || t < 0) return {.distance = kFar, .margin = std::abs(margin)};
+    return {.distance = t, .margin = std::abs(margin)};
 }
 
 TEST(Rays, the_tree_of_a_surface_finds_the_face_that_a_search_through_all_finds) {
@@ -106,7 +107,8 @@ struct Ball {
         const double discriminant = b * b - glm::dot(origin - centre, origin - centre) + radius * radius;
         if (discriminant < 0) return kFar;
         const double t = -b - std::sqrt(discriminant);
-        return t > 0 ? t : kFar;
+        if (!(t > 0)) return kFar;
+        return t;
     }
 };
 

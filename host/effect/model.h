@@ -118,7 +118,7 @@ struct StandardsGlobal {
 };
 
 /// A preprocessor switch whose values 0, 1, 2 ... have names: `#define FX_SETTINGS SWITCH name0 name1 ...` (docs/effect-files.md).
-struct Settings {
+struct EffectSettings {
     std::string define;             // the switch
     std::vector<std::string> names; // of its values, at least one
     std::string current;            // of the value that it has; where that has no name, the value as written
@@ -130,7 +130,7 @@ struct Effect {
     std::vector<Sampler> samplers;
     std::vector<Technique> techniques;
     std::optional<StandardsGlobal> standardsGlobal;
-    std::optional<Settings> settings;
+    std::optional<EffectSettings> settings;
     /// What pictures say of the effect besides its parameters: entry, value. `#define FX_METADATA entry SWITCH ...`.
     std::map<std::string, std::string> metadata;
 

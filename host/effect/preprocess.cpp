@@ -59,7 +59,7 @@ private:
     void describe() {
         const std::vector<std::string> settings = macros_.words("FX_SETTINGS");
         if (settings.size() > 1) {
-            result_.settings = Settings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}, .current = {}};
+            result_.settings = EffectSettings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}, .current = {}};
             const std::string value = valueOf(settings[0]);
             result_.settings->current = value;
             for (std::size_t i = 0; i < result_.settings->names.size(); ++i)

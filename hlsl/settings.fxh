@@ -33,7 +33,7 @@
 #define TEGUMENT_PRINTED_TRANSMISSION_FXH
 #else
 // docs/settings.md lists every constant with its source.
-//   TEGUMENT_SETTING   0, 1, 2 (default), by name in TG_SETTINGS
+//   TEGUMENT_SETTING   0, 1, 2 (default), by name in FX_SETTINGS
 //   TEGUMENT_PEERS_AS_PRINTED  1: kernels of effects/peers as their authors print them; 0: corrected; default 0 in setting
 //                      corrected, else 1
 //   TEGUMENT_CULL_FRUSTUM, TEGUMENT_CULL_BACK_FACES, TEGUMENT_CULL_BLACK  1 (default); 0 takes one cause out of the prepasses, to
@@ -43,8 +43,8 @@
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 
 // What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
-#define TG_SETTINGS TEGUMENT_SETTING seed deon2007 corrected
-#define TG_METADATA map_size TEGUMENT_MAP_SIZE
+#define FX_SETTINGS TEGUMENT_SETTING seed deon2007 corrected
+#define FX_METADATA map_size TEGUMENT_MAP_SIZE
 
 #ifndef TEGUMENT_SETTING
 #define TEGUMENT_SETTING 2

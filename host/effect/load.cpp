@@ -57,7 +57,7 @@ Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions o
     const auto found = std::ranges::find(names, options.setting);
     if (found == names.end())
         return usageError(4051, fmt::format("{} has no setting '{}'", file.string(), options.setting),
-                          names.empty() ? "it has none at all: no TG_SETTINGS" : fmt::format("{}", fmt::join(names, ", ")));
+                          names.empty() ? "it has none at all: no FX_SETTINGS" : fmt::format("{}", fmt::join(names, ", ")));
     options.defines.emplace_back(plain->settings->define, std::to_string(found - names.begin()));
     options.setting.clear();
     return options;

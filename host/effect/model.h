@@ -117,8 +117,8 @@ struct StandardsGlobal {
     SourcePosition at;
 };
 
-/// A preprocessor switch whose values 0, 1, 2 ... have names: `#define TG_SETTINGS SWITCH name0 name1 ...` (docs/effect-files.md).
-struct Settings {
+/// A preprocessor switch whose values 0, 1, 2 ... have names: `#define FX_SETTINGS SWITCH name0 name1 ...` (docs/effect-files.md).
+struct EffectSettings {
     std::string define;             // the switch
     std::vector<std::string> names; // of its values, at least one
     std::string current;            // of the value that it has; where that has no name, the value as written
@@ -130,8 +130,8 @@ struct Effect {
     std::vector<Sampler> samplers;
     std::vector<Technique> techniques;
     std::optional<StandardsGlobal> standardsGlobal;
-    std::optional<Settings> settings;
-    /// What pictures say of the effect besides its parameters: entry, value. `#define TG_METADATA entry SWITCH ...`.
+    std::optional<EffectSettings> settings;
+    /// What pictures say of the effect besides its parameters: entry, value. `#define FX_METADATA entry SWITCH ...`.
     std::map<std::string, std::string> metadata;
 
     /// Plain HLSL for DXC and glslang: preprocessed with FX_ENTRY=1, effect syntax blanked out with its lines kept,
@@ -152,7 +152,7 @@ struct Effect {
 struct LoadOptions {
     std::vector<std::pair<std::string, std::string>> defines; // name, value
     std::vector<std::filesystem::path> includeFolders;        // searched after the including file's own folder
-    std::string setting; // by its name in TG_SETTINGS, in addition to the defines; empty: as the effect and the defines have it
+    std::string setting; // by its name in FX_SETTINGS, in addition to the defines; empty: as the effect and the defines have it
 };
 
 /// The D3DFORMAT that a `Format` annotation names: upper case, without D3DFMT_ or FMT_, known misspellings corrected. Nullopt when unknown.

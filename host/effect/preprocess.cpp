@@ -57,15 +57,15 @@ public:
 private:
     /// What the effect says of its own switches. Neither macro is expanded anywhere: compilers never see them.
     void describe() {
-        const std::vector<std::string> settings = macros_.words("TG_SETTINGS");
+        const std::vector<std::string> settings = macros_.words("FX_SETTINGS");
         if (settings.size() > 1) {
-            result_.settings = Settings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}, .current = {}};
+            result_.settings = EffectSettings{.define = settings[0], .names = {settings.begin() + 1, settings.end()}, .current = {}};
             const std::string value = valueOf(settings[0]);
             result_.settings->current = value;
             for (std::size_t i = 0; i < result_.settings->names.size(); ++i)
                 if (value == std::to_string(i)) result_.settings->current = result_.settings->names[i];
         }
-        const std::vector<std::string> metadata = macros_.words("TG_METADATA");
+        const std::vector<std::string> metadata = macros_.words("FX_METADATA");
         for (std::size_t i = 0; i + 1 < metadata.size(); i += 2)
             result_.metadata[metadata[i]] = valueOf(metadata[i + 1]);
     }

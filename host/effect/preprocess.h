@@ -37,8 +37,8 @@ struct Preprocessed {
     std::vector<Pragma> pragmas;
     std::vector<std::filesystem::path> includes; // each once, in the order of first reading
     std::vector<Diagnostic> warnings;
-    std::optional<Settings> settings;            // TG_SETTINGS
-    std::map<std::string, std::string> metadata; // TG_METADATA: entry, its switch's value
+    std::optional<EffectSettings> settings;            // FX_SETTINGS
+    std::map<std::string, std::string> metadata; // FX_METADATA: entry, its switch's value
 };
 
 /// TG1001..TG1012. The tokens point into `sources`.

@@ -15,7 +15,7 @@ namespace {
 Kind kindOf(const Parameter& parameter) {
     const auto target = run::describeTarget(parameter, {kPictureWidth, kPictureHeight});
     if (!target) return Kind::Float;
-    if (gpu::isDepth(target->format)) return Kind::Depth;
+    if (isDepth(target->format)) return Kind::Depth;
     const bool half = run::d3dName(target->format).ends_with("16F");
     return half ? Kind::Half : Kind::Float;
 }

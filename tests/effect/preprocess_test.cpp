@@ -142,8 +142,8 @@ TEST(Preprocessor, line_directives_do_not_move_positions) {
     EXPECT_EQ(loaded("#line 100 \"other.fx\"\nfloat gA;").findParameter("gA")->at.line, 2);
 }
 
-const char* const kQuality = "#define TG_SETTINGS QUALITY draft good best\n"
-                             "#define TG_METADATA size SIDE quality QUALITY\n"
+const char* const kQuality = "#define FX_SETTINGS QUALITY draft good best\n"
+                             "#define FX_METADATA size SIDE quality QUALITY\n"
                              "#ifndef QUALITY\n#define QUALITY 1\n#endif\n"
                              "#define SIDE 64\n"
                              "float gQuality = QUALITY;\n";

@@ -336,12 +336,14 @@ def links_lead_somewhere(root):
 def names_of_the_settings_stand_in_one_place(root):
     """Programs read them from the effect; the rooms that judge the skin include what CMake makes of that line."""
     place = root / "hlsl" / "settings.fxh"
-    line = re.search(r"^#define TG_SETTINGS \w+ (.*)$", text_of(place), re.M)
+    line = re.search(r"^#define FX_SETTINGS \w+ (.*)$", text_of(place), re.M)
     names = line[1].split() if line else []
     otherwise = {"fur.cpp", "fur_roots.cpp", "prep_mesh.cpp"}  # "seed" of random numbers, and of an order of triangles
     for room in ["host", "meshprep", "hlsl", "effects"]:
         for path in files(root / room, SOURCES):
             for number, text in enumerate(without_comments(text_of(path)).splitlines(), 1):
+                if re.match(r"\s*#\s*include\b", text):
+                    continue  # files may be called as the setting is
                 for string in re.findall(r'"((?:\\.|[^"\\])*)"', text):
                     said = [n for n in names if string == n or (n.isalnum() and not n.isalpha() and n in string)]
                     if said and path != place and not (said == ["seed"] and path.name in otherwise):

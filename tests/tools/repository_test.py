@@ -70,7 +70,7 @@ class Checks(unittest.TestCase):
 
     def test_a_setting_is_named_where_its_switch_is_and_nowhere_else(self):
         check = "names_of_the_settings_stand_in_one_place"
-        named = {"hlsl/settings.fxh": "#define TG_SETTINGS LOOK seed deon2007 corrected\n"}
+        named = {"hlsl/settings.fxh": "#define FX_SETTINGS LOOK seed deon2007 corrected\n"}
         self.accepts(check, {**named, "host/a.cpp": '// "corrected"\nauto a = load(kSettingCorrected); f("it was corrected");'})
         self.accepts(check, {**named, "host/app/fur.cpp": 'json["seed"] = 1;'})
         for text in ['"corrected"', '"seed"', '"seed, deon2007 or corrected"']:

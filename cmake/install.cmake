@@ -13,12 +13,13 @@ install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegu
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
 # What a program may include: these, and no other header of host. A repository check keeps them from including what is not installed.
 set(public_headers
-    host/support/file.h host/support/result.h host/support/state.h
+    host/support/file.h host/support/layout.h host/support/result.h host/support/state.h
     host/effect/model.h host/effect/script.h host/effect/script_run.h
     host/spirv/compile.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
     host/mesh/mesh.h host/scene/placement.h host/scene/view.h host/scene/workspace.h
-    host/gpu/gpu.h host/run/geometry.h host/run/run.h host/run/session.h)
+    host/gpu/gpu.h host/run/geometry.h host/run/run.h host/run/run_options.h
+    host/run/session.h host/run/session_frame.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION include/tegument/${room})

@@ -37,7 +37,7 @@ struct Preprocessed {
     std::vector<Pragma> pragmas;
     std::vector<std::filesystem::path> includes; // each once, in the order of first reading
     std::vector<Diagnostic> warnings;
-    std::optional<EffectSettings> settings;            // FX_SETTINGS
+    std::optional<EffectSettings> settings;      // FX_SETTINGS
     std::map<std::string, std::string> metadata; // FX_METADATA: entry, its switch's value
 };
 

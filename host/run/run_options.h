@@ -1,9 +1,9 @@
 #pragma once
 // What a run is asked for, and of what scene. Needs no GPU.
 
-#include "host/spirv/compile.h"
 #include "host/mesh/mesh.h"
 #include "host/scene/workspace.h"
+#include "host/spirv/compile.h"
 
 #include <map>
 #include <span>

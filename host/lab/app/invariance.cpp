@@ -1,7 +1,7 @@
 // tegument invariance: every technique draws the same picture of the same scene, however it is put.
 
-#include "generated/setting_names.h"
 #include "host/lab/invariance/invariance.h"
+#include "generated/setting_names.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
 #include "host/app/output.h"

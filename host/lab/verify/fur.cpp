@@ -1,7 +1,7 @@
 // Module Fur: the six techniques on a torus, and the layers drawn from outside on a ball, against every fragment of every layer by rays.
 
-#include "generated/setting_names.h"
 #include "host/lab/reference/fur.h"
+#include "generated/setting_names.h"
 #include "host/image/dds.h"
 #include "host/lab/verify/fur_scene.h"
 #include "host/lab/verify/truth.h"

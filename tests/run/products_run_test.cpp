@@ -272,6 +272,7 @@ TEST_F(Products, a_producer_without_that_target_is_an_error_that_says_who_asked)
     const auto result = once("NoTarget");
     ASSERT_EQ(code(result), 4036);
     EXPECT_EQ(result.error().diagnostics.front().hint, "did you mean 'gProductMap'?");
+    EXPECT_EQ(result.error().diagnostics.back().code, 4037);
     EXPECT_NE(format(result.error()).find("gNoTargetMap is drawn by tests/run/fixtures/product.fx"), std::string::npos)
         << format(result.error());
 }

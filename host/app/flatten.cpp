@@ -1,12 +1,11 @@
 // tegument flatten: an effect and its includes as one file.
 
 #include "host/emit/flatten.h"
-#include "host/app/commands.h"
-#include "host/app/effect_options.h"
+#include "host/app/command_line.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/support/file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -22,17 +21,21 @@ struct FlattenArguments {
 };
 
 int flatten(const FlattenArguments& arguments) {
+    if (const auto can = checkOutput(arguments.output, {}); !can) return fail(can.error(), false);
+    const auto file = findEffect(arguments.file);
+    if (!file) return fail(file.error(), false);
     PreprocessOptions options{
         .defines = {}, .includeFolders = {}, .read = [](const std::filesystem::path& path) { return readFile(path); }};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
-    const auto text = flattenEffect(effectPath(arguments.file), options);
+    const auto text = flattenEffect(*file, options);
     if (!text) return fail(text.error(), false);
     if (arguments.output.empty()) {
         fmt::print("{}", *text);
         return 0;
     }
     if (const auto written = writeFile(arguments.output, *text); !written) return fail(written.error(), false);
+    fmt::print("wrote {}\n", arguments.output);
     return 0;
 }
 
@@ -43,8 +46,9 @@ void addFlatten(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("flatten", "Merge an effect and its includes into one file that compiles alone");
     command->add_option("effect", arguments->file, "Effect file (.fx)")->required();
     command->add_option("-o,--output", arguments->output, "The one file; without it: standard output");
-    command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files");
-    command->footer("Comments and conditionals stay: -D selects targets and settings as before.");
+    repeatable(command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files; may be repeated"));
+    addExamples(*command, {{"flatten Main -o main_alone.fx", ""}},
+                "Comments and conditionals stay: -D selects targets and settings as before.");
     command->callback([arguments, &action] { action = [arguments] { return flatten(*arguments); }; });
 }
 

@@ -1,12 +1,12 @@
 // tegument info: what an effect file offers.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/effect_options.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/effect/model.h"
 #include "host/emit/effect_json.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -94,7 +94,9 @@ struct InfoOptions {
 };
 
 int info(const InfoOptions& options) {
-    const Result<Effect> effect = loadEffect(effectPath(options.file), loadOptions(options.effect));
+    const auto file = findEffect(options.file);
+    if (!file) return fail(file.error(), options.json);
+    const Result<Effect> effect = loadEffect(*file, loadOptions(options.effect));
     if (!effect) return fail(effect.error(), options.json);
     warn(effect->warnings);
     if (options.json) {
@@ -113,6 +115,7 @@ void addInfo(CLI::App& program, Action& action) {
     command->add_option("effect", options->file, "Effect file (.fx)")->required();
     addEffectOptions(*command, options->effect);
     command->add_flag("--json", options->json, "Print JSON");
+    addExamples(*command, {{"info Main", "what can be turned"}});
     command->callback([options, &action] { action = [options] { return info(*options); }; });
 }
 

@@ -24,10 +24,16 @@ foreach(header IN LISTS public_headers)
   install(FILES ${header} DESTINATION include/tegument/${room})
 endforeach()
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
+install(PROGRAMS meshprep/fetch.py DESTINATION share/tegument/meshprep)
 if(TEGUMENT_LAB)
   install(FILES host/lab/bench/plot.py host/lab/bench/flip.py DESTINATION share/tegument/host/lab/bench)
 endif()
-install(FILES LICENSE README.md DESTINATION share/doc/tegument)
+# Side by side as in the tree, so that the links of one to the other hold.
+install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION share/doc/tegument)
+install(DIRECTORY docs DESTINATION share/doc/tegument)
+install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1\")
+  execute_process(COMMAND $<TARGET_FILE:tegument> help --man OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tegument.1\"
+                  COMMAND_ERROR_IS_FATAL ANY)")
 
 include(CMakePackageConfigHelpers)
 configure_file(cmake/TegumentConfig.cmake.in ${PROJECT_BINARY_DIR}/TegumentConfig.cmake @ONLY)
@@ -39,7 +45,7 @@ if(TEGUMENT_PRECOMPILE)
   file(GLOB effects CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/effects/*.fx)
   list(JOIN effects " " effects)
   install(CODE "if(NOT DEFINED ENV{TEGUMENT_NO_PRECOMPILE})
-  execute_process(COMMAND $<TARGET_FILE:tegument> check ${effects} --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
+  execute_process(COMMAND $<TARGET_FILE:tegument> check ${effects} --skip-missing --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
                   OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endif()")
 endif()

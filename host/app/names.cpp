@@ -43,11 +43,18 @@ std::vector<fs::path> spellings(const fs::path& named, const std::string& ending
     return {named, fs::path(named).concat(ending)};
 }
 
+/// As short as it can be written here.
+fs::path fromHere(const fs::path& path) {
+    std::error_code code;
+    const fs::path near = path.lexically_normal().lexically_proximate(fs::current_path(code));
+    return code || near.empty() || *near.begin() == ".." ? path.lexically_normal() : near;
+}
+
 /// The first of these folders that has the file.
 std::optional<fs::path> search(const std::vector<fs::path>& folders, const std::string& named, const std::string& ending) {
     for (const fs::path& folder : folders)
         for (const fs::path& spelling : spellings(named, ending))
-            if (isFile(folder / spelling)) return (folder / spelling).lexically_normal();
+            if (isFile(folder / spelling)) return fromHere(folder / spelling);
     return std::nullopt;
 }
 

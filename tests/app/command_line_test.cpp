@@ -125,7 +125,7 @@ TEST(CommandLine, a_choice_that_leaves_nothing_is_no_success) {
 TEST(CommandLine, effects_and_workspaces_go_by_their_names_from_any_folder) {
     const Ran shortest = tegument({"info", "Separable", "--json"});
     ASSERT_EQ(shortest.code, 0) << shortest.err;
-    EXPECT_TRUE(fs::equivalent(shortest.json()["file"].get<std::string>(), "effects/peers/Separable.fx"));
+    EXPECT_EQ(shortest.json()["file"], "effects/peers/Separable.fx") << "tests run in the tree: as short as it can be written here";
     const Ran named = tegument({"render", "OriginalTexture", "-w", "lps_head", "--size", "8x8", "-o", out("named.png")},
                                {{"LPS_HEAD", (scratch() / "nowhere").string()}});
     EXPECT_EQ(named.err.find("TG8007"), std::string::npos) << "found, whether or not its mesh is there\n" << named.err;

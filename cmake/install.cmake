@@ -25,10 +25,16 @@ foreach(header IN LISTS public_headers)
   install(FILES ${header} DESTINATION include/tegument/${room})
 endforeach()
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
+install(PROGRAMS meshprep/fetch.py DESTINATION share/tegument/meshprep)
 if(TEGUMENT_LAB)
   install(FILES host/lab/bench/plot.py host/lab/bench/flip.py DESTINATION share/tegument/host/lab/bench)
 endif()
-install(FILES LICENSE README.md DESTINATION share/doc/tegument)
+# Side by side as in the tree, so that the links of one to the other hold.
+install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION share/doc/tegument)
+install(DIRECTORY docs DESTINATION share/doc/tegument)
+install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1\")
+  execute_process(COMMAND $<TARGET_FILE:tegument> help --man OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tegument.1\"
+                  COMMAND_ERROR_IS_FATAL ANY)")
 
 # The functions of hlsl/ as one header.
 file(GLOB_RECURSE library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hlsl/*.fxh)
@@ -47,7 +53,7 @@ if(TEGUMENT_PRECOMPILE)
   file(GLOB effects CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/effects/*.fx)
   list(JOIN effects " " effects)
   install(CODE "if(NOT DEFINED ENV{TEGUMENT_NO_PRECOMPILE})
-  execute_process(COMMAND $<TARGET_FILE:tegument> check ${effects} --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
+  execute_process(COMMAND $<TARGET_FILE:tegument> check ${effects} --skip-missing --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
                   OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endif()")
 endif()

@@ -1,15 +1,16 @@
 // tegument check: does an effect compile for every target? No GPU is needed.
 
 #include "host/check/check.h"
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/effect_options.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/check/resources.h"
 #include "host/emit/emit.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace tegument::app {
@@ -24,17 +25,9 @@ struct CheckArguments {
     std::string emitFolder;
     std::vector<std::string> emitKinds = {"all"};
     bool resources = false;
+    bool skipMissing = false;
     bool json = false;
 };
-
-std::string_view verdictName(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::Passed: return "passed";
-    case Verdict::Failed: return "failed";
-    case Verdict::NotChecked: return "not checked";
-    }
-    return "not checked";
-}
 
 /// Every chosen target once, in the order of kAllTargets.
 Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names) {
@@ -163,6 +156,12 @@ void printTable(const CheckReport& report) {
     fmt::print("{}", table(header, rows));
 }
 
+/// Why a target has neither passed nor failed: of the file itself, or, with the same words for all files, of the machine.
+std::string reasonOf(const FileReport& file, const TargetCheck& target) {
+    const std::string reason = fmt::format("{} {}: {}", targetName(target.target), verdictName(target.verdict), target.reason);
+    return target.verdict == Verdict::NotApplicable ? fmt::format("{}: {}", title(file), reason) : reason;
+}
+
 /// Diagnostics go to standard error; the same reason for many files is said once.
 void printProblems(const CheckReport& report) {
     std::vector<std::string> said;
@@ -170,13 +169,33 @@ void printProblems(const CheckReport& report) {
         warn(file.diagnostics);
         for (const TargetCheck& target : file.targets) {
             warn(target.diagnostics);
-            if (target.verdict != Verdict::NotChecked) continue;
-            const std::string reason = fmt::format("{} not checked: {}", targetName(target.target), target.reason);
+            if (target.verdict == Verdict::Passed || target.verdict == Verdict::Failed || target.reason.empty()) continue;
+            const std::string reason = reasonOf(file, target);
             if (std::ranges::find(said, reason) != said.end()) continue;
             said.push_back(reason);
             fmt::print(stderr, "{}\n", reason);
         }
     }
+}
+
+/// What failed is the input's fault; what could not be asked is the machine's, unless that was accepted beforehand.
+int exitCode(const CheckReport& report, bool skipMissing) {
+    if (report.failed()) return static_cast<int>(Blame::Input);
+    return report.complete() || skipMissing ? 0 : static_cast<int>(Blame::Machine);
+}
+
+/// In one line what the exit code says.
+void printSum(const CheckReport& report, bool skipMissing) {
+    const auto count = [&](Verdict verdict) {
+        std::ptrdiff_t sum = 0;
+        for (const FileReport& file : report.files)
+            sum += std::ranges::count(file.targets, verdict, &TargetCheck::verdict);
+        return sum;
+    };
+    fmt::print("{} passed, {} failed, {} not applicable, {} not checked\n", count(Verdict::Passed), count(Verdict::Failed),
+               count(Verdict::NotApplicable), count(Verdict::NotChecked));
+    if (exitCode(report, skipMissing) == static_cast<int>(Blame::Machine))
+        fmt::print(stderr, "not checked is not passed: install what is missing, or accept it with --skip-missing\n");
 }
 
 /// The folders that were written, or the first thing that went wrong; a file that failed has been reported already.
@@ -196,38 +215,65 @@ Result<std::vector<std::string>> emitAll(const CheckReport& report, const CheckA
 Result<void> argumentsFit(const CheckArguments& arguments, const std::vector<std::filesystem::path>& files) {
     if (arguments.emitFolder.empty()) return {};
     if (const auto kinds = chosenKinds(arguments.emitKinds); !kinds) return kinds.error();
-    return namesAreDistinct(files);
+    if (const auto distinct = namesAreDistinct(files); !distinct) return distinct.error();
+    return checkFolder(arguments.emitFolder);
+}
+
+Result<std::vector<std::filesystem::path>> filesOf(const CheckArguments& arguments) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& named : arguments.files) {
+        auto file = findEffect(named);
+        if (!file) return file.error();
+        files.push_back(*std::move(file));
+    }
+    if (const auto fit = argumentsFit(arguments, files); !fit) return fit.error();
+    return files;
+}
+
+void printJson(const CheckReport& report, const CheckArguments& arguments, const std::vector<std::string>& emitted) {
+    Json json{{"passed", exitCode(report, arguments.skipMissing) == 0},
+              {"failed", report.failed()},
+              {"complete", report.complete()},
+              {"files", Json::array()}};
+    for (const FileReport& file : report.files)
+        json["files"].push_back(fileJson(file));
+    if (!emitted.empty()) json["emitted"] = emitted;
+    if (arguments.resources) json["resources"] = resourcesJson(resourceTable(report));
+    print(json);
+}
+
+void printText(const CheckReport& report, const CheckArguments& arguments, const std::vector<std::string>& emitted) {
+    printProblems(report);
+    if (arguments.resources) {
+        fmt::print("{}", toMarkdown(resourceTable(report)));
+    } else {
+        printTable(report);
+        printSum(report, arguments.skipMissing);
+    }
+    for (const std::string& folder : emitted)
+        fmt::print("wrote {}/\n", folder);
 }
 
 int check(const CheckArguments& arguments) {
     const auto targets = chosenTargets(arguments.targets);
     if (!targets) return fail(targets.error(), arguments.json);
-    std::vector<std::filesystem::path> files;
-    std::ranges::transform(arguments.files, std::back_inserter(files), effectPath);
-    if (const auto fit = argumentsFit(arguments, files); !fit) return fail(fit.error(), arguments.json);
+    const auto files = filesOf(arguments);
+    if (!files) return fail(files.error(), arguments.json);
     Progress progress;
-    progress.say(fmt::format("checking {} files", files.size()));
+    progress.say(fmt::format("checking {} files", files->size()));
     const CheckOptions options = checkOptions(arguments);
-    const CheckReport report = checkEffects(files, *targets, options);
+    const CheckReport report = checkEffects(*files, *targets, options);
     const Result<std::vector<std::string>> emitted = arguments.emitFolder.empty() ? std::vector<std::string>() : emitAll(report, arguments);
     progress.clear();
-
-    if (arguments.json) {
-        Json json{{"passed", !report.failed()}, {"complete", report.complete()}, {"files", Json::array()}};
-        for (const FileReport& file : report.files)
-            json["files"].push_back(fileJson(file));
-        if (emitted && !emitted->empty()) json["emitted"] = *emitted;
-        if (arguments.resources) json["resources"] = resourcesJson(resourceTable(report));
-        if (emitted) print(json);
-    } else {
-        printProblems(report);
-        if (arguments.resources)
-            fmt::print("{}", toMarkdown(resourceTable(report)));
-        else
-            printTable(report);
+    if (!emitted) {
+        if (!arguments.json) printText(report, arguments, {});
+        return fail(emitted.error(), arguments.json);
     }
-    if (!emitted) return fail(emitted.error(), arguments.json);
-    return report.failed() ? static_cast<int>(Blame::Input) : 0;
+    if (arguments.json)
+        printJson(report, arguments, *emitted);
+    else
+        printText(report, arguments, *emitted);
+    return exitCode(report, arguments.skipMissing);
 }
 
 } // namespace
@@ -235,21 +281,30 @@ int check(const CheckArguments& arguments) {
 void addCheck(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand("check", "Compile effects for every target, offline and without a GPU");
-    command->add_option("effects", arguments->files, "Effect files (.fx)")->required();
-    command->add_option("--target", arguments->targets, "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang or all; may be repeated")
+    command->add_option("effects", arguments->files, "Effects: files (.fx), or names of ours, such as Main")->required();
+    repeatable(command->add_option("--target", arguments->targets,
+                                   "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang or all; may be repeated"))
         ->capture_default_str();
     command->add_flag("--all-settings", arguments->allSettings, "Check every setting that an effect has");
     addEffectOptions(*command, arguments->effect);
     CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
-    command
-        ->add_option("--emit-kind", arguments->emitKinds,
-                     "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated")
+    repeatable(
+        command->add_option("--emit-kind", arguments->emitKinds,
+                            "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated"))
         ->capture_default_str()
         ->needs(emit);
     command->add_flag("--resources", arguments->resources,
                       "Print what each pass takes of shader model 3 instead (docs/resources.md); needs target fx_2_0");
+    command->add_flag("--skip-missing", arguments->skipMissing, "Accept targets whose tool this machine lacks: exit code 0, not 3");
     command->add_flag("--json", arguments->json, "Print JSON");
-    command->footer("A target whose tool is absent is reported as not checked, never as passed. Exit code 1 when any target failed.");
+    addExamples(*command,
+                {{"check Main", "every target"},
+                 {"check my.fx --target fx_2_0 --target sm5 --all-settings", "two targets, three settings"},
+                 {"check Main --emit out --skip-missing", "and write what engines load"}},
+                "passed          the target's own compiler takes the file\n"
+                "not applicable  the file has nothing for this target\n"
+                "not checked     this machine lacks the target's tool; the message says what brings it\n"
+                "Exit code 1 when any target failed, else 3 when any was not checked.");
     command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 

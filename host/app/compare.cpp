@@ -1,10 +1,10 @@
 // tegument compare: how far is one picture from another, and where?
 
 #include "host/image/compare.h"
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -23,17 +23,19 @@ struct CompareArguments {
 };
 
 Json differenceJson(const CompareArguments& arguments, const Difference& difference) {
-    return {{"image", arguments.image},
-            {"reference", arguments.reference},
-            {"rel_l2", difference.relativeL2},
-            {"p99", difference.p99},
-            {"p999", difference.p999},
-            {"largest", difference.largest},
-            {"largest_at", {difference.largestX, difference.largestY}},
-            {"bias", difference.bias},
-            {"limit", arguments.limit},
-            {"beyond", difference.beyond},
-            {"pixels_beyond", difference.pixelsBeyond}};
+    Json json{{"image", arguments.image},
+              {"reference", arguments.reference},
+              {"rel_l2", difference.relativeL2},
+              {"p99", difference.p99},
+              {"p999", difference.p999},
+              {"largest", difference.largest},
+              {"largest_at", {difference.largestX, difference.largestY}},
+              {"bias", difference.bias},
+              {"limit", arguments.limit},
+              {"beyond", difference.beyond},
+              {"pixels_beyond", difference.pixelsBeyond}};
+    if (!arguments.output.empty()) json["output"] = arguments.output;
+    return json;
 }
 
 void printDifference(const CompareArguments& arguments, const Difference& difference) {
@@ -47,9 +49,13 @@ void printDifference(const CompareArguments& arguments, const Difference& differ
                       {"bias", number(difference.bias)},
                       {fmt::format("pixels beyond {}", number(arguments.limit)),
                        fmt::format("{} ({:.4f} %)", difference.pixelsBeyond, 100 * difference.beyond)}}));
+    if (!arguments.output.empty()) fmt::print("wrote {}\n", arguments.output);
 }
 
 Result<Difference> compareFiles(const CompareArguments& arguments) {
+    if (const auto can = checkOutput(arguments.output, {".png"}); !can) return can.error();
+    for (const std::string& file : {arguments.image, arguments.reference})
+        if (const auto exists = fileExists(file, "the picture"); !exists) return exists.error();
     auto image = loadImage(arguments.image);
     if (!image) return image.error();
     const auto reference = loadImage(arguments.reference);
@@ -86,6 +92,8 @@ void addCompare(CLI::App& program, Action& action) {
     command->add_option("-o,--output", arguments->output, "Write the differences as a picture (.png)");
     command->add_option("--gain", arguments->gain, "Brightness of that picture: 1 / the difference that is white")->capture_default_str();
     command->add_flag("--json", arguments->json, "Print JSON");
+    addExamples(*command, {{"compare out/a.exr out/b.exr", "how far, as shares of the reference's mean"},
+                           {"compare out/a.exr out/b.exr -o out/where.png", "and where"}});
     command->callback([arguments, &action] { action = [arguments] { return compare(*arguments); }; });
 }
 

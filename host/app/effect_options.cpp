@@ -1,6 +1,7 @@
 #include "host/app/effect_options.h"
 
-#include <CLI/CLI.hpp>
+#include "host/app/command_line.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,21 +9,10 @@
 namespace tegument::app {
 
 void addEffectOptions(CLI::App& command, EffectOptions& options) {
-    command.add_option("-D,--define", options.defines, "Preprocessor definition NAME or NAME=VALUE");
-    command.add_option("-I,--include", options.includeFolders, "Folder searched for #include files");
+    repeatable(command.add_option("-D,--define", options.defines, "Preprocessor definition NAME or NAME=VALUE; may be repeated"));
+    repeatable(command.add_option("-I,--include", options.includeFolders, "Folder searched for #include files; may be repeated"));
     command.add_option("--setting", options.setting, "Setting of the effect, by name; tegument info lists them (docs/settings.md)");
     command.add_option("--map-size", options.mapSize, "Texels along each side of the texture-space maps")->check(CLI::Range(1, 16384));
-}
-
-std::filesystem::path effectPath(const std::filesystem::path& named) {
-    namespace fs = std::filesystem;
-    std::error_code code;
-    if (named.is_absolute() || fs::exists(named, code)) return named;
-    const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
-    for (const fs::path& root : {program / "../share/tegument", fs::path(TEGUMENT_TREE)})
-        for (const fs::path& candidate : {root / named, root / "effects" / named})
-            if (fs::is_regular_file(candidate, code)) return candidate.lexically_normal();
-    return named;
 }
 
 LoadOptions loadOptions(const EffectOptions& options) {

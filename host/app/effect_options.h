@@ -4,7 +4,6 @@
 #include "host/effect/model.h"
 #include "host/support/text.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,10 +21,6 @@ struct EffectOptions {
 };
 
 void addEffectOptions(CLI::App& command, EffectOptions& options);
-
-/// Where an effect lies: as named, or among the effects beside the program: `Main.fx` and `effects/Main.fx` then work from any folder, in
-/// the build folder as well as installed.
-[[nodiscard]] std::filesystem::path effectPath(const std::filesystem::path& named);
 
 /// Defines in the order given; --map-size becomes TEGUMENT_MAP_SIZE.
 [[nodiscard]] LoadOptions loadOptions(const EffectOptions& options);

@@ -1,12 +1,11 @@
 // tegument flatten: an effect and its includes, or the library of functions, as one file.
 
 #include "host/emit/flatten.h"
-#include "host/app/commands.h"
-#include "host/app/effect_options.h"
+#include "host/app/command_line.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/support/file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -25,18 +24,21 @@ struct FlattenArguments {
 constexpr const char* kLibraryHead = "hlsl/tegument.fxh";
 
 int flatten(const FlattenArguments& arguments) {
+    if (const auto can = checkOutput(arguments.output, {}); !can) return fail(can.error(), false);
+    const auto file = arguments.library && arguments.file.empty() ? ownFile(kLibraryHead) : findEffect(arguments.file);
+    if (!file) return fail(file.error(), false);
     PreprocessOptions options{
         .defines = {}, .includeFolders = {}, .read = [](const std::filesystem::path& path) { return readFile(path); }};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
-    const auto file = effectPath(arguments.file.empty() && arguments.library ? kLibraryHead : arguments.file);
-    const auto text = arguments.library ? flattenLibrary(file, options) : flattenEffect(file, options);
+    const auto text = arguments.library ? flattenLibrary(*file, options) : flattenEffect(*file, options);
     if (!text) return fail(text.error(), false);
     if (arguments.output.empty()) {
         fmt::print("{}", *text);
         return 0;
     }
     if (const auto written = writeFile(arguments.output, *text); !written) return fail(written.error(), false);
+    fmt::print("wrote {}\n", arguments.output);
     return 0;
 }
 
@@ -49,8 +51,9 @@ void addFlatten(CLI::App& program, Action& action) {
         command->add_flag("--library", arguments->library, "The functions of hlsl/ as one header for shaders of your own: tegument.hlsl");
     auto* effect = command->add_option("effect", arguments->file, "Effect file (.fx); with --library: another head than hlsl/tegument.fxh");
     command->add_option("-o,--output", arguments->output, "The one file; without it: standard output");
-    command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files");
-    command->footer("Comments and conditionals stay: -D selects targets and settings as before.");
+    repeatable(command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files; may be repeated"));
+    addExamples(*command, {{"flatten Main -o main_alone.fx", ""}, {"flatten --library -o tegument.hlsl", ""}},
+                "Comments and conditionals stay: -D selects targets and settings as before.");
     command->callback([arguments, effect, library, &action] {
         if (effect->count() + library->count() == 0) throw CLI::RequiredError("effect");
         action = [arguments] { return flatten(*arguments); };

@@ -1,6 +1,6 @@
 // tegument fur: the maps that the shells of effects/Fur.fx read.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/fur_roots.h"
 #include "host/app/output.h"
 #include "host/image/dds.h"
@@ -8,7 +8,6 @@
 #include "meshprep/fur/fur_map.h"
 #include "meshprep/fur/strand_statistics.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -119,6 +118,14 @@ Result<void> writeMaps(const fs::path& folder, const Maps& maps) {
     return writeBoth(folder, "fur_cube", unfoldCube(maps.cubeMap), cubeTexture(maps.cubeMap, DdsFormat::Rgba8));
 }
 
+std::vector<std::string> filesIn(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const char* name : {"fur", "fur_sphere", "fur_cube"})
+        for (const char* ending : {".png", ".dds"})
+            files.push_back((folder / (std::string(name) + ending)).string());
+    return files;
+}
+
 void describe(Image& image, const TextureArguments& arguments) {
     image.metadata["Software"] = fmt::format("tegument {}", TEGUMENT_VERSION);
     image.metadata["tegument:seed"] = fmt::format("{}", arguments.fur.seed);
@@ -127,6 +134,7 @@ void describe(Image& image, const TextureArguments& arguments) {
 }
 
 int one(const TextureArguments& arguments) {
+    if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
     Progress progress;
     auto maps = makeMaps(arguments, progress);
     progress.clear();
@@ -146,15 +154,16 @@ int one(const TextureArguments& arguments) {
                {"sphere", toJson(sphere)},
                {"cube", toJson(cube)},
                {"height_deviation", heights.deviation},
-               {"height_grain", grain}});
+               {"height_grain", grain},
+               {"files", filesIn(arguments.output)}});
         return 0;
     }
     fmt::print("{}",
                table(kHeader, {row("texture", plane, coverage(maps->texture)), row("sphere map", sphere, sphereCoverage(maps->sphereMap)),
                                row("cube map", cube, cubeCoverage(maps->cubeMap))}));
     if (arguments.fur.taper) fmt::print("with gFurTaper = 1: gFurDeviation = {:.3f}, gFurGrain = {:.5f}\n", heights.deviation, grain);
-    for (const char* name : {"fur", "fur_sphere", "fur_cube"})
-        fmt::print("wrote {0}.png and {0}.dds\n", (fs::path(arguments.output) / name).string());
+    for (const std::string& file : filesIn(arguments.output))
+        fmt::print("wrote {}\n", file);
     return 0;
 }
 
@@ -171,6 +180,7 @@ void paste(Image& sheet, const Image& texture, int left, int top, int side) {
 int several(const TextureArguments& arguments) {
     const auto range = parseSeeds(arguments.seeds);
     if (!range) return fail(range.error(), arguments.json);
+    if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
     constexpr int kColumns = 4;
     constexpr int kGap = 8;
     constexpr int kLargestThumbnail = 256;
@@ -205,7 +215,7 @@ int several(const TextureArguments& arguments) {
     if (const auto written = writePng(picture, sheet, PngEncoding::Raw); !written) return fail(written.error(), arguments.json);
     const std::uint32_t best = range->first + static_cast<std::uint32_t>(evenest(figures));
     if (arguments.json) {
-        print({{"seeds", list}, {"evenest", best}});
+        print({{"seeds", list}, {"evenest", best}, {"files", {picture.string()}}});
         return 0;
     }
     std::vector<std::string> header = kHeader;
@@ -229,6 +239,8 @@ void addTexture(CLI::App& fur, Action& action) {
     command->add_option("--seed", arguments->fur.seed, "Seed of the noise")->capture_default_str();
     command->add_option("--seeds", arguments->seeds, "Compare a range of seeds, such as 1..16, as a table and one sheet");
     command->add_flag("--json", arguments->json, "Print JSON");
+    addExamples(*command, {{"fur texture -o out/fur", "all three maps, with statistics"},
+                           {"fur texture --seeds 1..16", "which seed is the evenest?"}});
     command->callback(
         [arguments, &action] { action = [arguments] { return arguments->seeds.empty() ? one(*arguments) : several(*arguments); }; });
 }
@@ -240,6 +252,8 @@ void addFur(CLI::App& program, Action& action) {
     command->require_subcommand(1);
     addTexture(*command, action);
     addFurRoots(*command, action);
+    addExamples(*command, {{"fur texture -o out/fur", "maps of fur for shells"},
+                           {"fur roots bunny.glb -o out/fur/bunny_roots.dds", "strands on the mesh itself"}});
 }
 
 } // namespace tegument::app

@@ -2,6 +2,8 @@
 
 #include "host/app/fur_roots.h"
 
+#include "host/app/command_line.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/image/dds.h"
 #include "host/support/file.h"
@@ -9,7 +11,6 @@
 #include "meshprep/fur/roots/root_texture.h"
 #include "meshprep/fur/roots/vertex_maps.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -159,7 +160,18 @@ void printSummary(const Built& built, const RootArguments& arguments) {
                built.readSeconds, buildSeconds(built), s.surface, s.scatter, s.limits, s.strands, texture.seconds);
 }
 
+Result<void> checkFiles(const RootArguments& arguments) {
+    if (const auto can = checkOutput(arguments.output, {".dds"}, "--picture draws the strands as PNG"); !can) return can.error();
+    if (const auto can = checkOutput(arguments.picture, {".png"}); !can) return can.error();
+    if (const auto exists = fileExists(arguments.input, "the mesh"); !exists) return exists.error();
+    for (const std::string& map : {arguments.densityMap, arguments.lengthMap, arguments.directionMap})
+        if (!map.empty())
+            if (const auto exists = fileExists(map, "the map"); !exists) return exists.error();
+    return {};
+}
+
 int run(RootArguments& arguments) {
+    if (const auto fine = checkFiles(arguments); !fine) return fail(fine.error(), arguments.json);
     Progress progress;
     const auto built = build(arguments, progress);
     progress.clear();
@@ -176,11 +188,15 @@ int run(RootArguments& arguments) {
             return fail(written.error(), arguments.json);
     }
     if (arguments.json) {
-        print(json);
+        Json shown = json;
+        shown["files"] = {arguments.output, beside.string()};
+        if (!arguments.picture.empty()) shown["files"].push_back(arguments.picture);
+        print(shown);
         return 0;
     }
     printSummary(*built, arguments);
-    fmt::print("wrote {} and {}\n", arguments.output, beside.string());
+    for (const std::string& file : {arguments.output, beside.string(), arguments.picture})
+        if (!file.empty()) fmt::print("wrote {}\n", file);
     return 0;
 }
 
@@ -241,6 +257,9 @@ void addFurRoots(CLI::App& fur, Action& action) {
     addLooks(*command, arguments->roots);
     addMaps(*command, *arguments);
     command->add_flag("--json", arguments->json, "Print JSON");
+    addExamples(*command, {{"fur roots bunny.glb -o out/fur/bunny_roots.dds", "as many as usual"},
+                           {"fur roots bunny.glb --density 0.5 --picture out/strands.png", "by area, and look at them"},
+                           {"fur roots bunny.glb --comb 0 -1 0 --lean 0.5", "combed down"}});
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

@@ -1,15 +1,18 @@
 // tegument info: what an effect file offers.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/effect_options.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/effect/model.h"
+#include "host/effect/script_run.h"
 #include "host/emit/effect_json.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 
 namespace tegument::app {
@@ -60,55 +63,194 @@ std::string targetSize(const Annotations& annotations) {
     return "view";
 }
 
+std::string numbersText(const std::vector<double>& numbers) {
+    constexpr std::size_t kMostShown = 4;
+    return numbers.size() > kMostShown ? fmt::format("{} numbers", numbers.size()) : fmt::format("{:.4g}", fmt::join(numbers, " "));
+}
+
 std::string defaultText(const Parameter& parameter) {
     if (!parameter.defaultValue) return parameter.semantic.empty() ? "-" : "by semantic";
     if (const auto* text = std::get_if<std::string>(&*parameter.defaultValue)) return *text;
-    const auto& numbers = std::get<std::vector<double>>(*parameter.defaultValue);
-    if (numbers.size() > 4) return fmt::format("{} numbers", numbers.size());
-    return fmt::format("{:.6g}", fmt::join(numbers, " "));
+    return numbersText(std::get<std::vector<double>>(*parameter.defaultValue));
 }
 
-void printEffect(const Effect& effect) {
-    std::vector<std::vector<std::string>> parameters;
+/// What a user may turn: the effect gives it a name for people and a value of its own, the scene gives it none.
+bool isTunable(const Parameter& parameter) {
+    return parameter.type.isNumeric() && parameter.defaultValue && parameter.annotations.string("UIName") && !isTarget(parameter) &&
+           !equalsIgnoreCase(parameter.annotations.string("UIWidget").value_or(""), "none");
+}
+
+std::string rangeText(const Parameter& parameter) {
+    const auto minimum = parameter.annotations.numbers("UIMin");
+    const auto maximum = parameter.annotations.numbers("UIMax");
+    const auto text = [](const auto& bound) { return bound && !bound->empty() ? fmt::format("{:.4g}", bound->front()) : std::string(); };
+    return minimum || maximum ? text(minimum) + ".." + text(maximum) : std::string("any");
+}
+
+/// The name for people, and behind it the help, which begins with the unit.
+std::string meaning(const Parameter& parameter) {
+    const std::string name = parameter.annotations.string("UIName").value_or("");
+    const std::string help = parameter.annotations.string("UIHelp").value_or("");
+    return name.empty() || help.empty() ? name + help : fmt::format("{}: {}", name, help);
+}
+
+/// Where a texture comes from when nobody names a file.
+std::string textureText(const Parameter& parameter) {
+    if (const auto producer = parameter.annotations.string("Producer")) return fmt::format("drawn by {} when no file is named", *producer);
+    std::string text = meaning(parameter);
+    if (text.empty() && !parameter.semantic.empty())
+        text = fmt::format("semantic {}: --set, the workspace, or the mesh file", parameter.semantic);
+    return text.empty() ? "--set, or the workspace" : text;
+}
+
+/// Rows of columns, the last one wrapped to what is left of 100 columns.
+void printRows(const std::string& title, const std::vector<std::vector<std::string>>& rows) {
+    if (rows.empty()) return;
+    std::vector<std::size_t> widths(rows.front().size() - 1);
+    std::size_t left = 2;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        for (const auto& row : rows)
+            widths[i] = std::max(widths[i], row[i].size());
+        left += widths[i] + 2;
+    }
+    constexpr std::size_t kLeast = 24; // of the last column
+    fmt::print("{}\n", title);
+    for (const auto& row : rows) {
+        std::string line = "  ";
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            line += fmt::format("{:<{}}  ", row[i], widths[i]);
+        for (const std::string& part : wrapped(row.back(), std::max(kLeast, kWidth - std::min(left, kWidth)))) {
+            line += part;
+            fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+            line = std::string(left, ' ');
+        }
+    }
+    fmt::print("\n");
+}
+
+/// Notes which passes a script runs; nothing is drawn. `on`: every switch, a whole number from 0 to 1, is 1.
+class PassCounter : public ScriptSink {
+public:
+    explicit PassCounter(bool on) : on_(on) {}
+    std::vector<const Pass*> passes; // each once, in the order of their first run
+
+    Result<void> targetsChanged(const BoundTargets&) override { return {}; }
+    Result<void> clear(ClearKind, int, const ScriptState&) override { return {}; }
+    Result<void> beginPass(const Technique&, const Pass& pass) override {
+        if (std::ranges::find(passes, &pass) == passes.end()) passes.push_back(&pass);
+        return {};
+    }
+    Result<void> draw(const Pass&, DrawKind, const ScriptState&) override { return {}; }
+    Result<void> endPass(const Pass&) override { return {}; }
+    Result<void> external(const ScriptState&) override { return {}; }
+    [[nodiscard]] std::vector<double> read(const Parameter& parameter) const override {
+        if (const auto written = written_.find(parameter.name); written != written_.end()) return {written->second};
+        if (on_ && rangeText(parameter) == "0..1" && parameter.type.base != BaseType::Float) return {1.0};
+        if (const auto* numbers = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr)
+            return *numbers;
+        return std::vector<double>(static_cast<std::size_t>(parameter.type.scalarCount()), 0.0);
+    }
+    void write(const Parameter& parameter, double value) override { written_[parameter.name] = value; }
+
+private:
+    bool on_;
+    std::map<std::string, double> written_;
+};
+
+std::vector<const Pass*> passesRun(const Effect& effect, const Technique& technique, bool on) {
+    PassCounter counter(on);
+    const auto ran = runScripts(effect, technique.name, counter);
+    return ran ? counter.passes : std::vector<const Pass*>();
+}
+
+/// Passes as docs/passes.md counts them: those that the script runs with its switches on. Declared may be more, for other values; run by
+/// default may be fewer.
+struct PassCount {
+    std::vector<const Pass*> counted;
+    std::size_t byDefault = 0;
+};
+
+PassCount countPasses(const Effect& effect, const Technique& technique) {
+    const auto byDefault = passesRun(effect, technique, false);
+    const auto on = passesRun(effect, technique, true);
+    PassCount count{.counted = {}, .byDefault = byDefault.size()};
+    for (const Pass& pass : technique.passes)
+        if (std::ranges::find(byDefault, &pass) != byDefault.end() || std::ranges::find(on, &pass) != on.end())
+            count.counted.push_back(&pass);
+    return count;
+}
+
+void printTechnique(const Effect& effect, const Technique& technique, bool all) {
+    const PassCount count = countPasses(effect, technique);
+    const std::size_t passes = count.counted.size();
+    std::string line = fmt::format("technique {}: {} pass{}", technique.name, passes, passes == 1 ? "" : "es");
+    if (count.byDefault < passes) line += fmt::format(", {} of them with the default values", count.byDefault);
+    if (technique.passes.size() > passes) line += fmt::format("; {} more for other values", technique.passes.size() - passes);
+    fmt::print("{}\n", line);
+    if (all) {
+        for (const Pass& pass : technique.passes)
+            fmt::print("    {:<16} {} / {}\n", pass.name, pass.vertexShader ? pass.vertexShader->entry : "-",
+                       pass.pixelShader ? pass.pixelShader->entry : "-");
+        return;
+    }
+    std::vector<std::string> names;
+    for (const Pass* pass : count.counted)
+        names.push_back(pass->name);
+    constexpr std::size_t kInset = 4;
+    for (const std::string& part : wrapped(fmt::format("{}", fmt::join(names, ", ")), kWidth - kInset))
+        fmt::print("    {}\n", part);
+}
+
+void printEffect(const Effect& effect, bool all) {
+    std::vector<std::vector<std::string>> tunables;
+    std::vector<std::vector<std::string>> textures;
+    std::vector<std::vector<std::string>> internals;
     std::vector<std::vector<std::string>> targets;
     for (const Parameter& parameter : effect.parameters) {
-        if (isTarget(parameter)) {
+        if (isTarget(parameter))
             targets.push_back(
                 {parameter.name, targetSize(parameter.annotations), parameter.annotations.string("Format").value_or("A8R8G8B8")});
-        } else {
-            parameters.push_back({parameter.name, typeName(parameter.type), parameter.semantic, defaultText(parameter),
-                                  parameter.annotations.string("UIHelp").value_or("")});
-        }
+        else if (isTunable(parameter))
+            tunables.push_back(
+                {parameter.name, typeName(parameter.type), rangeText(parameter), defaultText(parameter), meaning(parameter)});
+        else if (parameter.type.isTexture())
+            textures.push_back({parameter.name, typeName(parameter.type), textureText(parameter)});
+        else
+            internals.push_back({parameter.name, typeName(parameter.type), parameter.semantic.empty() ? "-" : parameter.semantic,
+                                 defaultText(parameter), meaning(parameter)});
     }
     fmt::print("{}\n", effect.file.string());
     if (effect.settings)
         fmt::print("settings ({}): {}; now {}\n", effect.settings->define, fmt::join(effect.settings->names, ", "),
                    effect.settings->current);
     fmt::print("\n");
-    if (!parameters.empty()) fmt::print("{}\n", table({"parameter", "type", "semantic", "default", "help"}, parameters));
-    if (!targets.empty()) fmt::print("{}\n", table({"target", "size", "format"}, targets));
-    for (const Technique& technique : effect.techniques) {
-        fmt::print("technique {}: {} passes\n", technique.name, technique.passes.size());
-        for (const Pass& pass : technique.passes)
-            fmt::print("    {:<16} {} / {}\n", pass.name, pass.vertexShader ? pass.vertexShader->entry : "-",
-                       pass.pixelShader ? pass.pixelShader->entry : "-");
-    }
+    printRows("to turn (--set NAME=VALUE): type, range, default, what it is and its unit", tunables);
+    printRows("textures (--set NAME=FILE)", textures);
+    if (all) printRows("internal parameters: type, semantic, default", internals);
+    if (all) printRows("targets: size, format", targets);
+    for (const Technique& technique : effect.techniques)
+        printTechnique(effect, technique, all);
+    if (!all && internals.size() + targets.size() > 0)
+        fmt::print("\n{} internal parameters and {} targets: --all shows them\n", internals.size(), targets.size());
 }
 
 struct InfoOptions {
     std::string file;
     EffectOptions effect;
+    bool all = false;
     bool json = false;
 };
 
 int info(const InfoOptions& options) {
-    const Result<Effect> effect = loadEffect(effectPath(options.file), loadOptions(options.effect));
+    const auto file = findEffect(options.file);
+    if (!file) return fail(file.error(), options.json);
+    const Result<Effect> effect = loadEffect(*file, loadOptions(options.effect));
     if (!effect) return fail(effect.error(), options.json);
     warn(effect->warnings);
     if (options.json) {
         print(effectJson(*effect));
     } else {
-        printEffect(*effect);
+        printEffect(*effect, options.all);
     }
     return 0;
 }
@@ -118,9 +260,11 @@ int info(const InfoOptions& options) {
 void addInfo(CLI::App& program, Action& action) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "List an effect's parameters, targets, techniques and passes");
-    command->add_option("effect", options->file, "Effect file (.fx)")->required();
+    command->add_option("effect", options->file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
     addEffectOptions(*command, options->effect);
-    command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--all", options->all, "Also internal parameters, targets and the shaders of each pass");
+    command->add_flag("--json", options->json, "Print JSON, with everything");
+    addExamples(*command, {{"info Main", "what can be turned"}, {"info Main --all", "and everything else"}});
     command->callback([options, &action] { action = [options] { return info(*options); }; });
 }
 

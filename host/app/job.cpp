@@ -1,6 +1,9 @@
 #include "host/app/job.h"
 
-#include <CLI/CLI.hpp>
+#include "host/app/command_line.h"
+#include "host/app/given_values.h"
+#include "host/app/names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,56 +14,12 @@ namespace tegument::app {
 
 namespace {
 
-std::optional<std::vector<double>> parseNumbers(std::string_view text) {
-    std::vector<double> numbers;
-    while (true) {
-        const std::size_t comma = text.find(',');
-        const std::string_view item = trim(text.substr(0, comma));
-        double number = 0;
-        const auto parsed = std::from_chars(item.data(), item.data() + item.size(), number);
-        if (parsed.ec != std::errc() || parsed.ptr != item.data() + item.size()) return std::nullopt;
-        numbers.push_back(number);
-        if (comma == std::string_view::npos) return numbers;
-        text.remove_prefix(comma + 1);
-    }
-}
-
-std::vector<std::string> parameterNames(const Effect& effect) {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : effect.parameters)
-        names.push_back(parameter.name);
-    return names;
-}
-
 /// The workspace that shows the effect when none is named.
 std::string usualWorkspace(const Effect& effect) {
     for (const Parameter& parameter : effect.parameters)
         if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL"))
             return parameter.annotations.string("Workspace").value_or("human.json");
     return "human.json";
-}
-
-/// NAME=VALUE: numbers for a numeric parameter, a file for a texture.
-Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run) {
-    const std::size_t equals = set.find('=');
-    if (equals == std::string::npos || equals == 0)
-        return usageError(8011, fmt::format("--set {} has no '='", set), "write --set NAME=VALUE, for example --set gMix=0.5");
-    const std::string name = set.substr(0, equals);
-    const std::string value = set.substr(equals + 1);
-    const Parameter* parameter = effect.findParameter(name);
-    if (!parameter)
-        return inputError(8012, {.file = effect.file.string(), .byte = {}}, fmt::format("no parameter '{}' to set", name),
-                          didYouMean(name, parameterNames(effect)));
-    if (parameter->type.isTexture()) {
-        run.textures[name] = value;
-        return {};
-    }
-    auto numbers = parseNumbers(value);
-    if (!numbers)
-        return usageError(8013, fmt::format("--set {}: '{}' is not a number or a list of numbers", name, value),
-                          "separate the numbers by commas: --set gTint=1,0.9,0.8");
-    run.parameters[name] = std::move(*numbers);
-    return {};
 }
 
 bool drawsGeometry(const Pass& pass) {
@@ -98,20 +57,22 @@ Result<Compiler> chosenCompiler(const std::string& name) {
 }
 
 void addJobOptions(CLI::App& command, JobOptions& options) {
-    command.add_option("effect", options.file, "Effect file (.fx)")->required();
+    command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
     command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .ply, .obj); default: the workspace's");
     command.add_option(
         "-w,--workspace", options.scene.workspace,
-        "Workspace file (docs/workspace.md); default: the one that the effect names, else human.json, of workspaces/ beside it");
+        "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "
+        "human.json, of workspaces/ beside it");
     command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
-    command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated");
+    repeatable(
+        command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
     command.add_option("--size", options.size, "Picture size in pixels")->capture_default_str();
     command.add_option("--samples", options.samples, "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean")
         ->check(CLI::IsMember({1, 2, 4, 8}))
         ->capture_default_str();
     command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
-        ->check(CLI::IsMember({"dxc", "glslang"}));
+        ->transform(oneOf({"dxc", "glslang"}));
     command.add_option("--device", options.device, "Part of the Vulkan device's name");
     command.add_flag("--validate", options.validate, "Run under the Vulkan validation layers; any message is a failure");
     addEffectOptions(command, options.effect);
@@ -120,9 +81,20 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
 Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     const auto size = parseSize(options.size);
     if (!size) return size.error();
-    const std::filesystem::path file = effectPath(options.file);
-    auto effect = loadEffect(file, loadOptions(options.effect));
+    const auto file = findEffect(options.file);
+    if (!file) return file.error();
+    SceneOptions sceneOptions = options.scene;
+    sceneOptions.effect = file->string();
+    if (!options.scene.workspace.empty()) {
+        const auto workspace = findWorkspace(options.scene.workspace, *file);
+        if (!workspace) return workspace.error();
+        sceneOptions.workspace = workspace->string();
+    }
+    if (!options.scene.mesh.empty())
+        if (const auto exists = fileExists(options.scene.mesh, "--mesh"); !exists) return exists.error();
+    auto effect = loadEffect(*file, loadOptions(options.effect));
     if (!effect) return effect.error();
+    if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();
     Job job{.effect = std::move(*effect), .scene = {}, .run = {}};
     job.run.technique = options.technique;
     job.run.width = size->first;
@@ -134,12 +106,13 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     for (const std::string& set : options.sets)
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
-    SceneOptions sceneOptions = options.scene;
-    sceneOptions.effect = file;
     sceneOptions.usual = usualWorkspace(job.effect);
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);
+    auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
+    if (!warnings) return warnings.error();
+    job.warnings = std::move(*warnings);
     return job;
 }
 

@@ -25,6 +25,7 @@ struct Job {
     Effect effect;
     Scene scene;
     RunOptions run;
+    std::vector<Diagnostic> warnings; // of what the workspace gives
 };
 
 /// Which technique decides whether a mesh must be there.
@@ -37,7 +38,8 @@ enum class MeshFor { Technique, AnyTechnique };
 [[nodiscard]] Result<Compiler> chosenCompiler(const std::string& name);
 
 void addJobOptions(CLI::App& command, JobOptions& options);
-/// TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler is not there; and whatever loading says.
+/// TG8006 to TG8009 a file or technique that does not exist, TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler
+/// is not there, TG8019 a workspace's value that cannot be; and whatever loading says.
 [[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor);
 
 } // namespace tegument::app

@@ -1,38 +1,39 @@
 // tegument: check, look into and render effect files; prepare meshes for them.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/output.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <exception>
 
 namespace {
 
-constexpr int kUsage = 2;
 constexpr int kMachine = 3;
 
 constexpr const char* kStart = R"(
 Start here:
-  tegument info effects/Main.fx               what an effect offers
-  tegument check effects/Main.fx              does it compile for every Direct3D and for SPIR-V?
+  tegument info Main                          what an effect offers
+  tegument check Main                         does it compile for every Direct3D and for SPIR-V?
   tegument prep human                         make the default head, once
-  tegument render effects/Main.fx -o head.png
-  tegument render effects/Main.fx --dump all  the same, with every intermediate target as EXR
-  tegument view effects/Main.fx               the same in a window; edits of the source show at once)";
+  tegument render Main -o head.png            draw it
+  tegument view Main                          in a window; edits of the source show at once)";
 
 constexpr const char* kExitCodes = R"(
+  tegument help render                        what a command takes
 
-Exit codes: 0 success, 1 the input is at fault, 2 the command line is, 3 the machine is.)";
+Exit codes:
+  0  done, and true
+  1  the input is at fault: the content of a file, or a figure beyond its limit
+  2  the command line is: an option, or a file, technique or parameter that does not exist
+  3  the machine is: the message says what it lacks, and what brings it)";
 
 int run(int argc, char** argv) {
     CLI::App program("Skin and fur effects in HLSL: check them, look into them, render them.", "tegument");
     program.require_subcommand(1);
     program.set_version_flag("--version", TEGUMENT_VERSION);
-    program.footer(kStart);
-
     tegument::app::Action action;
+    tegument::app::setUpHelp(program, action);
     tegument::app::addRender(program, action);
     tegument::app::addCheck(program, action);
     tegument::app::addFlatten(program, action);
@@ -42,13 +43,10 @@ int run(int argc, char** argv) {
     tegument::app::addSheet(program, action);
     tegument::app::addCompare(program, action);
     tegument::app::addView(program, action);
+    program.footer(kStart); // after the others: a command inherits what its parent has
     tegument::app::addLab(program, action);
     program.footer(program.get_footer() + kExitCodes);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : kUsage;
-    }
+    if (const auto code = tegument::app::parse(program, argc, argv)) return *code;
     return action();
 }
 

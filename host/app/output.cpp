@@ -1,6 +1,10 @@
 #include "host/app/output.h"
 
+#include "host/support/file.h"
+#include "host/support/text.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -40,6 +44,18 @@ int fail(const Error& error, bool json) {
 void warn(const std::vector<Diagnostic>& warnings) {
     for (const Diagnostic& warning : warnings)
         fmt::print(stderr, "{}\n", format(warning));
+}
+
+Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint) {
+    if (path.empty()) return {};
+    const std::string ending = toLower(std::filesystem::path(path).extension().string());
+    if (!endings.empty() && std::ranges::find(endings, ending) == endings.end())
+        return usageError(8024, fmt::format("cannot write {}: its name must end in {}", path, fmt::join(endings, " or ")), hint);
+    return canWrite(path);
+}
+
+Result<void> checkFolder(const std::string& folder) {
+    return canWrite(std::filesystem::path(folder) / "x");
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}

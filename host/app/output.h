@@ -24,6 +24,12 @@ void print(const Json& json);
 int fail(const Error& error, bool json);
 void warn(const std::vector<Diagnostic>& warnings);
 
+/// TG8024 when the path's ending is none of these (".png", ...), TG5002 when nothing can be written there: asked before the work. An empty
+/// path is one that nobody asked for.
+[[nodiscard]] Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint = {});
+/// TG5002 when files cannot be written into this folder.
+[[nodiscard]] Result<void> checkFolder(const std::string& folder);
+
 /// A line that replaces itself while standard error is a terminal, and says nothing otherwise.
 class Progress {
 public:

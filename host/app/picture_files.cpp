@@ -1,9 +1,10 @@
 #include "host/app/picture_files.h"
 
+#include "host/app/command_line.h"
 #include "host/image/dds.h"
+#include "host/support/file.h"
 #include "host/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,20 +41,24 @@ std::string formatOf(const RunResult& result, const std::string& target) {
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
     command.add_option("-o,--output", options.output, "Picture to write (.png, .exr or .dds); default: out/<effect>.png");
-    command.add_option("--dump-format", options.formats, "Of dumped targets: exr, dds (for engines) or png (for looking); may be repeated")
+    repeatable(command.add_option("--dump-format", options.formats,
+                                  "Of dumped targets: exr, dds (for engines) or png (for looking); several are separated by commas"))
         ->delimiter(',')
-        ->check(CLI::IsMember({"exr", "dds", "png"}))
+        ->transform(oneOf({"exr", "dds", "png"}))
         ->capture_default_str();
     command.add_flag("--mips", options.mips, "Write DDS files with all their mip levels");
     command.add_option("--dds-header", options.ddsHeader, "dx10, or d3d9 for Direct3D 9's loaders")
-        ->check(CLI::IsMember({"dx10", "d3d9"}))
+        ->transform(oneOf({"dx10", "d3d9"}))
         ->capture_default_str();
 }
 
 Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effect) {
     const fs::path output = options.output.empty() ? fs::path("out") / effect.stem().concat(".png") : fs::path(options.output);
     const std::string extension = toLower(output.extension().string());
-    if (extension == ".png" || extension == ".exr" || extension == ".dds") return output;
+    if (extension == ".png" || extension == ".exr" || extension == ".dds") {
+        if (const auto can = canWrite(output); !can) return can.error();
+        return output;
+    }
     return usageError(8016, fmt::format("{} is none of .png, .exr and .dds", output.string()),
                       "PNG is for looking, EXR and DDS hold the linear floats");
 }

@@ -22,7 +22,7 @@ struct PictureOptions {
 
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
-/// TG8016 for an ending that is not written.
+/// TG8016 for an ending that is not written, TG5002 for a place that cannot be written to.
 [[nodiscard]] Result<std::filesystem::path> outputPath(const PictureOptions& options, const std::filesystem::path& effect);
 
 /// <output without extension>.<target>.<format>

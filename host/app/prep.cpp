@@ -1,9 +1,7 @@
 // tegument prep: meshes made ready for the effects.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/prep_mesh.h"
-
-#include <CLI/CLI.hpp>
 
 namespace tegument::app {
 
@@ -13,6 +11,10 @@ void addPrep(CLI::App& program, Action& action) {
     addPrepMesh(*command, action);
     addPrepShape(*command, action);
     addPrepHuman(*command, action);
+    addPrepBunny(*command, action);
+    addExamples(*command, {{"prep human", "the default head, once"},
+                           {"prep scan.ply -o scan.glb", "cleaned, with normals, ordered, with levels of detail"},
+                           {"prep scan.obj --unit-mm 1000 --dry-run --report out/report.json", "what would change"}});
 }
 
 } // namespace tegument::app

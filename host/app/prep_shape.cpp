@@ -1,13 +1,12 @@
 // tegument prep shape: meshes with known counts to try preparation on.
 
+#include "host/app/command_line.h"
 #include "host/app/output.h"
 #include "host/app/prep_mesh.h"
 #include "meshprep/prepare/shapes.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 
 namespace tegument::app {
@@ -21,9 +20,11 @@ struct ShapeArguments {
 };
 
 int makeAndWrite(const ShapeArguments& arguments) {
+    const auto can = checkOutput(arguments.output, {".ply"}, "tegument prep IN.ply -o OUT.glb makes a glb of it");
+    if (!can) return fail(can.error(), false);
     const Mesh mesh = prep::makeShape(arguments.shape, arguments.detail);
     if (const auto written = writePly(arguments.output, mesh); !written) return fail(written.error(), false);
-    fmt::print("{} vertices, {} triangles: wrote {}\n", mesh.positions.size(), mesh.indices.size() / 3, arguments.output);
+    fmt::print("{} vertices, {} triangles\nwrote {}\n", mesh.positions.size(), mesh.indices.size() / 3, arguments.output);
     return 0;
 }
 
@@ -33,14 +34,14 @@ void addPrepShape(CLI::App& parent, Action& action) {
     using prep::Shape;
     auto arguments = std::make_shared<ShapeArguments>();
     CLI::App* command = parent.add_subcommand("shape", "Write a generated mesh as PLY: cube, torus, sphere, terrain (docs/meshprep.md)");
-    const std::map<std::string, Shape> shapes = {
-        {"cube", Shape::Cube}, {"torus", Shape::Torus}, {"sphere", Shape::Sphere}, {"terrain", Shape::Terrain}};
     command->add_option("shape", arguments->shape, "cube, torus, sphere or terrain")
         ->required()
-        ->transform(CLI::CheckedTransformer(shapes));
+        ->type_name("")
+        ->transform(oneOf<Shape>({{"cube", Shape::Cube}, {"torus", Shape::Torus}, {"sphere", Shape::Sphere}, {"terrain", Shape::Terrain}}));
     command->add_option("-o,--output", arguments->output, "Where it goes")->required();
     command->add_option("--detail", arguments->detail, "Sphere: 20 N^2 triangles, default N = 224; terrain: 2 N^2, default 724")
         ->check(CLI::Range(1, 5000));
+    addExamples(*command, {{"prep shape torus -o out/torus.ply", ""}, {"prep shape sphere --detail 32 -o out/ball.ply", ""}});
     command->callback([arguments, &action] { action = [arguments] { return makeAndWrite(*arguments); }; });
 }
 

@@ -1,12 +1,14 @@
 // tegument render: runs an effect on a scene and writes what it drew.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/app/picture_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include <memory>
 
@@ -129,6 +131,21 @@ void printReport(const Job& job, const gpu::Device& device, const RunResult& res
         fmt::print("wrote {}\n", file.string());
 }
 
+Result<void> targetsExist(const Effect& effect, const std::vector<std::string>& dump) {
+    std::vector<std::string> targets;
+    for (const Parameter& parameter : effect.parameters)
+        if (equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET"))
+            targets.push_back(parameter.name);
+    for (const std::string& name : dump) {
+        if (name == "all" || std::ranges::find(targets, name) != targets.end()) continue;
+        const std::string near = didYouMean(name, targets);
+        return usageError(8023, fmt::format("--dump {}: {} has no such target", name, effect.file.string()),
+                          near.empty() ? fmt::format("it has {}", targets.empty() ? "none" : fmt::format("{}", fmt::join(targets, ", ")))
+                                       : near);
+    }
+    return {};
+}
+
 int render(const RenderOptions& options) {
     const auto output = outputPath(options.pictures, options.job.file);
     if (!output) return fail(output.error(), options.json);
@@ -136,11 +153,13 @@ int render(const RenderOptions& options) {
     progress.say("reading");
     auto job = loadJob(options.job, MeshFor::Technique);
     if (!job) return fail(job.error(), options.json);
+    if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
     job->run.frames = options.frames;
     job->run.warmUpFrames = options.frames > 1 ? 2 : 0;
     job->run.dump = options.dump;
     progress.clear();
     warn(job->effect.warnings);
+    warn(job->warnings);
     for (const Mesh& mesh : job->scene.meshes)
         warn(mesh.warnings);
 
@@ -171,12 +190,15 @@ void addRender(CLI::App& program, Action& action) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = program.add_subcommand("render", "Run an effect on a mesh and write the picture");
     addJobOptions(*command, options->job);
-    command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated");
+    repeatable(command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated"));
     addPictureOptions(*command, options->pictures);
     command->add_option("--frames", options->frames, "Frames to time; the table shows medians")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON");
+    addExamples(*command, {{"render Main -o head.png", "the default head"},
+                           {"render Main --mesh head.glb --set gRoughness=0.25", "a head of your own"},
+                           {"render Main --dump all", "with every intermediate target as EXR"}});
     command->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

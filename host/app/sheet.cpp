@@ -1,12 +1,13 @@
 // tegument sheet: pictures side by side in one, with labels of columns and rows.
 
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/app/typeface.h"
 #include "host/image/image.h"
+#include "host/support/file.h"
 #include "host/support/text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -142,14 +143,22 @@ void drawLabels(const SheetArguments& arguments, const Grid& grid, const Typefac
     }
 }
 
-Result<void> write(const std::filesystem::path& path, const Image& sheet) {
-    const std::string extension = toLower(path.extension().string());
-    if (extension == ".jpg" || extension == ".jpeg") return writeJpeg(path, sheet);
-    if (extension == ".png") return writePng(path, sheet, PngEncoding::Raw);
-    return usageError(8032, fmt::format("{} is neither a .png nor a .jpg", path.string()), "PNG is exact, JPEG is smaller");
+bool isJpeg(const std::string& path) {
+    const std::string ending = toLower(std::filesystem::path(path).extension().string());
+    return ending == ".jpg" || ending == ".jpeg";
+}
+
+Result<void> checkFiles(const SheetArguments& arguments) {
+    if (!isJpeg(arguments.output) && toLower(std::filesystem::path(arguments.output).extension().string()) != ".png")
+        return usageError(8032, fmt::format("{} is neither a .png nor a .jpg", arguments.output), "PNG is exact, JPEG is smaller");
+    if (const auto can = canWrite(arguments.output); !can) return can.error();
+    for (const std::string& picture : arguments.pictures)
+        if (const auto exists = fileExists(picture, "the picture"); !exists) return exists.error();
+    return {};
 }
 
 Result<void> makeSheet(const SheetArguments& arguments) {
+    if (const auto fine = checkFiles(arguments); !fine) return fine.error();
     const auto images = loadAll(arguments.pictures);
     if (!images) return images.error();
     std::optional<Typeface> typeface; // only labels need one
@@ -162,7 +171,7 @@ Result<void> makeSheet(const SheetArguments& arguments) {
     if (const auto checked = checkLabels(arguments, grid, typeface); !checked) return checked.error();
     Image sheet = arrange(*images, grid);
     if (typeface) drawLabels(arguments, grid, *typeface, sheet);
-    return write(arguments.output, sheet);
+    return isJpeg(arguments.output) ? writeJpeg(arguments.output, sheet) : writePng(arguments.output, sheet, PngEncoding::Raw);
 }
 
 int sheet(const SheetArguments& arguments) {
@@ -181,9 +190,12 @@ void addSheet(CLI::App& program, Action& action) {
     command->add_option("-o,--output", arguments->output, "Picture to write (.png or .jpg)")->capture_default_str();
     command->add_option("--columns", arguments->columns, "Pictures in a row")->check(CLI::Range(1, 64))->capture_default_str();
     command->add_option("--gap", arguments->gap, "White pixels between pictures")->check(CLI::Range(0, 1024))->capture_default_str();
-    command->add_option("--column-labels", arguments->columnLabels, "Text above each column, separated by commas")->delimiter(',');
-    command->add_option("--row-labels", arguments->rowLabels, "Text before each row, separated by commas")->delimiter(',');
+    repeatable(command->add_option("--column-labels", arguments->columnLabels, "Text above each column, separated by commas"))
+        ->delimiter(',');
+    repeatable(command->add_option("--row-labels", arguments->rowLabels, "Text before each row, separated by commas"))->delimiter(',');
     command->add_option("--font", arguments->font, "TrueType file of the labels")->capture_default_str();
+    addExamples(*command, {{"sheet a.png b.png --columns 2 -o both.png", ""},
+                           {"sheet a.png b.png --columns 2 --column-labels before,after -o both.jpg", ""}});
     command->callback([arguments, &action] { action = [arguments] { return sheet(*arguments); }; });
 }
 

@@ -1,12 +1,11 @@
 // tegument view: an effect in a window.
 
 #include "host/view/view.h"
-#include "host/app/commands.h"
+#include "host/app/command_line.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/view/keys.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -15,9 +14,11 @@ namespace tegument::app {
 
 namespace {
 
+constexpr const char* kPictures = "out";
+
 struct ViewOptions {
     JobOptions job;
-    std::string pictures = "out";
+    std::string pictures = kPictures;
 };
 
 SessionScene sceneOf(const Scene& scene) {
@@ -26,7 +27,7 @@ SessionScene sceneOf(const Scene& scene) {
 }
 
 ViewRequest requestFor(const ViewOptions& options, const Job& job) {
-    return {.effect = options.job.file,
+    return {.effect = job.effect.file,
             .load = loadOptions(options.job.effect),
             .scene = sceneOf(job.scene),
             .workspace = job.scene.workspace,
@@ -37,12 +38,15 @@ ViewRequest requestFor(const ViewOptions& options, const Job& job) {
 }
 
 int runView(const ViewOptions& options) {
+    if (options.pictures != kPictures) // the usual folder may be needed by nobody
+        if (const auto can = checkFolder(options.pictures); !can) return fail(can.error(), false);
     Progress progress;
     progress.say("reading");
     const auto job = loadJob(options.job, MeshFor::AnyTechnique);
     progress.clear();
     if (!job) return fail(job.error(), false);
     warn(job->effect.warnings);
+    warn(job->warnings);
     for (const Mesh& mesh : job->scene.meshes)
         warn(mesh.warnings);
     const auto messages = viewEffect(requestFor(options, *job), [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
@@ -60,7 +64,8 @@ void addView(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("view", "Show an effect in a window, and again whenever its source changes");
     addJobOptions(*command, options->job);
     command->add_option("-o,--output", options->pictures, "Folder for the pictures that the key s writes")->capture_default_str();
-    command->footer("In the window:\n" + view::bindingsHelp());
+    addExamples(*command, {{"view Main", "the default head"}, {"view Fur -w bunny", "a workspace of ours"}},
+                "In the window:\n" + view::bindingsHelp());
     command->callback([options, &action] { action = [options] { return runView(*options); }; });
 }
 

@@ -48,6 +48,16 @@ std::vector<Target> targetsByName(std::string_view name) {
     return found == kNames.end() ? std::vector<Target>{} : std::vector{found->target};
 }
 
+std::string_view verdictName(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Passed: return "passed";
+    case Verdict::Failed: return "failed";
+    case Verdict::NotApplicable: return "not applicable";
+    case Verdict::NotChecked: return "not checked";
+    }
+    return "not checked";
+}
+
 std::vector<Variant> settingVariants(const std::filesystem::path& effect, const LoadOptions& options) {
     const auto loaded = loadEffect(effect, options);
     std::vector<Variant> variants;
@@ -170,7 +180,7 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
 std::string spellingObstacle(const Work& work) {
     if (work.report.entries.empty()) return "no pass names a shader";
     if (const auto intrinsic = direct3D9Intrinsic(work.effect()))
-        return fmt::format("Direct3D 9 intrinsic at {}({},{})", intrinsic->at.file, intrinsic->at.line, intrinsic->at.column);
+        return fmt::format("written for Direct3D 9: intrinsic at {}({},{})", intrinsic->at.file, intrinsic->at.line, intrinsic->at.column);
     return {};
 }
 
@@ -186,6 +196,15 @@ void addError(TargetCheck& report, int code, SourcePosition at, std::string text
 void addMissingPosition(const EntryPoint& vertex, TargetCheck& report) {
     addError(report, 3206, vertex.at, fmt::format("{} writes no SV_Position: nothing will be drawn", vertex.name),
              "write SV_Position in place of POSITION; Direct3D 9 takes it too");
+}
+
+void leaveOut(TargetCheck& report, std::string reason) {
+    report.verdict = Verdict::NotApplicable;
+    report.reason = std::move(reason);
+}
+
+bool wasChecked(const TargetCheck& report) {
+    return report.verdict == Verdict::Passed || report.verdict == Verdict::Failed;
 }
 
 void conclude(TargetCheck& report) {

@@ -1,5 +1,5 @@
 #pragma once
-// Does an effect compile everywhere? Every target's own compiler is asked; what could not be asked is `not checked`, never passed.
+// Does an effect compile everywhere? Every target's own compiler is asked; what the machine lacks is `not checked`, never passed.
 
 #include "host/direct3d/microsoft.h"
 #include "host/effect/model.h"
@@ -41,12 +41,16 @@ struct CheckOptions {
     bool allSettings = false; // each variant once for each setting that a file has
 };
 
-enum class Verdict { Passed, Failed, NotChecked };
+/// NotApplicable: the file has nothing for this target, which is no fault of anybody. NotChecked: the machine lacks the target's tool.
+enum class Verdict { Passed, Failed, NotApplicable, NotChecked };
+
+/// "passed", "failed", "not applicable", "not checked".
+[[nodiscard]] std::string_view verdictName(Verdict verdict);
 
 struct TargetCheck {
     Target target = Target::Fx2;
     Verdict verdict = Verdict::NotChecked;
-    std::string reason; // why not checked
+    std::string reason; // why not applicable, or not checked: then with the command that brings what is missing
     std::vector<Diagnostic> diagnostics;
     int entries = 0; // entry points compiled
     double milliseconds = 0;
@@ -106,7 +110,7 @@ struct FileReport {
 struct CheckReport {
     std::vector<FileReport> files; // for each variant, every file
     [[nodiscard]] bool failed() const;
-    [[nodiscard]] bool complete() const; // nothing was left unchecked
+    [[nodiscard]] bool complete() const; // the machine has all that was asked for
 };
 
 /// Loads each file, then:

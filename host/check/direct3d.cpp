@@ -65,7 +65,7 @@ void addEffect(Work& work, Target target, Batch& batch) {
     TargetCheck* report = work.find(target);
     if (report == nullptr || !work.loaded()) return;
     if (expectedIn(work, target).techniques == 0)
-        report->reason = fmt::format("the file has no technique for {}", targetName(target));
+        leaveOut(*report, fmt::format("the file has no technique for {}", targetName(target)));
     else
         addJob(work, *report, nullptr, std::string(targetName(target)), batch);
 }
@@ -83,8 +83,7 @@ std::string sm5Profile(ShaderKind kind) {
 void addEntries(Work& work, Batch& batch) {
     TargetCheck* report = work.find(Target::Sm5);
     if (report == nullptr || !work.loaded()) return;
-    report->reason = spellingObstacle(work);
-    if (!report->reason.empty()) return;
+    if (std::string obstacle = spellingObstacle(work); !obstacle.empty()) return leaveOut(*report, std::move(obstacle));
     for (EntryPoint& entry : work.report.entries)
         addJob(work, *report, &entry, sm5Profile(entry.kind), batch);
 }

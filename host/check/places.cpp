@@ -128,11 +128,11 @@ void compareTargets(Work& work) {
     if (!work.loaded()) return;
     TargetCheck* sm5 = work.find(Target::Sm5);
     TargetCheck* nine = work.find(Target::Fx2);
-    if (sm5 != nullptr && sm5->verdict != Verdict::NotChecked) {
+    if (sm5 != nullptr && wasChecked(*sm5)) {
         compareEntries(work, *sm5);
         conclude(*sm5);
     }
-    if (nine != nullptr && nine->verdict != Verdict::NotChecked) {
+    if (nine != nullptr && wasChecked(*nine)) {
         compareEffect9(work, *nine);
         conclude(*nine);
     }

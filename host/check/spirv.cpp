@@ -53,8 +53,7 @@ void linkAll(const Work& work, Slot slot, TargetCheck& report) {
 }
 
 /// Why no entry point of this file can be tried; empty when they can.
-std::string obstacle(const Work& work, Compiler compiler) {
-    if (!compilerAvailable(compiler)) return "the DXC library is not there (./bootstrap build fetches it)";
+std::string obstacle(const Work& work) {
     const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
     if (geometry != work.report.entries.end())
         return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
@@ -70,8 +69,11 @@ void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
 }
 
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
-    report.reason = obstacle(work, compiler);
-    if (!report.reason.empty()) return;
+    if (std::string reason = obstacle(work); !reason.empty()) return leaveOut(report, std::move(reason));
+    if (!compilerAvailable(compiler)) {
+        report.reason = "the DXC library is not there (./bootstrap build fetches it)";
+        return;
+    }
     const auto start = std::chrono::steady_clock::now();
     compileAll(work, compiler, slot, report);
     linkAll(work, slot, report);
@@ -97,7 +99,7 @@ void checkSpirv(Work& work) {
     if (glslang != nullptr) checkTarget(work, Compiler::Glslang, &EntryPoint::glslang, *glslang);
     if (glslang != nullptr) compareAll(work, *glslang);
     for (TargetCheck* report : {dxc, glslang})
-        if (report != nullptr && report->reason.empty()) conclude(*report);
+        if (report != nullptr && report->reason.empty()) conclude(*report); // one that was tried
 }
 
 } // namespace tegument::check

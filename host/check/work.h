@@ -48,6 +48,10 @@ void measureShaderModel3(std::vector<Work>& works);
 /// The techniques that the binary of a target must hold, in their order.
 [[nodiscard]] std::vector<const Technique*> techniquesIn(const Work& work, Target target);
 
+/// The file has nothing for this target: the verdict is NotApplicable.
+void leaveOut(TargetCheck& report, std::string reason);
+[[nodiscard]] bool wasChecked(const TargetCheck& report);
+
 /// Sets the verdict by what the diagnostics hold, and drops repetitions among them.
 void conclude(TargetCheck& report);
 

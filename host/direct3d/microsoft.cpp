@@ -275,7 +275,8 @@ fs::path microsoftCompilerLibrary() {
 std::string microsoftCompilerMissing() {
     std::error_code code;
     if (std::string missing = wineMissing(); !missing.empty()) return missing;
-    if (driver().empty()) return "hlslc.exe was not built (g++-mingw-w64-x86-64 was not installed)";
+    if (driver().empty())
+        return "hlslc.exe was not built: g++-mingw-w64-x86-64 was not installed (./bootstrap test installs it and builds again)";
     if (!fs::is_regular_file(microsoftCompilerLibrary(), code))
         return fmt::format("there is no {} (./bootstrap test fetches it)", microsoftCompilerLibrary().string());
     return {};

@@ -107,8 +107,8 @@ Result<void> preparePrefix(const std::string& display) {
 } // namespace
 
 std::string wineMissing() {
-    if (!findProgram("wine")) return "wine is not installed";
-    if (ownDisplay().empty() && !findProgram("Xvfb")) return "Xvfb is not installed and there is no DISPLAY";
+    if (!findProgram("wine")) return "wine is not installed (./bootstrap test installs it)";
+    if (ownDisplay().empty() && !findProgram("Xvfb")) return "Xvfb is not installed and there is no DISPLAY (./bootstrap test installs it)";
     return {};
 }
 

@@ -60,7 +60,8 @@ std::string bytesOf(const Shader& shader) {
 std::string missingReason(const FileReport& report, EmitKind kind) {
     const auto found = std::ranges::find(report.targets, targetOf(kind), &TargetCheck::target);
     if (found == report.targets.end()) return fmt::format("{} was not asked for", targetName(targetOf(kind)));
-    if (found->verdict == Verdict::NotChecked) return fmt::format("{} not checked: {}", targetName(found->target), found->reason);
+    if (found->verdict == Verdict::NotChecked || found->verdict == Verdict::NotApplicable)
+        return fmt::format("{} {}: {}", targetName(found->target), verdictName(found->verdict), found->reason);
     const bool compute = std::ranges::any_of(report.entries, [](const EntryPoint& e) { return e.kind == ShaderKind::Compute; });
     if (compute && (kind == EmitKind::Glsl || kind == EmitKind::GlslEs)) return "GLSL 330 and GLSL ES 300 have no compute shaders";
     return {};

@@ -19,6 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The command that fills this file's folder of the cache; empty for other files.
+std::string commandThatMakes(const fs::path& file) {
+    const fs::path inCache = file.lexically_normal().lexically_relative(cacheFolder().lexically_normal());
+    const std::string folder = inCache.empty() ? std::string() : inCache.begin()->string();
+    if (folder == "human") return "tegument prep human";
+    return folder == "fur" ? "tegument prep bunny" : "";
+}
+
 /// Reads the tree into the workspace. The first error is kept and everything after it is passed over.
 class WorkspaceReader {
 public:
@@ -158,8 +166,7 @@ private:
         const std::string path = expandedPath(value, "mesh");
         if (error_) return;
         source.meshPath = path;
-        const std::string hint = path.find("human") != std::string::npos ? "run: tegument prep human" : "";
-        if (options_.requireMesh) requireFile(value, path, hint);
+        if (options_.requireMesh) requireFile(value, path);
     }
 
     void readCamera(const LocatedJson& value) {
@@ -216,7 +223,7 @@ private:
         forEachMember(value, [&](const std::string& name, const LocatedJson& member) {
             const std::string path = expandedPath(member, "textures." + name);
             if (error_) return;
-            if (options_.requireMesh) requireFile(member, path, "");
+            if (options_.requireMesh) requireFile(member, path);
             textures[name] = path;
         });
     }
@@ -312,10 +319,14 @@ private:
         return {};
     }
 
-    void requireFile(const LocatedJson& value, const std::string& path, const std::string& hint) {
+    /// What lies in the cache, a command of ours makes: it is not there yet, which is no fault of the workspace.
+    void requireFile(const LocatedJson& value, const std::string& path) {
         const fs::path whole = fs::path(path).is_absolute() ? fs::path(path) : path_.parent_path() / path;
         std::error_code code;
-        if (!fs::is_regular_file(whole, code)) fail(5405, value, fmt::format("the file {} does not exist", whole.string()), hint);
+        if (error_ || fs::is_regular_file(whole, code)) return;
+        const std::string command = commandThatMakes(whole);
+        fail(5405, value, fmt::format("the file {} does not exist", whole.string()), command.empty() ? "" : "make it: " + command);
+        if (!command.empty()) error_->blame = Blame::Machine;
     }
 
     void fail(int code, const LocatedJson& value, std::string text, std::string hint) {

@@ -34,10 +34,32 @@ Result<std::string> readFile(const fs::path& path) {
     return bytes;
 }
 
+namespace {
+
+Error unwritable(const fs::path& path, const std::string& why) {
+    return machineError(5002, fmt::format("cannot write {}: {}", path.string(), why), "check the folder's rights and free space");
+}
+
+} // namespace
+
+Result<void> canWrite(const fs::path& path) {
+    std::error_code code;
+    if (fs::is_directory(path, code)) return unwritable(path, "it is a folder");
+    fs::path folder = path.parent_path();
+    while (!folder.empty() && !fs::exists(folder, code))
+        folder = folder == folder.parent_path() ? fs::path() : folder.parent_path();
+    if (folder.empty()) folder = ".";
+    if (!fs::is_directory(folder, code)) return unwritable(path, folder.string() + " is not a folder");
+    std::string probe = (folder / ".tegument.XXXXXX").string();
+    const int descriptor = ::mkstemp(probe.data());
+    if (descriptor < 0) return unwritable(path, std::strerror(errno));
+    ::close(descriptor);
+    ::unlink(probe.c_str());
+    return {};
+}
+
 Result<void> writeFile(const fs::path& path, std::string_view bytes) {
-    const auto failed = [&](const std::string& why) {
-        return machineError(5002, fmt::format("cannot write {}: {}", path.string(), why), "check the folder's rights and free space");
-    };
+    const auto failed = [&](const std::string& why) { return unwritable(path, why); };
     std::error_code code;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), code);
     if (code) return failed(code.message());

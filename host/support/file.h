@@ -18,6 +18,10 @@ namespace tegument {
 /// Writes `<path>.tmp.<pid>` and renames it: a reader sees the old file or the whole new one. Creates missing folders. TG5002 on failure.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
+/// Whether writeFile could, asked before long work: no folder has this name, and the nearest folder above that exists takes a new file.
+/// Leaves nothing behind. TG5002 if not.
+[[nodiscard]] Result<void> canWrite(const std::filesystem::path& path);
+
 /// $TEGUMENT_CACHE, else $XDG_CACHE_HOME/tegument, else $HOME/.cache/tegument.
 [[nodiscard]] std::filesystem::path cacheFolder();
 

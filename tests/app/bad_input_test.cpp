@@ -99,21 +99,21 @@ TEST(BadEffect, missing_include_is_named) {
 }
 
 TEST(BadEffect, missing_file_is_named) {
-    expectMessage(tegument::test::tegument({"render", "no_such.fx"}), kInput, {"no_such.fx"});
+    expectMessage(tegument::test::tegument({"render", "no_such.fx"}), kUsage, {"no_such.fx"});
 }
 
 TEST(BadEffect, unknown_technique_and_parameter_come_with_the_nearest_name) {
-    expectMessage(renderQuad("technique.fx", kEffect, {"--technique", "Mian"}), kInput, {"Mian", "Main"});
-    expectMessage(renderQuad("set.fx", kEffect, {"--set", "gTimt=1,1,1,1"}), kInput, {"gTimt", "gTint"});
+    expectMessage(renderQuad("technique.fx", kEffect, {"--technique", "Mian"}), kUsage, {"Mian", "did you mean 'Main'"});
+    expectMessage(renderQuad("set.fx", kEffect, {"--set", "gTimt=1,1,1,1"}), kUsage, {"gTimt", "did you mean 'gTint'"});
 }
 
 TEST(BadEffect, wrong_number_of_values_says_how_many_are_wanted) {
-    expectMessage(renderQuad("count.fx", kEffect, {"--set", "gTint=1,1"}), kInput, {"gTint", "4"});
+    expectMessage(renderQuad("count.fx", kEffect, {"--set", "gTint=1,1"}), kUsage, {"--set gTint=1,1", "takes 4 numbers, 2 given"});
     expectMessage(renderQuad("nan.fx", kEffect, {"--set", "gTint=a"}), kUsage, {"gTint", "'a'"});
 }
 
 TEST(BadScene, missing_texture_names_the_file) {
-    expectMessage(renderBall({"--set", "gSkinMap=no_such.png"}), kInput, {"no_such.png", "TG4031"});
+    expectMessage(renderBall({"--set", "gSkinMap=no_such.png"}), kUsage, {"--set gSkinMap", "no_such.png", "TG8008"});
 }
 
 TEST(BadScene, truncated_texture_names_the_byte) {
@@ -121,7 +121,8 @@ TEST(BadScene, truncated_texture_names_the_byte) {
     std::ifstream in(texture, std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(in), {}};
     ASSERT_GT(whole.size(), 100u);
-    expectMessage(renderBall({"--set", "gSkinMap=" + write("cut.png", whole.substr(0, whole.size() / 2))}), kInput, {"cut.png", "byte"});
+    expectMessage(renderBall({"--set", "gSkinMap=" + write("cut.png", whole.substr(0, whole.size() / 2))}), kInput,
+                  {"cut.png", "byte", "TG4031"});
 }
 
 TEST(BadScene, mesh_without_uvs_says_so) {
@@ -197,7 +198,7 @@ TEST(BadUsage, every_mistake_has_its_code) {
     const std::vector<Refused> all = {
         {8010, kUsage, {"render", effect, "-o", out, "--size", "16"}},
         {8011, kUsage, {"render", effect, "-o", out, "--set", "gTint"}},
-        {8012, kInput, {"render", effect, "-o", out, "--set", "gHue=1"}},
+        {8012, kUsage, {"render", effect, "-o", out, "--set", "gHue=1"}},
         {8013, kUsage, {"render", effect, "-o", out, "--set", "gTint=red"}},
         {8014, kUsage, {"render", "effects/OriginalTexture.fx", "-o", out, "-w", write("empty.json", "{}")}},
         {8015, kMachine, {"render", effect, "-o", out, "--compiler", "dxc"}},

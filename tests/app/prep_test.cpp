@@ -84,9 +84,9 @@ TEST(PrepMesh, says_what_is_missing_on_the_command_line) {
         const char* code;
     } cases[] = {{{"prep"}, "TG8041"},
                  {{"prep", "x.ply"}, "TG8040"},
-                 {{"prep", "x.ply", "--dry-run", "--weld-epsilon", "-1"}, "TG7022"},
-                 {{"prep", "x.ply", "--dry-run", "--weld-decimals", "13"}, "TG7023"},
-                 {{"prep", "x.ply", "--dry-run", "--weld-decimals", "6", "--weld-epsilon", "1"}, "TG7024"},
+                 {{"prep", ballMesh(), "--dry-run", "--weld-epsilon", "-1"}, "TG7022"},
+                 {{"prep", ballMesh(), "--dry-run", "--weld-decimals", "13"}, "TG7023"},
+                 {{"prep", ballMesh(), "--dry-run", "--weld-decimals", "6", "--weld-epsilon", "1"}, "TG7024"},
                  {{"prep", "x.ply", "-o", "x.obj"}, "TG8042"}};
     for (const auto& test : cases) {
         const Ran ran = tegument::test::tegument(test.arguments);

@@ -68,6 +68,7 @@ const fs::path& scratch() {
 
 std::string write(const std::string& name, const std::string& text) {
     const fs::path path = scratch() / name;
+    fs::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << text;
     return path.string();
 }

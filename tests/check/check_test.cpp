@@ -105,14 +105,14 @@ TEST_F(Check, parameters_on_which_the_compilers_differ_fail) {
     EXPECT_EQ(report.targets[1].diagnostics[0].code, 3201);
 }
 
-TEST_F(Check, a_direct3d_9_file_is_not_checked_for_spirv_and_says_where) {
+TEST_F(Check, a_direct3d_9_file_has_nothing_for_spirv_and_says_where) {
     const fs::path path = file("old.fx", "texture gMap;\nsampler2D gSkin = sampler_state { Texture = <gMap>; };\n"
                                          "float4 PS(float2 uv : TEXCOORD0) : COLOR0 { return tex2D(gSkin, uv); }\n"
                                          "technique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n");
     const FileReport report = checkOne(path, spirvTargets());
     for (const TargetCheck& target : report.targets) {
-        EXPECT_EQ(target.verdict, Verdict::NotChecked) << describe(report);
-        EXPECT_TRUE(target.reason.starts_with("Direct3D 9 intrinsic at " + path.string() + "(")) << target.reason;
+        EXPECT_EQ(target.verdict, Verdict::NotApplicable) << describe(report);
+        EXPECT_TRUE(target.reason.starts_with("written for Direct3D 9: intrinsic at " + path.string() + "(")) << target.reason;
     }
 }
 
@@ -132,10 +132,10 @@ TEST_F(Check, a_missing_file_fails_on_every_target) {
         EXPECT_EQ(target.verdict, Verdict::Failed);
 }
 
-TEST_F(Check, a_file_without_passes_is_not_checked) {
+TEST_F(Check, a_file_without_passes_has_nothing_to_check) {
     const FileReport report = checkOne(effect("empty.fx", "float4 gTint;\n"), spirvTargets());
     for (const TargetCheck& target : report.targets) {
-        EXPECT_EQ(target.verdict, Verdict::NotChecked);
+        EXPECT_EQ(target.verdict, Verdict::NotApplicable);
         EXPECT_EQ(target.reason, "no pass names a shader");
     }
 }
@@ -161,6 +161,8 @@ TEST(CheckReport, fails_with_one_target_and_is_incomplete_with_one_unchecked) {
     CheckReport report;
     report.files.push_back(
         {.file = "a.fx", .diagnostics = {}, .targets = {{.target = Target::Fx2, .verdict = Verdict::Passed}}, .sm3 = {}});
+    EXPECT_FALSE(report.failed());
+    report.files[0].targets.push_back({.target = Target::Sm5, .verdict = Verdict::NotApplicable});
     EXPECT_FALSE(report.failed());
     EXPECT_TRUE(report.complete());
     report.files[0].targets.push_back({.target = Target::Fx4, .verdict = Verdict::NotChecked});

@@ -37,6 +37,20 @@ TEST_F(Files, writing_leaves_no_temporary_behind) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+TEST_F(Files, whether_one_can_be_written_is_known_beforehand_and_leaves_nothing) {
+    EXPECT_TRUE(canWrite(folder_ / "x"));
+    EXPECT_TRUE(canWrite(folder_ / "new" / "folder" / "x"));
+    EXPECT_TRUE(fs::is_empty(folder_));
+    ASSERT_TRUE(writeFile(folder_ / "file", "1"));
+    for (const fs::path& path : {folder_, folder_ / "file" / "x", fs::path("/proc/nowhere/x")}) {
+        const auto can = canWrite(path);
+        ASSERT_FALSE(can) << path;
+        EXPECT_EQ(can.error().diagnostics.front().code, 5002);
+        EXPECT_FALSE(writeFile(path, "2")) << path << ": the two agree";
+    }
+    EXPECT_TRUE(canWrite(folder_ / "file")) << "it is replaced";
+}
+
 TEST_F(Files, a_failed_write_keeps_the_old_file) {
     fs::create_directories(folder_ / "target");
     EXPECT_FALSE(writeFile(folder_ / "target", "text")); // a folder is in the way

@@ -24,6 +24,16 @@ TEST(Diagnostics, put_the_caret_under_the_column_whatever_the_tab_width) {
     EXPECT_EQ(format(diagnostic), "a.fx(2,4): warning TG0001: x\n    \tab cd\n    \t  ^");
 }
 
+TEST(Diagnostics, print_no_bytes_that_a_terminal_would_obey) {
+    Diagnostic diagnostic{.code = 1101,
+                          .at = {.file = "a.fx", .line = 1, .column = 9, .byte = {}},
+                          .text = "found '\x1b[31m'",
+                          .hint = "\xe4\xff \xc0\xaf",
+                          .sourceLine = "fl\xc3\xb6\x07\x7f\x80 x"};
+    EXPECT_EQ(format(diagnostic), "a.fx(1,9): error TG1101: found '?[31m'; ?? ??\n    fl\xc3\xb6??? x\n            ^")
+        << "one question mark for each, so that the caret keeps its column; UTF-8 stays";
+}
+
 TEST(Diagnostics, name_the_byte_in_binary_files) {
     EXPECT_EQ(format(inputError(5100, {.file = "head.glb", .byte = 12}, "ends early")), "head.glb(byte 12): error TG5100: ends early");
 }

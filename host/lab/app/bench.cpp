@@ -1,7 +1,9 @@
 // tegument bench: techniques against each other, milliseconds beside error.
 
+#include "host/app/command_line.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/lab/app/bench_stability.h"
 #include "host/lab/app/commands.h"
@@ -10,7 +12,6 @@
 #include "host/lab/bench/report.h"
 #include "host/support/file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -80,7 +81,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
     if (!compiler) return compiler.error();
     const auto pixels = referencePixels(arguments.reference);
     if (!pixels) return pixels.error();
-    bench::BenchOptions options{.effects = effectPath(arguments.catalogue).parent_path(),
+    bench::BenchOptions options{.effects = ownFile(arguments.catalogue).parent_path(),
                                 .sceneFolder = arguments.keepScenes,
                                 .scenes = arguments.scenes,
                                 .width = size->first,
@@ -132,9 +133,13 @@ int pickForEachScene(const BenchArguments& arguments, const std::vector<bench::R
 }
 
 Result<void> writeTo(const std::string& target, const std::string& text) {
-    if (target != "-") return writeFile(target, text);
-    fmt::print("{}", text);
-    return {};
+    if (target == "-") {
+        fmt::print("{}", text);
+        return {};
+    }
+    const auto written = writeFile(target, text);
+    if (written) fmt::print(stderr, "wrote {}\n", target);
+    return written;
 }
 
 /// The table first: a file that cannot be written must not take it along.
@@ -182,8 +187,8 @@ auto shown(Measure measure) {
 /// JSON into a file of the plots' folder, then the plots.
 Result<void> plot(const BenchArguments& arguments, const char* kind, const std::string& json) {
     const fs::path data = fs::path(arguments.plot) / (std::string(kind) + ".json");
-    if (const auto written = writeFile(data, json); !written) return written.error();
-    const auto plotted = bench::runHelper(effectPath(kPlotScript), {kind, data.string(), arguments.plot});
+    if (const auto written = writeTo(data.string(), json); !written) return written.error();
+    const auto plotted = bench::runHelper(ownFile(kPlotScript), {kind, data.string(), arguments.plot});
     if (!plotted) return plotted.error();
     std::fflush(stdout); // the table before what follows it
     fmt::print(stderr, "{}", *plotted);
@@ -225,7 +230,7 @@ Result<int> ablation(const BenchArguments& arguments, Work& work) {
 
 Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
     const auto rows = shown([&](const bench::Say& say) {
-        return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(effectPath(kFlipScript))});
+        return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(ownFile(kFlipScript))});
     });
     if (!rows) return rows.error();
     auto code = report(arguments, *rows, work.machine);
@@ -251,7 +256,7 @@ Result<int> writeMarkdown(const std::string& file) {
 Result<int> stability(const BenchArguments& arguments) {
     const auto compiler = chosenCompiler(arguments.compiler);
     if (!compiler) return compiler.error();
-    StabilityArguments chosen{.effects = effectPath(arguments.catalogue).parent_path(),
+    StabilityArguments chosen{.effects = ownFile(arguments.catalogue).parent_path(),
                               .parts = arguments.parts,
                               .modules = arguments.modules,
                               .compiler = *compiler,
@@ -261,12 +266,21 @@ Result<int> stability(const BenchArguments& arguments) {
     return benchStability(chosen);
 }
 
+Result<void> checkFiles(const BenchArguments& arguments) {
+    for (const std::string& file : {arguments.json, arguments.csv})
+        if (file != "-")
+            if (const auto can = checkOutput(file, {}); !can) return can.error();
+    if (arguments.plot.empty()) return {};
+    return checkFolder(arguments.plot);
+}
+
 Result<int> runChosen(const BenchArguments& arguments) {
     if (!arguments.markdown.empty()) return writeMarkdown(arguments.markdown);
+    if (const auto fine = checkFiles(arguments); !fine) return fine.error();
     if (arguments.stability) return stability(arguments);
     if (arguments.pick && arguments.maxError <= 0 && arguments.maxMs <= 0)
         return usageError(8079, "--pick needs a limit", "add --max-error E or --max-ms T");
-    const auto catalogue = bench::loadCatalogue(effectPath(arguments.catalogue));
+    const auto catalogue = bench::loadCatalogue(ownFile(arguments.catalogue));
     if (!catalogue) return catalogue.error();
     const auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
     if (!contenders) return contenders.error();
@@ -302,7 +316,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");
     command->add_option("--catalogue", arguments->catalogue, "What can be compared (docs/bench.md)")->capture_default_str();
     command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")
-        ->check(CLI::IsMember({"dxc", "glslang"}));
+        ->transform(oneOf({"dxc", "glslang"}));
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
     command->add_option("--json", arguments->json, "Write the results as JSON; -: to standard output");
     command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
@@ -332,8 +346,12 @@ void addBench(CLI::App& program, Action& action) {
         ->needs(stability);
     command->add_option("--markdown", arguments->markdown, "Measure nothing: print the tables of a file that --json wrote, as Markdown")
         ->check(CLI::ExistingFile);
-    command->footer(
-        "Scenes: plane-edge, plane-disc, sphere-5, sphere-10, sphere-20, cylinder, lobes, head; each as NAME[@LIGHT][+shadow][+bumps]\n"
+    addExamples(
+        *command,
+        {{"bench", "every technique on the default head"},
+         {"bench --scene sphere-10 head@90+4px --technique Main", "some of it"},
+         {"bench --pick --max-error 0.02", "which one to take"}},
+        "Scenes: plane-edge, plane-disc, sphere-5, sphere-10, sphere-20, cylinder, lobes, head; each as NAME[@LIGHT][+shadow][+bumps]"
         "[+checker][+Npx] with LIGHT in degrees from the camera or 'behind', and N pixels to the mm. docs/bench.md explains the columns.");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }

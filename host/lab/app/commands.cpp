@@ -9,9 +9,9 @@ void addLab(CLI::App& program, Action& action) {
     addInvariance(program, action);
     addBench(program, action);
     program.footer(program.get_footer() + R"(
-  tegument verify                             every module against its reference in double precision
-  tegument invariance                         every technique in metres, inches, turned, mirrored: the same picture
-  tegument bench                              every technique: milliseconds and error against brute force)");
+  tegument verify                             every module against double precision
+  tegument invariance                         every technique in other units, turned, mirrored
+  tegument bench                              every technique: milliseconds beside error)");
 }
 
 } // namespace tegument::app

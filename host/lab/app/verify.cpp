@@ -1,14 +1,15 @@
 // tegument verify: every module alone against its reference in double precision.
 
+#include "host/app/command_line.h"
 #include "generated/setting_names.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
+#include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/lab/app/commands.h"
 #include "host/lab/app/verify_page.h"
 #include "host/support/file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -97,7 +98,7 @@ void tell(const std::vector<VerifiedModule>& modules) {
 
 Result<VerifyOptions> optionsOf(const VerifyArguments& arguments) {
     VerifyOptions options;
-    options.effects = arguments.effects;
+    options.effects = ownFile(arguments.effects);
     options.mapSize = arguments.mapSize;
     options.pictureSize = arguments.pictureSize;
     const auto compiler = chosenCompiler(arguments.compiler);
@@ -112,6 +113,7 @@ Result<VerifyOptions> optionsOf(const VerifyArguments& arguments) {
 int verify(const VerifyArguments& arguments) {
     const auto options = optionsOf(arguments);
     if (!options) return fail(options.error(), arguments.json);
+    if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
     auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
     if (!device) return fail(device.error(), arguments.json);
     const auto modules = verifyAll(arguments, *device, *options);
@@ -132,8 +134,8 @@ int verify(const VerifyArguments& arguments) {
         print(metrics);
     } else {
         printTable(*modules);
-        fmt::print("\n{} of {} pass on {}\nwrote {}\n", std::ranges::count_if(*modules, &VerifiedModule::pass), modules->size(),
-                   header.device, page->string());
+        fmt::print("\n{} of {} pass on {}\nwrote {}\nwrote {}\n", std::ranges::count_if(*modules, &VerifiedModule::pass), modules->size(),
+                   header.device, page->string(), (folder / "verify.json").string());
     }
     return std::ranges::all_of(*modules, &VerifiedModule::pass) ? 0 : static_cast<int>(Blame::Input);
 }
@@ -145,8 +147,8 @@ void addVerify(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("verify", "Hold every module against its reference in double precision");
     command->add_option("modules", arguments->modules, "Modules, for example Beckmann TSM; default: all");
     command->add_option("--effects", arguments->effects, "Folder of the effect files")->capture_default_str();
-    command->add_option("--setting", arguments->settings, "Setting of the effects, by name; may be repeated")
-        ->check(CLI::IsMember(std::vector<std::string>(kSettingNames.begin(), kSettingNames.end())))
+    repeatable(command->add_option("--setting", arguments->settings, "Setting of the effects, by name; may be repeated"))
+        ->transform(oneOf(std::vector<std::string>(kSettingNames.begin(), kSettingNames.end())))
         ->capture_default_str();
     command->add_option("--map-size", arguments->mapSize, "Texels along each side of the texture-space maps")
         ->check(CLI::Range(16, 4096))
@@ -155,11 +157,12 @@ void addVerify(CLI::App& program, Action& action) {
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
     command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")
-        ->check(CLI::IsMember({"dxc", "glslang"}));
+        ->transform(oneOf({"dxc", "glslang"}));
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
     command->add_option("-o,--output", arguments->output, "Folder for index.html, its pictures and verify.json")->capture_default_str();
     command->add_flag("--json", arguments->json, "Print JSON: a list of {module, setting, metric, value, limit, pass}");
-    command->footer("Exit code 1 when any figure is beyond its limit.");
+    addExamples(*command, {{"verify", "all modules"}, {"verify Beckmann TSM --setting seed", "two of them, as first printed"}},
+                "Exit code 1 when any figure is beyond its limit.");
     command->callback([arguments, &action] { action = [arguments] { return verify(*arguments); }; });
 }
 

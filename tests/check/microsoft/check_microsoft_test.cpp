@@ -85,9 +85,9 @@ TEST_F(CheckMicrosoft, a_plain_direct3d_9_file_is_checked_as_such_only) {
                                          "float4 PS(float2 uv : TEXCOORD0) : COLOR0 { return tex2D(gSkin, uv); }\n"
                                          "technique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n");
     EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);
-    EXPECT_EQ(report.targets[1].verdict, Verdict::NotChecked);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::NotApplicable);
     EXPECT_EQ(report.targets[1].reason, "the file has no technique for fx_4_0");
-    EXPECT_EQ(report.targets[2].verdict, Verdict::NotChecked);
+    EXPECT_EQ(report.targets[2].verdict, Verdict::NotApplicable);
     ASSERT_EQ(report.sm3.size(), 1U);
     EXPECT_EQ(report.sm3[0].usage.samplers, 1);
 }

@@ -1,0 +1,21 @@
+#pragma once
+// Values of parameters as the command line and the workspace give them, held against the effect before anything runs.
+
+#include "host/effect/model.h"
+#include "host/run/run.h"
+#include "host/scene/workspace.h"
+
+#include <string>
+#include <vector>
+
+namespace tegument::app {
+
+/// NAME=VALUE: numbers for a numeric parameter, a file for a texture. TG8011 no '=', TG8012 no such parameter, TG8013 not that many finite
+/// numbers, or not whole ones; TG8008 no such file.
+[[nodiscard]] Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run);
+
+/// A workspace serves many effects: what this one does not have is passed over when one beside it does, else TG8018 warns of it. TG8019 a
+/// value that the parameter cannot take.
+[[nodiscard]] Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const Workspace& workspace);
+
+} // namespace tegument::app

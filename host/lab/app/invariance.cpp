@@ -1,8 +1,8 @@
 // tegument invariance: every technique draws the same picture of the same scene, however it is put.
 
 #include "host/lab/invariance/invariance.h"
-#include "host/app/command_line.h"
 #include "generated/setting_names.h"
+#include "host/app/command_line.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
 #include "host/app/names.h"

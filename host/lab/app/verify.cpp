@@ -1,7 +1,7 @@
 // tegument verify: every module alone against its reference in double precision.
 
-#include "host/app/command_line.h"
 #include "generated/setting_names.h"
+#include "host/app/command_line.h"
 #include "host/app/effect_options.h"
 #include "host/app/job.h"
 #include "host/app/names.h"

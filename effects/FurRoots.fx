@@ -17,6 +17,7 @@ float Script : STANDARDSGLOBAL <
     string ScriptClass = "object";
     string ScriptOrder = "standard";
     string ScriptOutput = "color";
+    string Workspace = "bunny_roots.json";
     string Script = "Technique=Cellular;";
 > = 0.8;
 

@@ -33,6 +33,7 @@ float Script : STANDARDSGLOBAL <
     string ScriptClass = "object";
     string ScriptOrder = "standard";
     string ScriptOutput = "color";
+    string WithoutUvs = "Lambert, peers/Separable.fx, peers/Burley.fx, Specular.fx";
     string Script = "Technique=DEonLuebke;";
 > = 0.8;
 

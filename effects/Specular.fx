@@ -15,6 +15,7 @@ float Script : STANDARDSGLOBAL <
     string ScriptClass = "object";
     string ScriptOrder = "standard";
     string ScriptOutput = "color";
+    string WithoutUvs = "*";
     string Script = "Technique=Specular;";
 > = 0.8;
 

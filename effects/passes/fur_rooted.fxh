@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOTED_FXH
 #define TEGUMENT_PASSES_FUR_ROOTED_FXH
 
-Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots"; string UIHelp = "from tegument fur roots, made from this mesh"; >;
+Texture2D gFurRootsMap < string Generator = "fur roots"; float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots"; string UIHelp = "from tegument fur roots, made from this mesh"; >;
 SAMPLER2D(gFurRoots, POINT, CLAMP);
 
 static const float kFurMostRoots = 64.0; // of a list: what is nearer than the reach of one cell

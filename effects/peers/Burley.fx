@@ -31,6 +31,7 @@ float Script : STANDARDSGLOBAL <
     string ScriptClass = "object";
     string ScriptOrder = "standard";
     string ScriptOutput = "color";
+    string WithoutUvs = "*";
     string Script = "Technique=Burley40;";
 > = 0.8;
 

@@ -30,6 +30,7 @@ float Script : STANDARDSGLOBAL <
     string ScriptClass = "object";
     string ScriptOrder = "standard";
     string ScriptOutput = "color";
+    string WithoutUvs = "*";
     string Script = "Technique=Separable25;";
 > = 0.8;
 

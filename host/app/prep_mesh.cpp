@@ -67,6 +67,7 @@ int run(Arguments& arguments) {
         return fail(usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply"),
                     arguments.json);
     if (endingOf(arguments.output) == ".ply") arguments.options.levels = 1; // it holds the full mesh only
+    arguments.options.guessUnit = true;
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     Progress progress;
@@ -94,7 +95,7 @@ CLI::CheckedTransformer names(std::map<std::string, Enum> values) {
 
 void addReading(CLI::App& command, Arguments& arguments) {
     ReadOptions& read = arguments.options.read;
-    command.add_option("--unit-mm", read.unitMm, "Millimetres per unit of the file; default: 1000 for glTF, else 1");
+    command.add_option("--unit-mm", read.unitMm, "Millimetres per unit of the file; default: 1000 for glTF, else 1, or what is likely");
     command.add_flag("--drop-bad-faces", read.dropBadFaces, "Leave out faces that refer to no vertex, instead of refusing the file");
     command.add_flag("--refuse-not-finite", arguments.refuseNotFinite,
                      "Refuse a file with NaN or infinity, instead of leaving out its faces");
@@ -129,6 +130,10 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
             "What shares a normal. place: everything at one place; sheet: not the two sides of parts that lie back to back (default); "
             "fan: only triangles that are joined by edges")
         ->transform(names<NormalSharing>({{"place", NormalSharing::Place}, {"sheet", NormalSharing::Sheet}, {"fan", NormalSharing::Fan}}));
+}
+
+void addUnwrapping(CLI::App& command, prep::PrepOptions& options) {
+    command.add_flag("--unwrap", options.unwrap, "Make texture coordinates: charts without overlap; those of the file and its textures go");
 }
 
 void addOrdering(CLI::App& command, Arguments& arguments) {
@@ -166,6 +171,7 @@ void addPrepMesh(CLI::App& command, Action& action) {
     addReading(command, *arguments);
     addCleaning(command, arguments->options);
     addShaping(command, arguments->options);
+    addUnwrapping(command, arguments->options);
     addOrdering(command, *arguments);
     addStoring(command, arguments->options);
     command.callback([&command, arguments, &action] {

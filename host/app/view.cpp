@@ -2,6 +2,7 @@
 
 #include "host/view/view.h"
 #include "host/app/commands.h"
+#include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/view/keys.h"
@@ -28,12 +29,14 @@ SessionScene sceneOf(const Scene& scene) {
 ViewRequest requestFor(const ViewOptions& options, const Job& job) {
     EffectOptions withoutSetting = options.job.effect;
     withoutSetting.setting.clear();
+    RunOptions run = job.run;
+    run.meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); });
     return {.effect = options.job.file,
             .load = loadOptions(withoutSetting),
             .setting = options.job.effect.setting.empty() ? "corrected" : options.job.effect.setting,
             .scene = sceneOf(job.scene),
             .workspace = job.scene.workspace,
-            .run = job.run,
+            .run = std::move(run),
             .device = options.job.device,
             .validate = options.job.validate,
             .pictures = options.pictures};

@@ -28,7 +28,7 @@ constexpr const char* kRoots = "fur roots";
 constexpr int kMapSide = 2048;
 constexpr FurOptions kMapOptions{.density = 0.05, .spacing = 2.8, .radius = 3.4, .shortest = 0.45, .taper = true};
 /// What `tegument fur texture` prints for these: tests/app/own_mesh_test.cpp.
-const std::map<std::string, std::vector<double>> kMapParameters = {{"gFurTaper", {1}}, {"gFurDeviation", {0.194}}, {"gFurGrain", {0.0056}}};
+const std::map<std::string, std::vector<double>> kMapParameters = {{"gFurTaper", {1}}, {"gFurDeviation", {0.194}}, {"gFurGrain", {0.00473}}};
 
 /// Part of every name in the cache: a change of what is made takes another number.
 constexpr int kVersion = 1;

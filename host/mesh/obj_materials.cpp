@@ -59,7 +59,7 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
             warn(mesh, 5326, source.whole(),
                  fmt::format("material '{}': a second colour map is ignored: one mesh carries one", map->first.substr(0, 40)),
                  "name the texture in the workspace, or split the mesh");
-            return;
+            break;
         }
         used = map->second;
     }

@@ -28,6 +28,25 @@ private:
     double low_ = -std::numeric_limits<double>::infinity();
 };
 
+/// Where the eye stands beside the points, so that from `distance` they reach as far to one side as to the other. Each step takes out all
+/// of what is uneven but for the share that depths vary by.
+double evenSides(const std::vector<glm::dvec2>& sideAndTowards, double distance, double from) {
+    constexpr int kSteps = 12;
+    for (int step = 0; step < kSteps; ++step) {
+        double high = -std::numeric_limits<double>::infinity();
+        double low = high;
+        double depthOfHigh = distance, depthOfLow = distance;
+        for (const glm::dvec2& p : sideAndTowards) {
+            const double depth = distance - p.y;
+            const double tangent = (p.x - from) / depth;
+            if (tangent > high) high = tangent, depthOfHigh = depth;
+            if (-tangent > low) low = -tangent, depthOfLow = depth;
+        }
+        from += (high - low) / (1 / depthOfHigh + 1 / depthOfLow);
+    }
+    return from;
+}
+
 } // namespace
 
 glm::vec3 alongUp(UpAxis up, const glm::vec3& v) {
@@ -43,15 +62,20 @@ Camera frameMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float 
     Wedge across(slope);
     Wedge along(slope / aspect);
     const glm::dvec3 centre(mesh.bounds.centre);
+    std::vector<glm::dvec2> sides;
+    std::vector<glm::dvec2> heights;
     for (const glm::vec3& position : mesh.positions) {
         const glm::dvec3 p = glm::dvec3(position) - centre;
-        across.add(glm::dot(p, right), glm::dot(p, back));
-        along.add(glm::dot(p, above), glm::dot(p, back));
+        sides.emplace_back(glm::dot(p, right), glm::dot(p, back));
+        heights.emplace_back(glm::dot(p, above), glm::dot(p, back));
+        across.add(sides.back().x, sides.back().y);
+        along.add(heights.back().x, heights.back().y);
     }
-    // A mesh that is a point is seen from beyond it; a flat one seen from its edge not from within it.
-    const double least = std::max(static_cast<double>(mesh.bounds.radius), 1e-3);
+    // A mesh that is a point is seen from beyond it, a needle that points at the eye not from its tip.
+    const double least = std::max(2 * static_cast<double>(mesh.bounds.radius), 1e-3);
     const double distance = std::max({across.distance(), along.distance(), least});
-    const glm::dvec3 target = centre + across.middle() * right + along.middle() * above;
+    const glm::dvec3 target =
+        centre + evenSides(sides, distance, across.middle()) * right + evenSides(heights, distance, along.middle()) * above;
     return {.position = glm::vec3(target + distance * back),
             .target = glm::vec3(target),
             .up = alongUp(up, {0, 1, 0}),

@@ -13,7 +13,8 @@ enum class UpAxis { Y, Z };
 [[nodiscard]] glm::vec3 alongUp(UpAxis up, const glm::vec3& v);
 
 /// The camera looks against `direction` (from the mesh to the eye, y up), as near as it can be with all vertices within kFramedShare of the
-/// picture's width and height, its narrower side centred. `aspect` is width over height. World millimetres. The mesh has a vertex.
+/// picture's width and height, as much room on one side as on the other. `aspect` is width over height. World millimetres. The mesh has a
+/// vertex.
 [[nodiscard]] Camera frameMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float horizontalFov, double aspect);
 
 /// The rest is for what stands out from the mesh, such as fur.

@@ -20,7 +20,7 @@ constexpr std::uint32_t kTexels = 1024;
 constexpr std::uint32_t kGutter = 4;
 /// Diffusion ends at the border of a chart, so few large charts are better than many without stretch, which the Stretch map takes care of.
 constexpr float kMostCost = 16;
-constexpr std::uint32_t kRounds = 4;
+constexpr std::uint32_t kRounds = 1; // more take longer and leave as many
 
 /// Triangles of different parts are never in one chart.
 std::vector<std::uint32_t> partOfFace(const Mesh& mesh) {

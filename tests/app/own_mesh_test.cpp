@@ -76,7 +76,8 @@ std::string rod(int axis, double radius, double length) {
 
 std::vector<fs::path> madeFiles() {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(scratch() / "fresh" / "fur" / "made"))
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(scratch() / "fresh" / "fur" / "made", none))
         files.push_back(entry.path().filename());
     std::ranges::sort(files);
     return files;
@@ -151,7 +152,7 @@ TEST(OwnMesh, has_fur_maps_with_the_figures_that_their_parameters_are_set_to) {
                                               "--spacing", "2.8", "--radius", "3.4", "--shortest", "0.45", "--taper", "--json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_NEAR(ran.json()["height_deviation"], 0.194, 0.0005) << "gFurDeviation of host/app/fur_textures.cpp";
-    EXPECT_NEAR(ran.json()["height_grain"], 0.0056, 0.00005) << "gFurGrain";
+    EXPECT_NEAR(ran.json()["height_grain"], 0.00473, 0.00001) << "gFurGrain";
     ASSERT_EQ(draw("maps", {"effects/Fur.fx", "--mesh", ballMesh()}, freshCache()).ran.code, 0);
     const auto made = tegument::loadDds(scratch() / "fresh/fur/made/cube_1.dds");
     const auto asked = tegument::loadDds(scratch() / "maps/fur_cube.dds");

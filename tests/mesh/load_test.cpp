@@ -43,7 +43,7 @@ TEST_F(Loading, an_implausible_size_gets_a_likely_unit_where_one_may_be_guessed)
     for (const auto& [height, unit] : known) {
         const auto mesh = load("a.obj", panel(height), {.guessUnit = true});
         ASSERT_TRUE(mesh) << height;
-        EXPECT_EQ(mesh->unitMm, unit) << height;
+        EXPECT_DOUBLE_EQ(mesh->unitMm, unit) << height;
         EXPECT_NEAR(mesh->bounds.maximum.y - mesh->bounds.minimum.y, height * unit, 1e-5 * height * unit);
         ASSERT_FALSE(mesh->warnings.empty());
         EXPECT_EQ(mesh->warnings.back().code, 5327);

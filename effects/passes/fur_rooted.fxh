@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOTED_FXH
 #define TEGUMENT_PASSES_FUR_ROOTED_FXH
 
-Texture2D gFurRootsMap < float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots";
+Texture2D gFurRootsMap < string Generator = "fur roots"; float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots";
     string UIHelp = "from tegument fur roots, made from this mesh"; >;
 TG_SAMPLER2D(gFurRoots, POINT, CLAMP);
 

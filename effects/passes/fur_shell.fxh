@@ -2,8 +2,10 @@
 #ifndef TEGUMENT_PASSES_FUR_SHELL_FXH
 #define TEGUMENT_PASSES_FUR_SHELL_FXH
 
-Texture2D gFurSphereMap < float4 Fallback = { 1.0, 1.0, 1.0, 0.0 }; string UIName = "Fur as a sphere map"; >;
-TextureCube gFurCubeMap < float4 Fallback = { 1.0, 1.0, 1.0, 0.0 }; string UIName = "Fur as a cube map"; >;
+Texture2D gFurSphereMap < string Generator = "fur sphere map"; float4 Fallback = { 1.0, 1.0, 1.0, 0.0 };
+    string UIName = "Fur as a sphere map"; >;
+TextureCube gFurCubeMap < string Generator = "fur cube map"; float4 Fallback = { 1.0, 1.0, 1.0, 0.0 }; string UIName = "Fur as a cube map";
+    >;
 TG_SAMPLER2D(gFurSphere, LINEAR, CLAMP);
 TG_SAMPLERCUBE(gFurCube, LINEAR);
 

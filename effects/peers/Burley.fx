@@ -38,7 +38,7 @@
 #include "passes/screen.fxh"
 #include "passes/burley.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("Burley40") > = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Burley40") string WithoutUvs = "*"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
 #define BURLEY_TECHNIQUE(samples) \

@@ -37,7 +37,7 @@
 #include "passes/screen.fxh"
 #include "passes/separable.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("Separable25") > = 0.8;
+float Script : STANDARDSGLOBAL < STARTS_WITH("Separable25") string WithoutUvs = "*"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
 #define SEPARABLE_TECHNIQUE(samples) \

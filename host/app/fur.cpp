@@ -45,11 +45,6 @@ Result<SeedRange> parseSeeds(const std::string& text) {
     return range;
 }
 
-/// The cube map's side whose six faces have about as many texels as the sphere map: both are compared at equal memory.
-int cubeSide(int size) {
-    return std::max(1, static_cast<int>(std::lround(size / std::sqrt(6.0) / 4)) * 4);
-}
-
 Json toJson(const StrandStatistics& figures) {
     return {{"strands", figures.count},
             {"wanted", figures.wanted},
@@ -84,7 +79,7 @@ struct Maps {
 };
 
 Result<Maps> makeMaps(const TextureArguments& arguments, Progress& progress) {
-    const int side = cubeSide(arguments.size);
+    const int side = cubeMapSide(arguments.size);
     progress.say("placing strands");
     auto plane = strandsOnTexture(arguments.size, arguments.size, arguments.fur);
     if (!plane) return plane.error();
@@ -145,9 +140,9 @@ int one(const TextureArguments& arguments) {
 
     const auto plane = statisticsOnTexture(maps->plane, arguments.size, arguments.size);
     const auto sphere = statisticsOnSphere(maps->sphere, sphereMapTexels(arguments.size));
-    const auto cube = statisticsOnSphere(maps->cube, cubeMapTexels(cubeSide(arguments.size)));
+    const auto cube = statisticsOnSphere(maps->cube, cubeMapTexels(cubeMapSide(arguments.size)));
     const HeightStatistics heights = statisticsOfHeights(maps->texture);
-    const double grain = heights.grain * texelAngle(cubeMapTexels(cubeSide(arguments.size)));
+    const double grain = heights.grain * texelAngle(cubeMapTexels(cubeMapSide(arguments.size)));
     if (arguments.json) {
         print({{"seed", arguments.fur.seed},
                {"texture", toJson(plane)},

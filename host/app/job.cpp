@@ -1,6 +1,7 @@
 #include "host/app/job.h"
 
 #include "host/app/command_line.h"
+#include "host/app/fur_textures.h"
 #include "host/app/given_values.h"
 #include "host/app/names.h"
 
@@ -65,6 +66,15 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
         "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "
         "human.json, of workspaces/ beside it");
     command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
+    command.add_flag_callback(
+        "--head", [&options] { options.scene.head = true; }, "The mesh is a human head: refuse a size that no head has");
+    command.add_flag_callback(
+        "--no-head", [&options] { options.scene.head = false; }, "It is none, whatever the workspace says");
+    command
+        .add_option_function<std::string>(
+            "--up", [&options](const std::string& axis) { options.scene.up = axis == "z" ? UpAxis::Z : UpAxis::Y; },
+            "Which axis of --mesh points up: y or z; default: z of STL files, else y")
+        ->transform(oneOf({"y", "z"}));
     repeatable(
         command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
     command.add_option("--size", options.size, "Picture size in pixels")->capture_default_str();
@@ -100,6 +110,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     job.run.width = size->first;
     job.run.height = size->second;
     job.run.samples = options.samples;
+    job.run.plainSkin = {0.53F, 0.34F, 0.27F, 1}; // the mean of the default human's colour map
     const auto compiler = chosenCompiler(options.compiler);
     if (!compiler) return compiler.error();
     job.run.compiler = *compiler;
@@ -107,12 +118,14 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
     sceneOptions.usual = usualWorkspace(job.effect);
+    sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);
     auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
     if (!warnings) return warnings.error();
     job.warnings = std::move(*warnings);
+    setFurMapParameters(job.effect, job.run, job.scene);
     return job;
 }
 

@@ -82,6 +82,7 @@ void tellWhatWasWritten(const Arguments& arguments) {
 int run(Arguments& arguments) {
     if (const auto fine = checkFiles(arguments); !fine) return fail(fine.error(), arguments.json);
     if (endingOf(arguments.output) == ".ply") arguments.options.levels = 1; // it holds the full mesh only
+    arguments.options.guessUnit = true;
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     if (const auto exists = inputExists(arguments); !exists) return fail(exists.error(), arguments.json);
@@ -107,7 +108,7 @@ namespace {
 
 void addReading(CLI::App& command, Arguments& arguments) {
     ReadOptions& read = arguments.options.read;
-    command.add_option("--unit-mm", read.unitMm, "Millimetres per unit of the file; default: 1000 for glTF, else 1");
+    command.add_option("--unit-mm", read.unitMm, "Millimetres per unit of the file; default: 1000 for glTF, else 1, or what is likely");
     command.add_flag("--drop-bad-faces", read.dropBadFaces, "Leave out faces that refer to no vertex, instead of refusing the file");
     command.add_flag("--refuse-not-finite", arguments.refuseNotFinite,
                      "Refuse a file with NaN or infinity, instead of leaving out its faces");
@@ -147,6 +148,10 @@ void addShaping(CLI::App& command, prep::PrepOptions& options) {
         ->transform(oneOf<NormalSharing>({{"place", NormalSharing::Place}, {"sheet", NormalSharing::Sheet}, {"fan", NormalSharing::Fan}}));
 }
 
+void addUnwrapping(CLI::App& command, prep::PrepOptions& options) {
+    command.add_flag("--unwrap", options.unwrap, "Make texture coordinates: charts without overlap; those of the file and its textures go");
+}
+
 void addOrdering(CLI::App& command, Arguments& arguments) {
     command.add_option("--order", arguments.order, "file, lin-yu, hoppe, tipsify, meshopt, best")->capture_default_str();
     command.add_option("--cache", arguments.cache, "What the order is for: fifo:K, lru:K, warp")->capture_default_str();
@@ -184,6 +189,7 @@ void addPrepMesh(CLI::App& command, Action& action) {
     addReading(command, *arguments);
     addCleaning(command, arguments->options);
     addShaping(command, arguments->options);
+    addUnwrapping(command, arguments->options);
     addOrdering(command, *arguments);
     addStoring(command, arguments->options);
     command.callback([&command, arguments, &action] {

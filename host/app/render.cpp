@@ -1,6 +1,7 @@
 // tegument render: runs an effect on a scene and writes what it drew.
 
 #include "host/app/command_line.h"
+#include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/app/picture_files.h"
@@ -165,6 +166,11 @@ int render(const RenderOptions& options) {
 
     auto device = gpu::Device::create({.validation = options.job.validate, .prefer = options.job.device});
     if (!device) return fail(device.error(), options.json);
+    job->run.meshTextures = furTextures([&](const std::string& made) {
+        progress.clear();
+        fmt::print(stderr, "{}\n", made);
+        progress.say("rendering");
+    });
     progress.say("rendering");
     const auto result = runScene(*device, job->effect, job->scene, job->run);
     progress.clear();

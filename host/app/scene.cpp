@@ -1,5 +1,7 @@
 #include "host/app/scene.h"
 
+#include "host/support/text.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -11,7 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its camera and light stay.
+/// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its light, its background and its
+/// parameters stay.
 Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
     const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
     if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
@@ -37,11 +40,37 @@ Result<Mesh> readMesh(const fs::path& path, const MeshOptions& load, const std::
     return mesh;
 }
 
+/// A mesh of one's own without a workspace that somebody chose for it.
+bool isFramed(const SceneOptions& options) {
+    return !options.mesh.empty() && options.workspace.empty();
+}
+
+UpAxis upOf(const SceneOptions& options) {
+    return options.up.value_or(toLower(fs::path(options.mesh).extension().string()) == ".stl" ? UpAxis::Z : UpAxis::Y);
+}
+
+/// Seen from the right and a little above, with the usual light turned to the mesh's up.
+void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
+    constexpr glm::vec3 kDirection(0.38F, 0.2F, 0.9F);
+    constexpr float kFov = 25;
+    const UpAxis up = upOf(options);
+    workspace.camera = frameMesh(mesh, kDirection, up, kFov, options.aspect);
+    workspace.cameraRelative = false;
+    if (!workspace.lightRelative) workspace.light = Workspace{}.light; // it was placed for another mesh
+    workspace.lightRelative = true;
+    workspace.light.position = alongUp(up, workspace.light.position);
+    if (workspace.light.direction) workspace.light.direction = alongUp(up, *workspace.light.direction);
+    if (up == UpAxis::Z) workspace.parameters.insert({"gFurDown", {0, 0, -1}});
+}
+
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
     if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
     MeshOptions load = meshOptions(workspace);
     if (options.unitMm) load.unitMm = options.unitMm;
+    if (isFramed(options)) load.expectHead = false;
+    if (options.head) load.expectHead = *options.head;
+    load.guessUnit = !options.mesh.empty() && !load.expectHead;
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
 }
 
@@ -79,6 +108,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     }
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
+    if (isFramed(options)) frame(options, *mesh, scene.workspace);
     scene.meshes.push_back(std::move(*mesh));
     return scene;
 }

@@ -2,6 +2,7 @@
 // The scene of a run, read from disk: workspace and meshes.
 
 #include "host/run/run.h"
+#include "host/scene/framing.h"
 
 #include <deque>
 #include <optional>
@@ -16,6 +17,9 @@ struct SceneOptions {
     std::string usual;     // its name: human.json where the effect's annotation Workspace names no other
     std::string mesh;      // in place of the workspace's
     std::optional<double> unitMm;
+    std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
+    std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
+    double aspect = 1;        // of the picture
 };
 
 /// `workspace.objects` empty: one mesh, or none.

@@ -2,6 +2,7 @@
 
 #include "host/view/view.h"
 #include "host/app/command_line.h"
+#include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/view/keys.h"
@@ -27,11 +28,13 @@ SessionScene sceneOf(const Scene& scene) {
 }
 
 ViewRequest requestFor(const ViewOptions& options, const Job& job) {
+    RunOptions run = job.run;
+    run.meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); });
     return {.effect = job.effect.file,
             .load = loadOptions(options.job.effect),
             .scene = sceneOf(job.scene),
             .workspace = job.scene.workspace,
-            .run = job.run,
+            .run = std::move(run),
             .device = options.job.device,
             .validate = options.job.validate,
             .pictures = options.pictures};

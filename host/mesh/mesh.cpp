@@ -81,7 +81,7 @@ constexpr double kLeastHead = 150; // mm: a small child's head without neck
 constexpr double kMostHead = 700;  // mm: a bust to below the chest
 
 /// The unit that makes a height of `height` units a head: a common one if it fits, else what makes it 280 mm, head and neck.
-double likelyUnit(double height) {
+double unitOfHead(double height) {
     for (const double unit : {1.0, 10.0, 100.0, 1000.0})
         if (height * unit >= kLeastHead && height * unit <= kMostHead) return unit;
     const double exact = 280 / height;
@@ -93,11 +93,14 @@ double likelyUnit(double height) {
 std::optional<Error> checkHead(const Mesh& mesh, const Source& source, double scale) {
     const double height = scale * (static_cast<double>(mesh.bounds.maximum.y) - static_cast<double>(mesh.bounds.minimum.y));
     if (height >= kLeastHead && height <= kMostHead) return std::nullopt;
-    const std::string suggestion = height > 0 ? fmt::format(": try {:g}", likelyUnit(height / source.unitMm)) : "";
-    return inputError(5309, source.whole(),
-                      fmt::format("the head is {:.4g} mm high with {:g} mm per unit{}; {:g} to {:g} mm is plausible", height, source.unitMm,
-                                  scale == 1 ? "" : fmt::format(", scaled by {:g}", scale), kLeastHead, kMostHead),
-                      fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}", suggestion));
+    const std::string suggestion = height > 0 ? fmt::format(": try {:g}", unitOfHead(height / source.unitMm)) : "";
+    return inputError(
+        5309, source.whole(),
+        fmt::format("the head is {:.4g} mm high with {:g} mm per unit{}; {:g} to {:g} mm is plausible", height, source.unitMm,
+                    scale == 1 ? "" : fmt::format(", scaled by {:g}", scale), kLeastHead, kMostHead),
+        fmt::format("say what one unit of the file is, with --unit-mm X or \"unit_mm\" in the workspace{}; where it is no head: "
+                    "--no-head or \"head\": false",
+                    suggestion));
 }
 
 /// The file's tangents were made for the other direction, so they go.
@@ -105,6 +108,16 @@ void flipV(Mesh& mesh) {
     for (glm::vec2& uv : mesh.uvs)
         uv.y = 1 - uv.y;
     mesh.tangents.clear();
+}
+
+double greatestSide(const Bounds& bounds) {
+    const glm::dvec3 size = glm::dvec3(bounds.maximum) - glm::dvec3(bounds.minimum);
+    return std::max({size.x, size.y, size.z});
+}
+
+MeshOptions withUnit(MeshOptions options, double unitMm) {
+    options.unitMm = unitMm;
+    return options;
 }
 
 Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
@@ -120,6 +133,11 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     if (mesh.indices.empty()) return meshfile::noTriangles(source.whole());
     keepReferenced(mesh); // so that a stray point cannot stretch the bounds
     computeBounds(mesh);
+    if (const auto likely = options.guessUnit && !options.unitMm ? likelyUnit(mesh.bounds, mesh.unitMm) : std::nullopt) {
+        Result<Mesh> again = loadMesh(path, withUnit(options, *likely));
+        if (again) again->warnings.push_back(guessedUnit(path, mesh.bounds, mesh.unitMm, *likely));
+        return again;
+    }
     if (options.expectHead)
         if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
     if (auto error = checkUvs(mesh, source, options)) return *error;
@@ -128,6 +146,28 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
 }
 
 } // namespace
+
+std::optional<double> likelyUnit(const Bounds& bounds, double unitMm) {
+    constexpr double kLeast = 10; // mm: a bead
+    constexpr double kMost = 20'000;
+    const double side = greatestSide(bounds);
+    if (!(side > 0) || (side >= kLeast && side <= kMost)) return std::nullopt;
+    const double inFile = side / unitMm;
+    if (inFile >= 0.1 && inFile <= 3) return 1000; // metres: what people scan, people among them
+    if (inFile > 3 && inFile < kLeast) return 10;  // centimetres
+    return unitOfHead(inFile);                     // nobody's unit: as large as a head
+}
+
+Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, double unitMm, double likely) {
+    const double side = greatestSide(bounds);
+    return {.severity = Severity::Warning,
+            .code = 5327,
+            .at = {.file = path.string(), .byte = {}},
+            .text = fmt::format("with {:g} mm per unit the mesh would be {:.4g} mm long: {:g} mm per unit are taken, {:.4g} mm", unitMm,
+                                side, likely, side / unitMm * likely),
+            .hint = "skin and fur have true sizes: say what one unit of the file is with --unit-mm X",
+            .sourceLine = {}};
+}
 
 Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options) {
     try {

@@ -52,6 +52,7 @@ struct Mesh {
 struct MeshOptions {
     std::optional<double> unitMm; // default: 1000 for glTF (metres), the file's own declaration, else 1
     bool flipV = false;           // the file's v runs against its format's convention (the Lee Perry-Smith glb has v up)
+    bool guessUnit = false;       // where the size is implausible and no unit is given: take a likely one, and warn (TG5327)
     bool expectHead = false;      // refuse a size implausible for a human head, with a hint to --unit-mm
     glm::vec3 scale{1};           // what its placement scales it by: only the size of a head is judged with it
     bool requireUvs = false;      // TG53xx when there are none
@@ -60,6 +61,11 @@ struct MeshOptions {
 
 /// glb/gltf, PLY, OBJ by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
 [[nodiscard]] Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options = {});
+
+/// What one unit of a file is likely to be, in mm, where the unit that it was read with makes it smaller than 10 mm or larger than 20 m.
+[[nodiscard]] std::optional<double> likelyUnit(const Bounds& bounds, double unitMm);
+/// The warning that goes with it: TG5327.
+[[nodiscard]] Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, double unitMm, double likely);
 
 /// Writes positions, normals, tangents, UVs, indices, parts, embedded textures (PNG) as one glb in metres.
 [[nodiscard]] Result<void> writeGlb(const std::filesystem::path& path, const Mesh& mesh);

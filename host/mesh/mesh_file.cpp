@@ -2,8 +2,11 @@
 
 #include "host/mesh/mesh_file.h"
 
+#include "host/support/text.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -58,6 +61,14 @@ bool parseReal(std::string_view word, double& value) {
     if (word.empty() || parsed.ptr != word.data() + word.size()) return false;
     if (parsed.ec == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr); // infinity or next to 0
     return parsed.ec != std::errc::invalid_argument;
+}
+
+std::string_view nextWord(std::string_view& line) {
+    line = trim(line);
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string_view word = line.substr(0, end);
+    line.remove_prefix(end);
+    return word;
 }
 
 void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint) {

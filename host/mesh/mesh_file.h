@@ -34,6 +34,8 @@ struct Source {
 [[nodiscard]] Result<ReadMesh> readPly(const Source& source);
 /// With `dropBadFaces`, corners may name what the file lacks.
 [[nodiscard]] Result<ObjFile> parseObj(const Source& source);
+/// The picture that the materials in use name as their colour (map_Kd). TG5326 there are several, TG5328 it cannot be read: both warnings.
+void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
 [[nodiscard]] Result<ReadMesh> readObj(const Source& source);
 [[nodiscard]] Result<ReadMesh> readStl(const Source& source);
 [[nodiscard]] Result<ReadMesh> readOff(const Source& source);
@@ -56,6 +58,9 @@ void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string
 /// The whole word as a number, whatever the locale. Too large is infinity, too small is 0; "nan" and "inf" are numbers (and refused later
 /// as not finite).
 [[nodiscard]] bool parseReal(std::string_view word, double& value);
+
+/// The first word of a line of text, taken off it; empty where none is left.
+[[nodiscard]] std::string_view nextWord(std::string_view& line);
 
 [[nodiscard]] inline bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

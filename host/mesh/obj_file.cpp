@@ -16,14 +16,6 @@ using namespace meshfile;
 
 namespace {
 
-std::string_view nextWord(std::string_view& line) {
-    line = trim(line);
-    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-    const std::string_view word = line.substr(0, end);
-    line.remove_prefix(end);
-    return word;
-}
-
 template <class Number>
 bool parseWhole(std::string_view word, Number& number) {
     if (word.starts_with('+')) word.remove_prefix(1);
@@ -33,8 +25,8 @@ bool parseWhole(std::string_view word, Number& number) {
 
 /// Statements that describe something other than polygons, and are passed over in silence.
 bool isIgnored(std::string_view keyword) {
-    static constexpr std::array<std::string_view, 12> kIgnored = {"s",      "mtllib", "l",          "p",         "vp",    "maplib",
-                                                                  "usemap", "lod",    "shadow_obj", "trace_obj", "bevel", "mg"};
+    static constexpr std::array<std::string_view, 11> kIgnored = {"s",   "l",          "p",         "vp",    "maplib", "usemap",
+                                                                  "lod", "shadow_obj", "trace_obj", "bevel", "mg"};
     return std::ranges::find(kIgnored, keyword) != kIgnored.end();
 }
 
@@ -88,6 +80,8 @@ private:
             startGroup(keyword, trim(line));
         else if (keyword == "usemtl")
             startMaterial(trim(line));
+        else if (keyword == "mtllib")
+            file_.libraries.emplace_back(trim(line));
         else
             file_.otherStatements.emplace(std::string(keyword.substr(0, 40)), line_);
         if (file_.positions.size() > kMaxVertices || indexCount_ > kMaxIndices) fail(tooLarge(here()));

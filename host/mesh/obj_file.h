@@ -46,6 +46,7 @@ struct ObjFile {
     std::vector<ObjCorner> corners;
     std::vector<Face> faces; // of any number of corners
     std::vector<ObjSection> sections;
+    std::vector<std::string> libraries;         // of materials, as the file names them
     std::size_t badFaces = 0;                   // not among `faces`: they name an element before the first or beyond all that could be
     std::map<std::string, int> otherStatements; // the first line of each that is not understood
 

@@ -138,7 +138,9 @@ private:
 Result<ReadMesh> readObj(const Source& source) {
     const Result<ObjFile> file = parseObj(source);
     if (!file) return file.error();
-    return ObjReader(source, *file).read();
+    auto read = ObjReader(source, *file).read();
+    if (read && !read->mesh.uvs.empty()) addObjTextures(source, *file, read->mesh);
+    return read;
 }
 
 } // namespace tegument::meshfile

@@ -23,6 +23,14 @@ bool reads(const Reflection& vertex, std::string_view semantic) {
     return std::ranges::any_of(vertex.inputs, [&](const StageVariable& input) { return input.semantic == semantic; });
 }
 
+/// Any unit vector across the normal: without texture coordinates all are alike.
+glm::vec4 tangentAcross(const glm::vec3& normal) {
+    const glm::vec3 aside = std::abs(normal.x) < 0.5F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 across = glm::cross(aside, normal);
+    const float length = glm::length(across);
+    return {length > 0 ? across / length : glm::vec3(1, 0, 0), 1};
+}
+
 } // namespace
 
 std::vector<float> interleave(const Mesh& mesh) {
@@ -31,7 +39,7 @@ std::vector<float> interleave(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3 position = mesh.positions[i];
         const glm::vec3 normal = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
-        const glm::vec4 tangent = mesh.tangents.empty() ? glm::vec4(0) : mesh.tangents[i];
+        const glm::vec4 tangent = mesh.tangents.empty() ? tangentAcross(normal) : mesh.tangents[i];
         const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
         stream.insert(stream.end(), {position.x, position.y, position.z, normal.x, normal.y, normal.z});
         stream.insert(stream.end(), {tangent.x, tangent.y, tangent.z, tangent.w, uv.x, uv.y});
@@ -66,14 +74,15 @@ Result<std::vector<VertexAttribute>> bindStream(const Pass& pass, const Reflecti
     return attributes;
 }
 
-Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* mesh) {
+Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* mesh, const WithoutUvs& without) {
     if (!mesh || mesh->indices.empty())
         return inputError(4040, pass.at, fmt::format("pass {} draws a mesh, and there is none", pass.name),
                           "name one with --mesh or in the workspace");
-    if (mesh->uvs.empty() && (reads(vertex, "TEXCOORD0") || reads(vertex, "TANGENT0")))
+    if (mesh->uvs.empty() && !without.drawn && (reads(vertex, "TEXCOORD0") || reads(vertex, "TANGENT0")))
         return inputError(4041, {.file = mesh->name, .byte = {}},
                           fmt::format("the mesh has no texture coordinates, and pass {} needs them", pass.name),
-                          "unwrap it in a modelling program and export the UVs");
+                          "tegument prep MESH --unwrap -o NEW.glb makes some" +
+                              (without.instead.empty() ? "" : fmt::format("; without them draw: {}", without.instead)));
     return {};
 }
 

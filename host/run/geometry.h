@@ -21,7 +21,13 @@ inline constexpr std::uint32_t kVertexStride = 12 * sizeof(float);
 
 /// TG4042: the vertex shader reads something that the stream does not have.
 [[nodiscard]] Result<std::vector<VertexAttribute>> bindStream(const Pass& pass, const Reflection& vertex);
+
+/// What a technique says of meshes without texture coordinates.
+struct WithoutUvs {
+    bool drawn = false;  // it draws them: the stream holds (0, 0), and tangents across the normals
+    std::string instead; // what draws them otherwise; may be empty
+};
 /// TG4040 there is no mesh, TG4041 the mesh has no UVs and the pass reads them (or tangents, which need them).
-[[nodiscard]] Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* mesh);
+[[nodiscard]] Result<void> checkMesh(const Pass& pass, const Reflection& vertex, const Mesh* mesh, const WithoutUvs& without);
 
 } // namespace tegument::run

@@ -99,12 +99,30 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
     return {};
 }
 
+/// Annotation WithoutUvs of the effect: its techniques that draw a mesh without texture coordinates, "*" for all, and effects that do.
+/// Where a texture is named, they are needed all the same.
+WithoutUvs withoutUvs(const RunInput& input, const Prepared& prepared) {
+    WithoutUvs without;
+    for (const Parameter& parameter : input.effect.parameters)
+        if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL"))
+            without.instead = parameter.annotations.string("WithoutUvs").value_or("");
+    const bool textured = !input.options.textures.empty() || !input.workspace.textures.empty();
+    for (std::string_view rest = without.instead; !rest.empty() && !textured;) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view name = trim(rest.substr(0, comma));
+        without.drawn |= name == "*" || name == prepared.plan.technique->name;
+        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+    }
+    return without;
+}
+
 Result<void> checkDraws(const RunInput& input, Prepared& prepared) {
+    const WithoutUvs without = withoutUvs(input, prepared);
     for (const Step& step : prepared.plan.steps) {
         const auto* draw = std::get_if<DrawStep>(&step);
         if (!draw || draw->kind == DrawKind::Buffer) continue;
         prepared.drawsMesh = true;
-        if (const auto checked = checkMesh(*draw->pass, prepared.programs.at(draw->pass)->vertex.reflection, input.mesh); !checked)
+        if (const auto checked = checkMesh(*draw->pass, prepared.programs.at(draw->pass)->vertex.reflection, input.mesh, without); !checked)
             return checked;
     }
     return {};

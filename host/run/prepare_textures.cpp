@@ -96,6 +96,43 @@ Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& 
     return texture;
 }
 
+/// What is made from the mesh is a file from here on; a file that somebody named must have been made from this mesh.
+Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter, TextureSource source) {
+    if (const auto* made = std::get_if<GeneratorSource>(&source)) {
+        auto file = input.options.meshTextures.make(made->generator, *input.mesh);
+        if (!file) return namedBy("its annotation Generator", parameter, file.error());
+        return TextureSource(FileSource{*file, "its annotation Generator"});
+    }
+    const auto generator = parameter.annotations.string("Generator");
+    const auto* file = std::get_if<FileSource>(&source);
+    if (!generator || !file || !input.mesh || !input.options.meshTextures.check) return source;
+    if (const auto checked = input.options.meshTextures.check(*generator, file->path, *input.mesh); !checked)
+        return namedBy(file->namedBy, parameter, checked.error());
+    return source;
+}
+
+/// The caller's skin in place of the effect's own, where nothing gives it a colour.
+void paint(const RunInput& input, const Parameter& parameter, TextureSource& source, std::vector<Diagnostic>& warnings) {
+    auto* constant = std::get_if<ConstantSource>(&source);
+    const auto& skin = input.options.plainSkin;
+    if (!constant || !skin || !equalsIgnoreCase(parameter.semantic, "DIFFUSE")) return;
+    *constant = *skin;
+    warnings.push_back(
+        {.severity = Severity::Warning,
+         .code = 4056,
+         .at = {.file = input.mesh ? input.mesh->name : input.effect.file.string(), .byte = {}},
+         .text = fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g})", (*skin)[0], (*skin)[1], (*skin)[2]),
+         .hint = fmt::format("--set {}=FILE gives one", parameter.name),
+         .sourceLine = {}});
+}
+
+Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, std::vector<Diagnostic>& warnings) {
+    auto source = findTexture(parameter, input.effect, input.options, input.workspace, input.mesh);
+    if (!source) return source;
+    paint(input, parameter, *source, warnings);
+    return madeFor(input, parameter, std::move(*source));
+}
+
 Result<TextureData> load(const RunInput& input, const Parameter& parameter, const TextureSource& source,
                          std::vector<Diagnostic>& warnings) {
     const bool mips = wantsMips(input.effect, parameter.name);
@@ -107,7 +144,7 @@ Result<TextureData> load(const RunInput& input, const Parameter& parameter, cons
 }
 
 Result<void> find(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
-    const auto source = findTexture(parameter, input.effect, input.options.textures, input.workspace, input.mesh);
+    const auto source = sourceOf(input, parameter, prepared.warnings);
     if (!source) return source.error();
     const auto* producer = std::get_if<ProducerSource>(&*source);
     if (isCube(parameter) && (producer || std::holds_alternative<const EmbeddedTexture*>(*source)))

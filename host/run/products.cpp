@@ -49,6 +49,8 @@ NodeInputs inputsOf(const RunInput& input, const Prepared& prepared) {
 
 RunOptions producerOptions(const RunOptions& options, const Effect& effect) {
     RunOptions own{.technique = {}, .width = kProducerPicture, .height = kProducerPicture, .compiler = options.compiler};
+    own.meshTextures = options.meshTextures;
+    own.plainSkin = options.plainSkin;
     for (const auto& [name, value] : options.parameters)
         if (effect.findParameter(name)) own.parameters.emplace(name, value);
     for (const auto& [name, file] : options.textures)

@@ -5,12 +5,25 @@
 #include "host/scene/workspace.h"
 #include "host/spirv/compile.h"
 
+#include <array>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace tegument {
+
+/// Textures that belong to a mesh, by the annotation `Generator` of their parameters (docs/running.md). Without functions none are made,
+/// and none judged.
+struct MeshTextures {
+    /// Makes the file where nothing gives one, or finds it made.
+    std::function<Result<std::filesystem::path>(const std::string& generator, const Mesh& mesh)> make;
+    /// Refuses a file that was made for another mesh.
+    std::function<Result<void>(const std::string& generator, const std::filesystem::path& file, const Mesh& mesh)> check;
+};
 
 struct RunOptions {
     std::string technique; // empty: the effect's default
@@ -21,6 +34,10 @@ struct RunOptions {
     std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
     std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder
     std::vector<std::string> dump;                         // target names; "all"
+    MeshTextures meshTextures;
+    /// Albedo, linear, and the scatter mask of skin for which nothing gives a colour map (semantic DIFFUSE), with a warning. None: the
+    /// effect's own Fallback.
+    std::optional<std::array<float, 4>> plainSkin;
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these
 };

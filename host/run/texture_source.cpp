@@ -93,41 +93,42 @@ Result<LoadedFile> load(const fs::path& path) {
     return file;
 }
 
-/// Says whose texture it is and who named the file.
-Error named(Error error, const Parameter& parameter, const FileSource& source) {
-    error.diagnostics.push_back({.severity = Severity::Note,
-                                 .code = 4031,
-                                 .at = parameter.at,
-                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, source.namedBy),
-                                 .hint = {},
-                                 .sourceLine = {}});
-    return error;
-}
-
 } // namespace
 
-Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect, const std::map<std::string, std::string>& set,
-                                  const Workspace& workspace, const Mesh* mesh) {
-    if (const std::string* file = byNameOrSemantic(set, parameter)) return TextureSource(FileSource{*file, "--set"});
+Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect, const RunOptions& options, const Workspace& workspace,
+                                  const Mesh* mesh) {
+    if (const std::string* file = byNameOrSemantic(options.textures, parameter)) return TextureSource(FileSource{*file, "--set"});
     if (const std::string* file = byNameOrSemantic(workspace.textures, parameter))
         return TextureSource(FileSource{workspace.file.parent_path() / *file, fmt::format("the workspace {}", workspace.file.string())});
     if (const EmbeddedTexture* texture = embedded(parameter, mesh)) return TextureSource(texture);
     if (auto path = resource(parameter, effect)) return TextureSource(FileSource{std::move(*path), "ResourceName"});
     if (parameter.annotations.find("Producer")) return producer(parameter, effect);
+    if (const auto generator = parameter.annotations.string("Generator"); generator && mesh && options.meshTextures.make)
+        return TextureSource(GeneratorSource{*generator});
     if (parameter.annotations.find("Fallback")) return fallback(parameter);
     return notFound(parameter, mesh);
 }
 
+Error namedBy(const std::string& who, const Parameter& parameter, Error error) {
+    error.diagnostics.push_back({.severity = Severity::Note,
+                                 .code = 4031,
+                                 .at = parameter.at,
+                                 .text = fmt::format("it is the texture of {}, named by {}", parameter.name, who),
+                                 .hint = {},
+                                 .sourceLine = {}});
+    return error;
+}
+
 Result<LoadedFile> loadNamed(const Parameter& parameter, const FileSource& source) {
     auto file = load(source.path);
-    if (!file) return named(file.error(), parameter, source);
+    if (!file) return namedBy(source.namedBy, parameter, file.error());
     const bool cube = file->texture.isCube();
     if (cube == (parameter.type.base == BaseType::TextureCube)) return file;
     const char* what = cube ? "the file is a cube map" : "the file is no cube map";
-    return named(inputError(4038, {.file = source.path.string(), .byte = {}},
-                            fmt::format("{} is a {}; {}", parameter.name, parameter.type.name, what),
-                            cube ? "give a picture" : "give a DDS file with six faces"),
-                 parameter, source);
+    return namedBy(source.namedBy, parameter,
+                   inputError(4038, {.file = source.path.string(), .byte = {}},
+                              fmt::format("{} is a {}; {}", parameter.name, parameter.type.name, what),
+                              cube ? "give a picture" : "give a DDS file with six faces"));
 }
 
 } // namespace tegument::run

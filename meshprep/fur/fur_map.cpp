@@ -90,6 +90,10 @@ std::size_t sphereMapTexels(int side) {
     return static_cast<std::size_t>(std::llround(std::numbers::pi / 4 * side * side));
 }
 
+int cubeMapSide(int sphereMapSide) {
+    return std::max(1, static_cast<int>(std::lround(sphereMapSide / std::sqrt(6.0) / 4)) * 4);
+}
+
 std::size_t cubeMapTexels(int side) {
     return 6 * static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
 }

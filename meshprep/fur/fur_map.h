@@ -20,6 +20,9 @@ namespace tegument {
 /// Six faces in Direct3D's order +X -X +Y -Y +Z -Z. A strand that crosses an edge goes on upon the next face.
 [[nodiscard]] std::array<Image, 6> drawCubeMap(const StrandSet& set, int side, const FurOptions& options);
 
+/// The cube map's side whose six faces have about as many texels as a sphere map of this side: both are compared at equal memory.
+[[nodiscard]] int cubeMapSide(int sphereMapSide);
+
 /// How many texels of a sphere map show a direction.
 [[nodiscard]] std::size_t sphereMapTexels(int side);
 [[nodiscard]] std::size_t cubeMapTexels(int side);

@@ -2,6 +2,7 @@
 
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/local_vertices.h"
+#include "meshprep/prepare/unwrap.h"
 #include "meshprep/prepare/vertices.h"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ public:
         clean();
         if (surface_.mesh.indices.empty() && report_.input.faces > 0)
             return inputError(7020, {.file = path_.string(), .byte = {}}, "no triangle is left", whereTheyWent());
-        shape();
+        if (auto error = shape()) return *error;
         if (auto error = putInOrder()) return *error;
         if (auto error = pack()) return *error;
         return Prepared{.mesh = std::move(surface_.mesh), .glb = std::move(glb_), .report = std::move(report_)};
@@ -56,6 +57,14 @@ private:
         begin("read");
         Result<ReadMesh> file = readMesh(path_, options_.read);
         if (!file) return file.error();
+        if (const auto unit = options_.guessUnit ? unitOf(file->mesh) : std::nullopt) {
+            ReadOptions again = options_.read;
+            again.unitMm = *unit;
+            const Diagnostic warning = guessedUnit(path_, file->mesh.bounds, file->mesh.unitMm, *unit);
+            file = readMesh(path_, again);
+            if (!file) return file.error();
+            file->mesh.warnings.push_back(warning);
+        }
         surface_.mesh = std::move(file->mesh);
         const ReadCounts& counts = file->counts;
         report_.input = {.vertices = counts.vertices, .faces = counts.faces};
@@ -69,6 +78,13 @@ private:
         noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
         noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);
         return std::nullopt;
+    }
+
+    /// Another unit than the file was read with, where that one is implausible.
+    [[nodiscard]] std::optional<double> unitOf(Mesh& mesh) const {
+        if (options_.read.unitMm || mesh.indices.empty()) return std::nullopt;
+        computeBounds(mesh);
+        return likelyUnit(mesh.bounds, mesh.unitMm);
     }
 
     void noteDropped(const char* what, const char* name, std::size_t dropped) {
@@ -93,7 +109,7 @@ private:
         return text;
     }
 
-    void shape() {
+    std::optional<Error> shape() {
         begin("topology");
         report_.topology = examine(surface_);
         const Topology& t = report_.topology;
@@ -111,6 +127,8 @@ private:
         const NormalChanges changes = makeNormals(surface_, options_.normals);
         end("normals", changes.normals, fmt::format("{} normals made, {} vertices split for them", changes.normals, changes.split));
         count("weld", "vertices equal to an earlier one in all that is kept", [&] { return weldVertices(surface_); });
+        if (options_.unwrap)
+            if (auto error = unwrapped()) return error;
         if (options_.mappingReport) {
             begin("mapping");
             report_.mapping = examineMapping(surface_);
@@ -118,6 +136,19 @@ private:
             end("mapping", 0, fmt::format("{} ways examined", report_.mapping.size() + report_.rootMapping.size()));
         }
         if (!surface_.mesh.uvs.empty()) makeTangents();
+        return std::nullopt;
+    }
+
+    std::optional<Error> unwrapped() {
+        begin("unwrap");
+        const std::size_t textures = surface_.mesh.textures.size();
+        const auto made = unwrap(surface_);
+        if (!made) return made.error();
+        end("unwrap", made->charts,
+            fmt::format("{} charts cover {:.0f} % of the square, {} vertices split for them{}", made->charts, 100 * made->covered,
+                        made->split,
+                        textures > 0 ? fmt::format("; {} textures left out, which lay by the old coordinates", textures) : ""));
+        return std::nullopt;
     }
 
     void makeTangents() {

@@ -27,6 +27,8 @@ struct PrepOptions {
     bool orient = false;         // turn the minority of each component
     CentreMode centre = CentreMode::Ball;
     NormalOptions normals;
+    bool guessUnit = false;                                   // where no unit is given and the size is implausible: host/mesh/mesh.h
+    bool unwrap = false;                                      // make texture coordinates, in place of those that there are
     std::optional<order::Method> order = order::Method::Best; // none: the file's
     order::CacheModel cache = order::kWarp;
     bool overdraw = false;

@@ -37,6 +37,23 @@ TEST_F(Loading, a_head_of_implausible_size_is_refused_with_the_likely_unit) {
     EXPECT_NE(lps.find("try 35"), std::string::npos) << "no common unit fits: 280 / 7.945. " << lps;
 }
 
+TEST_F(Loading, an_implausible_size_gets_a_likely_unit_where_one_may_be_guessed) {
+    const std::pair<double, double> known[] = {
+        {1.8, 1000}, {0.15, 1000}, {5, 10}, {0.007, 1000}, {1e6, 0.00028}}; // height in the file, unit
+    for (const auto& [height, unit] : known) {
+        const auto mesh = load("a.obj", panel(height), {.guessUnit = true});
+        ASSERT_TRUE(mesh) << height;
+        EXPECT_DOUBLE_EQ(mesh->unitMm, unit) << height;
+        EXPECT_NEAR(mesh->bounds.maximum.y - mesh->bounds.minimum.y, height * unit, 1e-5 * height * unit);
+        ASSERT_FALSE(mesh->warnings.empty());
+        EXPECT_EQ(mesh->warnings.back().code, 5327);
+    }
+    for (const double height : {12.0, 240.0, 19'000.0})
+        EXPECT_EQ(load("a.obj", panel(height), {.guessUnit = true})->unitMm, 1) << height << " mm are plausible";
+    EXPECT_EQ(load("a.obj", panel(1.8), {.unitMm = 1, .guessUnit = true})->unitMm, 1) << "what is said is done";
+    EXPECT_EQ(load("a.obj", panel(1.8))->unitMm, 1) << "nobody asked";
+}
+
 TEST_F(Loading, a_head_is_judged_by_the_size_that_it_is_scaled_to) {
     EXPECT_TRUE(load("a.obj", panel(0.24), {.expectHead = true, .scale = {1, -1000, 1}}));
     const std::string message = messageOf(load("a.obj", panel(240), {.expectHead = true, .scale = glm::vec3(10)}));

@@ -155,3 +155,43 @@ TEST_F(Obj, an_unreferenced_vertex_does_not_stretch_the_bounds) {
     EXPECT_EQ(mesh->positions.size(), 3u);
     EXPECT_LT(mesh->bounds.radius, 1);
 }
+
+namespace {
+
+/// A triangle with texture coordinates, of one material or of two.
+constexpr std::string_view kMaterialObj =
+    "mtllib my scan.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl skin\nf 1/1 2/2 3/3\n";
+
+} // namespace
+
+TEST_F(Obj, brings_the_colour_map_that_its_material_names) {
+    Image red{.width = 2, .height = 1, .channels = 3, .pixels = {1, 0, 0, 1, 0, 0}, .metadata = {}};
+    ASSERT_TRUE(writePng(folder_ / "red.png", red, PngEncoding::Raw));
+    for (const std::string_view line : {"map_Kd red.png", "\tmap_Kd -s 1 1 1 red.png \r", "MAP_KD .\\red.png"}) {
+        write("my scan.mtl", "newmtl other\nmap_Kd none.png\nnewmtl skin\nKd 1 1 1\n" + std::string(line) + "\n");
+        const auto mesh = load("a.obj", std::string(kMaterialObj));
+        ASSERT_TRUE(mesh) << line;
+        ASSERT_EQ(mesh->textures.size(), 1U) << line;
+        EXPECT_EQ(mesh->textures[0].role, "color");
+        EXPECT_EQ(mesh->textures[0].image.at(1, 0, 0), 1);
+    }
+}
+
+TEST_F(Obj, with_two_colour_maps_keeps_the_first_and_without_its_files_goes_on) {
+    ASSERT_TRUE(
+        writePng(folder_ / "red.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw));
+    write("my scan.mtl", "newmtl skin\nmap_Kd red.png\nnewmtl eye\nmap_Kd eye.png\n");
+    const auto two = load("a.obj", std::string(kMaterialObj) + "usemtl eye\nf 3/3 2/2 1/1\n");
+    ASSERT_TRUE(two);
+    EXPECT_EQ(two->textures.size(), 1U);
+    ASSERT_FALSE(two->warnings.empty());
+    EXPECT_EQ(two->warnings[0].code, 5326);
+    write("my scan.mtl", "newmtl skin\nmap_Kd gone.png\n");
+    const auto gone = load("a.obj", std::string(kMaterialObj));
+    ASSERT_TRUE(gone);
+    EXPECT_TRUE(gone->textures.empty());
+    ASSERT_EQ(gone->warnings.size(), 1U);
+    EXPECT_EQ(gone->warnings[0].code, 5328);
+    std::filesystem::remove(folder_ / "my scan.mtl");
+    EXPECT_TRUE(load("a.obj", std::string(kMaterialObj))->warnings.empty()) << "materials are often left behind";
+}

@@ -240,6 +240,7 @@ private:
         put(2, glm::vec3(texture_.image.height, firstTop_, set_.roots.size()), static_cast<double>(texture_.mostTexels));
         put(3, glm::vec3(set_.reach, set_.radius, set_.distance), set_.density);
         put(4, glm::vec3(set_.centre), set_.ballRadius);
+        const SurfaceFigures& figures = set_.figures;
         double sum = 0;
         float least = 1;
         float lean = 0;
@@ -248,8 +249,9 @@ private:
             least = std::min(least, root.share);
             lean = std::max(lean, glm::length(root.lean));
         }
-        put(5, glm::vec3(least, sum / static_cast<double>(set_.roots.size()), lean), 0);
-        put(6, glm::vec3(firstRoot_, kNodeCells, 0), 0);
+        put(5, glm::vec3(least, sum / static_cast<double>(set_.roots.size()), lean), figures.spread.x);
+        put(6, glm::vec3(firstRoot_, kNodeCells, figures.spread.y), figures.spread.z);
+        put(7, glm::vec3(figures.middle), figures.area);
     }
 
     void writeLists() {
@@ -461,6 +463,15 @@ std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point)
         if (texel.x < 0) break;
     }
     return found;
+}
+
+std::optional<SurfaceFigures> figuresIn(const Image& image) {
+    if (image.width != kRootColumns || image.channels != 4) return std::nullopt;
+    const Reader reader(image);
+    const glm::dvec4 last(reader.fetch(7));
+    if (!(last.w > 0)) return std::nullopt;
+    const glm::dvec4 sixth(reader.fetch(6));
+    return SurfaceFigures{.middle = glm::dvec3(last), .area = last.w, .spread = {static_cast<double>(reader.fetch(5).w), sixth.z, sixth.w}};
 }
 
 Root rootAt(const Image& image, std::size_t number) {

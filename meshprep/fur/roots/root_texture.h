@@ -33,6 +33,8 @@ struct RootTexture {
 [[nodiscard]] std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point);
 /// Lean and density of the coat at a point, between the nodes of its brick; 0 where there is no brick.
 [[nodiscard]] glm::vec4 coatAround(const Image& image, const glm::vec3& point);
+/// Of the mesh that the roots were made for; nothing in files of earlier versions, and in pictures that hold no roots.
+[[nodiscard]] std::optional<SurfaceFigures> figuresIn(const Image& image);
 /// The root with this number, as its texels say.
 [[nodiscard]] Root rootAt(const Image& image, std::size_t number);
 

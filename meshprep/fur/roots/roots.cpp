@@ -94,6 +94,7 @@ Result<void> plan(RootSet& set, const FurSurface& surface, const RootOptions& op
     set.cell = options.cell * spacing;
     set.centre = surface.centre();
     set.ballRadius = radius;
+    set.figures = surfaceFigures(surface.mesh());
     return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include "meshprep/fur/roots/coat_field.h"
 #include "meshprep/fur/roots/root_maps.h"
+#include "meshprep/fur/roots/surface_figures.h"
 
 #include <optional>
 
@@ -55,6 +56,7 @@ struct RootSet {
     double cell = 0;        // mm
     glm::dvec3 centre{0};   // of the mesh's minimal ball
     double ballRadius = 0;
+    SurfaceFigures figures;               // of the mesh
     std::size_t shortenedByCurvature = 0; // of those that a coat of furLength would make longer
     std::size_t shortenedByOpposite = 0;
     struct Seconds {

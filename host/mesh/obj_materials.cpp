@@ -1,0 +1,75 @@
+// The colour map of an OBJ file: what the materials of its libraries name as map_Kd.
+
+#include "host/mesh/mesh_file.h"
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace tegument::meshfile {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names in such files often come from Windows.
+fs::path beside(const fs::path& file, std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    return file.parent_path() / name;
+}
+
+/// `map_Kd [-option values...] name`: the name may hold spaces, so where options are given it is the last word.
+std::string mapName(std::string_view rest) {
+    rest = trim(rest);
+    if (rest.starts_with('-')) rest = rest.substr(rest.find_last_of(" \t") + 1);
+    return std::string(rest);
+}
+
+/// Material to file.
+std::map<std::string, fs::path> colourMaps(const fs::path& library) {
+    std::map<std::string, fs::path> maps;
+    const auto text = readFile(library);
+    if (!text) return maps; // scans often travel without: no error
+    std::string material;
+    for (std::string_view left = *text; !left.empty();) {
+        const std::size_t end = std::min(left.find('\n'), left.size());
+        std::string_view line = trim(left.substr(0, end));
+        left.remove_prefix(std::min(end + 1, left.size()));
+        const std::string keyword = toLower(std::string(nextWord(line)));
+        if (keyword == "newmtl") material = trim(line);
+        if (keyword == "map_kd" && !mapName(line).empty()) maps.emplace(material, beside(library, mapName(line)));
+    }
+    return maps;
+}
+
+} // namespace
+
+void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
+    std::map<std::string, fs::path> maps;
+    for (const std::string& library : file.libraries)
+        maps.merge(colourMaps(beside(source.path, library)));
+    fs::path used;
+    for (std::size_t i = 0; i < file.sections.size(); ++i) {
+        const auto map = maps.find(file.sections[i].material);
+        if (map == maps.end() || file.endOf(i) == file.sections[i].firstFace || map->second == used) continue;
+        if (!used.empty()) {
+            warn(mesh, 5326, source.whole(),
+                 fmt::format("material '{}': a second colour map is ignored: one mesh carries one", map->first.substr(0, 40)),
+                 "name the texture in the workspace, or split the mesh");
+            break;
+        }
+        used = map->second;
+    }
+    if (used.empty()) return;
+    auto image = loadImage(used);
+    if (image)
+        mesh.textures.push_back({.role = "color", .image = std::move(*image)});
+    else
+        warn(mesh, 5328, source.whole(), fmt::format("its colour map is not there: {}", image.error().diagnostics.front().text),
+             "put the pictures of an OBJ file beside it, or give one: --set gSkinMap=FILE");
+}
+
+} // namespace tegument::meshfile

@@ -1,0 +1,23 @@
+#pragma once
+// A camera that shows the whole of a mesh.
+
+#include "host/mesh/mesh.h"
+#include "host/scene/workspace.h"
+
+namespace tegument {
+
+/// Which way is up in a mesh file: glTF and most scans have y, programs for construction and printing z.
+enum class UpAxis { Y, Z };
+
+/// A vector of the frame in which y is up and z comes towards the viewer, along the axes of a mesh that has another up.
+[[nodiscard]] glm::vec3 alongUp(UpAxis up, const glm::vec3& v);
+
+/// The camera looks against `direction` (from the mesh to the eye, y up), as near as it can be with all vertices within kFramedShare of the
+/// picture's width and height, as much room on one side as on the other. `aspect` is width over height. World millimetres. The mesh has a
+/// vertex.
+[[nodiscard]] Camera frameMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float horizontalFov, double aspect);
+
+/// The rest is for what stands out from the mesh, such as fur.
+inline constexpr double kFramedShare = 0.84;
+
+} // namespace tegument

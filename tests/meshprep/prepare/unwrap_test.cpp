@@ -1,0 +1,115 @@
+// Texture coordinates for meshes without: every triangle has its own place in the square.
+#include "meshprep/prepare/unwrap.h"
+
+#include "meshprep/prepare/clean.h"
+#include "tests/meshprep/prepare/meshes.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace tegument;
+using namespace tegument::prep;
+using namespace tegument::testing_prep;
+
+namespace {
+
+/// A torus, closed, of two parts.
+Surface torus() {
+    constexpr std::uint32_t kRound = 48, kAround = 24;
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < kRound; ++i)
+        for (std::uint32_t j = 0; j < kAround; ++j) {
+            const double a = 2 * std::numbers::pi * i / kRound, b = 2 * std::numbers::pi * j / kAround;
+            const double r = 60 + 25 * std::cos(b);
+            positions.emplace_back(r * std::cos(a), r * std::sin(a), 25 * std::sin(b));
+            const auto at = [&](std::uint32_t x, std::uint32_t y) { return x % kRound * kAround + y % kAround; };
+            indices.insert(indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    Surface surface{.mesh = meshOf(std::move(positions), std::move(indices)), .point = {}};
+    const auto half = static_cast<std::uint32_t>(surface.mesh.indices.size() / 2);
+    surface.mesh.parts = {{.name = "a", .firstIndex = 0, .indexCount = half}, {.name = "b", .firstIndex = half, .indexCount = half}};
+    findPlaces(surface, {});
+    return surface;
+}
+
+/// Square root of what a triangle covers of the map over its area: texels per mm.
+double fineness(const Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t* t = &mesh.indices[3 * triangle];
+    const auto p = [&](int i) { return glm::dvec3(mesh.positions[t[i]]); };
+    const auto uv = [&](int i) { return glm::dvec2(mesh.uvs[t[i]]); };
+    const glm::dvec2 a = uv(1) - uv(0), b = uv(2) - uv(0);
+    return std::sqrt(std::abs(a.x * b.y - a.y * b.x) / glm::length(glm::cross(p(1) - p(0), p(2) - p(0))));
+}
+
+} // namespace
+
+class Unwrap : public testing::Test {
+protected:
+    void SetUp() override {
+        surface_ = torus();
+        before_ = surface_.mesh;
+        const auto made = unwrap(surface_);
+        if (!made && made.error().diagnostics.front().code == 7027) GTEST_SKIP() << "xatlas is not there";
+        ASSERT_TRUE(made) << format(made.error());
+        made_ = *made;
+    }
+    Surface surface_;
+    Mesh before_;
+    Unwrapping made_;
+};
+
+TEST_F(Unwrap, gives_every_triangle_a_place_of_its_own_in_the_square) {
+    const UvReport report = examineUvs(surface_.mesh);
+    EXPECT_EQ(surface_.mesh.uvs.size(), surface_.mesh.positions.size());
+    EXPECT_LT(report.overlapping, 1e-3) << "borders of triangles, as rounding has them";
+    EXPECT_EQ(report.outside, 0);
+    EXPECT_GT(report.covered, 0.4) << "gutters and gaps take less than what is drawn";
+    EXPECT_DOUBLE_EQ(report.covered, made_.covered);
+}
+
+TEST_F(Unwrap, leaves_the_surface_as_it_was) {
+    const Mesh& mesh = surface_.mesh;
+    ASSERT_EQ(mesh.indices.size(), before_.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+        ASSERT_EQ(mesh.positions[mesh.indices[i]], before_.positions[before_.indices[i]]) << "corner " << i;
+    EXPECT_EQ(mesh.positions.size(), before_.positions.size() + made_.split);
+    EXPECT_EQ(surface_.point.size(), mesh.positions.size());
+    EXPECT_GT(made_.split, 0U) << "a torus does not lie flat uncut";
+}
+
+TEST_F(Unwrap, is_about_as_fine_everywhere) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < surface_.triangles(); ++i)
+        all.push_back(fineness(surface_.mesh, i));
+    std::ranges::sort(all);
+    EXPECT_LT(all[all.size() * 95 / 100] / all[all.size() * 5 / 100], 3) << "the Stretch map levels what is within";
+}
+
+TEST_F(Unwrap, makes_few_charts_none_of_two_parts) {
+    EXPECT_GE(made_.charts, 2U);
+    EXPECT_LE(made_.charts, 40U);
+    const auto chartsMeet = [&] { // a vertex that triangles of both parts use would join charts of both
+        std::vector<bool> first(surface_.mesh.positions.size(), false);
+        const std::size_t half = surface_.mesh.indices.size() / 2;
+        for (std::size_t i = 0; i < half; ++i)
+            first[surface_.mesh.indices[i]] = true;
+        return std::any_of(surface_.mesh.indices.begin() + static_cast<std::ptrdiff_t>(half), surface_.mesh.indices.end(),
+                           [&](std::uint32_t index) { return first[index]; });
+    };
+    EXPECT_FALSE(chartsMeet());
+}
+
+TEST_F(Unwrap, is_the_same_each_time) {
+    Surface again = torus();
+    ASSERT_TRUE(unwrap(again));
+    EXPECT_EQ(again.mesh.uvs, surface_.mesh.uvs);
+}
+
+TEST_F(Unwrap, of_triangles_without_area_is_refused) {
+    Surface line{.mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2}), .point = {}};
+    findPlaces(line, {});
+    const auto made = unwrap(line);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().diagnostics.front().code, 7028);
+}

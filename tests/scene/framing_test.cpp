@@ -1,0 +1,82 @@
+// A camera that frames a mesh: every vertex inside, the outermost at the edge.
+#include "host/scene/framing.h"
+#include "host/scene/view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace tegument;
+
+namespace {
+
+Mesh cloud(const glm::vec3& size, const glm::vec3& at) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> noise(-0.5F, 0.5F);
+    Mesh mesh;
+    for (int i = 0; i < 500; ++i)
+        mesh.positions.push_back(at + size * glm::vec3(noise(random), noise(random), noise(random)));
+    computeBounds(mesh);
+    return mesh;
+}
+
+struct Extent {
+    glm::dvec2 low{1e9}, high{-1e9}; // of clip space's x and y over w
+};
+
+Extent onScreen(const Mesh& mesh, Camera camera, double aspect) {
+    Workspace workspace;
+    workspace.camera = camera;
+    workspace.cameraRelative = false;
+    const Matrices matrices = cameraMatrices(placeScene(workspace, mesh.bounds).camera, aspect);
+    Extent extent;
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::dvec4 clip = glm::dmat4(matrices.viewProjection) * glm::dvec4(glm::dvec3(p), 1);
+        EXPECT_GT(clip.w, 0);
+        EXPECT_TRUE(clip.z >= 0 && clip.z <= clip.w) << clip.z << " of " << clip.w;
+        extent.low = glm::min(extent.low, glm::dvec2(clip) / clip.w);
+        extent.high = glm::max(extent.high, glm::dvec2(clip) / clip.w);
+    }
+    return extent;
+}
+
+} // namespace
+
+TEST(Framing, fills_its_share_of_the_narrower_side_and_centres_the_mesh) {
+    constexpr double kFloats = 1e-4; // positions of 1e3 mm in floats
+    for (const glm::vec3& size : {glm::vec3(100, 100, 100), glm::vec3(1000, 10, 20), glm::vec3(10, 700, 10), glm::vec3(5, 5, 900)})
+        for (const double aspect : {1.0, 2.0, 0.5})
+            for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+                const Mesh mesh = cloud(size, {400, -250, 90});
+                const Extent e = onScreen(mesh, frameMesh(mesh, {0.4F, 0.2F, 0.9F}, up, 25, aspect), aspect);
+                const double most = std::max({e.high.x, -e.low.x, e.high.y, -e.low.y});
+                EXPECT_NEAR(most, kFramedShare, kFloats) << size.x << " " << size.y << " " << size.z << " aspect " << aspect;
+                EXPECT_NEAR(e.high.x + e.low.x, 0, kFloats);
+                EXPECT_NEAR(e.high.y + e.low.y, 0, kFloats) << "as much room on both sides";
+            }
+}
+
+TEST(Framing, holds_up_upright) {
+    const Mesh mesh = cloud({100, 100, 100}, {0, 0, 0});
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+        const Camera camera = frameMesh(mesh, {0.4F, 0.2F, 0.9F}, up, 25, 1);
+        EXPECT_EQ(camera.up, up == UpAxis::Y ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1));
+        EXPECT_GT(glm::dot(camera.position - camera.target, camera.up), 0) << "the eye looks from above";
+    }
+    EXPECT_EQ(alongUp(UpAxis::Z, {1, 2, 3}), glm::vec3(1, -3, 2)) << "in front is -y, up is z";
+    EXPECT_EQ(alongUp(UpAxis::Y, {1, 2, 3}), glm::vec3(1, 2, 3));
+}
+
+TEST(Framing, of_a_point_or_a_flat_mesh_is_finite) {
+    Mesh point;
+    point.positions = {{3, 4, 5}};
+    computeBounds(point);
+    const Camera camera = frameMesh(point, {0, 0, 1}, UpAxis::Y, 25, 1);
+    EXPECT_TRUE(std::isfinite(camera.position.x) && camera.position != camera.target);
+    const Camera needle = frameMesh(cloud({0, 0, 300}, {0, 0, 0}), {0, 0, 1}, UpAxis::Y, 25, 1);
+    EXPECT_TRUE(std::isfinite(needle.position.x) && needle.position.z > 150) << needle.position.z;
+    const Mesh flat = cloud({0, 100, 100}, {0, 0, 0});
+    const Camera edge = frameMesh(flat, {0, 0, 1}, UpAxis::Y, 25, 1);
+    EXPECT_GT(edge.position.z, flat.bounds.maximum.z) << "not from within";
+}

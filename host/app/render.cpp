@@ -196,6 +196,7 @@ int render(const RenderOptions& options) {
     auto job = loadJob(options.job, MeshFor::Technique, options.turntable > 0);
     if (!job) return fail(job.error(), options.json);
     if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
+    if (options.frames > 1 && options.job.samples == 0) job->run.samples = 1; // what is measured, as bench does
     job->run.frames = options.frames;
     job->run.warmUpFrames = options.frames > 1 ? 2 : 0;
     job->run.dump = options.dump;

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 namespace tegument {
@@ -15,9 +17,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Whole numbers without a fraction.
+Json number(double value) {
+    constexpr double kExact = 1e15;
+    if (value == std::floor(value) && std::abs(value) < kExact) return static_cast<std::int64_t>(value);
+    return value;
+}
+
 /// As short as it can be written and still be read as this float.
 Json number(float value) {
-    return std::strtod(fmt::format("{}", value).c_str(), nullptr);
+    return number(std::strtod(fmt::format("{}", value).c_str(), nullptr));
 }
 
 Json vector(const glm::vec3& v) {
@@ -51,7 +60,7 @@ public:
 private:
     void addSource(Json& json, const MeshSource& source) const {
         if (!source.meshPath.empty()) json["mesh"] = file(source.meshPath);
-        if (source.unitMm) json["unit_mm"] = *source.unitMm;
+        if (source.unitMm) json["unit_mm"] = number(*source.unitMm);
         if (source.flipV) json["flip_v"] = true;
         if (!source.head) json["head"] = false;
         if (!source.attribution.empty()) json["attribution"] = source.attribution;
@@ -62,7 +71,11 @@ private:
         for (const auto& [name, path] : textures)
             json["textures"][name] = file(path);
         for (const auto& [name, numbers] : parameters)
-            json["parameters"][name] = numbers.size() == 1 ? Json(numbers.front()) : Json(numbers);
+            if (numbers.size() == 1)
+                json["parameters"][name] = number(numbers.front());
+            else
+                for (const double value : numbers)
+                    json["parameters"][name].push_back(number(value));
     }
 
     Json object(const SceneObject& object) const {
@@ -122,9 +135,11 @@ std::string withShortLists(const std::string& text) {
     std::string result;
     bool list = false; // inside one that holds no other
     bool quoted = false;
+    bool escaped = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
+        if (c == '"' && !escaped) quoted = !quoted;
+        escaped = quoted && c == '\\' && !escaped;
         if (!quoted && c == '[') list = text.find_first_of("[{", i + 1) > text.find(']', i + 1);
         if (list && !quoted && (c == '\n' || c == ' ')) {
             if (result.back() == ',') result += ' ';

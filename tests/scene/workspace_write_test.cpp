@@ -36,9 +36,14 @@ protected:
         w.unitMm = 25.4;
         w.flipV = true;
         w.head = false;
-        w.attribution = "Some \"one\" [1, 2]";
+        w.attribution = "Some \"one\" [1, 2] \\";
         w.cameraRelative = w.lightRelative = false;
-        w.camera = {.position = {0.1F, -200.3F, 3e-5F}, .target = {1, 2, 3}, .up = {0, 0, 1}, .horizontalFov = 33.3F, .nearPlane = 1.5F, .farPlane = 9000};
+        w.camera = {.position = {0.1F, -200.3F, 3e-5F},
+                    .target = {1, 2, 3},
+                    .up = {0, 0, 1},
+                    .horizontalFov = 33.3F,
+                    .nearPlane = 1.5F,
+                    .farPlane = 9000};
         w.light.position = {7.7F, 8, 9};
         w.light.color = {1, 0.1F, 0};
         w.light.fov = 40;

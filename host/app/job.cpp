@@ -83,10 +83,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
         command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
     command.add_option("--size", options.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square")->capture_default_str();
     command
-        .add_option(
-            "--samples", options.samples,
-            "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
-            "cannot have several, and for render --frames")
+        .add_option("--samples", options.samples,
+                    "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
+                    "cannot have several, and for render --frames")
         ->check(CLI::IsMember({1, 2, 4, 8}));
     command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
         ->transform(oneOf({"dxc", "glslang"}));

@@ -1,6 +1,6 @@
 #pragma once
-// `tegument render` to an EXR, under the validation layers, read back: one sample a pixel unless a test asks for more, since what is compared
-// is compared at pixels' centres.
+// `tegument render` to an EXR, under the validation layers, read back: one sample a pixel unless a test asks for more, since what is
+// compared is compared at pixels' centres.
 
 #include "host/image/image.h"
 #include "tests/app/program.h"

@@ -60,7 +60,7 @@ void Estimate::expect(std::vector<std::pair<std::string, double>> steps) {
 void Estimate::say(const std::string& text, double now) {
     if (text != text_) said_ = now;
     text_ = text;
-    const auto found = std::ranges::find(steps_, text, &std::pair<std::string, double>::first);
+    const auto found = std::ranges::find_if(steps_, [&](const auto& step) { return text.starts_with(step.first); });
     if (found != steps_.end()) {
         if (!step_) begun_ = now;
         step_ = static_cast<std::size_t>(found - steps_.begin());

@@ -14,8 +14,8 @@ namespace tegument::app {
 /// How far the work is and when it will be done. Knows no terminal and no clock: the times are seconds since it began.
 class Estimate {
 public:
-    /// The steps to come, by the texts that say() will get, and what each takes of the whole in any unit. Steps that are not said count as
-    /// passed over.
+    /// The steps to come, by what the texts that say() will get begin with, and what each takes of the whole in any unit. Steps that are
+    /// not said count as passed over.
     void expect(std::vector<std::pair<std::string, double>> steps);
     /// What is being done. "3 of 13" in it is a count; of another total than before, or a smaller one, it begins anew.
     void say(const std::string& text, double now);

@@ -15,7 +15,7 @@ endif()
 
 foreach(subcommand verify invariance bench)
   execute_process(COMMAND ${PROGRAM} ${subcommand} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 3 OR NOT output MATCHES "TG8046.*bootstrap build")
+  if(NOT status EQUAL 3 OR NOT output MATCHES "TG8046: .*bootstrap build")
     message(FATAL_ERROR "${subcommand} ended with ${status}\n${output}")
   endif()
 endforeach()

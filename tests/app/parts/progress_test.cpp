@@ -33,7 +33,7 @@ TEST(Estimate, of_expected_steps_is_of_all_of_them) {
     estimate.expect({{"mesh", 1}, {"maps", 3}, {"write", 1}});
     estimate.say("mesh", 2);
     EXPECT_FALSE(estimate.left(3));
-    estimate.say("maps", 4);
+    estimate.say("maps of 2048 texels", 4);
     EXPECT_NEAR(*estimate.left(4), 8, 1e-9) << "1 of 5 took 2 s";
     estimate.count(1, 3, 6); // a loop within the step
     EXPECT_NEAR(*estimate.left(6), 6, 1e-9) << "2 of 5 took 4 s";

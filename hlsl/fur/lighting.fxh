@@ -41,7 +41,7 @@ float tgFurWay(float height, float cosine, float thickness)
     float k = max(thickness, 1e-3);
     float b = 1.0 + height * k;
     float above = (1.0 - height) * (2.0 + k + height * k); // ((1 + k)^2 - b^2) / k
-    float across = sqrt(b * b * cosine * cosine + k * above);
+    float across = sqrt(abs(b * b * cosine * cosine + k * above)); // below 0 by a rounding where a height at a centroid is beyond 1
     // The two forms are equal; each is exact where the other cancels.
     return cosine > 0.0 ? above / max(across + b * cosine, 1e-6) : (across - b * cosine) / k;
 }

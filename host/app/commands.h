@@ -19,6 +19,7 @@ void addRender(CLI::App& program, Action& action);
 void addCheck(CLI::App& program, Action& action);
 void addFlatten(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);
+void addList(CLI::App& program, Action& action);
 void addPrep(CLI::App& program, Action& action);
 void addFur(CLI::App& program, Action& action);
 void addSheet(CLI::App& program, Action& action);

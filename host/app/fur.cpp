@@ -131,18 +131,27 @@ void describe(Image& image, const TextureArguments& arguments) {
 int one(const TextureArguments& arguments) {
     if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
     Progress progress;
+    progress.expect({{"placing", 8},
+                     {"drawing the texture", 7},
+                     {"drawing the sphere", 9},
+                     {"drawing the cube", 14},
+                     {"writing", 55},
+                     {"measuring", 7}}); // percent
     auto maps = makeMaps(arguments, progress);
-    progress.clear();
-    if (!maps) return fail(maps.error(), arguments.json);
+    if (!maps) return progress.clear(), fail(maps.error(), arguments.json);
+    progress.say("writing");
     describe(maps->texture, arguments);
     describe(maps->sphereMap, arguments);
-    if (const auto written = writeMaps(arguments.output, *maps); !written) return fail(written.error(), arguments.json);
+    const auto written = writeMaps(arguments.output, *maps);
+    if (!written) return progress.clear(), fail(written.error(), arguments.json);
+    progress.say("measuring");
 
     const auto plane = statisticsOnTexture(maps->plane, arguments.size, arguments.size);
     const auto sphere = statisticsOnSphere(maps->sphere, sphereMapTexels(arguments.size));
     const auto cube = statisticsOnSphere(maps->cube, cubeMapTexels(cubeMapSide(arguments.size)));
     const HeightStatistics heights = statisticsOfHeights(maps->texture);
     const double grain = heights.grain * texelAngle(cubeMapTexels(cubeMapSide(arguments.size)));
+    progress.clear();
     if (arguments.json) {
         print({{"seed", arguments.fur.seed},
                {"texture", toJson(plane)},

@@ -4,6 +4,7 @@
 #include "host/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -126,6 +127,39 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
         return usageError(8013, fmt::format("--set {}: {}", set, wrong), "separate the numbers by commas: --set gTint=1,0.9,0.8");
     run.parameters[name] = std::move(*numbers);
     return {};
+}
+
+Result<std::vector<Preset>> presetsOf(const Effect& effect) {
+    auto presets = loadPresets(effect.file);
+    if (!presets) return presets;
+    for (const Preset& preset : *presets)
+        for (const auto& [name, numbers] : preset.parameters) {
+            const Parameter* parameter = effect.findParameter(name);
+            if (!parameter)
+                return inputError(8044, preset.at,
+                                  fmt::format("preset '{}': {} has no parameter '{}'", preset.name, effect.file.string(), name),
+                                  didYouMean(name, parameterNames(effect)));
+            if (const std::string wrong = misfit(*parameter, numbers); !wrong.empty())
+                return inputError(8044, preset.at, fmt::format("preset '{}': {}", preset.name, wrong));
+        }
+    return presets;
+}
+
+Result<void> applyPreset(const std::string& name, const Effect& effect, RunOptions& run) {
+    const auto presets = presetsOf(effect);
+    if (!presets) return presets.error();
+    std::vector<std::string> names;
+    for (const Preset& preset : *presets) {
+        names.push_back(preset.name);
+        if (!equalsIgnoreCase(preset.name, name)) continue;
+        for (const auto& [parameter, numbers] : preset.parameters)
+            run.parameters[parameter] = numbers;
+        return {};
+    }
+    const std::string near = didYouMean(name, names);
+    const std::string all = names.empty() ? fmt::format("it has none: they would stand in {}", presetsFile(effect.file).string())
+                                          : fmt::format("it has {}", fmt::join(names, ", "));
+    return usageError(8043, fmt::format("{} has no preset '{}'", effect.file.string(), name), near.empty() ? all : near);
 }
 
 Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const Workspace& workspace) {

@@ -3,6 +3,7 @@
 
 #include "host/effect/model.h"
 #include "host/run/run.h"
+#include "host/scene/presets.h"
 #include "host/scene/workspace.h"
 
 #include <string>
@@ -13,6 +14,12 @@ namespace tegument::app {
 /// NAME=VALUE: numbers for a numeric parameter, a file for a texture. TG8011 no '=', TG8012 no such parameter, TG8013 not that many finite
 /// numbers, or not whole ones; TG8008 no such file.
 [[nodiscard]] Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run);
+
+/// The values of the effect's preset of this name, whatever its case. TG8043 it has none, TG8044 a parameter that the effect does not have,
+/// or a value that it cannot take; and what loadPresets() says.
+[[nodiscard]] Result<void> applyPreset(const std::string& name, const Effect& effect, RunOptions& run);
+/// All of them, checked likewise.
+[[nodiscard]] Result<std::vector<Preset>> presetsOf(const Effect& effect);
 
 /// A workspace serves many effects: what this one does not have is passed over when one beside it does, else TG8018 warns of it. TG8019 a
 /// value that the parameter cannot take.

@@ -43,11 +43,13 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     std::pair<int, int> size{0, 0};
     const char* end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.first);
-    const bool separator = width.ec == std::errc() && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X');
+    const bool square = width.ec == std::errc() && width.ptr == end;
+    const bool separator = width.ec == std::errc() && !square && (*width.ptr == 'x' || *width.ptr == 'X');
     const auto height = separator ? std::from_chars(width.ptr + 1, end, size.second) : width;
-    if (!separator || height.ec != std::errc() || height.ptr != end || size.first < 1 || size.second < 1)
+    if (square) size.second = size.first;
+    if ((!square && !separator) || height.ec != std::errc() || height.ptr != end || size.first < 1 || size.second < 1)
         return usageError(8010, fmt::format("--size {} is not a picture size", text),
-                          "write WIDTHxHEIGHT in pixels, for example 1024x1024");
+                          "write WIDTHxHEIGHT in pixels, for example 1280x720, or one number for a square");
     return size;
 }
 
@@ -75,12 +77,16 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
             "--up", [&options](const std::string& axis) { options.scene.up = axis == "z" ? UpAxis::Z : UpAxis::Y; },
             "Which axis of --mesh points up: y or z; default: z of STL files, else y")
         ->transform(oneOf({"y", "z"}));
+    command.add_option("-p,--preset", options.preset,
+                       "Named values of parameters, such as oily: those of NAME.presets.json beside NAME.fx");
     repeatable(
         command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
-    command.add_option("--size", options.size, "Picture size in pixels")->capture_default_str();
-    command.add_option("--samples", options.samples, "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean")
-        ->check(CLI::IsMember({1, 2, 4, 8}))
-        ->capture_default_str();
+    command.add_option("--size", options.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square")->capture_default_str();
+    command
+        .add_option("--samples", options.samples,
+                    "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
+                    "cannot have several, and for render --frames")
+        ->check(CLI::IsMember({1, 2, 4, 8}));
     command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
         ->transform(oneOf({"dxc", "glslang"}));
     command.add_option("--device", options.device, "Part of the Vulkan device's name");
@@ -88,7 +94,7 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     addEffectOptions(command, options.effect);
 }
 
-Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
+Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     const auto size = parseSize(options.size);
     if (!size) return size.error();
     const auto file = findEffect(options.file);
@@ -109,16 +115,20 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor) {
     job.run.technique = options.technique;
     job.run.width = size->first;
     job.run.height = size->second;
-    job.run.samples = options.samples;
+    job.run.samples = options.samples > 0 ? options.samples : kUsualSamples;
+    job.run.samplesAreAsked = options.samples > 0;
     job.run.plainSkin = {0.53F, 0.34F, 0.27F, 1}; // the mean of the default human's colour map
     const auto compiler = chosenCompiler(options.compiler);
     if (!compiler) return compiler.error();
     job.run.compiler = *compiler;
+    if (!options.preset.empty())
+        if (const auto applied = applyPreset(options.preset, job.effect, job.run); !applied) return applied.error();
     for (const std::string& set : options.sets)
         if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
 
     sceneOptions.usual = usualWorkspace(job.effect);
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
+    sceneOptions.turns = turns;
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);

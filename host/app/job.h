@@ -13,9 +13,10 @@ struct JobOptions {
     EffectOptions effect;
     std::string technique;
     SceneOptions scene;
+    std::string preset; // of the effect; empty: none
     std::vector<std::string> sets;
     std::string size = "1024x1024";
-    int samples = 1;
+    int samples = 0; // a pixel; 0: kUsualSamples, or one where the technique cannot have several
     std::string compiler;
     std::string device;
     bool validate = false;
@@ -31,7 +32,10 @@ struct Job {
 /// Which technique decides whether a mesh must be there.
 enum class MeshFor { Technique, AnyTechnique };
 
-/// WIDTHxHEIGHT. TG8010.
+/// Of a pixel, for pictures that are looked at. What is measured or compared asks for a number.
+inline constexpr int kUsualSamples = 4;
+
+/// WIDTHxHEIGHT, or one number for a square. TG8010.
 [[nodiscard]] Result<std::pair<int, int>> parseSize(const std::string& text);
 
 /// "dxc", "glslang", or the default for no name. TG8015 it is not there.
@@ -39,7 +43,8 @@ enum class MeshFor { Technique, AnyTechnique };
 
 void addJobOptions(CLI::App& command, JobOptions& options);
 /// TG8006 to TG8009 a file or technique that does not exist, TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler
-/// is not there, TG8019 a workspace's value that cannot be; and whatever loading says.
-[[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor);
+/// is not there, TG8019 a workspace's value that cannot be, TG8043 no such preset; and whatever loading says.
+/// `turns`: a mesh of one's own is framed so that it can turn.
+[[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns = false);
 
 } // namespace tegument::app

@@ -13,6 +13,7 @@ constexpr int kMachine = 3;
 
 constexpr const char* kStart = R"(
 Start here:
+  tegument list                               effects, scenes, meshes, and what is missing here
   tegument info Main                          what an effect offers
   tegument check Main                         does it compile for every Direct3D and for SPIR-V?
   tegument prep human                         make the default head, once
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
     tegument::app::addCheck(program, action);
     tegument::app::addFlatten(program, action);
     tegument::app::addInfo(program, action);
+    tegument::app::addList(program, action);
     tegument::app::addPrep(program, action);
     tegument::app::addFur(program, action);
     tegument::app::addSheet(program, action);

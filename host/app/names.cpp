@@ -112,6 +112,19 @@ std::vector<fs::path> effectFolders(const std::string& named) {
     return folders;
 }
 
+/// The files of these folders, each name once, sorted folder by folder.
+std::vector<fs::path> eachOnce(const std::vector<fs::path>& folders, const std::string& ending) {
+    std::vector<fs::path> files;
+    std::vector<std::string> known;
+    for (const fs::path& folder : folders)
+        for (const std::string& name : filesOf(folder, ending)) {
+            if (std::ranges::find(known, name) != known.end()) continue;
+            known.push_back(name);
+            files.push_back(fromHere(folder / name));
+        }
+    return files;
+}
+
 } // namespace
 
 fs::path ownFile(const fs::path& named) {
@@ -141,6 +154,20 @@ Result<fs::path> findWorkspace(const std::string& named, const fs::path& effect)
     if (const auto found = search(folders, named, ".json")) return *found;
     folders.front() = fs::path(named).parent_path().empty() ? fs::path(".") : fs::path(named).parent_path();
     return usageError(8007, fmt::format("there is no workspace '{}'", named), nearest(folders, named, ".json"));
+}
+
+std::vector<fs::path> knownEffects() {
+    std::vector<fs::path> folders = {"effects", "effects/peers"};
+    for (const fs::path& own : ownFolders())
+        folders.insert(folders.end(), {own / "effects", own / "effects/peers"});
+    return eachOnce(folders, ".fx");
+}
+
+std::vector<fs::path> knownWorkspaces() {
+    std::vector<fs::path> folders = {"effects/workspaces"};
+    for (const fs::path& own : ownFolders())
+        folders.push_back(own / "effects/workspaces");
+    return eachOnce(folders, ".json");
 }
 
 Result<void> fileExists(const std::string& named, const std::string& what, const std::vector<std::string>& others) {

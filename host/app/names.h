@@ -21,6 +21,11 @@ namespace tegument::app {
 /// `bunny`, `bunny.json`: a workspace as named, or of the folder `workspaces` beside the effect, or one of ours. TG8007.
 [[nodiscard]] Result<std::filesystem::path> findWorkspace(const std::string& named, const std::filesystem::path& effect);
 
+/// Our own, and those in the current folder's `effects/` and `effects/workspaces/` where it has them: each name once, in the order in
+/// which names are found.
+[[nodiscard]] std::vector<std::filesystem::path> knownEffects();
+[[nodiscard]] std::vector<std::filesystem::path> knownWorkspaces();
+
 /// TG8008 when no such file exists; `what` says what it was named for. The nearest name is one of the files beside it, or of `others`.
 [[nodiscard]] Result<void> fileExists(const std::string& named, const std::string& what, const std::vector<std::string>& others = {});
 

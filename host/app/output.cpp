@@ -7,8 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <unistd.h>
 
 namespace tegument::app {
 
@@ -56,25 +54,6 @@ Result<void> checkOutput(const std::string& path, const std::vector<std::string>
 
 Result<void> checkFolder(const std::string& folder) {
     return canWrite(std::filesystem::path(folder) / "x");
-}
-
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
-
-Progress::~Progress() {
-    clear();
-}
-
-void Progress::say(const std::string& line) {
-    if (!terminal_) return;
-    fmt::print(stderr, "\r{:<{}}", line, width_);
-    std::fflush(stderr);
-    width_ = line.size();
-}
-
-void Progress::clear() {
-    if (!terminal_ || width_ == 0) return;
-    fmt::print(stderr, "\r{:<{}}\r", "", width_);
-    width_ = 0;
 }
 
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {

@@ -1,6 +1,7 @@
 #pragma once
 // What the program says: messages on standard error, results on standard output, JSON for programs.
 
+#include "host/app/progress.h"
 #include "host/support/result.h"
 
 #include <nlohmann/json.hpp>
@@ -29,21 +30,6 @@ void warn(const std::vector<Diagnostic>& warnings);
 [[nodiscard]] Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint = {});
 /// TG5002 when files cannot be written into this folder.
 [[nodiscard]] Result<void> checkFolder(const std::string& folder);
-
-/// A line that replaces itself while standard error is a terminal, and says nothing otherwise.
-class Progress {
-public:
-    Progress();
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    void say(const std::string& line);
-    void clear();
-
-private:
-    bool terminal_;
-    std::size_t width_ = 0;
-};
 
 /// Left-aligned first column, right-aligned others.
 [[nodiscard]] std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);

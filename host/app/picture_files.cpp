@@ -1,5 +1,6 @@
 #include "host/app/picture_files.h"
 
+#include "host/app/animation.h"
 #include "host/app/command_line.h"
 #include "host/image/dds.h"
 #include "host/support/file.h"
@@ -37,10 +38,16 @@ std::string formatOf(const RunResult& result, const std::string& target) {
     return found == result.targets.end() ? std::string() : found->format;
 }
 
+/// For looking: tone mapped, eight bits.
+bool isDisplayed(const fs::path& path) {
+    const std::string extension = toLower(path.extension().string());
+    return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
 } // namespace
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
-    command.add_option("-o,--output", options.output, "Picture to write (.png, .exr or .dds); default: out/<effect>.png");
+    command.add_option("-o,--output", options.output, "Picture to write (.png, .jpg, .exr or .dds); default: out/<effect>.png");
     repeatable(command.add_option("--dump-format", options.formats,
                                   "Of dumped targets: exr, dds (for engines) or png (for looking); several are separated by commas"))
         ->delimiter(',')
@@ -52,20 +59,32 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
         ->capture_default_str();
 }
 
-Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effect) {
+Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effect, bool moving) {
     const fs::path output = options.output.empty() ? fs::path("out") / effect.stem().concat(".png") : fs::path(options.output);
     const std::string extension = toLower(output.extension().string());
-    if (extension == ".png" || extension == ".exr" || extension == ".dds") {
+    const bool still = isDisplayed(output) || extension == ".exr" || extension == ".dds";
+    if (still || (moving && extension == kAnimation)) {
         if (const auto can = canWrite(output); !can) return can.error();
         return output;
     }
-    return usageError(8016, fmt::format("{} is none of .png, .exr and .dds", output.string()),
-                      "PNG is for looking, EXR and DDS hold the linear floats");
+    if (extension == kAnimation)
+        return usageError(8016, fmt::format("{} is an animation, and this is one picture", output.string()),
+                          "add --turntable 48, or write a .png");
+    return usageError(
+        8016, fmt::format("{} is none of {}", output.string(), moving ? ".webp, .png, .jpg, .exr and .dds" : ".png, .jpg, .exr and .dds"),
+        moving ? "WebP is one animated picture, the others are one file for each"
+               : "PNG and JPEG are for looking, EXR and DDS hold the linear floats");
 }
 
 fs::path dumpPath(const fs::path& output, const std::string& target, const std::string& format) {
     fs::path path = output;
     return path.replace_extension(fmt::format(".{}.{}", target, format));
+}
+
+Result<void> writePicture(const PictureOptions& options, const fs::path& output, const Image& image) {
+    if (!isDisplayed(output)) return writeTarget(options, output, image, "A32B32G32R32F");
+    return toLower(output.extension().string()) == ".png" ? writePng(output, image, PngEncoding::Display)
+                                                          : writeJpeg(output, displayed(image));
 }
 
 Result<std::vector<fs::path>> writePictures(const PictureOptions& options, const fs::path& output, const RunResult& result) {
@@ -75,9 +94,7 @@ Result<std::vector<fs::path>> writePictures(const PictureOptions& options, const
             written.push_back(dumpPath(output, name, format));
             if (const auto done = writeTarget(options, written.back(), image, formatOf(result, name)); !done) return done.error();
         }
-    const bool display = toLower(output.extension().string()) == ".png";
-    const auto done =
-        display ? writePng(output, result.image, PngEncoding::Display) : writeTarget(options, output, result.image, "A32B32G32R32F");
+    const auto done = writePicture(options, output, result.image);
     if (!done) return done.error();
     written.push_back(output);
     return written;

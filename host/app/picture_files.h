@@ -22,8 +22,13 @@ struct PictureOptions {
 
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
-/// TG8016 for an ending that is not written, TG5002 for a place that cannot be written to.
-[[nodiscard]] Result<std::filesystem::path> outputPath(const PictureOptions& options, const std::filesystem::path& effect);
+/// `moving`: of several pictures, which may be one animation. TG8016 for an ending that is not written, TG5002 for a place that cannot be
+/// written to.
+[[nodiscard]] Result<std::filesystem::path> outputPath(const PictureOptions& options, const std::filesystem::path& effect,
+                                                       bool moving = false);
+
+/// The picture alone, as its ending says.
+[[nodiscard]] Result<void> writePicture(const PictureOptions& options, const std::filesystem::path& output, const Image& image);
 
 /// <output without extension>.<target>.<format>
 [[nodiscard]] std::filesystem::path dumpPath(const std::filesystem::path& output, const std::string& target, const std::string& format);

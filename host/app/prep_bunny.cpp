@@ -69,6 +69,7 @@ Result<bool> makeBunny(const BunnyArguments& arguments, Progress& progress) {
     if (arguments.keep && std::ranges::all_of(files, [](const fs::path& file) { return fs::is_regular_file(file); })) return false;
     if (const auto can = canWrite(files.front()); !can) return can.error();
     const fs::path source = cacheFolder() / "data" / "bunny";
+    progress.expect({{"fetching", 10}, {"preparing", 5}, {"drawing", 80}, {"placing", 5}}); // percent
     progress.say("fetching the Bunny");
     if (const auto fetched = fetch("bunny", source); !fetched) return fetched.error();
     for (const Step& step : stepsFrom(source / "bunny.obj")) {

@@ -77,6 +77,12 @@ int prepHuman(const HumanArguments& arguments) {
     options.colorMapSize = options.normalMapSize = arguments.mapSize;
     options.subdivisionLevels = arguments.levels;
     Progress progress;
+    progress.expect({{"reading", 1},
+                     {"subdividing", 5},
+                     {"painting the colour map", 21},
+                     {"computing the normal map", 57},
+                     {"painting the kernel size map", 1},
+                     {"writing", 15}}); // percent, with the usual maps
     options.progress = [&](const std::string& step) { progress.say(step); };
     if (const auto provided = provideSource(arguments, progress); !provided) return fail(provided.error(), arguments.json);
     const auto report = prepareHuman(options);

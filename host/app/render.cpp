@@ -5,6 +5,7 @@
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/app/picture_files.h"
+#include "host/app/turntable.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,12 +25,18 @@ struct RenderOptions {
     std::vector<std::string> dump;
     PictureOptions pictures;
     int frames = 1;
+    int turntable = 0; // pictures of a turn; 0: one picture
     bool json = false;
 };
 
 std::string metadata(const RunResult& result, const char* entry) {
     const auto found = result.image.metadata.find(entry);
     return found == result.image.metadata.end() ? std::string() : found->second;
+}
+
+int samplesOf(const RunResult& result) {
+    const std::string samples = metadata(result, "samples");
+    return samples.empty() ? 1 : std::atoi(samples.c_str());
 }
 
 int mapSize(const RenderOptions& options, const RunResult& result) {
@@ -78,7 +85,7 @@ Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device&
               {"device", device.info().name},
               {"driver", device.info().driver},
               {"resolution", {job.run.width, job.run.height}},
-              {"samples", job.run.samples},
+              {"samples", samplesOf(result)},
               {"map_size", mapSize(options, result)},
               {"passes", passesJson(result, several)},
               {"targets", targets},
@@ -147,14 +154,49 @@ Result<void> targetsExist(const Effect& effect, const std::vector<std::string>& 
     return {};
 }
 
+int endOf(const gpu::Device& device) {
+    const auto messages = device.validationMessages();
+    for (const std::string& message : messages)
+        fmt::print(stderr, "validation: {}\n", message);
+    return messages.empty() ? 0 : static_cast<int>(Blame::Machine);
+}
+
+int renderTurning(const RenderOptions& options, const Job& job, gpu::Device& device, const fs::path& output, Progress& progress) {
+    const auto say = [&](int done) {
+        progress.count("rendering", static_cast<std::size_t>(done), static_cast<std::size_t>(options.turntable));
+    };
+    const auto turned = renderTurntable(device, job, options.pictures, output, options.turntable, say);
+    progress.clear();
+    if (!turned) return fail(turned.error(), options.json);
+    warn(turned->first.warnings);
+    if (options.json) {
+        Json files = Json::array();
+        for (const fs::path& file : turned->files)
+            files.push_back(file.string());
+        print({{"effect", job.effect.file.string()},
+               {"technique", turned->first.technique},
+               {"device", device.info().name},
+               {"resolution", {job.run.width, job.run.height}},
+               {"turntable", options.turntable},
+               {"files", files}});
+    } else {
+        fmt::print("{} {}, {} pictures of {}x{}, {}\n", job.effect.file.filename().string(), turned->first.technique, options.turntable,
+                   job.run.width, job.run.height, device.info().name);
+        for (const fs::path& file : turned->files)
+            fmt::print("wrote {}\n", file.string());
+    }
+    return endOf(device);
+}
+
 int render(const RenderOptions& options) {
-    const auto output = outputPath(options.pictures, options.job.file);
+    const auto output = outputPath(options.pictures, options.job.file, options.turntable > 0);
     if (!output) return fail(output.error(), options.json);
     Progress progress;
     progress.say("reading");
-    auto job = loadJob(options.job, MeshFor::Technique);
+    auto job = loadJob(options.job, MeshFor::Technique, options.turntable > 0);
     if (!job) return fail(job.error(), options.json);
     if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
+    if (options.frames > 1 && options.job.samples == 0) job->run.samples = 1; // what is measured, as bench does
     job->run.frames = options.frames;
     job->run.warmUpFrames = options.frames > 1 ? 2 : 0;
     job->run.dump = options.dump;
@@ -166,12 +208,16 @@ int render(const RenderOptions& options) {
 
     auto device = gpu::Device::create({.validation = options.job.validate, .prefer = options.job.device});
     if (!device) return fail(device.error(), options.json);
+    job->run.compiling = [&](std::size_t done, std::size_t total) {
+        done < total ? progress.count("compiling pass", done + 1, total) : progress.say("rendering");
+    };
     job->run.meshTextures = furTextures([&](const std::string& made) {
         progress.clear();
         fmt::print(stderr, "{}\n", made);
         progress.say("rendering");
     });
     progress.say("rendering");
+    if (options.turntable > 0) return renderTurning(options, *job, *device, *output, progress);
     const auto result = runScene(*device, job->effect, job->scene, job->run);
     progress.clear();
     if (!result) return fail(result.error(), options.json);
@@ -184,10 +230,7 @@ int render(const RenderOptions& options) {
     } else {
         printReport(*job, *device, *result, *files);
     }
-    const auto messages = device->validationMessages();
-    for (const std::string& message : messages)
-        fmt::print(stderr, "validation: {}\n", message);
-    return messages.empty() ? 0 : static_cast<int>(Blame::Machine);
+    return endOf(*device);
 }
 
 } // namespace
@@ -196,14 +239,23 @@ void addRender(CLI::App& program, Action& action) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = program.add_subcommand("render", "Run an effect on a mesh and write the picture");
     addJobOptions(*command, options->job);
-    repeatable(command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated"));
+    CLI::Option* dump =
+        repeatable(command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated"));
     addPictureOptions(*command, options->pictures);
-    command->add_option("--frames", options->frames, "Frames to time; the table shows medians")
-        ->check(CLI::Range(1, 10000))
-        ->capture_default_str();
+    CLI::Option* frames = command->add_option("--frames", options->frames, "Frames to time; the table shows medians")
+                              ->check(CLI::Range(1, 10000))
+                              ->capture_default_str();
+    command
+        ->add_option("--turntable", options->turntable,
+                     "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp")
+        ->check(CLI::Range(2, 999))
+        ->excludes(dump)
+        ->excludes(frames);
     command->add_flag("--json", options->json, "Print JSON");
     addExamples(*command, {{"render Main -o head.png", "the default head"},
                            {"render Main --mesh head.glb --set gRoughness=0.25", "a head of your own"},
+                           {"render Fur --mesh scan.ply -o scan.jpg", "any mesh in fur"},
+                           {"render Fur --mesh scan.ply --turntable 48 -o scan.webp", "from all sides, as an animation"},
                            {"render Main --dump all", "with every intermediate target as EXR"}});
     command->callback([options, &action] { action = [options] { return render(*options); }; });
 }

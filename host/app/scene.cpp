@@ -54,7 +54,7 @@ void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) 
     constexpr glm::vec3 kDirection(0.38F, 0.2F, 0.9F);
     constexpr float kFov = 25;
     const UpAxis up = upOf(options);
-    workspace.camera = frameMesh(mesh, kDirection, up, kFov, options.aspect);
+    workspace.camera = (options.turns ? frameTurningMesh : frameMesh)(mesh, kDirection, up, kFov, options.aspect);
     workspace.cameraRelative = false;
     if (!workspace.lightRelative) workspace.light = Workspace{}.light; // it was placed for another mesh
     workspace.lightRelative = true;
@@ -72,6 +72,15 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (options.head) load.expectHead = *options.head;
     load.guessUnit = !options.mesh.empty() && !load.expectHead;
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
+}
+
+/// The workspace as it would have to be to say the same without the command line.
+void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
+    std::error_code none;
+    if (!options.mesh.empty()) workspace.meshPath = fs::absolute(options.mesh, none).string();
+    if (!options.mesh.empty() || options.unitMm) workspace.unitMm = mesh.unitMm;
+    if (isFramed(options)) workspace.head = false;
+    if (options.head) workspace.head = *options.head;
 }
 
 /// Objects whose meshes are read alike share one.
@@ -109,8 +118,14 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
     if (isFramed(options)) frame(options, *mesh, scene.workspace);
+    adoptMesh(options, *mesh, scene.workspace);
     scene.meshes.push_back(std::move(*mesh));
     return scene;
+}
+
+SessionScene sessionScene(const Scene& scene) {
+    if (!scene.objects.empty()) return {.mesh = nullptr, .objects = scene.objects};
+    return {.mesh = scene.meshes.empty() ? nullptr : &scene.meshes.front(), .objects = {}};
 }
 
 Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options) {

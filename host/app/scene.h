@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
     double aspect = 1;        // of the picture
+    bool turns = false;       // a mesh of one's own is framed so that it can turn
 };
 
 /// `workspace.objects` empty: one mesh, or none.
@@ -31,6 +32,9 @@ struct Scene {
 
 /// Without `needsMesh` none is read, nor need it exist. TG8014 none was given, TG8017 --mesh or --unit-mm for a scene of several objects.
 [[nodiscard]] Result<Scene> loadScene(const SceneOptions& options, bool needsMesh);
+
+/// Points into `scene`.
+[[nodiscard]] SessionScene sessionScene(const Scene& scene);
 
 [[nodiscard]] Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options);
 

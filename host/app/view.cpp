@@ -2,6 +2,7 @@
 
 #include "host/view/view.h"
 #include "host/app/command_line.h"
+#include "host/app/dropped.h"
 #include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
@@ -22,22 +23,70 @@ struct ViewOptions {
     std::string pictures = kPictures;
 };
 
-SessionScene sceneOf(const Scene& scene) {
-    if (!scene.objects.empty()) return {.mesh = nullptr, .objects = scene.objects};
-    return {.mesh = scene.meshes.empty() ? nullptr : &scene.meshes.front(), .objects = {}};
+/// What the render line needs besides what the viewer knows.
+std::vector<std::string> renderArguments(const JobOptions& options) {
+    std::vector<std::string> words;
+    for (const std::string& define : options.effect.defines)
+        words.insert(words.end(), {"-D", define});
+    for (const std::string& folder : options.effect.includeFolders)
+        words.insert(words.end(), {"-I", folder});
+    if (options.effect.mapSize > 0) words.insert(words.end(), {"--map-size", std::to_string(options.effect.mapSize)});
+    if (options.samples > 0) words.insert(words.end(), {"--samples", std::to_string(options.samples)});
+    if (!options.compiler.empty()) words.insert(words.end(), {"--compiler", options.compiler});
+    if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});
+    return words;
 }
 
-ViewRequest requestFor(const ViewOptions& options, const Job& job) {
-    RunOptions run = job.run;
-    run.meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); });
-    return {.effect = job.effect.file,
+void warnOf(const Job& job) {
+    warn(job.effect.warnings);
+    warn(job.warnings);
+    for (const Mesh& mesh : job.scene.meshes)
+        warn(mesh.warnings);
+}
+
+ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progress) {
+    const auto job = std::make_shared<const Job>(std::move(read));
+    RunOptions run = job->run;
+    run.meshTextures = furTextures([&progress](const std::string& made) {
+        progress.clear();
+        fmt::print(stderr, "{}\n", made);
+    });
+    run.compiling = [&progress](std::size_t done, std::size_t total) {
+        done < total ? progress.count("compiling pass", done + 1, total) : progress.clear();
+    };
+    return {.effect = job->effect.file,
             .load = loadOptions(options.job.effect),
-            .scene = sceneOf(job.scene),
-            .workspace = job.scene.workspace,
+            .scene = sessionScene(job->scene),
+            .workspace = job->scene.workspace,
             .run = std::move(run),
             .device = options.job.device,
             .validate = options.job.validate,
-            .pictures = options.pictures};
+            .pictures = options.pictures,
+            .renderArguments = renderArguments(options.job),
+            .keeps = job,
+            .keepView = false,
+            .open = {}};
+}
+
+/// The request with a way to open what is dropped next.
+ViewRequest opening(const ViewOptions& options, ViewRequest request, Progress& progress) {
+    request.open = [options, &progress](const std::filesystem::path& file, const Effect& shown) -> Result<ViewRequest> {
+        ViewOptions next = options;
+        auto job = withDropped(options.job, file, shown);
+        if (!job) return job.error();
+        next.job = std::move(*job);
+        progress.say("reading " + file.string());
+        auto read = loadJob(next.job, MeshFor::AnyTechnique);
+        progress.clear();
+        if (!read) return read.error();
+        warnOf(*read);
+        ViewRequest opened = opening(next, requestFor(next, std::move(*read), progress), progress);
+        const bool sceneNamed = !options.job.scene.mesh.empty() || !options.job.scene.workspace.empty();
+        const auto kind = kindOf(file);
+        opened.keepView = *kind == Dropped::Texture || (*kind == Dropped::Effect && sceneNamed);
+        return opened;
+    };
+    return request;
 }
 
 int runView(const ViewOptions& options) {
@@ -45,14 +94,15 @@ int runView(const ViewOptions& options) {
         if (const auto can = checkFolder(options.pictures); !can) return fail(can.error(), false);
     Progress progress;
     progress.say("reading");
-    const auto job = loadJob(options.job, MeshFor::AnyTechnique);
+    auto job = loadJob(options.job, MeshFor::AnyTechnique);
     progress.clear();
     if (!job) return fail(job.error(), false);
-    warn(job->effect.warnings);
-    warn(job->warnings);
-    for (const Mesh& mesh : job->scene.meshes)
-        warn(mesh.warnings);
-    const auto messages = viewEffect(requestFor(options, *job), [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
+    warnOf(*job);
+    const ViewRequest request = opening(options, requestFor(options, std::move(*job), progress), progress);
+    const auto messages = viewEffect(request, [&](const std::string& text) {
+        progress.clear();
+        fmt::print(stderr, "{}\n", text);
+    });
     if (!messages) return fail(messages.error(), false);
     for (const std::string& message : *messages)
         fmt::print(stderr, "validation: {}\n", message);
@@ -66,7 +116,8 @@ void addView(CLI::App& program, Action& action) {
     options->job.size = "900x900";
     CLI::App* command = program.add_subcommand("view", "Show an effect in a window, and again whenever its source changes");
     addJobOptions(*command, options->job);
-    command->add_option("-o,--output", options->pictures, "Folder for the pictures that the key s writes")->capture_default_str();
+    command->add_option("-o,--output", options->pictures, "Folder for the pictures and workspaces that the keys s, w and c write")
+        ->capture_default_str();
     addExamples(*command, {{"view Main", "the default head"}, {"view Fur -w bunny", "a workspace of ours"}},
                 "In the window:\n" + view::bindingsHelp());
     command->callback([options, &action] { action = [options] { return runView(*options); }; });

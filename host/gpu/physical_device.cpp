@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <utility>
 
 namespace tegument::gpu::detail {
 
@@ -79,6 +81,24 @@ std::string listed(const std::vector<Candidate>& all) {
     return text;
 }
 
+/// "; did you mean 'llvmpipe'?": a word of a device's name.
+std::string nearest(const std::string& wanted, const std::vector<Candidate>& all) {
+    std::vector<std::string> words;
+    for (const Candidate& candidate : all) {
+        words.push_back(candidate.name);
+        std::string word;
+        for (const char c : candidate.name + " ") {
+            if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+                word += c;
+            } else if (!word.empty()) {
+                words.push_back(std::exchange(word, {}));
+            }
+        }
+    }
+    const std::string near = didYouMean(wanted, words);
+    return near.empty() ? "" : "; " + near;
+}
+
 std::string versionText(std::uint32_t version) {
     return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
 }
@@ -111,7 +131,8 @@ Result<void> choosePhysicalDevice(DeviceState& state, const DeviceOptions& optio
     const std::string wanted = toLower(wantedName(options));
     const auto matches = [&wanted](const Candidate& candidate) { return toLower(candidate.name).find(wanted) != std::string::npos; };
     if (std::ranges::none_of(all, matches))
-        return machineError(6004, fmt::format("no Vulkan device has '{}' in its name", wantedName(options)), "there are: " + listed(all));
+        return machineError(6004, fmt::format("no Vulkan device has '{}' in its name", wantedName(options)),
+                            fmt::format("there are: {}{}", listed(all), nearest(wanted, all)));
     const auto chosen =
         std::ranges::find_if(all, [&](const Candidate& candidate) { return candidate.unfit.empty() && matches(candidate); });
     if (chosen == all.end()) return machineError(6005, "no Vulkan device can be used: " + listed(all), "update the graphics driver");

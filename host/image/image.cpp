@@ -149,6 +149,22 @@ Result<void> writeJpeg(const std::filesystem::path& path, const Image& image) {
     return writeFile(path, *bytes);
 }
 
+Image displayed(const Image& radiance) {
+    assert(consistent(radiance));
+    const int channels = radiance.channels < 3 ? 1 : 3;
+    Image image{.width = radiance.width,
+                .height = radiance.height,
+                .channels = channels,
+                .pixels = {},
+                .bitsPerChannel = 8,
+                .metadata = radiance.metadata};
+    image.pixels.reserve(radiance.pixels.size() / static_cast<std::size_t>(radiance.channels) * static_cast<std::size_t>(channels));
+    for (std::size_t pixel = 0; pixel < radiance.pixels.size(); pixel += static_cast<std::size_t>(radiance.channels))
+        for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
+            image.pixels.push_back(linearToSrgb(toneMap(radiance.pixels[pixel + c])));
+    return image;
+}
+
 Result<std::string> encodePng(const Image& image, PngEncoding encoding) {
     assert(consistent(image));
     try {

@@ -56,6 +56,8 @@ enum class PngEncoding {
 [[nodiscard]] Result<void> writePng(const std::filesystem::path& path, const Image& image, PngEncoding encoding);
 /// Values of 0..1 as they are, without alpha; for pages that show many pictures. Metadata as a comment.
 [[nodiscard]] Result<void> writeJpeg(const std::filesystem::path& path, const Image& image);
+/// Radiance as PngEncoding::Display has it, for writeJpeg: 0..1 still as floats, one channel or three, with the metadata.
+[[nodiscard]] Image displayed(const Image& radiance);
 /// The bytes that writePng writes.
 [[nodiscard]] Result<std::string> encodePng(const Image& image, PngEncoding encoding);
 

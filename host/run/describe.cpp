@@ -31,6 +31,15 @@ std::vector<std::string> ownTargets(std::span<const ObjectRun> objects) {
     return {names.begin(), names.end()};
 }
 
+/// Of the effect, that any object reads.
+std::vector<std::string> ownParameters(std::span<const ObjectRun> objects) {
+    std::set<std::string> names;
+    for (const ObjectRun& object : objects)
+        for (const std::string& name : object.prepared.reads)
+            if (object.input.effect.findParameter(name)) names.insert(name);
+    return {names.begin(), names.end()};
+}
+
 /// Each once: objects of one effect have most of their warnings in common.
 std::vector<Diagnostic> warningsOf(std::span<const ObjectRun> objects) {
     std::vector<Diagnostic> all;
@@ -84,6 +93,7 @@ SessionFrame describe(std::span<const ObjectRun> objects, const Frame& frame, co
                            .resolveMilliseconds = {},
                            .produced = {},
                            .targets = ownTargets(objects),
+                           .parameters = ownParameters(objects),
                            .metadata = metadata(objects, device),
                            .warnings = warningsOf(objects)};
     for (const FrameNode& node : frame.before)

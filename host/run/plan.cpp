@@ -72,6 +72,7 @@ public:
     }
 
     [[nodiscard]] std::vector<double> read(const Parameter& parameter) const override {
+        read_.insert(parameter.name);
         auto value = values_.require(parameter);
         if (value) return std::move(*value);
         if (!failure_) failure_ = value.error();
@@ -85,6 +86,7 @@ public:
 
     Result<Plan> finish() {
         if (failure_) return *failure_;
+        plan_.read = std::move(read_);
         return std::move(plan_);
     }
 
@@ -92,6 +94,7 @@ private:
     Result<Numbers> valueOf(const std::string& name) const {
         const Parameter* parameter = effect_.findParameter(name);
         if (!parameter) return Numbers{}; // the effect's own check reported it
+        read_.insert(name);
         return values_.require(*parameter);
     }
 
@@ -115,6 +118,7 @@ private:
     Plan plan_;
     const Technique* technique_ = nullptr;
     std::map<std::string, double> written_;
+    mutable std::set<std::string> read_;
     mutable std::optional<Error> failure_; // `read` cannot hand an error on
 };
 

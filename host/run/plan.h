@@ -59,6 +59,7 @@ using Step = std::variant<ClearStep, DrawStep, MipStep>;
 struct Plan {
     const Technique* technique = nullptr; // the first that draws; else the one chosen
     std::vector<Step> steps;
+    std::set<std::string> read; // parameters that decided what is done: counts, choices, clear values
 
     /// Every texture name that a step binds or clears, the caller's included.
     [[nodiscard]] std::set<std::string> targets() const;

@@ -42,12 +42,19 @@ Result<void> checkTextureNames(const RunInput& input) {
 }
 
 Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
-    for (const Pass* pass : prepared.plan.passes()) {
+    const std::set<const Pass*> passes = prepared.plan.passes();
+    bool said = false;
+    const auto say = [&](std::size_t done) {
+        if (input.options.compiling) input.options.compiling(done, passes.size());
+        said = true;
+    };
+    for (const Pass* pass : passes) {
         if (const auto known = input.compiled ? input.compiled->find(pass) : Programs::const_iterator();
             input.compiled && known != input.compiled->end()) {
             prepared.programs.insert(*known);
             continue;
         }
+        say(prepared.programs.size());
         auto program = compilePass(input.effect, *pass, input.options.compiler);
         if (!program) return program.error();
         for (const Diagnostic& warning : program->vertex.warnings)
@@ -56,6 +63,7 @@ Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
             prepared.warnings.insert(prepared.warnings.end(), program->pixel->warnings.begin(), program->pixel->warnings.end());
         prepared.programs.emplace(pass, std::make_shared<const PassProgram>(std::move(*program)));
     }
+    if (said) say(passes.size());
     return {};
 }
 
@@ -161,6 +169,14 @@ void warnUneven(const RunInput& input, Prepared& prepared) {
          .sourceLine = {}});
 }
 
+void gatherReads(Prepared& prepared) {
+    prepared.reads = prepared.plan.read;
+    for (const auto& [pass, program] : prepared.programs) {
+        prepared.reads.insert(program->numbers.begin(), program->numbers.end());
+        if (const auto instances = pass->annotations.string("Instances")) prepared.reads.insert(*instances);
+    }
+}
+
 } // namespace
 
 std::array<float, 4> background(const Workspace& workspace) {
@@ -194,6 +210,7 @@ Result<Prepared> prepare(const RunInput& input) {
     for (const auto step : {compilePasses, describeTargets, complete, checkDraws})
         if (const auto done = step(input, prepared); !done) return done.error();
     if (const auto checked = checkNumbers(input, prepared); !checked) return checked.error();
+    gatherReads(prepared);
     return prepared;
 }
 

@@ -51,6 +51,7 @@ RunOptions producerOptions(const RunOptions& options, const Effect& effect) {
     RunOptions own{.technique = {}, .width = kProducerPicture, .height = kProducerPicture, .compiler = options.compiler};
     own.meshTextures = options.meshTextures;
     own.plainSkin = options.plainSkin;
+    own.compiling = options.compiling;
     for (const auto& [name, value] : options.parameters)
         if (effect.findParameter(name)) own.parameters.emplace(name, value);
     for (const auto& [name, file] : options.textures)
@@ -162,14 +163,14 @@ Result<void> Products::use(const RunInput& input, Prepared& prepared, std::vecto
 
 Result<void> Products::useFor(const Request& consumer, Prepared& prepared, std::vector<FrameNode>& due) {
     for (const auto& [name, source] : prepared.products) {
-        auto key = produce(consumer, source, prepared.warnings, due);
+        auto key = produce(consumer, source, prepared, due);
         if (!key) return through(key.error(), *consumer.input.effect.findParameter(name), source);
         prepared.textures.emplace(name, TextureData{.image = {}, .format = {}, .key = std::move(*key), .file = {}});
     }
     return {};
 }
 
-Result<std::string> Products::produce(const Request& consumer, const ProducerSource& source, std::vector<Diagnostic>& warnings,
+Result<std::string> Products::produce(const Request& consumer, const ProducerSource& source, Prepared& asking,
                                       std::vector<FrameNode>& due) {
     const std::string self = fs::weakly_canonical(source.effect).string();
     if (std::ranges::find(consumer.chain, self) != consumer.chain.end())
@@ -192,7 +193,8 @@ Result<std::string> Products::produce(const Request& consumer, const ProducerSou
     if (!prepared) return prepared.error();
     Node& node = nodeFor(**producer, own, *prepared);
     if (const auto placed = schedule(node, source.target, own, *prepared, due); !placed) return placed.error();
-    if (node.due) warnings.insert(warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
+    if (node.due) asking.warnings.insert(asking.warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
+    asking.reads.insert(prepared->reads.begin(), prepared->reads.end());
     return node.keyOf(source.target);
 }
 

@@ -39,7 +39,7 @@ private:
     struct Request;
 
     [[nodiscard]] Result<void> useFor(const Request& consumer, Prepared& prepared, std::vector<FrameNode>& due);
-    [[nodiscard]] Result<std::string> produce(const Request& consumer, const ProducerSource& source, std::vector<Diagnostic>& warnings,
+    [[nodiscard]] Result<std::string> produce(const Request& consumer, const ProducerSource& source, Prepared& asking,
                                               std::vector<FrameNode>& due);
     [[nodiscard]] Result<Producer*> load(const std::filesystem::path& file, const std::string& canonical, const Effect& consumer);
     [[nodiscard]] Result<Prepared> prepareNode(const Request& request, Producer& producer, const ProducerSource& source,

@@ -30,6 +30,7 @@ struct RunOptions {
     int width = 1024;      // the final target, 1..16384
     int height = 1024;
     int samples = 1; // of a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean. The effect's own targets have one
+    bool samplesAreAsked = true; // false: a technique that cannot have several (TG4039) is drawn with one
     Compiler compiler = Compiler::Dxc;
     std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
     std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder
@@ -38,6 +39,8 @@ struct RunOptions {
     /// Albedo, linear, and the scatter mask of skin for which nothing gives a colour map (semantic DIFFUSE), with a warning. None: the
     /// effect's own Fallback.
     std::optional<std::array<float, 4>> plainSkin;
+    /// Hears of each pass that has to be compiled, before it is: how many of its frame are done; and at the end that all are.
+    std::function<void(std::size_t done, std::size_t total)> compiling;
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these
 };

@@ -52,6 +52,12 @@ void readTimes(const std::vector<double>& times, bool resolved, SessionFrame& fr
     if (resolved) frame.resolveMilliseconds = times.back();
 }
 
+constexpr int kMixedSamples = 4039;
+
+bool needsOneSample(const Error& error, const RunOptions& options) {
+    return !options.samplesAreAsked && options.samples > 1 && error.diagnostics.front().code == kMixedSamples;
+}
+
 } // namespace
 
 struct EffectSession::State {
@@ -68,6 +74,12 @@ EffectSession::~EffectSession() = default;
 
 Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOptions& options, std::size_t passes) {
     auto staged = state_->stage.prepare(workspace, options);
+    std::optional<RunOptions> single; // what is staged points at it
+    if (!staged && needsOneSample(staged.error(), options)) {
+        single = options;
+        single->samples = 1;
+        staged = state_->stage.prepare(workspace, *single);
+    }
     if (!staged) return staged.error();
     SessionFrame frame = run::describe(staged->runs, staged->frame, state_->device.info());
     if (const auto named = targetsToDump(state_->effect, frame, options.dump); !named) return named.error();

@@ -27,6 +27,7 @@ struct SessionFrame {
     std::vector<std::string>
         produced; // effect files that had to draw a texture for this frame, in order; none where nothing they read changed
     std::vector<std::string> targets;            // of the effect, that the frame uses
+    std::vector<std::string> parameters;         // of the effect, numeric, that make a difference to the frame; sorted
     std::map<std::string, std::string> metadata; // as a picture of it carries
     std::vector<Diagnostic> warnings;
 };

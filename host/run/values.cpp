@@ -3,6 +3,7 @@
 #include "host/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,8 @@ bool outside(const Numbers& value, const std::optional<Numbers>& bound, double s
     return false;
 }
 
-void warnOutside(const Parameter& parameter, const Numbers& value, std::vector<Diagnostic>& warnings) {
+/// `at`: where the value was given.
+void warnOutside(const Parameter& parameter, const Numbers& value, const SourcePosition& at, std::vector<Diagnostic>& warnings) {
     const auto minimum = parameter.annotations.numbers("UIMin");
     const auto maximum = parameter.annotations.numbers("UIMax");
     if (!outside(value, minimum, -1) && !outside(value, maximum, 1)) return;
@@ -67,16 +69,11 @@ void warnOutside(const Parameter& parameter, const Numbers& value, std::vector<D
     };
     warnings.push_back({.severity = Severity::Warning,
                         .code = 4012,
-                        .at = parameter.at,
-                        .text = fmt::format("{} is set outside its range {} .. {}", parameter.name, text(minimum), text(maximum)),
+                        .at = at,
+                        .text = fmt::format("{} is set to {}, outside its range {} .. {}", parameter.name, fmt::join(value, ","),
+                                            text(minimum), text(maximum)),
                         .hint = "the effect was tested inside UIMin and UIMax only",
                         .sourceLine = {}});
-}
-
-Result<void> checkGiven(const Parameter& parameter, const Numbers& value, const SourcePosition& at, std::vector<Diagnostic>& warnings) {
-    const auto checked = checkNumbers(parameter, value, at);
-    if (checked) warnOutside(parameter, value, warnings);
-    return checked;
 }
 
 /// A unit that the matrices are not in makes every length wrong.
@@ -120,7 +117,9 @@ Result<Values> Values::resolve(const Effect& effect, const ValueSources& sources
     for (const auto& [name, value] : *sources.workspace) {
         const Parameter* parameter = effect.findParameter(name);
         if (!parameter) continue;
-        if (const auto checked = checkGiven(*parameter, value, fileOnly(sources.workspaceFile), warnings); !checked) return checked.error();
+        const SourcePosition at = fileOnly(sources.workspaceFile);
+        if (const auto checked = checkNumbers(*parameter, value, at); !checked) return checked.error();
+        warnOutside(*parameter, value, at, warnings);
         warnOtherUnit(*parameter, value, *sources.scene, warnings);
         values.known_[name] = value;
         values.fixed_[name] = true;
@@ -130,7 +129,8 @@ Result<Values> Values::resolve(const Effect& effect, const ValueSources& sources
         if (!parameter)
             return inputError(4010, fileOnly(effect.file.string()), fmt::format("no parameter '{}' to set", name),
                               didYouMean(name, namesOf(effect)));
-        if (const auto checked = checkGiven(*parameter, value, parameter->at, warnings); !checked) return checked.error();
+        if (const auto checked = checkNumbers(*parameter, value, parameter->at); !checked) return checked.error();
+        warnOutside(*parameter, value, {}, warnings);
         warnOtherUnit(*parameter, value, *sources.scene, warnings);
         values.known_[name] = value;
         values.fixed_[name] = true;

@@ -47,6 +47,39 @@ double evenSides(const std::vector<glm::dvec2>& sideAndTowards, double distance,
     return from;
 }
 
+/// Rings that enclose the mesh in every position of a turn about the vertical through `centre`.
+std::vector<glm::vec3> sweptRings(const Mesh& mesh, const glm::dvec3& centre, UpAxis up) {
+    constexpr int kSlices = 256;
+    constexpr int kSides = 48;
+    constexpr double kTurn = 6.28318530717958647692;
+    const glm::dvec3 axis(alongUp(up, {0, 1, 0}));
+    const glm::dvec3 aside(alongUp(up, {1, 0, 0}));
+    const glm::dvec3 ahead = glm::cross(aside, axis);
+    const double reach = std::max(static_cast<double>(mesh.bounds.radius), 1e-6);
+    std::vector<double> widest(kSlices + 1, -1);
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec3 p = glm::dvec3(position) - centre;
+        const double height = glm::dot(p, axis);
+        const auto slice = static_cast<std::size_t>(std::clamp((height / reach + 1) / 2, 0.0, 1.0) * kSlices + 0.5);
+        widest[slice] = std::max(widest[slice], glm::length(p - height * axis));
+    }
+    std::vector<glm::vec3> rings;
+    for (int slice = 0; slice <= kSlices; ++slice) {
+        const double radius = widest[static_cast<std::size_t>(slice)];
+        for (int side = 0; side < kSides && radius >= 0; ++side) {
+            const double angle = kTurn * side / kSides;
+            const glm::dvec3 around = radius * (std::cos(angle) * aside + std::sin(angle) * ahead);
+            rings.emplace_back(centre + (2.0 * slice / kSlices - 1) * reach * axis + around);
+        }
+    }
+    return rings;
+}
+
+/// Rodrigues' formula; `axis` of length 1.
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
+    return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) + axis * glm::dot(axis, v) * (1 - std::cos(angle));
+}
+
 } // namespace
 
 glm::vec3 alongUp(UpAxis up, const glm::vec3& v) {
@@ -82,6 +115,25 @@ Camera frameMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float 
             .horizontalFov = horizontalFov,
             .nearPlane = {},
             .farPlane = {}};
+}
+
+Camera frameTurningMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float horizontalFov, double aspect) {
+    Mesh swept;
+    swept.positions = sweptRings(mesh, glm::dvec3(mesh.bounds.centre), up);
+    swept.bounds = mesh.bounds;
+    return frameMesh(swept, direction, up, horizontalFov, aspect);
+}
+
+Workspace turnedScene(const Workspace& workspace, const glm::dvec3& pivot, double angle) {
+    assert(!workspace.cameraRelative && !workspace.lightRelative);
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(workspace.camera.up));
+    const auto about = [&](const glm::vec3& point) { return glm::vec3(pivot + turned(glm::dvec3(point) - pivot, axis, -angle)); };
+    Workspace result = workspace;
+    result.camera.position = about(workspace.camera.position);
+    result.camera.target = about(workspace.camera.target);
+    result.light.position = about(workspace.light.position);
+    if (workspace.light.direction) result.light.direction = glm::vec3(turned(glm::dvec3(*workspace.light.direction), axis, -angle));
+    return result;
 }
 
 } // namespace tegument

@@ -17,6 +17,13 @@ enum class UpAxis { Y, Z };
 /// vertex.
 [[nodiscard]] Camera frameMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float horizontalFov, double aspect);
 
+/// The same for all that the mesh covers while it turns about the vertical through the centre of its bounding sphere.
+[[nodiscard]] Camera frameTurningMesh(const Mesh& mesh, const glm::vec3& direction, UpAxis up, float horizontalFov, double aspect);
+
+/// What is seen once the mesh has turned by `angle` (radians, counter-clockwise from above) about the axis through `pivot` along the
+/// camera's up: camera and light, both of the frame "world", go round it the other way. World millimetres.
+[[nodiscard]] Workspace turnedScene(const Workspace& workspace, const glm::dvec3& pivot, double angle);
+
 /// The rest is for what stands out from the mesh, such as fur.
 inline constexpr double kFramedShare = 0.84;
 

@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace tegument {
 
@@ -20,10 +21,23 @@ constexpr auto kBetweenReports = std::chrono::milliseconds(200);
 /// into oneTBB; an atomic of the loop's own would not do, for making it is a plain write.
 std::atomic<std::size_t> handedOver = 0;
 
+ParallelProgress& loopWatcher() {
+    static ParallelProgress watcher;
+    return watcher;
+}
+
+/// Of this thread: it is at work on an item.
+thread_local bool inItem = false;
+
+struct InItem {
+    bool before = std::exchange(inItem, true);
+    ~InItem() { inItem = before; }
+};
+
 class Loop {
 public:
     Loop(std::size_t count, const std::function<Result<void>(std::size_t)>& body, const ParallelProgress& progress)
-        : count_(count), body_(body), progress_(progress), failed_(count) {}
+        : count_(count), body_(body), progress_(progress), watched_(loopWatcher() && !inItem), failed_(count) {}
 
     /// On so many threads, until there is no item any more, or none before the one that failed.
     Result<void> on(std::size_t threads) {
@@ -46,10 +60,12 @@ private:
         if (exception_) std::rethrow_exception(exception_);
         if (error_) return std::move(*error_);
         if (progress_ && count_ > 0) progress_(count_, count_);
+        if (watched_ && told_ > 0) loopWatcher()(count_, count_);
         return {};
     }
 
     void run(std::size_t item) {
+        const InItem within;
         try {
             if (auto done = body_(item); !done) return fail(item, done.error(), nullptr);
             report();
@@ -70,12 +86,17 @@ private:
     /// Whoever finds another thread reporting goes on instead of waiting.
     void report() {
         const std::size_t done = ++done_;
-        if (!progress_ || done == count_ || reporting_.test_and_set(std::memory_order_acquire)) return;
+        if ((!progress_ && !watched_) || done == count_ || reporting_.test_and_set(std::memory_order_acquire)) return;
         const FlagHolder holder{reporting_};
         if (done <= told_ || Clock::now() - last_ < kBetweenReports) return;
-        progress_(done, count_);
+        tell(done);
         told_ = done;
         last_ = Clock::now();
+    }
+
+    void tell(std::size_t done) const {
+        if (progress_) progress_(done, count_);
+        if (watched_) loopWatcher()(done, count_);
     }
 
     struct FlagHolder {
@@ -86,6 +107,7 @@ private:
     std::size_t count_;
     const std::function<Result<void>(std::size_t)>& body_;
     const ParallelProgress& progress_;
+    bool watched_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<std::size_t> failed_; // the lowest item that failed; none: their number
     std::atomic<std::size_t> done_ = 0;
@@ -99,6 +121,10 @@ private:
 };
 
 } // namespace
+
+void watchLoops(ParallelProgress watcher) {
+    loopWatcher() = std::move(watcher);
+}
 
 Result<void> tryEachInParallel(std::size_t count, const std::function<Result<void>(std::size_t)>& body, const ParallelProgress& progress,
                                unsigned threads) {

@@ -15,6 +15,10 @@ namespace tegument {
 /// Hears now and then how many items of all are done, never from two threads at once; at the end, unless something failed, that all are.
 using ParallelProgress = std::function<void(std::size_t done, std::size_t total)>;
 
+/// Hears of every loop that takes longer than a moment and stands in no item of another one, as a progress of its own would: for a program
+/// that shows how far it is. None: nobody hears. Not to be called while a loop runs.
+void watchLoops(ParallelProgress watcher);
+
 /// Calls body(i) for i = 0 .. count - 1, each once, begun in this order, from at most `threads` threads (0: as many as the machine has).
 /// An exception of the body is thrown again here, when all threads have ended: that of the lowest item that throws. Items behind it may
 /// be left out.

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <filesystem>
 #include <vector>
 
 namespace tegument::view {
@@ -15,7 +16,8 @@ struct Input {
     glm::dvec2 light{0};
     double wheel = 0; // notches; up is positive
     double lightWheel = 0;
-    bool any = false; // something that the overlay may want to know
+    std::vector<std::filesystem::path> dropped; // files
+    bool any = false;                           // something that the overlay may want to know
     bool closed = false;
 };
 

@@ -24,9 +24,12 @@ constexpr std::array kKeys = {
     KeyBinding{U'-', Command::Darker, "-", "half a stop darker"},
     KeyBinding{U'0', Command::Automatic, "0", "exposure as it was found"},
     KeyBinding{U'p', Command::Parameters, "p", "the effect's parameters as sliders"},
+    KeyBinding{U'n', Command::NextPreset, "n", "next preset of the effect"},
     KeyBinding{U'i', Command::Information, "i", "text on the picture on and off"},
     KeyBinding{U'r', Command::Reset, "r", "camera, light and parameters as at the start"},
     KeyBinding{U's', Command::Save, "s", "write what is shown as PNG"},
+    KeyBinding{U'w', Command::SaveWorkspace, "w", "write camera, light and parameters as a workspace"},
+    KeyBinding{U'c', Command::CopyCommand, "c", "that, and copy the tegument render line of this picture"},
     KeyBinding{kKeyF5, Command::Reload, "F5", "read the effect again"},
     KeyBinding{U'q', Command::Quit, "q", "quit"},
 };
@@ -37,6 +40,7 @@ constexpr std::array kMouse = {
     MouseBinding{"middle or Shift drag", "move the camera"},
     MouseBinding{"right or Ctrl drag", "turn the light"},
     MouseBinding{"Ctrl wheel", "light nearer, farther"},
+    MouseBinding{"files dropped", "a mesh, texture, effect or workspace is shown"},
 };
 
 } // namespace

@@ -26,6 +26,9 @@ enum class Command {
     Reset,
     Reload,
     Save,
+    NextPreset,
+    SaveWorkspace,
+    CopyCommand,
     Quit
 };
 

@@ -62,6 +62,11 @@ void dolly(Camera& camera, double factor) {
 
 void orbitLight(Light& light, const Camera& camera, double right, double up) {
     const Axes axes = axesOf(camera);
+    if (light.direction) {
+        const glm::dvec3 aside = rotated(glm::dvec3(*light.direction), axes.up, right);
+        light.direction = single(rotated(aside, axes.right, -up));
+        return;
+    }
     const glm::dvec3 target(camera.target);
     const glm::dvec3 turned = rotated(glm::dvec3(light.position) - target, axes.up, right);
     light.position = single(target + rotated(turned, axes.right, -up));

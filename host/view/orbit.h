@@ -20,7 +20,8 @@ void pan(Camera& camera, double right, double up);
 /// The distance to the target times `factor`.
 void dolly(Camera& camera, double factor);
 
-/// The light about the camera's target: it moves on the screen the way the mouse does while it is in front.
+/// The light about the camera's target, parallel light by its direction: it moves on the screen the way the mouse does while it is in
+/// front.
 void orbitLight(Light& light, const Camera& camera, double right, double up);
 /// A point light's distance changes no brightness at the centre: `color` is what arrives there.
 void dollyLight(Light& light, const Camera& camera, double factor);

@@ -88,6 +88,10 @@ bool Overlay::wantsMouse() const {
     return ImGui::GetIO().WantCaptureMouse;
 }
 
+bool Overlay::wantsKeys() const {
+    return ImGui::GetIO().WantTextInput;
+}
+
 Result<void> Overlay::draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content) {
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();

@@ -19,6 +19,8 @@ public:
 
     /// The mouse is over something that takes it.
     [[nodiscard]] bool wantsMouse() const;
+    /// Somebody types a number into it.
+    [[nodiscard]] bool wantsKeys() const;
     /// Runs `content`, which calls Dear ImGui, and draws what it laid out over `target`.
     [[nodiscard]] Result<void> draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content);
 

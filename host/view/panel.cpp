@@ -2,56 +2,55 @@
 
 #include "host/support/text.h"
 #include "host/view/keys.h"
+#include "host/view/layout.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tegument::view {
 
 namespace {
 
-constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr float kMargin = 8;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr ImGuiWindowFlags kPlain = kFixed | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar;
 constexpr float kOpacity = 0.75F;
+constexpr float kSliderShare = 0.5F; // of the panel's width; the rest is the name
 const ImVec4 kRed(1.0F, 0.55F, 0.5F, 1.0F);
 
-/// A window in a corner: 0 left or top, 1 right or bottom.
-void corner(float x, float y) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const ImVec2 at(kMargin + x * (size.x - 2 * kMargin), kMargin + y * (size.y - 2 * kMargin));
-    ImGui::SetNextWindowPos(at, ImGuiCond_Always, ImVec2(x, y));
+void place(const Area& area) {
+    ImGui::SetNextWindowPos(ImVec2(area.x, area.y), ImGuiCond_Always);
+    ImGui::SetNextWindowSize(ImVec2(area.width, area.height), ImGuiCond_Always);
     ImGui::SetNextWindowBgAlpha(kOpacity);
 }
 
-void drawLines(const PanelText& text) {
-    corner(0, 0);
-    ImGui::Begin("shown", nullptr, kPlain);
-    for (const std::string& line : text.lines)
-        ImGui::TextUnformatted(line.c_str());
-    if (!text.notice.empty()) ImGui::TextUnformatted(text.notice.c_str());
-    ImGui::End();
+/// Text with a window's padding around it.
+PanelSize sizeOf(const std::string& text) {
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const auto height = [text, padding](float width) {
+        return ImGui::CalcTextSize(text.c_str(), nullptr, false, std::max(1.0F, width - 2 * padding.x)).y + 2 * padding.y;
+    };
+    return {.width = ImGui::CalcTextSize(text.c_str()).x + 2 * padding.x + 1, .height = height};
 }
 
-void drawProblem(const std::string& problem) {
-    corner(0, 1);
-    const float width = ImGui::GetIO().DisplaySize.x - 2 * kMargin;
-    ImGui::SetNextWindowSize(ImVec2(width, 0));
-    ImGui::Begin("problem", nullptr, kPlain & ~ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PushTextWrapPos(width - kMargin);
-    ImGui::PushStyleColor(ImGuiCol_Text, kRed);
-    ImGui::TextUnformatted(problem.c_str());
-    ImGui::PopStyleColor();
+void drawText(const char* name, const Area& area, const std::string& text) {
+    if (area.width <= 0 || area.height <= 0) return;
+    place(area);
+    ImGui::Begin(name, nullptr, kPlain);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::End();
 }
 
-void drawHelp() {
-    corner(0.5F, 0.5F);
-    ImGui::Begin("help", nullptr, kPlain);
-    ImGui::TextUnformatted(bindingsHelp().c_str());
-    ImGui::End();
+std::string linesOf(const PanelText& text) {
+    std::string all;
+    for (const std::string& line : text.lines)
+        all += (all.empty() ? "" : "\n") + line;
+    return text.notice.empty() ? all : all + '\n' + text.notice;
 }
 
 std::vector<double> valueOf(const ViewState& state, const Parameter& parameter) {
@@ -72,19 +71,28 @@ bool hasSlider(const Parameter& parameter) {
            (widget == "slider" || widget == "color" || widget == "checkbox");
 }
 
+/// As many digits as the parameter's steps need.
+std::string formatOf(const Parameter& parameter) {
+    constexpr double kUsualStep = 0.001;
+    constexpr int kMostDigits = 6;
+    const double step = annotated(parameter, "UIStep", kUsualStep);
+    const int digits = step > 0 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 3;
+    return fmt::format("%.{}f", std::clamp(digits, 0, kMostDigits));
+}
+
 bool editNumber(const char* label, const Parameter& parameter, std::vector<double>& value) {
-    auto number = static_cast<float>(value.front());
-    const auto low = static_cast<float>(annotated(parameter, "UIMin", 0));
-    const auto high = static_cast<float>(annotated(parameter, "UIMax", 1));
+    const double low = annotated(parameter, "UIMin", 0);
+    const double high = annotated(parameter, "UIMax", 1);
     bool changed = false;
-    if (parameter.type.base == BaseType::Float) {
-        changed = ImGui::SliderFloat(label, &number, low, high, "%.3f");
-    } else {
-        int whole = static_cast<int>(number);
+    if (isWhole(parameter)) {
+        int whole = static_cast<int>(std::lround(value.front()));
         changed = ImGui::SliderInt(label, &whole, static_cast<int>(low), static_cast<int>(high));
-        number = static_cast<float>(whole);
+        if (changed) value.front() = whole;
+    } else {
+        auto number = static_cast<float>(value.front());
+        changed = ImGui::SliderFloat(label, &number, static_cast<float>(low), static_cast<float>(high), formatOf(parameter).c_str());
+        if (changed) value.front() = static_cast<double>(number);
     }
-    if (changed) value.front() = static_cast<double>(number);
     return changed;
 }
 
@@ -124,25 +132,89 @@ bool edit(ViewState& state, const Parameter& parameter) {
     return changed;
 }
 
-bool drawSliders(ViewState& state, const Effect& effect) {
-    corner(1, 0);
-    ImGui::Begin("parameters", nullptr,
-                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
+/// The presets as a list to choose from; the first entry is none of them.
+bool choosePresetFromList(ViewState& state, const ViewState& start) {
+    if (state.presets.empty()) return false;
+    constexpr const char* kNone = "as at the start";
     bool changed = false;
-    for (const Parameter& parameter : effect.parameters)
-        if (hasSlider(parameter)) changed = edit(state, parameter) || changed;
+    if (!ImGui::BeginCombo("preset", state.preset.empty() ? kNone : state.preset.c_str())) return false;
+    const auto offer = [&](const std::string& name, const std::string& comment) {
+        if (ImGui::Selectable(name.empty() ? kNone : name.c_str(), name == state.preset)) {
+            choosePreset(state, name, start);
+            changed = true;
+        }
+        if (ImGui::IsItemHovered() && !comment.empty()) ImGui::SetTooltip("%s", comment.c_str());
+    };
+    offer({}, {});
+    for (const Preset& preset : std::vector<Preset>(state.presets))
+        offer(preset.name, preset.comment);
+    ImGui::EndCombo();
+    return changed;
+}
+
+PanelSize sliderSize(const ViewState& state, const std::vector<const Parameter*>& parameters) {
+    const float rows = static_cast<float>(parameters.size() + (state.presets.empty() ? 0 : 1));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float widest = ImGui::CalcTextSize("no parameters").x;
+    for (const Parameter* parameter : parameters)
+        widest = std::max(widest, ImGui::CalcTextSize(parameter->annotations.string("UIName").value_or(parameter->name).c_str()).x);
+    const float width = widest / (1 - kSliderShare) + 2 * style.WindowPadding.x + style.ScrollbarSize;
+    const float height = std::max(1.0F, rows) * ImGui::GetFrameHeightWithSpacing() + 2 * style.WindowPadding.y;
+    return {.width = width, .height = [height](float) { return height; }};
+}
+
+bool drawSliders(ViewState& state, const ViewState& start, const std::vector<const Parameter*>& parameters, const Area& area) {
+    if (area.width <= 0 || area.height <= 0) return false;
+    place(area);
+    ImGui::Begin("parameters", nullptr, kFixed);
+    ImGui::PushItemWidth(kSliderShare * (area.width - 2 * ImGui::GetStyle().WindowPadding.x));
+    bool changed = choosePresetFromList(state, start);
+    if (parameters.empty() && state.presets.empty()) ImGui::TextUnformatted("no parameters");
+    for (const Parameter* parameter : parameters)
+        changed = edit(state, *parameter) || changed;
+    ImGui::PopItemWidth();
     ImGui::End();
     return changed;
 }
 
 } // namespace
 
-bool drawPanel(ViewState& state, const Effect& effect, const PanelText& text) {
-    if (state.information) drawLines(text);
-    if (!text.problem.empty()) drawProblem(text.problem);
-    if (state.help) drawHelp();
-    return state.sliders && drawSliders(state, effect);
+bool isWhole(const Parameter& parameter) {
+    if (parameter.type.base != BaseType::Float) return true;
+    const auto whole = [&](std::string_view name) {
+        const double number = annotated(parameter, name, 0.5);
+        return number == std::floor(number);
+    };
+    return whole("UIMin") && whole("UIMax") && whole("UIStep") && annotated(parameter, "UIStep", 0) >= 1;
+}
+
+std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& effect) {
+    std::vector<const Parameter*> parameters;
+    for (const Parameter& parameter : effect.parameters)
+        if (hasSlider(parameter) && std::ranges::find(state.read, parameter.name) != state.read.end()) parameters.push_back(&parameter);
+    return parameters;
+}
+
+bool drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text) {
+    const std::vector<const Parameter*> parameters = slidersOf(state, effect);
+    const std::string lines = linesOf(text);
+    PanelSizes sizes;
+    if (state.information) sizes.lines = sizeOf(lines);
+    if (state.help) sizes.help = sizeOf(bindingsHelp());
+    if (state.sliders) sizes.sliders = sliderSize(state, parameters);
+    if (!text.problem.empty()) {
+        sizes.problem = sizeOf(text.problem);
+        sizes.problem->width = ImGui::GetIO().DisplaySize.x;
+    }
+    const PanelAreas areas = arrange(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, sizes);
+    if (areas.lines) drawText("shown", *areas.lines, lines);
+    if (areas.problem) {
+        ImGui::PushStyleColor(ImGuiCol_Text, kRed);
+        drawText("problem", *areas.problem, text.problem);
+        ImGui::PopStyleColor();
+    }
+    if (areas.help) drawText("help", *areas.help, bindingsHelp());
+    return areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
 }
 
 } // namespace tegument::view

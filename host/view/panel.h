@@ -12,7 +12,13 @@ struct PanelText {
     std::string notice;             // "wrote out/Main-001.png"
 };
 
-/// True when a slider moved: `state.parameters` then holds its value.
-[[nodiscard]] bool drawPanel(ViewState& state, const Effect& effect, const PanelText& text);
+/// Of a parameter without fractions, by its type or because its range and step are whole numbers.
+[[nodiscard]] bool isWhole(const Parameter& parameter);
+
+/// What stands in the panel of parameters: those with a UIWidget that make a difference to the frame.
+[[nodiscard]] std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& effect);
+
+/// True when a slider moved or a preset was chosen: `state.parameters` then holds the values. `start`: what presets are laid over.
+[[nodiscard]] bool drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text);
 
 } // namespace tegument::view

@@ -1,6 +1,5 @@
 #include "host/view/state.h"
 
-#include "host/run/prepare.h"
 #include "host/support/text.h"
 #include "host/view/orbit.h"
 
@@ -73,9 +72,19 @@ Request stepSetting(ViewState& state) {
     return Request::Load;
 }
 
+/// Behind the last preset: as at the start.
+Request stepPreset(ViewState& state, const ViewState& start) {
+    if (state.presets.empty()) return Request::None;
+    const auto found = std::ranges::find(state.presets, state.preset, &Preset::name);
+    const bool last = found != state.presets.end() && found + 1 == state.presets.end();
+    const auto& next = found == state.presets.end() || last ? state.presets.front() : *(found + 1);
+    choosePreset(state, last ? std::string() : next.name, start);
+    return Request::Draw;
+}
+
 Request reset(ViewState& state, const ViewState& start) {
     state.workspace = start.workspace;
-    state.parameters = start.parameters;
+    choosePreset(state, {}, start);
     return Request::Draw;
 }
 
@@ -90,23 +99,6 @@ Request brighten(ViewState& state, double stops) {
 }
 
 } // namespace
-
-Workspace inWorld(const Workspace& workspace, const SessionScene& scene) {
-    PlacedScene placed;
-    if (!scene.objects.empty())
-        placed = run::placeObjects(workspace, scene.objects);
-    else
-        placed = run::viewScene(workspace, scene.mesh, {}).placed;
-    Workspace world = workspace;
-    world.cameraRelative = false;
-    world.lightRelative = false;
-    const auto [nearPlane, farPlane] = std::pair(workspace.camera.nearPlane, workspace.camera.farPlane);
-    world.camera = placed.camera;
-    world.camera.nearPlane = nearPlane; // fitted anew wherever the camera goes, unless given
-    world.camera.farPlane = farPlane;
-    world.light = placed.light;
-    return world;
-}
 
 Request apply(ViewState& state, Command command, const ViewState& start) {
     switch (command) {
@@ -128,9 +120,22 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::Reset: return reset(state, start);
     case Command::Reload: return Request::Load;
     case Command::Save: return Request::Save;
+    case Command::NextPreset: return stepPreset(state, start);
+    case Command::SaveWorkspace: return Request::SaveWorkspace;
+    case Command::CopyCommand: return Request::CopyCommand;
     case Command::Quit: return Request::Quit;
     }
     return Request::None;
+}
+
+void choosePreset(ViewState& state, const std::string& name, const ViewState& start) {
+    state.parameters = start.parameters;
+    state.preset.clear();
+    const auto found = std::ranges::find(state.presets, name, &Preset::name);
+    if (name.empty() || found == state.presets.end()) return;
+    state.preset = name;
+    for (const auto& [parameter, numbers] : found->parameters)
+        state.parameters[parameter] = numbers;
 }
 
 bool apply(ViewState& state, const Input& input) {
@@ -147,6 +152,7 @@ bool apply(ViewState& state, const Input& input) {
 void adopt(ViewState& state, const SessionFrame& frame) {
     state.technique = frame.technique;
     state.targets = frame.targets;
+    state.read = frame.parameters;
     state.passes.clear();
     for (const SessionPass& pass : frame.passes)
         state.passes.push_back(pass.name);

@@ -4,6 +4,7 @@
 #include "host/effect/model.h"
 #include "host/run/run_options.h"
 #include "host/run/session_frame.h"
+#include "host/scene/presets.h"
 #include "host/view/input.h"
 #include "host/view/keys.h"
 
@@ -15,11 +16,14 @@ namespace tegument::view {
 enum class Show { Picture, Pass, Target };
 
 /// What a command asks of the viewer besides the changed state.
-enum class Request { None, Draw, Levels, Load, Save, Quit };
+enum class Request { None, Draw, Levels, Load, Save, SaveWorkspace, CopyCommand, Quit };
 
 struct ViewState {
     Workspace workspace; // in world millimetres
     std::map<std::string, std::vector<double>> parameters;
+    std::vector<Preset> presets;   // of the effect
+    std::string preset;            // what was chosen last; empty: as at the start
+    std::vector<std::string> read; // parameters that make a difference to the last frame
     std::vector<std::string> techniques;
     std::string technique;
     std::vector<std::string> settings; // of the effect
@@ -36,11 +40,10 @@ struct ViewState {
     bool information = true;
 };
 
-/// Camera and light in world millimetres, whatever the workspace's frame was.
-[[nodiscard]] Workspace inWorld(const Workspace& workspace, const SessionScene& scene);
-
 /// `start`: what Command::Reset goes back to.
 [[nodiscard]] Request apply(ViewState& state, Command command, const ViewState& start);
+/// The parameters as `start` has them, with those of the preset of this name; none for an empty name.
+void choosePreset(ViewState& state, const std::string& name, const ViewState& start);
 /// Whether camera or light moved.
 [[nodiscard]] bool apply(ViewState& state, const Input& input);
 /// Passes, targets and techniques of what was drawn or loaded; what is shown stays where it can.

@@ -4,18 +4,25 @@
 #include "host/run/session.h"
 
 #include <functional>
+#include <memory>
 
 namespace tegument {
 
 struct ViewRequest {
     std::filesystem::path effect;
     LoadOptions load;
-    SessionScene scene; // must live until viewEffect() returns
+    SessionScene scene;
     Workspace workspace;
     RunOptions run;     // technique, size of the window, compiler, values
     std::string device; // part of its name
     bool validate = false;
-    std::filesystem::path pictures = "out"; // where the key s writes
+    std::filesystem::path pictures = "out"; // where the keys s, w and c write
+    /// Of `tegument render`, besides effect, technique, setting, workspace and size: what the command line asked for.
+    std::vector<std::string> renderArguments;
+    std::shared_ptr<const void> keeps; // what `scene` points at
+    bool keepView = false;             // of one that `open` made: camera, light and parameters stay where they are
+    /// The request with a file that was dropped on the window: an effect, a mesh, a workspace or a texture of `shown`.
+    std::function<Result<ViewRequest>(const std::filesystem::path& dropped, const Effect& shown)> open;
 };
 
 /// Until the window is closed. Errors in the effect's source are shown, told to `say` and mended by the next edit; only what happens before

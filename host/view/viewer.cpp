@@ -1,6 +1,9 @@
 #include "host/view/viewer.h"
 
 #include "host/run/read_back.h"
+#include "host/run/scene_bounds.h"
+#include "host/scene/workspace_write.h"
+#include "host/support/file.h"
 #include "host/view/levels.h"
 
 #include <fmt/format.h>
@@ -39,14 +42,24 @@ Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize
         {.name = name, .format = gpu::Format::RGBA8, .width = size.width, .height = size.height, .renderTarget = true});
 }
 
-fs::path freePath(const fs::path& folder, const fs::path& effect) {
+fs::path freePath(const fs::path& folder, const fs::path& effect, const char* ending) {
     fs::path path;
     std::error_code failed;
     for (int number = 1; number <= kMostPictures; ++number) {
-        path = folder / fmt::format("{}-{:03}.png", effect.stem().string(), number);
+        path = folder / fmt::format("{}-{:03}{}", effect.stem().string(), number, ending);
         if (!fs::exists(path, failed)) break;
     }
     return path;
+}
+
+/// As a shell takes it.
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+%@";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
 }
 
 double totalMilliseconds(const SessionFrame& frame) {
@@ -81,21 +94,38 @@ Result<void> Viewer::prepare() {
     auto overlay = Overlay::create(device_, window_);
     if (!overlay) return overlay.error();
     overlay_ = std::move(*overlay);
-    state_.workspace = inWorld(request_.workspace, request_.scene);
-    state_.parameters = request_.run.parameters;
-    state_.technique = request_.run.technique;
-    state_.setting = request_.load.setting;
+    begin();
     size_ = {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
     auto effect = readEffect(request_, state_.setting);
     if (!effect) return effect.error();
-    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.scene);
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_);
     auto frame = drawWith(*loaded);
     if (!frame) return frame.error();
     loaded_ = std::move(loaded);
     adopt(state_, loaded_->effect);
+    readPresets();
     start_ = state_;
     watchFiles(&loaded_->effect, nullptr);
     return develop(std::move(*frame));
+}
+
+void Viewer::begin() {
+    state_.workspace = run::inWorld(request_.workspace, request_.scene);
+    state_.parameters = request_.run.parameters;
+    state_.preset.clear();
+    state_.technique = request_.run.technique;
+    state_.setting = request_.load.setting;
+}
+
+void Viewer::readPresets() {
+    auto presets = loadPresets(request_.effect);
+    if (!presets) notice(format(presets.error()));
+    state_.presets = presets ? std::move(*presets) : std::vector<Preset>();
+    for (Preset& preset : state_.presets) // an edit may have left some behind
+        std::erase_if(preset.parameters, [&](const auto& value) {
+            const Parameter* parameter = loaded_->effect.findParameter(value.first);
+            return !parameter || static_cast<std::size_t>(parameter->type.scalarCount()) != value.second.size();
+        });
 }
 
 Result<void> Viewer::run() {
@@ -111,6 +141,8 @@ Result<void> Viewer::step() {
     if (input.any) settling_ = kSettlingFrames;
     if (input.closed) running_ = false;
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
+    for (const fs::path& file : input.dropped)
+        if (const auto opened = open(file); !opened) return opened;
     if (watch_.changed()) {
         waitForEditor();
         if (const auto loaded = load(); !loaded) return loaded;
@@ -129,6 +161,7 @@ void Viewer::waitForEditor() {
 Result<void> Viewer::obey(const Input& input) {
     if (apply(state_, input))
         if (const auto drawn = draw(); !drawn) return drawn;
+    if (overlay_->wantsKeys()) return {};
     for (const char32_t key : input.keys)
         if (const auto command = commandOf(key))
             if (const auto done = fulfil(apply(state_, *command, start_)); !done) return done;
@@ -143,6 +176,10 @@ Result<void> Viewer::fulfil(Request request) {
     case Request::Levels: return paint();
     case Request::Load: return load();
     case Request::Save: save(); return {};
+    case Request::SaveWorkspace:
+        if (const auto path = saveWorkspace()) notice("wrote " + path->string());
+        return {};
+    case Request::CopyCommand: copyCommand(); return {};
     case Request::Quit: running_ = false; return {};
     }
     return {};
@@ -158,7 +195,7 @@ Result<void> Viewer::resize() {
 Result<void> Viewer::load() {
     auto effect = readEffect(request_, state_.setting);
     if (!effect) return report(nullptr, effect.error());
-    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.scene);
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_);
     const ViewState before = state_;
     adopt(state_, loaded->effect);
     auto frame = drawWith(*loaded);
@@ -169,6 +206,41 @@ Result<void> Viewer::load() {
     }
     loaded_ = std::move(loaded);
     levelled_.clear();
+    readPresets();
+    start_.presets = state_.presets;
+    watchFiles(&loaded_->effect, nullptr);
+    return develop(std::move(*frame));
+}
+
+Result<void> Viewer::open(const fs::path& file) {
+    notice_.clear();
+    if (!request_.open) return {};
+    auto next = request_.open(file, loaded_->effect);
+    if (!next) return report(nullptr, next.error());
+    const ViewRequest before = std::exchange(request_, std::move(*next));
+    const ViewState state = state_;
+    request_.pictures = before.pictures;
+    state_.show = Show::Picture;
+    if (!request_.keepView) begin();
+    auto effect = readEffect(request_, state_.setting);
+    std::unique_ptr<Loaded> loaded;
+    Result<SessionFrame> frame = effect ? Result<SessionFrame>(SessionFrame{}) : Result<SessionFrame>(effect.error());
+    if (effect) {
+        loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_);
+        adopt(state_, loaded->effect);
+        std::erase_if(state_.parameters, [&](const auto& value) { return !loaded->effect.findParameter(value.first); });
+        frame = drawWith(*loaded);
+    }
+    if (!frame) {
+        request_ = before;
+        state_ = state;
+        return report(nullptr, frame.error());
+    }
+    loaded_ = std::move(loaded);
+    levelled_.clear();
+    readPresets();
+    start_ = state_;
+    notice("shown: " + file.string());
     watchFiles(&loaded_->effect, nullptr);
     return develop(std::move(*frame));
 }
@@ -236,7 +308,7 @@ Result<void> Viewer::show() {
     }
     if (const auto shown = canvas_->show(composed_, picture_, {}); !shown) return shown;
     bool moved = false;
-    const auto text = [&] { moved = drawPanel(state_, loaded_->effect, panelText()); };
+    const auto text = [&] { moved = drawPanel(state_, start_, loaded_->effect, panelText()); };
     if (const auto drawn = overlay_->draw(*canvas_, composed_, text); !drawn) return drawn;
     if (std::string title = titleText(); title != title_) window_.setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
@@ -247,7 +319,7 @@ Result<void> Viewer::show() {
 
 void Viewer::save() {
     auto image = run::readBack(device_, picture_);
-    const fs::path path = freePath(request_.pictures, request_.effect);
+    const fs::path path = freePath(request_.pictures, request_.effect, ".png");
     Result<void> written;
     if (image) {
         image->metadata = frame_.metadata;
@@ -257,9 +329,46 @@ void Viewer::save() {
         written = writePng(path, *image, PngEncoding::Raw);
     }
     const bool done = image && written;
-    notice_ = done ? "wrote " + path.string() : format(image ? written.error() : image.error());
+    notice(done ? "wrote " + path.string() : format(image ? written.error() : image.error()));
+}
+
+void Viewer::notice(std::string text) {
+    notice_ = std::move(text);
     settling_ = kSettlingFrames;
     say_(notice_);
+}
+
+std::optional<fs::path> Viewer::saveWorkspace() {
+    Workspace workspace = state_.workspace;
+    settle(workspace, state_.parameters, request_.run.textures);
+    const bool known = !workspaceFile_.empty() && workspaceJson(workspace, workspaceFile_) == workspaceText_;
+    if (known) return workspaceFile_;
+    const fs::path path = freePath(request_.pictures, request_.effect, ".json");
+    std::string text = workspaceJson(workspace, path);
+    if (const auto written = writeFile(path, text); !written) {
+        notice(format(written.error()));
+        return std::nullopt;
+    }
+    workspaceFile_ = path;
+    workspaceText_ = std::move(text);
+    return path;
+}
+
+void Viewer::copyCommand() {
+    const auto workspace = saveWorkspace();
+    if (!workspace) return;
+    fs::path picture = *workspace;
+    picture.replace_extension(".png");
+    std::vector<std::string> words = {"tegument", "render", request_.effect.string(), "-t", state_.technique};
+    if (!state_.setting.empty()) words.insert(words.end(), {"--setting", state_.setting});
+    words.insert(words.end(), {"-w", workspace->string(), "--size", fmt::format("{}x{}", size_.width, size_.height)});
+    words.insert(words.end(), request_.renderArguments.begin(), request_.renderArguments.end());
+    words.insert(words.end(), {"-o", picture.string()});
+    std::string line;
+    for (const std::string& word : words)
+        line += (line.empty() ? "" : " ") + quoted(word);
+    window_.copy(line);
+    notice("copied: " + line);
 }
 
 RunOptions Viewer::runOptions() const {
@@ -279,6 +388,7 @@ PanelText Viewer::panelText() const {
     text.lines.push_back(
         fmt::format("{} passes {:.2f} ms, frame {:.1f} ms", frame_.passes.size(), totalMilliseconds(frame_), milliseconds_));
     text.lines.push_back(device_.info().name);
+    if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
     if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
     constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
@@ -294,7 +404,7 @@ std::string Viewer::titleText() const {
 }
 
 void Viewer::watchFiles(const Effect* effect, const Error* error) {
-    std::vector<fs::path> files = {request_.effect};
+    std::vector<fs::path> files = {request_.effect, presetsFile(request_.effect)};
     if (loaded_) files.insert(files.end(), loaded_->effect.includes.begin(), loaded_->effect.includes.end());
     if (effect) files.insert(files.end(), effect->includes.begin(), effect->includes.end());
     if (error) {

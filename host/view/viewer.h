@@ -15,10 +15,12 @@ namespace tegument::view {
 
 /// An effect that has been drawn at least once.
 struct Loaded {
-    Loaded(gpu::Device& device, Effect source, const SessionScene& scene) : effect(std::move(source)), session(device, effect, scene) {}
+    Loaded(gpu::Device& device, Effect source, const ViewRequest& request)
+        : keeps(request.keeps), effect(std::move(source)), session(device, effect, request.scene) {}
     Loaded(const Loaded&) = delete; // the session points at the effect
     Loaded& operator=(const Loaded&) = delete;
 
+    std::shared_ptr<const void> keeps; // the session's scene
     Effect effect;
     EffectSession session;
 };
@@ -43,6 +45,11 @@ private:
     void waitForEditor();
     /// Reads the effect and draws it; what was there before stays if either fails.
     [[nodiscard]] Result<void> load();
+    /// A file that was dropped on the window.
+    [[nodiscard]] Result<void> open(const std::filesystem::path& file);
+    /// Camera, light, parameters, technique and setting as the request has them.
+    void begin();
+    void readPresets();
     [[nodiscard]] Result<void> draw();
     [[nodiscard]] Result<SessionFrame> drawWith(Loaded& loaded);
     /// The frame's shown target becomes the picture.
@@ -52,6 +59,10 @@ private:
     /// Picture and text on the window.
     [[nodiscard]] Result<void> show();
     void save();
+    /// The file's path; none when it cannot be written, which is then said.
+    std::optional<std::filesystem::path> saveWorkspace();
+    void copyCommand();
+    void notice(std::string text);
 
     [[nodiscard]] RunOptions runOptions() const;
     [[nodiscard]] PanelText panelText() const;
@@ -61,7 +72,7 @@ private:
     /// Shows and says why there is no new picture. Hands the error on when the device is lost.
     [[nodiscard]] Result<void> report(const Effect* effect, const Error& error);
 
-    const ViewRequest& request_;
+    ViewRequest request_;
     const std::function<void(const std::string&)>& say_;
     Window window_;
     gpu::Device device_;
@@ -82,6 +93,8 @@ private:
     double milliseconds_ = 0; // from asking for the frame to having it
     std::string problem_;
     std::string notice_;
+    std::filesystem::path workspaceFile_; // the last one written
+    std::string workspaceText_;
     std::string title_;
     int settling_ = 0; // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;

@@ -92,6 +92,11 @@ void listen(GLFWwindow* window) {
         if (action != GLFW_RELEASE && special != kSpecial.end()) state.input.keys.push_back(special->second);
     });
     listenToMouse(window);
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        WindowState& state = stateOf(w);
+        state.input.any = true;
+        state.input.dropped.insert(state.input.dropped.end(), paths, paths + count);
+    });
     const auto redraw = [](GLFWwindow* w) { stateOf(w).input.any = true; };
     glfwSetWindowRefreshCallback(window, redraw);
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { stateOf(w).input.any = true; });
@@ -154,6 +159,10 @@ PixelSize Window::pixels() const {
 
 void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+void Window::copy(const std::string& text) {
+    glfwSetClipboardString(state_->window, text.c_str());
 }
 
 GLFWwindow* Window::handle() const {

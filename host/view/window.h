@@ -35,6 +35,7 @@ public:
     /// In pixels; 0 x 0 while it is minimised.
     [[nodiscard]] PixelSize pixels() const;
     void setTitle(const std::string& title);
+    void copy(const std::string& text); // to the clipboard
     [[nodiscard]] GLFWwindow* handle() const;
 
 private:

@@ -177,7 +177,7 @@ TEST(BadScene, unknown_workspace_key_names_the_line) {
 }
 
 TEST(BadUsage, sizes_of_zero_or_nonsense_are_refused) {
-    for (const char* size : {"0x0", "16x0", "-4x4", "16", "x", "16x16x16", "1e3x5"})
+    for (const char* size : {"0x0", "16x0", "-4x4", "0", "16.5", "x", "16x16x16", "1e3x5"})
         expectMessage(renderBall({"--size", size}), kUsage, {"--size"});
 }
 
@@ -196,7 +196,7 @@ TEST(BadUsage, every_mistake_has_its_code) {
     const std::string twin = write("other/codes.fx", kEffect);
     const std::string out = (scratch() / "codes.png").string();
     const std::vector<Refused> all = {
-        {8010, kUsage, {"render", effect, "-o", out, "--size", "16"}},
+        {8010, kUsage, {"render", effect, "-o", out, "--size", "16x"}},
         {8011, kUsage, {"render", effect, "-o", out, "--set", "gTint"}},
         {8012, kUsage, {"render", effect, "-o", out, "--set", "gHue=1"}},
         {8013, kUsage, {"render", effect, "-o", out, "--set", "gTint=red"}},

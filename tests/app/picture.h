@@ -1,10 +1,13 @@
 #pragma once
-// `tegument render` to an EXR, under the validation layers, read back.
+// `tegument render` to an EXR, under the validation layers, read back: one sample a pixel unless a test asks for more, since what is
+// compared is compared at pixels' centres.
 
 #include "host/image/image.h"
 #include "tests/app/program.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace tegument::test {
 
@@ -17,6 +20,7 @@ struct Picture {
 inline Picture render(const std::string& name, const std::vector<std::string>& arguments) {
     const std::filesystem::path path = scratch() / (name + ".exr");
     std::vector<std::string> all = {"render", "-o", path.string(), "--json", "--validate"};
+    if (std::ranges::find(arguments, "--samples") == arguments.end()) all.insert(all.end(), {"--samples", "1"});
     all.insert(all.end(), arguments.begin(), arguments.end());
     const Ran ran = tegument(all);
     EXPECT_EQ(ran.code, 0) << ran.err;

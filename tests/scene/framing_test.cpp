@@ -80,3 +80,48 @@ TEST(Framing, of_a_point_or_a_flat_mesh_is_finite) {
     const Camera edge = frameMesh(flat, {0, 0, 1}, UpAxis::Y, 25, 1);
     EXPECT_GT(edge.position.z, flat.bounds.maximum.z) << "not from within";
 }
+
+TEST(Framing, of_what_turns_holds_it_in_every_position_and_no_farther_away_than_it_must) {
+    constexpr double kSlices = 0.01; // heights are cut into 256, rings into 48
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+        const Mesh mesh = cloud({700, 200, 60}, {400, -250, 90});
+        Workspace workspace;
+        workspace.camera = frameTurningMesh(mesh, {0.4F, 0.2F, 0.9F}, up, 25, 1);
+        workspace.cameraRelative = workspace.lightRelative = false;
+        double most = 0;
+        for (int i = 0; i < 36; ++i) {
+            const Workspace turned = turnedScene(workspace, glm::dvec3(mesh.bounds.centre), 2 * M_PI * i / 36);
+            const Extent e = onScreen(mesh, turned.camera, 1);
+            most = std::max({most, e.high.x, -e.low.x, e.high.y, -e.low.y});
+        }
+        EXPECT_LE(most, kFramedShare + kSlices);
+        EXPECT_GE(most, kFramedShare - 0.05) << "500 points do not reach everywhere that their rings do";
+    }
+}
+
+TEST(Framing, a_scene_that_turns_is_seen_as_the_mesh_that_turns) {
+    constexpr double kFloats = 2e-3; // mm, of positions of 1e3 mm
+    const Mesh mesh = cloud({300, 200, 100}, {40, -25, 9});
+    const glm::dvec3 pivot(mesh.bounds.centre);
+    Workspace workspace;
+    workspace.cameraRelative = workspace.lightRelative = false;
+    workspace.camera.position = {100, 50, 900};
+    workspace.camera.target = {10, 20, 0};
+    workspace.light.position = {-300, 600, 500};
+    const double quarter = M_PI / 2;
+    const Workspace turned = turnedScene(workspace, pivot, quarter);
+    // The mesh turned counter-clockwise by a quarter about y: what was at +z comes to +x.
+    const auto ofMesh = [&](const glm::dvec3& p) { return pivot + glm::dvec3(p.z - pivot.z, p.y - pivot.y, pivot.x - p.x); };
+    const auto seen = [](const Workspace& w, const glm::dvec3& p) {
+        return glm::dvec2(glm::length(p - glm::dvec3(w.camera.position)), glm::length(p - glm::dvec3(w.light.position)));
+    };
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec2 expected = seen(workspace, ofMesh(glm::dvec3(position)));
+        const glm::dvec2 actual = seen(turned, glm::dvec3(position));
+        EXPECT_NEAR(actual.x, expected.x, kFloats);
+        EXPECT_NEAR(actual.y, expected.y, kFloats);
+    }
+    Workspace sun = workspace;
+    sun.light.direction = glm::vec3(0, -1, 1);
+    EXPECT_NEAR(turnedScene(sun, pivot, quarter).light.direction->x, -1, 1e-6) << "as the camera goes: the other way";
+}

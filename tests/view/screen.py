@@ -11,7 +11,7 @@ import zlib
 sys.path.append("/usr/lib/python3/dist-packages")  # where Debian has it, whichever Python runs this
 
 try:
-    from Xlib import X, XK, display as xdisplay
+    from Xlib import X, XK, display as xdisplay, protocol
     from Xlib.ext import xtest
 except ImportError:
     xdisplay = None
@@ -49,6 +49,36 @@ class Picture:
         header = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
         with open(path, "wb") as file:
             file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def read_png(path):
+    """Of ours: eight bits, red, green and blue, nothing interlaced."""
+    data, at, packed, size = path.read_bytes(), 8, b"", (0, 0)
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        size = struct.unpack(">II", body[:8]) if kind == b"IHDR" else size
+        packed += body if kind == b"IDAT" else b""
+        at += 12 + length
+    width, height = size
+    raw, rows, above = zlib.decompress(packed), [], bytes(width * 3)
+    for y in range(height):
+        way, row = raw[y * (width * 3 + 1)], bytearray(raw[y * (width * 3 + 1) + 1:(y + 1) * (width * 3 + 1)])
+        for x in range(width * 3):
+            left, up, corner = (row[x - 3], above[x], above[x - 3]) if x >= 3 else (0, above[x], 0)
+            if way == 1:
+                row[x] = (row[x] + left) & 255
+            elif way == 2:
+                row[x] = (row[x] + up) & 255
+            elif way == 3:
+                row[x] = (row[x] + (left + up) // 2) & 255
+            elif way == 4:
+                guess = left + up - corner
+                near = min((left, up, corner), key=lambda v: abs(guess - v))
+                row[x] = (row[x] + near) & 255
+        rows.append(bytes(row))
+        above = bytes(row)
+    return Picture(width, height, b"".join(rows))
 
 
 class Screen:
@@ -106,6 +136,56 @@ class Screen:
         xtest.fake_input(self.display, X.KeyPress, code)
         xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
+
+    def answer(self, kind, seconds):
+        """The next event of this kind that is for a window of ours."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            while self.display.pending_events():
+                event = self.display.next_event()
+                if event.type == kind:
+                    return event
+            time.sleep(0.02)
+        raise AssertionError("the program does not answer")
+
+    def _own_window(self):
+        return self.root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
+
+    def clipboard(self, seconds=10):
+        """The text that the program has copied."""
+        window, atom = self._own_window(), self.display.intern_atom
+        window.convert_selection(atom("CLIPBOARD"), atom("UTF8_STRING"), atom("TEGUMENT_TEXT"), X.CurrentTime)
+        self.display.flush()
+        event = self.answer(X.SelectionNotify, seconds)
+        value = window.get_full_property(atom("TEGUMENT_TEXT"), X.AnyPropertyType) if event.property else None
+        window.destroy()
+        return value.value.decode() if value else ""
+
+    def drop(self, *paths, seconds=10):
+        """Files from a file manager, by the XDND protocol, version 5."""
+        window, target, atom = self._own_window(), self.window(), self.display.intern_atom
+        kind, selection = atom("text/uri-list"), atom("XdndSelection")
+        window.set_selection_owner(selection, X.CurrentTime)
+
+        def send(name, *data):
+            values = ([window.id] + list(data) + [0] * 5)[:5]
+            event = protocol.event.ClientMessage(window=target, client_type=atom(name), data=(32, values))
+            target.send_event(event)
+            self.display.flush()
+
+        send("XdndEnter", 5 << 24, kind)
+        send("XdndPosition", 0, (40 << 16) | 40, X.CurrentTime, atom("XdndActionCopy"))
+        send("XdndDrop", 0, X.CurrentTime)
+        asked = self.answer(X.SelectionRequest, seconds)
+        text = "".join(f"file://{path}\r\n" for path in paths)
+        asked.requestor.change_property(asked.property, kind, 8, text.encode())
+        given = protocol.event.SelectionNotify(time=asked.time, requestor=asked.requestor, selection=selection, target=asked.target,
+                                               property=asked.property)
+        asked.requestor.send_event(given)
+        self.display.flush()
+        time.sleep(0.5)  # the program says that it has finished; nobody listens
+        window.destroy()
+        self.display.flush()
 
     def resize(self, width, height):
         self.window().configure(width=width, height=height)

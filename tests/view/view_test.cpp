@@ -1,8 +1,10 @@
 // What the viewer does without a window: camera and light, watched files, steps through passes and targets, how targets are shown.
 
 #include "host/view/keys.h"
+#include "host/view/layout.h"
 #include "host/view/levels.h"
 #include "host/view/orbit.h"
+#include "host/view/panel.h"
 #include "host/view/state.h"
 #include "host/view/watch.h"
 
@@ -188,6 +190,120 @@ TEST(Steps, an_effect_without_passes_or_targets_is_stepped_through_without_harm)
     const ViewState start = state;
     for (const Command command : {Command::NextTechnique, Command::NextPass, Command::PreviousPass, Command::NextTarget})
         EXPECT_EQ(apply(state, command, start), Request::None);
+}
+
+TEST(Orbit, turns_parallel_light_as_it_would_turn_a_lamp_far_away) {
+    const Camera camera = frontCamera();
+    Light lamp{.position = {100, 300, 800}};
+    Light sun;
+    sun.direction = -lamp.position;
+    orbitLight(lamp, camera, 0.4, -0.2);
+    orbitLight(sun, camera, 0.4, -0.2);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR((*sun.direction)[axis], -lamp.position[axis], kFloat) << axis;
+}
+
+TEST(Presets, are_laid_over_what_was_given_and_leave_nothing_of_each_other) {
+    ViewState state;
+    state.presets = {{.name = "dry", .parameters = {{"gA", {1}}}}, {.name = "oily", .parameters = {{"gB", {2}}}}};
+    state.parameters = {{"gA", {5}}, {"gC", {7}}};
+    const ViewState start = state;
+    EXPECT_EQ(apply(state, Command::NextPreset, start), Request::Draw);
+    EXPECT_EQ(state.preset, "dry");
+    EXPECT_EQ(state.parameters, (std::map<std::string, std::vector<double>>{{"gA", {1}}, {"gC", {7}}}));
+    state.parameters["gA"] = {3}; // a slider
+    EXPECT_EQ(apply(state, Command::NextPreset, start), Request::Draw);
+    EXPECT_EQ(state.parameters, (std::map<std::string, std::vector<double>>{{"gA", {5}}, {"gB", {2}}, {"gC", {7}}}));
+    EXPECT_EQ(apply(state, Command::NextPreset, start), Request::Draw);
+    EXPECT_EQ(state.preset, "") << "behind the last one: as at the start";
+    EXPECT_EQ(state.parameters, start.parameters);
+    choosePreset(state, "oily", start);
+    EXPECT_EQ(apply(state, Command::Reset, start), Request::Draw);
+    EXPECT_EQ(state.parameters, start.parameters);
+    ViewState none;
+    EXPECT_EQ(apply(none, Command::NextPreset, none), Request::None);
+}
+
+TEST(Panels, stand_inside_the_window_and_none_covers_another) {
+    const auto panel = [](float width, float height) {
+        return std::optional(PanelSize{.width = width, .height = [height](float) { return height; }});
+    };
+    const auto apart = [](const std::optional<Area>& a, const std::optional<Area>& b) {
+        if (!a || !b) return true;
+        return a->x + a->width <= b->x || b->x + b->width <= a->x || a->y + a->height <= b->y || b->y + b->height <= a->y;
+    };
+    for (const float width : {160.0F, 320.0F, 900.0F, 2560.0F})
+        for (const float height : {120.0F, 320.0F, 900.0F})
+            for (const float text : {60.0F, 400.0F, 3000.0F})
+                for (int shown = 0; shown < 16; ++shown) {
+                    PanelSizes sizes;
+                    if (shown & 1) sizes.lines = panel(text, 90);
+                    if (shown & 2) sizes.help = panel(420, 400);
+                    if (shown & 4) sizes.sliders = panel(380, text);
+                    if (shown & 8) sizes.problem = panel(text, 200);
+                    const PanelAreas areas = arrange(width, height, sizes);
+                    const std::vector<std::optional<Area>> all = {areas.lines, areas.help, areas.sliders, areas.problem};
+                    for (std::size_t i = 0; i < all.size(); ++i) {
+                        EXPECT_EQ(all[i].has_value(), (shown >> i & 1) != 0);
+                        for (std::size_t j = 0; j < i; ++j)
+                            EXPECT_TRUE(apart(all[i], all[j])) << width << "x" << height << " " << shown << ": " << i << " and " << j;
+                        if (!all[i]) continue;
+                        EXPECT_GE(all[i]->x, 0);
+                        EXPECT_GE(all[i]->y, 0);
+                        EXPECT_LE(all[i]->x + all[i]->width, width);
+                        EXPECT_LE(all[i]->y + all[i]->height, height);
+                    }
+                }
+}
+
+TEST(Panels, have_room_for_what_they_hold_in_a_window_of_the_usual_size) {
+    const auto panel = [](float width, float height) { return PanelSize{.width = width, .height = [height](float) { return height; }}; };
+    PanelSizes sizes;
+    sizes.lines = panel(300, 100);
+    sizes.help = panel(420, 430);
+    sizes.sliders = panel(380, 500);
+    const PanelAreas areas = arrange(900, 900, sizes);
+    EXPECT_EQ(areas.lines->width, 300);
+    EXPECT_EQ(areas.help->width, 420);
+    EXPECT_EQ(areas.help->height, 430);
+    EXPECT_EQ(areas.sliders->width, 380);
+    EXPECT_EQ(areas.sliders->height, 500);
+}
+
+namespace {
+
+Result<Effect> sliders() {
+    const Folder folder;
+    return loadEffect(folder.write(
+        "sliders.fx", "float gCount < string UIWidget = \"Slider\"; float UIMin = 1; float UIMax = 64; float UIStep = 1; > = 4;\n"
+                      "float gShare < string UIWidget = \"Slider\"; float UIMin = 0; float UIMax = 1; float UIStep = 0.01; > = 0.5;\n"
+                      "float gSwitch < string UIWidget = \"CheckBox\"; > = 0;\n"
+                      "int gBlurs < string UIWidget = \"Slider\"; int UIMin = 1; int UIMax = 6; > = 3;\n"
+                      "float gHalves < string UIWidget = \"Slider\"; float UIMin = 0; float UIMax = 4; float UIStep = 0.5; > = 1;\n"
+                      "float gInner < string UIWidget = \"None\"; > = 1;\n"
+                      "technique None { pass P { } }\n"));
+}
+
+} // namespace
+
+TEST(Sliders, of_whole_numbers_are_those_whose_type_or_steps_are_whole) {
+    const auto effect = sliders();
+    ASSERT_TRUE(effect) << format(effect.error());
+    std::vector<std::string> whole;
+    for (const Parameter& parameter : effect->parameters)
+        if (isWhole(parameter)) whole.push_back(parameter.name);
+    EXPECT_EQ(whole, (std::vector<std::string>{"gCount", "gBlurs"}));
+}
+
+TEST(Sliders, are_those_that_make_a_difference_to_the_frame) {
+    const auto effect = sliders();
+    ASSERT_TRUE(effect) << format(effect.error());
+    ViewState state;
+    state.read = {"gBlurs", "gInner", "gShare"};
+    std::vector<std::string> shown;
+    for (const Parameter* parameter : slidersOf(state, *effect))
+        shown.push_back(parameter->name);
+    EXPECT_EQ(shown, (std::vector<std::string>{"gShare", "gBlurs"}));
 }
 
 TEST(Keys, each_is_bound_once_and_the_help_names_every_one) {

@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import shlex
 import shutil
 import signal
 import subprocess
@@ -57,7 +58,7 @@ class View:
         (self.folder / "ball.obj").write_text(ball())
         scene = {"mesh": "ball.obj", "unit_mm": 1, "head": False, "camera": {"position": [1, 0.5, 5]}, "light": {"position": [-1, 2, 5]}}
         (self.folder / "ball.json").write_text(json.dumps(scene))
-        self.screen = screens.Screen(SIZE + 80, SIZE)
+        self.screen = screens.Screen(2 * SIZE, SIZE)
         self.errors = open(self.folder / "stderr.txt", "w+")
         command = [PROGRAM, "view", "effects/Main.fx", "-w", "ball.json", "--size", f"{SIZE}x{SIZE}", "--map-size", "64", "--validate"]
         environment = {**os.environ, "DISPLAY": self.screen.name}
@@ -249,6 +250,68 @@ class Window(unittest.TestCase):
         self.view.wait("its end", lambda: path.read_bytes().endswith(b"IEND\xaeB`\x82"))
         header = path.read_bytes()[16:24]
         self.assertEqual((int.from_bytes(header[:4], "big"), int.from_bytes(header[4:], "big")), (SIZE, SIZE))
+
+    def workspace_of(self, number):
+        path = self.view.folder / "out" / f"Main-{number:03}.json"
+        self.view.wait("the workspace", lambda: path.exists() and path.read_text().endswith("}\n"))
+        return path
+
+    def test_w_writes_a_workspace_that_draws_this_picture_and_c_copies_the_line_that_does(self):
+        self.view.screen.drag((160, 160), (220, 140))
+        self.view.still(unlike=self.start)
+        self.view.screen.drag((160, 160), (110, 190), button=3)
+        self.view.screen.press("n")  # the first preset
+        shown = self.keep(self.view.still(unlike=self.start))
+        self.view.screen.press("w")
+        workspace = json.loads(self.workspace_of(1).read_text())
+        self.assertEqual(workspace["mesh"], "../ball.obj")
+        self.assertEqual(workspace["camera"]["frame"], "world")
+        self.assertIn("gRoughness", workspace["parameters"])
+        self.view.screen.press("c")
+        self.view.wait("the line", lambda: "copied: " in self.view.said())
+        line = self.view.screen.clipboard()
+        self.assertTrue(line.startswith("tegument render effects/Main.fx -t DEonLuebke --setting corrected -w out/Main-001.json --size 320x320"), line)
+        self.assertFalse((self.view.folder / "out" / "Main-002.json").exists(), "nothing has changed since w")
+        ran = subprocess.run([PROGRAM] + shlex.split(line)[1:], cwd=self.view.folder, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        drawn = screens.read_png(self.view.folder / "out" / "Main-001.png")
+        part = screens.Picture(SIZE, SIZE, b"".join(shown.pixels[y * shown.width * 3:(y * shown.width + SIZE) * 3] for y in range(SIZE)))
+        self.assertLess(drawn.share_apart(part, limit=2), 0.001)  # bytes are rounded in a shader there, on the processor here
+
+    def test_n_goes_through_the_presets_and_back(self):
+        self.view.screen.press("n")
+        dry = self.keep(self.view.still(unlike=self.start), "preset_1")
+        self.view.screen.press("n")
+        self.keep(self.view.still(unlike=dry), "preset_2")
+        for _ in range(2):
+            self.view.screen.press("n")
+        self.assertEqual(self.view.still(unlike=dry), self.start)
+
+    def test_panels_stand_side_by_side_and_show_what_the_technique_uses(self):
+        self.view.screen.resize(640, 320)
+        for key in ("i", "h", "p"):
+            self.view.screen.press(key)
+        self.keep(self.view.still(unlike=self.start))
+        for key in ("p", "h", "i"):
+            self.view.screen.press(key)
+        self.view.screen.resize(SIZE, SIZE)
+        self.assertEqual(self.view.still(), self.start)
+
+    def test_y_dropped_files_are_shown(self):
+        (self.view.folder / "egg.obj").write_text(ball(radius=60.0))
+        self.view.screen.drop(self.view.folder / "egg.obj")
+        self.view.wait("the mesh", lambda: "shown: " in self.view.said() and "egg.obj" in self.view.said())
+        egg = self.keep(self.view.still(unlike=self.start), "dropped_mesh")
+        self.view.screen.drop(self.view.folder / "notes.txt")
+        self.view.wait("the refusal", lambda: "TG8045" in self.view.said())
+        self.view.screen.drop(self.view.folder / "effects" / "Specular.fx")
+        self.view.title("Specular.fx Specular")
+        self.keep(self.view.still(unlike=egg), "dropped_effect")
+        self.view.screen.drop(self.view.folder / "effects" / "Main.fx")
+        self.view.title("Main.fx DEonLuebke")
+        self.view.screen.drop(self.view.folder / "ball.json")
+        self.view.wait("the workspace", lambda: "ball.json" in self.view.said())
+        self.assertEqual(self.view.still(unlike=egg), self.start)
 
     def test_a_resized_window_is_drawn_anew(self):
         self.view.screen.resize(SIZE // 2, SIZE - 40)

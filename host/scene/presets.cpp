@@ -1,0 +1,106 @@
+#include "host/scene/presets.h"
+
+#include "host/scene/located_json.h"
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace tegument {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The first error is kept and everything after it is passed over.
+class PresetReader {
+public:
+    PresetReader(std::string_view text, const fs::path& path) : text_(text), path_(path) {}
+
+    Result<std::vector<Preset>> read(const LocatedJson& root) {
+        if (expect(root, LocatedJson::Kind::Object, "the file"))
+            for (std::size_t i = 0; i < root.items.size(); ++i)
+                if (root.keys[i] != "comment") readPreset(root.keys[i], root.items[i]);
+        if (error_) return *error_;
+        return std::move(presets_);
+    }
+
+private:
+    void readPreset(const std::string& name, const LocatedJson& value) {
+        if (!expect(value, LocatedJson::Kind::Object, fmt::format("the preset '{}'", name))) return;
+        Preset preset{.name = name, .comment = {}, .parameters = {}, .at = positionAt(text_, value.offset, path_.string())};
+        for (std::size_t i = 0; i < value.items.size() && !error_; ++i) {
+            const LocatedJson& item = value.items[i];
+            if (value.keys[i] == "comment")
+                preset.comment = expect(item, LocatedJson::Kind::Text, "comment") ? item.text : std::string();
+            else if (value.keys[i] == "parameters")
+                readParameters(item, preset);
+            else
+                fail(5401, item, fmt::format("unknown key '{}' in the preset '{}'", value.keys[i], name),
+                     "known keys: parameters, comment");
+        }
+        presets_.push_back(std::move(preset));
+    }
+
+    void readParameters(const LocatedJson& value, Preset& preset) {
+        if (!expect(value, LocatedJson::Kind::Object, "parameters")) return;
+        for (std::size_t i = 0; i < value.items.size() && !error_; ++i)
+            preset.parameters[value.keys[i]] = numbers(value.items[i], value.keys[i]);
+    }
+
+    /// One number, true or false, or a list of numbers.
+    std::vector<double> numbers(const LocatedJson& value, const std::string& what) {
+        if (value.kind == LocatedJson::Kind::Number) return {value.number};
+        if (value.kind == LocatedJson::Kind::Boolean) return {value.boolean ? 1.0 : 0.0};
+        std::vector<double> list;
+        for (const LocatedJson& item : value.items)
+            if (item.kind == LocatedJson::Kind::Number) list.push_back(item.number);
+        if (value.kind != LocatedJson::Kind::List || list.empty() || list.size() != value.items.size())
+            fail(5402, value, fmt::format("{} must be a number, true, false or a list of numbers", what), {});
+        return list;
+    }
+
+    bool expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what) {
+        if (error_) return false;
+        if (value.kind == kind) return true;
+        fail(5402, value, fmt::format("{} is {}, but must be {}", what, value.kindName(), LocatedJson{.kind = kind}.kindName()), {});
+        return false;
+    }
+
+    void fail(int code, const LocatedJson& value, std::string text, std::string hint) {
+        if (error_) return;
+        error_ = inputError(code, positionAt(text_, value.offset, path_.string()), std::move(text), std::move(hint));
+        error_->diagnostics.front().sourceLine = lineAt(text_, value.offset);
+    }
+
+    std::string_view text_;
+    const fs::path& path_;
+    std::vector<Preset> presets_;
+    std::optional<Error> error_;
+};
+
+} // namespace
+
+fs::path presetsFile(const fs::path& effect) {
+    fs::path path = effect;
+    return path.replace_extension(".presets.json");
+}
+
+Result<std::vector<Preset>> parsePresets(const std::string& text, const fs::path& path) {
+    const Result<LocatedJson> root = parseLocatedJson(text, path.string());
+    if (!root) return root.error();
+    return PresetReader(text, path).read(*root);
+}
+
+Result<std::vector<Preset>> loadPresets(const fs::path& effect) {
+    const fs::path path = presetsFile(effect);
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return std::vector<Preset>();
+    const Result<std::string> text = readFile(path);
+    if (!text) return text.error();
+    return parsePresets(*text, path);
+}
+
+} // namespace tegument

@@ -1,0 +1,49 @@
+#include "host/view/layout.h"
+
+#include <algorithm>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr float kWidestSliders = 0.6F;  // of the window, where something stands beside them
+constexpr float kTallestProblem = 0.4F; // of the window
+constexpr float kTallestLines = 0.5F;   // of what is above the problem, where the help stands below them
+
+/// At most as large as the room, which may be none.
+Area fitted(const PanelSize& size, float x, float y, float width, float height) {
+    const float across = std::clamp(size.width, 0.0F, std::max(0.0F, width));
+    return {.x = x, .y = y, .width = across, .height = std::clamp(size.height(across), 0.0F, std::max(0.0F, height))};
+}
+
+} // namespace
+
+PanelAreas arrange(float width, float height, const PanelSizes& sizes) {
+    const float across = width - 2 * kPanelMargin;
+    float bottom = height - kPanelMargin;
+    PanelAreas areas;
+    if (sizes.problem) {
+        Area area = fitted(*sizes.problem, kPanelMargin, 0, across, kTallestProblem * height);
+        area.y = bottom - area.height;
+        bottom = area.y - kPanelMargin;
+        areas.problem = area;
+    }
+    float right = width - kPanelMargin;
+    if (sizes.sliders) {
+        const bool alone = !sizes.lines && !sizes.help;
+        Area area = fitted(*sizes.sliders, 0, kPanelMargin, alone ? across : kWidestSliders * across, bottom - kPanelMargin);
+        area.x = right - area.width;
+        right = area.x - kPanelMargin;
+        areas.sliders = area;
+    }
+    float top = kPanelMargin;
+    if (sizes.lines) {
+        const float room = (sizes.help ? kTallestLines : 1) * (bottom - top);
+        areas.lines = fitted(*sizes.lines, kPanelMargin, top, right - kPanelMargin, room);
+        top += areas.lines->height + kPanelMargin;
+    }
+    if (sizes.help) areas.help = fitted(*sizes.help, kPanelMargin, top, right - kPanelMargin, bottom - top);
+    return areas;
+}
+
+} // namespace tegument::view

@@ -1,0 +1,44 @@
+#pragma once
+// Where the panels stand on the window: none covers another. Needs no window.
+
+#include <functional>
+#include <optional>
+
+namespace tegument::view {
+
+/// Pixels of the window, from its left top corner.
+struct Area {
+    float x = 0;
+    float y = 0;
+    float width = 0;
+    float height = 0;
+};
+
+/// What a panel would take: its width, and its height at a width.
+struct PanelSize {
+    float width = 0;
+    std::function<float(float width)> height;
+};
+
+/// Those that are to be shown.
+struct PanelSizes {
+    std::optional<PanelSize> lines;
+    std::optional<PanelSize> help;
+    std::optional<PanelSize> sliders;
+    std::optional<PanelSize> problem;
+};
+
+struct PanelAreas {
+    std::optional<Area> lines;
+    std::optional<Area> help;
+    std::optional<Area> sliders;
+    std::optional<Area> problem;
+};
+
+inline constexpr float kPanelMargin = 8;
+
+/// The problem at the bottom, the sliders to the right, the lines to the left and the help below them. What has no room is cut: panels
+/// scroll.
+[[nodiscard]] PanelAreas arrange(float width, float height, const PanelSizes& sizes);
+
+} // namespace tegument::view

@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 38> kAnnotations{{
+constexpr std::array<KnownAnnotation, 39> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -56,6 +56,7 @@ constexpr std::array<KnownAnnotation, 38> kAnnotations{{
     {"Usage", kText},
     {"Normalize", kNumber},
     {"Instances", kText},
+    {"Part", kText},
     {"Producer", kText},
     {"ColorSpace", kText},
     {"Metadata", kText},

@@ -1,6 +1,7 @@
 #include "host/run/frame.h"
 
 #include "host/run/constants.h"
+#include "host/run/parts.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -141,6 +142,18 @@ Result<std::uint32_t> instancesOf(const Builder& builder, const DrawStep& step) 
     return static_cast<std::uint32_t>(value->front());
 }
 
+/// The quad as a whole; of a mesh the part that the pass names.
+Result<void> chooseTriangles(const Builder& builder, const DrawStep& step, gpu::Draw& draw) {
+    if (step.kind == DrawKind::Buffer) return {};
+    const auto ranges = partOf(builder.input.effect, *step.pass, *builder.input.mesh);
+    if (!ranges) return ranges.error();
+    draw.first = ranges->front().first;
+    draw.count = ranges->front().count;
+    for (const IndexRange& range : std::span(*ranges).subspan(1))
+        draw.more.push_back({range.first, range.count});
+    return {};
+}
+
 Extent extentOf(const gpu::Targets& targets) {
     const gpu::TextureDesc& desc = anyOf(targets).desc();
     return {desc.width, desc.height};
@@ -159,6 +172,7 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     item.draw.indices = &geometry.indices;
     item.draw.count = geometry.indexCount;
     item.draw.instances = *instances;
+    if (const auto chosen = chooseTriangles(builder, step, item.draw); !chosen) return chosen;
     const PassProgram& program = *builder.prepared.programs.at(step.pass);
     const Extent viewport = extentOf(item.targets);
     if (const auto bound = bindStage(builder, step, program.vertex, viewport, item); !bound) return bound;

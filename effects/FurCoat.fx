@@ -1,5 +1,6 @@
-// FurCoat: fur as strands, each a ribbon that faces the eye. Techniques Strands and StrandsSoft draw the very strands of FurRoots' technique
-// Roots. The mesh has the parts "skin" and "strands" (`tegument fur strands` makes them; docs/modules/FurCoat.md).
+// FurCoat: fur as strands, each a ribbon that faces the eye. Techniques Strands and StrandsSoft draw the very strands of FurRoots'
+// technique Roots; Coat and CoatSoft a coat of locks, with underfur, guard hairs and a deep shadow. The mesh has the parts "strands" and
+// "underfur": tegument fur strands makes them (docs/modules/FurCoat.md).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
@@ -21,17 +22,13 @@
 float Script : STANDARDSGLOBAL < STARTS_WITH("CoatSoft") string Workspace = "bunny_roots.json"; > = 0.8;
 
 #ifdef FX_TECHNIQUES
-// Strands: opaque cores, then blended edges. StrandsSoft: cores blended, too.
-technique Strands < string Script =
-    SHADOW_MAP_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"; >
+// Opaque cores, then blended edges; Soft: cores blended, too.
+technique Strands < string Script = STRANDS_SCRIPT; >
 {
     STRANDS_PASSES(RibbonCorePS, RibbonFringePS, TG_STATE_TWOSIDED)
 }
 
-technique StrandsSoft < string Script =
-    SHADOW_MAP_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"; >
+technique StrandsSoft < string Script = STRANDS_SCRIPT; >
 {
     STRANDS_PASSES(RibbonSoftCorePS, RibbonSoftFringePS, TG_STATE_STRAND)
 }

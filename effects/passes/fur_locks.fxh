@@ -1,5 +1,5 @@
-// Technique Coat: each root is a lock. Its strands stand around it and come together towards its tip; short, dense underfur below them, guard
-// hairs above. They lie along the flow that the strands' vertices bring (TANGENT: its part across the normal).
+// Technique Coat: each root is a lock. Its strands stand around it and come together towards its tip; short, dense underfur below them,
+// guard hairs above. They lie along the flow that the strands' vertices bring (TANGENT: its part across the normal).
 #ifndef TEGUMENT_PASSES_FUR_LOCKS_FXH
 #define TEGUMENT_PASSES_FUR_LOCKS_FXH
 
@@ -235,7 +235,8 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
         LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, child + kLockOfUnderfur * under, under);
         LockPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
-        output = ribbonVarying(input, frame, place.offset, place.tangent, share.width * lockRadius(looks, ribbon.along, under), color);
+        float radius = share.width * lockRadius(looks, ribbon.along, under);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
     }
     return output;
 }

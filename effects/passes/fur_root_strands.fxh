@@ -97,6 +97,7 @@ RibbonVarying StrandsVS(VertexInput input)
     return output;
 }
 
+#define STRANDS_SCRIPT SHADOW_MAP_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
 #define STRANDS_PASSES(core, fringe, coreState) \
     TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \

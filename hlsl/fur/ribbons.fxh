@@ -1,5 +1,5 @@
 // Strands as ribbons: flat bands along a strand's axis that face the eye (`tegument fur strands` writes them, docs/strands.md). A vertex
-// stands on its root; the vertex shader takes it to its place on the strand, the pixel shader needs to know only how far from the axis it is.
+// stands on its root; the vertex shader takes it to its place on the strand, and the pixel shader needs only its distance from the axis.
 #ifndef TEGUMENT_FUR_RIBBONS_FXH
 #define TEGUMENT_FUR_RIBBONS_FXH
 
@@ -63,7 +63,7 @@ float tgFurOpacity(float4 sums, float4 depths, float depth)
 }
 
 // Two highlights of a strand (S. Marschner et al., Light Scattering from Human Hair Fibers, 2003, in the form of T. Scheuermann, Practical
-// Real-Time Hair Rendering and Shading, 2004): R, mirrored by the surface, moved to the root; TRT, mirrored inside and coloured, to the tip.
+// Real-Time Hair Rendering and Shading, 2004): R, mirrored by the surface, moved to the root; TRT, mirrored inside, to the tip.
 // shift: of R and TRT along the normal; exponents: of the sine between strand and half vector.
 float2 tgFurHighlights(float3 strand, float3 normal, float3 toLight, float3 toEye, float2 shift, float2 exponents)
 {

@@ -21,7 +21,7 @@ float gCoatShort < UI_SLIDER("Shorter", 0.0, 1.0, 0.01) string UIHelp = "how muc
 
 float gCoatSpread < UI_SLIDER("Spread of a lock", 0.0, 3.0, 0.01) string UIHelp = "of its strands' roots, spacings"; > = 0.9;
 float gCoatClump < UI_SLIDER("Clump", 0.0, 1.0, 0.01) string UIHelp = "how far a lock's tips come together"; > = 0.72;
-float gCoatLean < UI_SLIDER("Lie", 0.0, 2.0, 0.01) string UIHelp = "how far strands lie along the skin, lengths"; > = 1.1;
+float gCoatLean < UI_SLIDER("Lie", 0.0, 1.5, 0.01) string UIHelp = "how far strands lie along the skin, lengths"; > = 1.1;
 float gCoatLocks < UI_SLIDER("Unruly locks", 0.0, 2.0, 0.01) string UIHelp = "how far each goes its own way"; > = 0.5;
 
 float gCoatWaves < UI_SLIDER("Waves of the coat", 0.0, 2.0, 0.01) string UIHelp = "how far regions go their own way"; > = 0.45;

@@ -302,8 +302,8 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
 #define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
-    TG_PART_LAYER_PASS(Underfur, "underfur", "gCoatUnderfur", UnderfurVS, core, coreState) \
-    TG_PART_LAYER_PASS(Core, "underfur", "gCoatChildren", LocksVS, core, coreState) \
-    TG_PART_LAYER_PASS(Fringe, "underfur", "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatUnderfur", UnderfurVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
 
 #endif

@@ -75,6 +75,10 @@ RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset,
     return output;
 }
 
+// No strand is further from its root: four lengths of the coat, whose strands lie and stray.
+#define RIBBON_REACH "gFurLength"
+#define RIBBON_REACHES 4.0
+
 static const float kRibbonFaint = 0.004; // less an 8-bit target would not show
 
 // Covered by half and more, as opaque.

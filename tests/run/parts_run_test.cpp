@@ -3,6 +3,10 @@
 #include "host/run/parts.h"
 #include "tests/run/fixture.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <random>
+
 namespace tegument::test {
 namespace {
 
@@ -18,7 +22,7 @@ protected:
         return mesh;
     }
     Result<RunResult> draw(const std::string& technique, const Mesh& mesh) {
-        return run("parts.fx", {.technique = technique, .width = 16, .height = 16, .compiler = defaultCompiler()}, &mesh);
+        return run("parts.fx", {.technique = technique, .width = 16, .height = 16, .compiler = defaultCompiler()}, &mesh, closeUp());
     }
     /// What the picture shows of both halves.
     std::pair<float, float> shown(const std::string& technique, const Mesh& mesh) {
@@ -72,6 +76,65 @@ TEST_F(Parts, that_touch_are_one_range) {
     EXPECT_EQ(result->image.at(1, 1, 0), 2.0F) << "several ranges are one pass";
     EXPECT_EQ(result->image.at(14, 14, 0), 2.0F);
     EXPECT_EQ(result->passes.size(), 1U);
+}
+
+/// A cluster of random vertices, and whether one of them shows: in the picture within the reach, and not looking away by more than strands
+/// reach over the horizon.
+struct Random {
+    std::mt19937 random{11};
+    double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+    glm::dvec3 inBall() {
+        while (true)
+            if (const glm::dvec3 v(number(-1, 1), number(-1, 1), number(-1, 1)); glm::dot(v, v) < 1) return v;
+    }
+};
+
+TEST(PartClusters, that_show_anything_are_never_left_out) {
+    const glm::dmat4 toClip =
+        glm::perspective(0.5, 1.5, 1.0, 1000.0) * glm::lookAt(glm::dvec3(0, 0, 300), glm::dvec3(0), glm::dvec3(0, 1, 0));
+    Random random;
+    int hidden = 0, shown = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        Mesh mesh;
+        const glm::dvec3 place = 150.0 * random.inBall(), way = glm::normalize(random.inBall());
+        const double size = random.number(1, 20), bend = random.number(0, 1);
+        const run::PartView view{.toClip = toClip, .eye = {0, 0, 300}, .reach = random.number(0, 10)};
+        bool shows = false;
+        for (std::uint32_t i = 0; i < 30; ++i) {
+            const glm::dvec3 vertex = place + size * random.inBall(), normal = glm::normalize(way + bend * random.inBall());
+            mesh.positions.emplace_back(vertex);
+            mesh.normals.emplace_back(normal);
+            mesh.indices.push_back(i);
+            const glm::dvec3 tip = vertex + view.reach * glm::normalize(random.inBall());
+            const glm::dvec4 clip = toClip * glm::dvec4(tip, 1);
+            const bool inside = clip.w > 0 && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w;
+            shows = shows || (inside && glm::dot(normal, glm::normalize(view.eye - vertex)) > run::kHidden);
+        }
+        MeshPart part{.name = "strands", .firstIndex = 0, .indexCount = 30, .clusters = {{.firstIndex = 0, .indexCount = 30}}};
+        computeClusters(mesh, part);
+        const bool seen = run::canBeSeen(part.clusters.front(), view);
+        if (shows) {
+            ASSERT_TRUE(seen) << trial;
+        }
+        hidden += !seen;
+        shown += shows;
+    }
+    EXPECT_GT(shown, 800);
+    EXPECT_GT(hidden, 800) << "leaving nothing out would pass as well";
+}
+
+TEST_F(Parts, of_which_nothing_can_be_seen_draw_nothing) {
+    Mesh mesh = halves("skin", "strands");
+    for (MeshPart& part : mesh.parts)
+        part.clusters = {{.firstIndex = 0, .indexCount = 3}};
+    for (MeshPart& part : mesh.parts)
+        computeClusters(mesh, part);
+    computeBounds(mesh);
+    EXPECT_EQ(shown("Seen", mesh), std::pair(0.0F, 2.0F)) << "the square faces +z, where the camera stands";
+    mesh.normals.assign(4, {0, 0, -1});
+    for (MeshPart& part : mesh.parts)
+        computeClusters(mesh, part);
+    EXPECT_EQ(shown("Seen", mesh), std::pair(0.0F, 0.0F)) << "looking away";
 }
 
 } // namespace

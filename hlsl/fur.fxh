@@ -8,4 +8,5 @@
 #include "../hlsl/fur/cells.fxh"
 #include "../hlsl/fur/cones.fxh"
 #include "../hlsl/fur/roots.fxh"
+#include "../hlsl/fur/ribbons.fxh"
 #include "../hlsl/fur/sweep.fxh"

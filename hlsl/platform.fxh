@@ -93,6 +93,9 @@
 //   TG_STATE_TWOSIDED  depth test and write, both faces: maps seen from the light
 //   TG_STATE_EQUAL     drawn where the depth target holds the depth of the fragment, both faces
 //   TG_STATE_LAYER     depth test and write, back faces culled, blended over what is there by alpha
+//   TG_STATE_STRAND    depth test and write, both faces, blended over what is there by alpha
+//   TG_STATE_FRINGE    depth test, both faces, blended over what is there by alpha
+//   TG_STATE_SUM       no depth test, both faces, added to what is there
 //   TG_STATE_PREPASS   writes depth where it is greater, no colour, both faces
 #ifdef FX_TECHNIQUES
 #ifndef TEGUMENT_HLSL_3
@@ -108,11 +111,14 @@
 DepthStencilState tgDepthOff { DepthEnable = FALSE; DepthWriteMask = ZERO; };
 DepthStencilState tgDepthLess { DepthEnable = TRUE; DepthWriteMask = ALL; DepthFunc = LESS_EQUAL; };
 DepthStencilState tgDepthEqual { DepthEnable = TRUE; DepthWriteMask = ZERO; DepthFunc = EQUAL; };
+DepthStencilState tgDepthBehind { DepthEnable = TRUE; DepthWriteMask = ZERO; DepthFunc = LESS_EQUAL; };
 DepthStencilState tgDepthGreater { DepthEnable = TRUE; DepthWriteMask = ALL; DepthFunc = GREATER; };
 BlendState tgOpaque { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 15; };
 BlendState tgNoColour { BlendEnable[0] = FALSE; RenderTargetWriteMask[0] = 0; };
 BlendState tgOver { BlendEnable[0] = TRUE; SrcBlend = SRC_ALPHA; DestBlend = INV_SRC_ALPHA; BlendOp = ADD; SrcBlendAlpha = ONE;
     DestBlendAlpha = INV_SRC_ALPHA; BlendOpAlpha = ADD; RenderTargetWriteMask[0] = 15; };
+BlendState tgSum { BlendEnable[0] = TRUE; SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; SrcBlendAlpha = ONE;
+    DestBlendAlpha = ONE; BlendOpAlpha = ADD; RenderTargetWriteMask[0] = 15; };
 RasterizerState tgBothFaces { CullMode = NONE; FrontCounterClockwise = TRUE; };
 RasterizerState tgFrontFaces { CullMode = BACK; FrontCounterClockwise = TRUE; };
 RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
@@ -123,6 +129,9 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_STATE_INSIDE TG_SET_STATES(tgDepthLess, tgOpaque, tgBackFaces)
 #define TG_STATE_TWOSIDED TG_SET_STATES(tgDepthLess, tgOpaque, tgBothFaces)
 #define TG_STATE_LAYER TG_SET_STATES(tgDepthLess, tgOver, tgFrontFaces)
+#define TG_STATE_STRAND TG_SET_STATES(tgDepthLess, tgOver, tgBothFaces)
+#define TG_STATE_FRINGE TG_SET_STATES(tgDepthBehind, tgOver, tgBothFaces)
+#define TG_STATE_SUM TG_SET_STATES(tgDepthOff, tgSum, tgBothFaces)
 #define TG_STATE_EQUAL TG_SET_STATES(tgDepthEqual, tgOpaque, tgBothFaces)
 #define TG_STATE_PREPASS TG_SET_STATES(tgDepthGreater, tgNoColour, tgBothFaces)
 #else
@@ -135,8 +144,13 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_STATE_SOLID TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, CW, FALSE)
 #define TG_STATE_INSIDE TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, CCW, FALSE)
 #define TG_STATE_TWOSIDED TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, NONE, FALSE)
-#define TG_STATE_LAYER TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, CW, TRUE); SrcBlend = SRCALPHA; DestBlend = INVSRCALPHA; BlendOp = ADD; \
+#define TG_BLEND_OVER SrcBlend = SRCALPHA; DestBlend = INVSRCALPHA; BlendOp = ADD; \
     SeparateAlphaBlendEnable = TRUE; SrcBlendAlpha = ONE; DestBlendAlpha = INVSRCALPHA; BlendOpAlpha = ADD
+#define TG_STATE_LAYER TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, CW, TRUE); TG_BLEND_OVER
+#define TG_STATE_STRAND TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, NONE, TRUE); TG_BLEND_OVER
+#define TG_STATE_FRINGE TG_SET_STATES(TRUE, FALSE, LESSEQUAL, 15, NONE, TRUE); TG_BLEND_OVER
+#define TG_STATE_SUM TG_SET_STATES(FALSE, FALSE, ALWAYS, 15, NONE, TRUE); SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
+    SeparateAlphaBlendEnable = FALSE
 #define TG_STATE_EQUAL TG_SET_STATES(TRUE, FALSE, EQUAL, 15, NONE, FALSE)
 #define TG_STATE_PREPASS TG_SET_STATES(TRUE, TRUE, GREATER, 0, NONE, FALSE)
 #endif
@@ -144,11 +158,25 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 // One line per pass: its name, entry points, states.
 #define TG_MESH_PASS(name, vs, ps, states) pass name < string Script = "Draw=Geometry;"; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
+// The same of one part of the mesh; a host that does not know parts draws all of it. TG_SEEN_...: of its clusters only those that the camera
+// can see, where nothing is drawn further from them than so many times the parameter `reach`, in the mesh's radii.
+#define TG_SEEN_PASS(name, part, reach, times, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
+    string Reach = reach; float ReachScale = times; > \
+    { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
+#define TG_PART_PASS(name, part, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
+    > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #ifndef TEGUMENT_HLSL_3
+#define TG_PART_LAYER_PASS(name, part, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
+    string Instances = count; > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
+#define TG_SEEN_LAYER_PASS(name, part, reach, times, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; \
+    string Part = part; string Reach = reach; float ReachScale = times; string Instances = count; > \
+    { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #define TG_LAYER_PASS(name, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Instances = count; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #else
 #define TG_LAYER_PASS(name, count, vs, ps, states) TG_MESH_PASS(name, vs, ps, states)
+#define TG_PART_LAYER_PASS(name, part, count, vs, ps, states) TG_PART_PASS(name, part, vs, ps, states)
+#define TG_SEEN_LAYER_PASS(name, part, reach, times, count, vs, ps, states) TG_SEEN_PASS(name, part, reach, times, vs, ps, states)
 #endif
 #define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }

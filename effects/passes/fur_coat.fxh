@@ -65,6 +65,18 @@ float3 furPlace(VertexInput stored)
     return tgMeshAxes(tgWorldPosition(stored.position) - gBoundingCenter);
 }
 
+// The reverse of tgMeshAxes.
+float3 furFromAxes(float3 v)
+{
+    return v.x * tgWorldUnit(gWorld[0].xyz) + v.y * tgWorldUnit(gWorld[1].xyz) + v.z * tgWorldUnit(gWorld[2].xyz);
+}
+
+// A direction of the world in the axes of the mesh at rest.
+float3 strandsAxes(float3 v, VertexInput stored)
+{
+    return vertexTurnedBack(tgMeshAxes(v), stored);
+}
+
 // heights: as furHeights; round: as furRound.
 FurVarying furVarying(VertexInput stored, float2 heights, float round)
 {

@@ -143,18 +143,6 @@ float furFade(float width)
     return saturate(width - 1.0);
 }
 
-// The reverse of tgMeshAxes.
-float3 furFromAxes(float3 v)
-{
-    return v.x * tgWorldUnit(gWorld[0].xyz) + v.y * tgWorldUnit(gWorld[1].xyz) + v.z * tgWorldUnit(gWorld[2].xyz);
-}
-
-// A direction of the world in the axes of the mesh at rest.
-float3 strandsAxes(float3 v, VertexInput stored)
-{
-    return vertexTurnedBack(tgMeshAxes(v), stored);
-}
-
 // Directions are turned into the mesh's own axes here, where they change evenly across a triangle. round: of fur_rounds.fxh.
 StrandsVarying strandsVarying(VertexInput input, float layer, FurGrowth growth, float round)
 {

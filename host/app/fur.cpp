@@ -2,6 +2,7 @@
 
 #include "host/app/command_line.h"
 #include "host/app/fur_roots.h"
+#include "host/app/fur_strands.h"
 #include "host/app/output.h"
 #include "host/image/dds.h"
 #include "meshprep/fur/cube_texture.h"
@@ -256,8 +257,10 @@ void addFur(CLI::App& program, Action& action) {
     command->require_subcommand(1);
     addTexture(*command, action);
     addFurRoots(*command, action);
+    addFurStrands(*command, action);
     addExamples(*command, {{"fur texture -o out/fur", "maps of fur for shells"},
-                           {"fur roots bunny.glb -o out/fur/bunny_roots.dds", "strands on the mesh itself"}});
+                           {"fur roots bunny.glb -o out/fur/bunny_roots.dds", "strands on the mesh itself"},
+                           {"fur strands bunny.glb -o out/fur/bunny_strands.glb", "the same as ribbons, many times as fast"}});
 }
 
 } // namespace tegument::app

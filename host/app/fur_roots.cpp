@@ -4,11 +4,9 @@
 
 #include "host/app/command_line.h"
 #include "host/app/names.h"
-#include "host/app/output.h"
 #include "host/image/dds.h"
 #include "host/support/file.h"
 #include "meshprep/fur/roots/root_picture.h"
-#include "meshprep/fur/roots/root_texture.h"
 #include "meshprep/fur/roots/vertex_maps.h"
 
 #include <fmt/format.h>
@@ -22,28 +20,6 @@ namespace tegument::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct RootArguments {
-    RootOptions roots;
-    MeshOptions mesh;
-    std::string input;
-    std::string output = "out/fur/roots.dds";
-    std::string densityMap;
-    std::string lengthMap;
-    std::string directionMap;
-    std::string densityAttribute;
-    std::string lengthAttribute;
-    std::string directionAttribute;
-    std::string picture;
-    bool json = false;
-};
-
-struct Built {
-    Mesh mesh;
-    RootSet set;
-    RootTexture texture;
-    double readSeconds = 0;
-};
 
 Result<void> loadMaps(RootArguments& arguments) {
     const std::pair<const std::string*, std::optional<FurMap>*> maps[] = {{&arguments.densityMap, &arguments.roots.densityMap},
@@ -77,9 +53,11 @@ Result<void> readAttributes(RootArguments& arguments, const Mesh& mesh) {
     return {};
 }
 
-Result<Built> build(RootArguments& arguments, Progress& progress) {
+} // namespace
+
+Result<BuiltRoots> buildRoots(RootArguments& arguments, Progress& progress) {
     if (const auto loaded = loadMaps(arguments); !loaded) return loaded.error();
-    Built built;
+    BuiltRoots built;
     progress.say("reading the mesh");
     const auto start = std::chrono::steady_clock::now();
     auto mesh = loadMesh(arguments.input, arguments.mesh);
@@ -97,12 +75,14 @@ Result<Built> build(RootArguments& arguments, Progress& progress) {
     return built;
 }
 
-double buildSeconds(const Built& built) {
+namespace {
+
+double buildSeconds(const BuiltRoots& built) {
     const RootSet::Seconds& s = built.set.seconds;
     return s.surface + s.scatter + s.limits + s.strands + built.texture.seconds;
 }
 
-Json toJson(const Built& built, const RootArguments& arguments) {
+Json toJson(const BuiltRoots& built, const RootArguments& arguments) {
     const RootSet& set = built.set;
     const RootTexture& texture = built.texture;
     const RootSet::Seconds& s = set.seconds;
@@ -144,7 +124,7 @@ Json toJson(const Built& built, const RootArguments& arguments) {
               {"build", buildSeconds(built)}}}};
 }
 
-void printSummary(const Built& built, const RootArguments& arguments) {
+void printSummary(const BuiltRoots& built, const RootArguments& arguments) {
     const RootSet& set = built.set;
     const RootTexture& texture = built.texture;
     fmt::print("{} roots of {} wanted on {:.5g} mm^2, none nearer than {:.4g} mm\n", set.roots.size(), set.wanted, set.area, set.distance);
@@ -163,17 +143,13 @@ void printSummary(const Built& built, const RootArguments& arguments) {
 Result<void> checkFiles(const RootArguments& arguments) {
     if (const auto can = checkOutput(arguments.output, {".dds"}, "--picture draws the strands as PNG"); !can) return can.error();
     if (const auto can = checkOutput(arguments.picture, {".png"}); !can) return can.error();
-    if (const auto exists = fileExists(arguments.input, "the mesh"); !exists) return exists.error();
-    for (const std::string& map : {arguments.densityMap, arguments.lengthMap, arguments.directionMap})
-        if (!map.empty())
-            if (const auto exists = fileExists(map, "the map"); !exists) return exists.error();
-    return {};
+    return checkRootInputs(arguments);
 }
 
 int run(RootArguments& arguments) {
     if (const auto fine = checkFiles(arguments); !fine) return fail(fine.error(), arguments.json);
     Progress progress;
-    const auto built = build(arguments, progress);
+    const auto built = buildRoots(arguments, progress);
     progress.clear();
     if (!built) return fail(built.error(), arguments.json);
     const Json json = toJson(*built, arguments);
@@ -245,6 +221,21 @@ void addMaps(CLI::App& command, RootArguments& arguments) {
 
 } // namespace
 
+Result<void> checkRootInputs(const RootArguments& arguments) {
+    if (const auto exists = fileExists(arguments.input, "the mesh"); !exists) return exists.error();
+    for (const std::string& map : {arguments.densityMap, arguments.lengthMap, arguments.directionMap})
+        if (!map.empty())
+            if (const auto exists = fileExists(map, "the map"); !exists) return exists.error();
+    return {};
+}
+
+void addRootOptions(CLI::App& command, RootArguments& arguments) {
+    command.add_option("--unit-mm", arguments.mesh.unitMm, "Millimetres per unit of the mesh file");
+    addPlaces(command, arguments.roots);
+    addLooks(command, arguments.roots);
+    addMaps(command, arguments);
+}
+
 void addFurRoots(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<RootArguments>();
     CLI::App* command = fur.add_subcommand("roots", "Place roots of fur on a mesh, evenly by area, as a texture (docs/fur.md)");
@@ -252,10 +243,7 @@ void addFurRoots(CLI::App& fur, Action& action) {
     command->add_option("-o,--output", arguments->output, "DDS to write; a JSON file of the same name says what is in it")
         ->capture_default_str();
     command->add_option("--picture", arguments->picture, "PNG to draw the strands into, from the front, the right and above");
-    command->add_option("--unit-mm", arguments->mesh.unitMm, "Millimetres per unit of the mesh file");
-    addPlaces(*command, arguments->roots);
-    addLooks(*command, arguments->roots);
-    addMaps(*command, *arguments);
+    addRootOptions(*command, *arguments);
     command->add_flag("--json", arguments->json, "Print JSON");
     addExamples(*command, {{"fur roots bunny.glb -o out/fur/bunny_roots.dds", "as many as usual"},
                            {"fur roots bunny.glb --density 0.5 --picture out/strands.png", "by area, and look at them"},

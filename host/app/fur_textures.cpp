@@ -4,6 +4,7 @@
 #include "host/support/file.h"
 #include "meshprep/fur/cube_texture.h"
 #include "meshprep/fur/fur_map.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/fur/roots/root_texture.h"
 
 #include <fmt/format.h>
@@ -64,6 +65,9 @@ Result<DdsTexture> drawRoots(const Mesh& mesh) {
 
 Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say& say) {
     const bool roots = generator == kRoots;
+    if (roots && hasRibbons(mesh))
+        return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
+                          "tegument fur strands has written them beside the mesh: give that file");
     if (!roots && generator != kCubeMap && generator != kSphereMap)
         return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
                           fmt::format("the annotation Generator knows \"{}\", \"{}\" and \"{}\"", kCubeMap, kSphereMap, kRoots));
@@ -86,6 +90,10 @@ Result<void> check(const std::string& generator, const fs::path& file, const Mes
     if (generator != kRoots) return {};
     const auto texture = loadDds(file);
     if (!texture || texture->isCube()) return {};
+    if (const auto other = hasRibbons(mesh) ? whyNotItsRoots(mesh, texture->at(0, 0)) : std::nullopt)
+        return inputError(4061, {.file = file.string(), .byte = {}},
+                          fmt::format("the strands of {} were made from other roots: {}", mesh.name, *other),
+                          "give the roots that they were made from, or make both again: tegument fur strands MESH");
     const auto figures = figuresIn(texture->at(0, 0));
     if (!figures) return {};
     const auto why = whyNotSame(*figures, surfaceFigures(mesh));

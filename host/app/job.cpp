@@ -1,6 +1,7 @@
 #include "host/app/job.h"
 
 #include "host/app/command_line.h"
+#include "host/app/fur_strands.h"
 #include "host/app/fur_textures.h"
 #include "host/app/given_values.h"
 #include "host/app/names.h"
@@ -136,6 +137,10 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     if (!warnings) return warnings.error();
     job.warnings = std::move(*warnings);
     setFurMapParameters(job.effect, job.run, job.scene);
+    const auto say = [](const std::string& made) { fmt::print(stderr, "{}\n", made); };
+    const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
+                                                                 : std::filesystem::path(sceneOptions.mesh);
+    if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh, say); !grown) return grown.error();
     return job;
 }
 

@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 38> kAnnotations{{
+constexpr std::array<KnownAnnotation, 41> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -56,6 +56,9 @@ constexpr std::array<KnownAnnotation, 38> kAnnotations{{
     {"Usage", kText},
     {"Normalize", kNumber},
     {"Instances", kText},
+    {"Part", kText},
+    {"Reach", kText},
+    {"ReachScale", kNumber},
     {"Producer", kText},
     {"ColorSpace", kText},
     {"Metadata", kText},
@@ -225,10 +228,11 @@ private:
         }
     }
 
-    /// The name in `Instances` gets the spelling of its declaration, like those in scripts.
+    /// The names in `Instances` and `Reach` get the spelling of their declaration, like those in scripts.
     void instances(Pass& pass) {
         for (Annotation& annotation : pass.annotations.list)
-            if (auto* name = std::get_if<std::string>(&annotation.value); name != nullptr && equalsIgnoreCase(annotation.name, "Instances"))
+            if (auto* name = std::get_if<std::string>(&annotation.value);
+                name != nullptr && (equalsIgnoreCase(annotation.name, "Instances") || equalsIgnoreCase(annotation.name, "Reach")))
                 scalar(*name, annotation.at);
     }
 

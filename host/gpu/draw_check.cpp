@@ -144,7 +144,9 @@ Result<void> checkGeometry(const PipelineHandle& pipeline, const Draw& draw) {
     if (pipeline.vertexStride > 0 && !draw.vertices) return wrong("the draw has no vertex buffer");
     if (draw.vertices && draw.vertices->state->usage != BufferUsage::Vertex) return wrong("the vertex buffer was made for another use");
     if (draw.indices && draw.indices->state->usage != BufferUsage::Index) return wrong("the index buffer was made for another use");
-    const std::uint64_t end = std::uint64_t{draw.first} + draw.count;
+    std::uint64_t end = std::uint64_t{draw.first} + draw.count;
+    for (const DrawRange& range : draw.more)
+        end = std::max(end, std::uint64_t{range.first} + range.count);
     if (draw.indices && end * sizeof(std::uint32_t) > draw.indices->bytes())
         return wrong(fmt::format("the draw needs {} indices, and the buffer has {}", end, draw.indices->bytes() / sizeof(std::uint32_t)));
     if (!draw.indices && draw.vertices && end * pipeline.vertexStride > draw.vertices->bytes())

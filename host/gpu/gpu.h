@@ -150,6 +150,12 @@ struct Targets {
     Texture* depth = nullptr;
 };
 
+/// Of indices, or of vertices where a draw has no indices.
+struct DrawRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
 /// Clockwise or counter-clockwise as Direct3D sees it: the viewport is y-up like Direct3D's, depth 0..1.
 struct Draw {
     const Pipeline* pipeline = nullptr;
@@ -158,6 +164,7 @@ struct Draw {
     const Buffer* indices = nullptr; // 32-bit; null: `count` vertices
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    std::vector<DrawRange> more; // drawn after that, in order
     std::uint32_t instances = 1;
 };
 

@@ -46,12 +46,16 @@ void recordDraw(RecorderState& recorder, const PipelineHandle& pipeline, const D
     const vk::raii::CommandBuffer& commands = recorder.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.pipeline);
     if (draw.vertices) commands.bindVertexBuffers(0, *draw.vertices->state->buffer, vk::DeviceSize{0});
-    if (draw.indices) {
-        commands.bindIndexBuffer(*draw.indices->state->buffer, 0, vk::IndexType::eUint32);
-        commands.drawIndexed(draw.count, draw.instances, draw.first, 0, 0);
-    } else {
-        commands.draw(draw.count, draw.instances, draw.first, 0);
-    }
+    if (draw.indices) commands.bindIndexBuffer(*draw.indices->state->buffer, 0, vk::IndexType::eUint32);
+    const auto record = [&](std::uint32_t first, std::uint32_t count) {
+        if (draw.indices)
+            commands.drawIndexed(count, draw.instances, first, 0, 0);
+        else
+            commands.draw(count, draw.instances, first, 0);
+    };
+    record(draw.first, draw.count);
+    for (const DrawRange& range : draw.more)
+        record(range.first, range.count);
 }
 
 Result<void> drawChecked(RecorderState& recorder, const Targets& targets, const Draw& draw) {

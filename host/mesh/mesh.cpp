@@ -142,6 +142,8 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
         if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
     if (auto error = checkUvs(mesh, source, options)) return *error;
     finishFrames(mesh, source);
+    for (MeshPart& part : mesh.parts)
+        computeClusters(mesh, part);
     return mesh;
 }
 

@@ -14,12 +14,32 @@
 
 namespace tegument {
 
+/// Triangles of a part that lie near each other and look one way: what a host can leave out together. Lengths in mm.
+struct MeshCluster {
+    std::uint32_t firstIndex = 0; // from the part's first one on
+    std::uint32_t indexCount = 0;
+    glm::vec3 centre{0}; // of a ball that holds its vertices
+    float radius = 0;
+    glm::vec3 axis{0, 0, 1}; // unit; no normal of its vertices is further from it than the angle
+    float cosine = -1;       // of this cosine
+};
+
 /// A run of triangles that shares a material or a group name.
 struct MeshPart {
     std::string name;
     std::uint32_t firstIndex = 0;
     std::uint32_t indexCount = 0;
+    std::vector<MeshCluster> clusters{}; // in order, without gaps; or none
 };
+
+/// The part whose triangles are ribbons of fur (docs/strands.md). Their vertices stand on their roots, so that whoever does not bend them
+/// draws nothing; their texture coordinates are none.
+inline constexpr const char* kStrandsPart = "strands";
+/// The same ribbons, of fewer segments: for what is short or far.
+inline constexpr const char* kUnderfurPart = "underfur";
+[[nodiscard]] inline bool isRibbons(const MeshPart& part) {
+    return part.name == kStrandsPart || part.name == kUnderfurPart;
+}
 
 struct Bounds {
     glm::vec3 minimum{0};
@@ -77,6 +97,8 @@ void computeNormals(Mesh& mesh);
 /// Fills `tangents` by the MikkTSpace convention, also across mirrored charts; may split vertices.
 void computeTangents(Mesh& mesh);
 void computeBounds(Mesh& mesh);
+/// Fills ball and cone of each cluster of the part from the vertices of its triangles; normals must be there.
+void computeClusters(const Mesh& mesh, MeshPart& part);
 
 /// Shares of the total UV area: overlapping another triangle, and outside [0,1].
 struct UvReport {

@@ -326,6 +326,22 @@ private:
         mesh_.parts.push_back({.name = name.empty() ? meshName : name,
                                .firstIndex = first,
                                .indexCount = static_cast<std::uint32_t>(mesh_.indices.size()) - first});
+        return readClusters(primitive["extras"]["tegument"], mesh_.parts.back());
+    }
+
+    /// Of our own files (write_glb.cpp): how many indices each has. Their balls and cones are made anew, in whatever place the mesh has.
+    static std::optional<Error> readClusters(const GltfValue& extras, MeshPart& part) {
+        if (!extras.has("clusters")) return std::nullopt;
+        const GltfValue list = extras["clusters"];
+        std::uint32_t next = 0;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const auto count = list[i].whole("indices", std::size_t{part.indexCount} - next + 1, {});
+            if (!count) return count.error();
+            if (*count == 0 || *count % 3 != 0) return list[i].wrong(fmt::format("has {} indices: no whole triangles", *count));
+            part.clusters.push_back({.firstIndex = next, .indexCount = static_cast<std::uint32_t>(*count)});
+            next += static_cast<std::uint32_t>(*count);
+        }
+        if (next != part.indexCount) return list.wrong(fmt::format("has {} of the primitive's {} indices", next, part.indexCount));
         return std::nullopt;
     }
 

@@ -22,14 +22,16 @@ std::size_t keepTriangles(Mesh& mesh, Keep keep) {
     std::vector<MeshPart> parts;
     for (const MeshPart& part : mesh.parts) {
         const std::size_t first = to;
-        for (std::size_t i = part.firstIndex; i < std::size_t{part.firstIndex} + part.indexCount; i += 3) {
+        const auto last = std::size_t{part.firstIndex} + part.indexCount;
+        for (std::size_t i = part.firstIndex; i < last; i += 3) {
             if (!keep(std::span<const std::uint32_t, 3>(&mesh.indices[i], 3), i / 3)) continue;
             std::copy_n(&mesh.indices[i], 3, &mesh.indices[to]);
             to += 3;
         }
-        if (to > first)
-            parts.push_back(
-                {.name = part.name, .firstIndex = static_cast<std::uint32_t>(first), .indexCount = static_cast<std::uint32_t>(to - first)});
+        if (to == first) continue;
+        parts.push_back(
+            {.name = part.name, .firstIndex = static_cast<std::uint32_t>(first), .indexCount = static_cast<std::uint32_t>(to - first)});
+        if (to - first == part.indexCount) parts.back().clusters = part.clusters; // they say which triangles are theirs
     }
     const std::size_t dropped = (mesh.indices.size() - to) / 3;
     mesh.indices.resize(to);

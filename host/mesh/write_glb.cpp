@@ -200,10 +200,23 @@ private:
             const Range range = rangeOf(own);
             if (shared_.is_null() || options_.partsOwnVertices) shared_ = accessorsFor(range);
             primitives.push_back({{"attributes", shared_}, {"indices", addIndices(own, range)}, {"extras", {{"name", part.name}}}});
+            if (!part.clusters.empty()) primitives.back()["extras"]["tegument"]["clusters"] = clustersOf(part);
             if (!mesh_.textures.empty()) primitives.back()["material"] = 0;
         }
         json_["meshes"].push_back(
             {{"name", mesh_.name}, {"primitives", std::move(primitives)}, {"extras", {{"tegument", extras(errorMm)}}}});
+    }
+
+    /// Ball and cone are for who reads the file elsewhere: read_gltf.cpp makes them anew.
+    static Json clustersOf(const MeshPart& part) {
+        Json clusters = Json::array();
+        for (const MeshCluster& c : part.clusters)
+            clusters.push_back({{"indices", c.indexCount},
+                                {"centre", list(c.centre)},
+                                {"radius", c.radius},
+                                {"axis", list(c.axis)},
+                                {"cosine", c.cosine}});
+        return clusters;
     }
 
     [[nodiscard]] Json extras(double errorMm) const {

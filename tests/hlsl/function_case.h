@@ -126,6 +126,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> cullCases();
 [[nodiscard]] std::vector<FunctionCase> furCases();
 [[nodiscard]] std::vector<FunctionCase> furRootsCases();
+[[nodiscard]] std::vector<FunctionCase> furRibbonCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -95,3 +95,59 @@ TEST_F(RoundTrip, a_folder_that_cannot_be_written_is_the_machines_fault) {
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().blame, Blame::Machine);
 }
+
+TEST_F(RoundTrip, clusters_of_a_part_return_and_know_where_they_are) {
+    Mesh mesh = sheet();
+    mesh.parts[1].clusters = {{.firstIndex = 0, .indexCount = 99}, {.firstIndex = 99, .indexCount = mesh.parts[1].indexCount - 99}};
+    computeClusters(mesh, mesh.parts[1]);
+    ASSERT_TRUE(writeGlb(folder_ / "a.glb", mesh));
+    const auto read = loadMesh(folder_ / "a.glb");
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_TRUE(read->parts[0].clusters.empty());
+    ASSERT_EQ(read->parts[1].clusters.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const MeshCluster& written = mesh.parts[1].clusters[i];
+        const MeshCluster& found = read->parts[1].clusters[i];
+        EXPECT_EQ(found.firstIndex, written.firstIndex);
+        EXPECT_EQ(found.indexCount, written.indexCount);
+        EXPECT_EQ(found.centre, written.centre);
+        EXPECT_EQ(found.radius, written.radius);
+        EXPECT_EQ(found.axis, written.axis);
+        EXPECT_EQ(found.cosine, written.cosine);
+    }
+}
+
+// The file's own balls and cones are for other readers: wrong ones would make ours leave out what can be seen.
+TEST_F(RoundTrip, balls_of_clusters_are_not_believed) {
+    Mesh mesh = sheet();
+    mesh.parts[0].clusters = {{.firstIndex = 0, .indexCount = 300, .centre = {900, 0, 0}, .radius = 0.1F, .cosine = 1}};
+    ASSERT_TRUE(writeGlb(folder_ / "a.glb", mesh));
+    const auto read = loadMesh(folder_ / "a.glb");
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_LT(glm::length(read->parts[0].clusters[0].centre), 300);
+    EXPECT_GT(read->parts[0].clusters[0].radius, 50);
+}
+
+TEST_F(RoundTrip, clusters_that_do_not_fill_their_part_are_refused) {
+    const std::vector<std::vector<std::uint32_t>> wrong = {{299}, {297}, {150, 153}, {0, 300}, {600}, {300, 3}};
+    for (const auto& counts : wrong) {
+        Mesh mesh = sheet();
+        for (const std::uint32_t count : counts)
+            mesh.parts[0].clusters.push_back({.indexCount = count});
+        ASSERT_TRUE(writeGlb(folder_ / "a.glb", mesh));
+        const auto read = loadMesh(folder_ / "a.glb");
+        ASSERT_FALSE(read) << counts.front();
+        EXPECT_EQ(read.error().diagnostics.front().code, 5302) << format(read.error());
+        EXPECT_NE(format(read.error()).find("clusters"), std::string::npos) << format(read.error());
+    }
+}
+
+TEST_F(RoundTrip, ribbons_are_no_overlap_of_texture_coordinates) {
+    Mesh mesh = sheet();
+    const std::vector<std::uint32_t> again(mesh.indices.begin(), mesh.indices.begin() + 300);
+    mesh.parts.push_back({.name = "more", .firstIndex = static_cast<std::uint32_t>(mesh.indices.size()), .indexCount = 300});
+    mesh.indices.insert(mesh.indices.end(), again.begin(), again.end());
+    EXPECT_GT(examineUvs(mesh).overlapping, 0.1);
+    mesh.parts.back().name = kStrandsPart;
+    EXPECT_LT(examineUvs(mesh).overlapping, 0.1);
+}

@@ -18,10 +18,13 @@ void splitMeshDraws(run::Frame& frame, const gpu::Buffer* mesh) {
         }
         run::FrameDraw rest{.name = whole->name, .object = whole->object, .targets = whole->targets, .draw = whole->draw, .blocks = {}};
         const std::uint32_t triangles = whole->draw.count / 3;
-        rest.draw.first = 3 * (triangles / 3); // not in the middle: a mirror's plane may lie there
-        rest.draw.count -= rest.draw.first;
+        const std::uint32_t kept = 3 * (triangles / 3); // not in the middle: a mirror's plane may lie there
+        rest.draw.first += kept;
+        rest.draw.count -= kept;
         frame.items.push_back(std::move(item)); // its blocks stay where they are: `rest` reads them too
-        std::get<run::FrameDraw>(frame.items.back()).draw.count = rest.draw.first;
+        auto& begun = std::get<run::FrameDraw>(frame.items.back()).draw;
+        begun.count = kept;
+        begun.more.clear();
         frame.items.emplace_back(std::move(rest));
     }
 }

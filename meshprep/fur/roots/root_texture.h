@@ -35,6 +35,18 @@ struct RootTexture {
 [[nodiscard]] glm::vec4 coatAround(const Image& image, const glm::vec3& point);
 /// Of the mesh that the roots were made for; nothing in files of earlier versions, and in pictures that hold no roots.
 [[nodiscard]] std::optional<SurfaceFigures> figuresIn(const Image& image);
+/// What the first row says of all roots.
+struct RootHeader {
+    std::size_t count = 0;
+    std::size_t firstRoot = 0; // address
+    double density = 0;        // full, roots per mm^2
+    glm::dvec3 centre{0};      // of the mesh's ball, mm
+    double ballRadius = 0;
+
+    [[nodiscard]] std::size_t addressOf(std::size_t number) const;
+};
+/// Nothing where the picture holds no roots, or fewer than it says.
+[[nodiscard]] std::optional<RootHeader> rootHeader(const Image& image);
 /// The root with this number, as its texels say.
 [[nodiscard]] Root rootAt(const Image& image, std::size_t number);
 

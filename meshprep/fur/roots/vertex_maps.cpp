@@ -78,11 +78,33 @@ Result<FurMap> readVertexShares(const std::filesystem::path& path, const std::st
     return FurMap(atVertices(mesh, *values));
 }
 
+namespace {
+
+Result<std::vector<std::string>> threeOf(const std::string& list, const char* what) {
+    std::vector<std::string> names = split(list);
+    if (names.size() == 3) return names;
+    return usageError(7103, fmt::format("'{}' names {} properties for a {}", list, names.size(), what),
+                      "name three with commas between, as nx,ny,nz or red,green,blue");
+}
+
+} // namespace
+
+Result<FurMap> readVertexColors(const std::filesystem::path& path, const std::string& list, const Mesh& mesh) {
+    const auto names = threeOf(list, "colour");
+    if (!names) return names.error();
+    auto values = checkedValues(path, *names, mesh, true);
+    if (!values) return values.error();
+    for (std::size_t k = 0; k < names->size(); ++k)
+        if (values->whole[k])
+            for (double& value : values->values[k])
+                value = static_cast<double>(srgbToLinear(static_cast<float>(value)));
+    return FurMap(atVertices(mesh, *values));
+}
+
 Result<FurMap> readVertexDirections(const std::filesystem::path& path, const std::string& list, const Mesh& mesh) {
-    const std::vector<std::string> names = split(list);
-    if (names.size() != 3)
-        return usageError(7103, fmt::format("'{}' names {} properties for a direction", list, names.size()),
-                          "name three with commas between, as nx,ny,nz or red,green,blue");
+    const auto three = threeOf(list, "direction");
+    if (!three) return three.error();
+    const std::vector<std::string>& names = *three;
     auto values = checkedValues(path, names, mesh, false);
     if (!values) return values.error();
     for (std::size_t k = 0; k < names.size(); ++k)

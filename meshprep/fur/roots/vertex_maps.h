@@ -13,4 +13,7 @@ namespace tegument {
 /// colours are, hold it as maps do: the middle is 0; others are its coordinates. TG7108 for a value that is not finite.
 [[nodiscard]] Result<FurMap> readVertexDirections(const std::filesystem::path& path, const std::string& names, const Mesh& mesh);
 
+/// Three properties as a colour, 0..1: whole numbers are sRGB, as every scanner and painter writes them; others linear. TG7108 as above.
+[[nodiscard]] Result<FurMap> readVertexColors(const std::filesystem::path& path, const std::string& names, const Mesh& mesh);
+
 } // namespace tegument

@@ -1,0 +1,45 @@
+// FurCoat: fur as strands, each a ribbon that faces the eye. Techniques Strands and StrandsSoft draw the very strands of FurRoots'
+// technique Roots; Coat and CoatSoft a coat of locks, with underfur, guard hairs and a deep shadow. The mesh has the parts "strands" and
+// "underfur": tegument fur strands makes them (docs/modules/FurCoat.md).
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/fur.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
+#include "passes/shadow_map.fxh"
+#include "passes/fur_parameters.fxh"
+#include "passes/fur_roots_parameters.fxh"
+#include "passes/fur_ribbon_parameters.fxh"
+#include "passes/fur_roots_texture.fxh"
+#include "passes/fur_rounds.fxh"
+#include "passes/fur_coat.fxh"
+#include "passes/fur_ribbons.fxh"
+#include "passes/fur_root_strands.fxh"
+#include "passes/fur_lock_parameters.fxh"
+#include "passes/fur_opacity.fxh"
+#include "passes/fur_locks.fxh"
+
+float Script : STANDARDSGLOBAL < STARTS_WITH("CoatSoft") string Workspace = "bunny_roots.json"; > = 0.8;
+
+#ifdef FX_TECHNIQUES
+// Opaque cores, then blended edges; Soft: cores blended, too.
+technique Strands < string Script = STRANDS_SCRIPT; >
+{
+    STRANDS_PASSES(RibbonCorePS, RibbonFringePS, TG_STATE_TWOSIDED)
+}
+
+technique StrandsSoft < string Script = STRANDS_SCRIPT; >
+{
+    STRANDS_PASSES(RibbonSoftCorePS, RibbonSoftFringePS, TG_STATE_STRAND)
+}
+
+technique Coat < string Script = COAT_SCRIPT; >
+{
+    COAT_PASSES(RibbonCorePS, RibbonFringePS, TG_STATE_TWOSIDED)
+}
+
+technique CoatSoft < string Script = COAT_SCRIPT; >
+{
+    COAT_PASSES(RibbonSoftCorePS, RibbonSoftFringePS, TG_STATE_STRAND)
+}
+#endif

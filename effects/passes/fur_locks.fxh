@@ -1,0 +1,309 @@
+// Technique Coat: each root is a lock. Its strands stand around it and come together towards its tip; short, dense underfur below them,
+// guard hairs above. They lie along the flow that the strands' vertices bring (TANGENT: its part across the normal).
+#ifndef TEGUMENT_PASSES_FUR_LOCKS_FXH
+#define TEGUMENT_PASSES_FUR_LOCKS_FXH
+
+static const float kLockHorizon = -0.55;  // least cosine of a root's normal and the way to the eye: what looks further away is hidden
+static const float kLockSink = 0.15;      // spacings that roots stand below the skin
+static const float3 kLockWaves = float3(1.25, 2.6, 13.0); // a coat's waves in a mesh's radius
+static const float kLockFade = 8.0;     // one in so many of the strands that are drawn is narrower than it should be
+static const float kLockOfUnderfur = 64.0; // noise of its own: number of its first strand
+
+// Numbers in (0, 1) of a strand of a lock.
+float3 lockNoise(float address, float child)
+{
+    float row = floor(address / kTgRibbonColumns);
+    return tgFurUnit(tgFurMixed(float3(address - kTgRibbonColumns * row, row, 37.0 * child + 11.0)));
+}
+
+// Waves of the coat across the mesh. place: radii from its centre.
+float3 lockWaves(float3 place)
+{
+    float3 wave = tgFurWave(kLockWaves.x * place.zxy);
+    return tgFurWave(kLockWaves.y * place.yzx + 0.3 + 0.35 * wave) + 0.5 * tgFurWave(kLockWaves.z * place.zxy + 0.1 + 0.5 * wave);
+}
+
+// A strand of a lock; lengths in world units, along the mesh's axes.
+struct LockStrand
+{
+    float3 normal;
+    float3 flow;    // across it: how far the tip lies along the skin, lengths
+    float3 offset;  // of its root from the lock's, across
+    float3 base;    // and how far it stands below the skin
+    float3 stray;   // of its tip
+    float3 side;    // of its turns, radius at the tip, and across
+    float3 across;
+    float height;   // its length
+    float sink;     // how much lower the tip is for it
+    float clump;
+    float turns;
+    float phase;
+};
+
+// What a vertex knows of its strand.
+struct LockLooks
+{
+    LockStrand strand;
+    float3 random;
+    float3 more;
+    float3 lock;   // noise of the lock
+    float3 waves;
+    float guard;   // 1: a guard hair
+};
+
+// A place on a strand.
+struct LockPlace
+{
+    float3 offset;  // from the lock's root
+    float3 tangent; // unit
+};
+
+LockPlace lockPlace(LockStrand s, float along)
+{
+    float2 bent = along * float2(0.4 + 0.6 * along, 1.0 - s.sink * along); // along the flow, and up
+    float2 bending = float2(0.4 + 1.2 * along, 1.0 - 2.0 * s.sink * along);
+    float2 apart = float2(1.0 - s.clump * along * along * (3.0 - 2.0 * along), -6.0 * s.clump * along * (1.0 - along));
+    float2 turn = tgFurWave(s.turns * along + s.phase + float3(0.0, 0.75, 0.5)).xy; // as cosine and sine, turned by its angle below
+    float2 turning = turn + (2.0 * kTgPi * s.turns * along) * float2(-turn.y, turn.x);
+    LockPlace place;
+    place.offset = s.height * (s.normal * bent.y + s.flow * bent.x) + s.offset * apart.x + s.stray * (along * along)
+        + along * (turn.x * s.side + turn.y * s.across) - s.base;
+    place.tangent = tgFurAlong(s.height * (s.normal * bending.y + s.flow * bending.x) + s.offset * apart.y + s.stray * (2.0 * along)
+        + turning.x * s.side + turning.y * s.across);
+    return place;
+}
+
+// under: 1 underfur.
+LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float4 ball, float rows, float child, float under)
+{
+    float2 texel = tgFurTexel(input.uv.y, rows);
+    float4 up = furRootTexel(texel, 1.0);
+    float spacing = rsqrt(max(furRootsHeader(3.0).w, 1e-10)) * frame.perMm;
+    LockLooks looks;
+    looks.random = lockNoise(input.uv.y, child);
+    looks.more = frac(looks.random.zxy * 13.37 + looks.random.yzx * 7.91);
+    looks.lock = frac(furRootTexel(texel, 2.0).w * float3(1.0, 256.0, 65536.0));
+    looks.waves = lockWaves((furPlace(input)) / gMeshRadius);
+    looks.guard = (1.0 - under) * step(looks.random.z, gCoatGuard);
+    LockStrand s;
+    s.normal = input.normal;
+    float3 aside = tgSafeNormalize(cross(s.normal, abs(s.normal.y) < 0.9 ? float3(0.0, 1.0, 0.0) : float3(1.0, 0.0, 0.0)));
+    float3 across = cross(s.normal, aside);
+    float2 around = tgFurWave(looks.random.x + float3(0.0, 0.75, 0.5)).xy; // nearly a circle
+    float away = sqrt(looks.random.y) * gCoatSpread * spacing;
+    s.offset = away * (around.x * aside + around.y * across);
+    s.base = kLockSink * spacing * s.normal;
+    float thickness = coatThickness();
+    float share = max(min(length(up.xyz), up.w * frame.perMm / thickness), 0.05) * (1.0 - gCoatShort * ribbon.shortness);
+    s.height = thickness * share
+        * (under > 0.5 ? gCoatUnderLength * (0.85 + 0.3 * looks.more.x) : 0.75 + 0.3 * looks.more.x + 0.35 * looks.guard);
+    float3 combed = input.tangent.xyz - s.normal * dot(input.tangent.xyz, s.normal);
+    float3 flow = combed + gCoatWaves * 0.5 * looks.waves + gCoatLocks * (looks.lock - 0.5);
+    flow -= s.normal * dot(flow, s.normal);
+    float lie = gCoatLean * (0.7 + 0.15 * looks.waves.z + 0.5 * looks.lock.z) * (1.0 - 0.25 * under);
+    s.flow = flow * (1.25 * lie * rsqrt(1.0 + dot(flow, flow)));
+    s.sink = 0.38 * min(lie, 1.4);
+    s.clump = gCoatClump * (0.5 + 0.5 * looks.lock.x) * (1.0 - 0.5 * max(looks.guard, under));
+    float3 stray = looks.more - 0.5;
+    s.stray = (stray - s.normal * dot(stray, s.normal)) * (s.height * gCoatStray * (1.0 + under));
+    float curl = gCoatCurl * s.height * (1.0 + under);
+    s.side = curl * aside;
+    s.across = curl * across;
+    s.turns = gCoatTurns * (0.7 + 0.6 * looks.more.y);
+    s.phase = looks.random.x;
+    looks.strand = s;
+    return looks;
+}
+
+// Which strands are drawn, and how wide: so many as stay gCoatThin pixels wide, wider than they are. What comes next as one goes away is
+// narrower already, so that none appears or vanishes at once.
+struct LockShare
+{
+    float share;
+    float rank;
+    float width;
+};
+
+// pixel: across it, at the strand.
+LockShare lockShare(VertexInput input, float child, float pixel)
+{
+    LockShare s;
+    s.share = gFurShare * saturate(2.0 * gCoatRadius * gMeshRadius / (gCoatThin * pixel));
+    s.rank = frac(tgRibbonRank(input.uv.y) + 0.6180340 * child);
+    s.width = saturate(kLockFade * (s.share - s.rank) / s.share) * (kLockFade / (kLockFade - 0.5)) / s.share;
+    return s;
+}
+
+// Half of a strand's width: even to two thirds of its length, then a point.
+float lockRadius(LockLooks looks, float along, float under)
+{
+    float radius = gCoatRadius * gMeshRadius * (0.75 + 0.5 * looks.more.y) * (1.0 + 0.3 * looks.guard - 0.25 * under);
+    return radius * (1.0 - along * along * along);
+}
+
+float3 lockAlbedo(LockLooks looks, TgRibbon ribbon, float along, float below, float under)
+{
+    float belly = gCoatBelly * saturate(1.6 * (below - 0.25) + 0.2 * looks.waves.y);
+    float patches = saturate(0.5 + 0.8 * looks.waves.x);
+    float3 tip = lerp(gCoatTipColor, 1.2 * gCoatMidColor, 0.5 * patches);
+    tip = lerp(tip, gCoatGuardColor, looks.guard * (1.0 - belly));
+    float3 albedo = lerp(gCoatRootColor, lerp(gCoatMidColor, 0.75 * gCoatBellyColor, belly), saturate(1.8 * along));
+    albedo = lerp(albedo, lerp(tip, gCoatBellyColor, belly), saturate(2.2 * along - 1.0));
+    albedo = lerp(albedo, lerp(gCoatUnderColor, 0.6 * gCoatBellyColor, belly), 0.7 * under);
+    albedo = lerp(albedo, ribbon.color * (0.35 + 0.65 * along), gCoatPainted);
+    albedo *= lerp(1.0, gCoatShortColor, ribbon.shortness);
+    float2 tint = 1.0 + gCoatVariation * (float2(looks.more.x, looks.lock.y) - 0.5);
+    return albedo * (tint.x * tint.y) * (1.0 + 0.2 * gCoatVariation * (looks.random.z - 0.5) * float3(0.0, 0.5, 1.0));
+}
+
+// A point of a strand, for light. Unit vectors along the mesh's axes.
+struct LockPoint
+{
+    float3 normal;  // of the coat
+    float3 tangent;
+    float3 toEye;
+    float3 albedo;
+    float along;
+    float height;   // in the coat, 0 skin, 1 tips
+    float shift;    // of the highlights, of this strand
+};
+
+// One light of this direction and colour; open: share of it that comes here. Several lights are a sum of these. Underfur is dull.
+float3 lockLight(LockPoint p, float3 toLight, float3 color, float open, float under)
+{
+    float cosine = dot(p.normal, toLight);
+    float wrap = saturate((cosine + gCoatWrap) / (1.0 + gCoatWrap)); // light that has wandered through the coat reaches beyond the horizon
+    float3 diffuse = p.albedo * (tgFurSine(dot(p.tangent, toLight)) * lerp(1.0, wrap, 0.8));
+    if (under > 0.5)
+        return color * open * diffuse;
+    float2 lobes = tgFurHighlights(p.tangent, p.normal, toLight, p.toEye, float2(-0.1 - p.shift, 0.2 - p.shift), float2(gCoatShineExponent, gCoatSheenExponent));
+    float3 shine = (gCoatShine * lobes.x + gCoatSheen * lobes.y * p.albedo) * (wrap * (0.25 + 0.75 * p.along));
+    float against = saturate(-dot(p.toEye, toLight));
+    float through = gCoatThrough * against * against * against * against;
+    return color * open * (diffuse + shine + through * p.albedo);
+}
+
+// Light from all sides: of the sky and the ground, less what the coat around hides. up: unit. open: as above.
+float3 lockSurroundings(LockPoint p, float3 up)
+{
+    float3 shaded = tgSafeNormalize(p.normal + 0.4 * p.tangent);
+    float gap = lerp(0.2, 1.0, saturate(1.1 * p.height)) * lerp(0.55, 1.0, saturate(1.4 * p.along));
+    return p.albedo * lerp(gCoatGround, gCoatSky, 0.5 + 0.5 * dot(shaded, up)) * (gap * gap);
+}
+
+// Of a light behind, seen where the coat turns away: light that only thin fur stops.
+float3 lockRim(LockPoint p, float3 from)
+{
+    float behind = saturate(0.9 * dot(p.normal, from) + 0.25);
+    float edge = 1.0 - saturate(dot(p.normal, p.toEye));
+    return gCoatRim * (0.05 + p.albedo) * (tgFurSine(dot(p.tangent, from)) * behind * behind * edge * p.along);
+}
+
+float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
+{
+    float3 up = -strandsAxes(gFurDown, input);
+    LockPoint p;
+    p.normal = looks.strand.normal;
+    p.tangent = tangent;
+    p.toEye = tgSafeNormalize(frame.toEye - offset);
+    p.along = ribbon.along;
+    p.height = saturate(dot(offset, p.normal) / (0.8 * coatThickness() * (1.0 - gCoatShort * ribbon.shortness)));
+    p.albedo = lockAlbedo(looks, ribbon, ribbon.along, -dot(p.normal, up), under);
+    p.shift = 0.12 * (looks.more.y - 0.5);
+    float open = coatOpen(ribbonWorld(frame, offset, input));
+    float3 color = lockLight(p, tgSafeNormalize(frame.toLight - offset), gLightColor, open, under) + lockSurroundings(p, up);
+    if (under < 0.5)
+        color += lockRim(p, tgSafeNormalize(strandsAxes(gCoatRimFrom, input)));
+    return color;
+}
+
+// Roots that look away by more than a strand reaches over the horizon are left out before anything is read.
+bool lockSeen(VertexInput input, RibbonFrame frame)
+{
+    return dot(input.normal, frame.toEye) > kLockHorizon * length(frame.toEye);
+}
+
+RibbonVarying lockVarying(VertexInput input, float child, float under)
+{
+    RibbonVarying output = ribbonNowhere();
+    float4 ball = furRootsHeader(4.0);
+    RibbonFrame frame = ribbonFrame(input, ball);
+    LockShare share = lockShare(input, child, ribbonPixel() * length(frame.toEye));
+    [branch] if (ribbonDrawn(input, share.rank, share.share) && lockSeen(input, frame))
+    {
+        TgRibbon ribbon = tgRibbon(input.uv.x);
+        LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, child + kLockOfUnderfur * under, under);
+        LockPlace place = lockPlace(looks.strand, ribbon.along);
+        float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
+        float radius = share.width * lockRadius(looks, ribbon.along, under);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
+    }
+    return output;
+}
+
+RibbonVarying LocksVS(TG_LAYER_INPUT(VertexInput, input))
+{
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0);
+}
+
+RibbonVarying UnderfurVS(TG_LAYER_INPUT(VertexInput, input))
+{
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0);
+}
+
+// From the light: the strands that throw shadows, as opaque as all of their lock.
+OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
+{
+    OpacityVarying output;
+    output.position = float4(2.0, 2.0, 2.0, 1.0);
+    output.edge = 0.0;
+    output.place = float4(0.0, 0.0, 1.0, 0.0);
+    float4 ball = furRootsHeader(4.0);
+    RibbonFrame frame = ribbonFrame(input, ball);
+    float pixel = tgShadowFootprint(mul(float4(frame.world, 1.0), gLightViewProjection).w, tgLightSpread()) / tgMillimetres(1.0);
+    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), pixel);
+    [branch] if (ribbonDrawn(input, share.rank, share.share))
+    {
+        TgRibbon ribbon = tgRibbon(input.uv.x);
+        LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, TG_LAYER_INDEX(gFurChild), 0.0);
+        LockPlace place = lockPlace(looks.strand, ribbon.along);
+        float3 aside = tgSafeNormalize(cross(place.tangent, frame.toLight - place.offset));
+        float3 world = ribbonWorld(frame, place.offset, input);
+        float radius = share.width * lockRadius(looks, ribbon.along, 0.0);
+        float2 width = tgRibbonWidth(radius, pixel);
+        float drawn = (width.x + gFurEdge * pixel) * input.tangent.w;
+        float4 lightClip = mul(float4(ribbonWorld(frame, place.offset + drawn * aside, input), 1.0), gLightViewProjection);
+        output.position = TG_HALF_PIXEL(lightClip, gViewportSize);
+        output.edge = float3(drawn / pixel, width.x / pixel, width.y * (gCoatChildren + 0.3 * gCoatUnderfur) / gCoatShadowStrands);
+        output.place = float4(lightClip.xyw, furFromLight(world));
+    }
+    return output;
+}
+
+// The opaque layer below, up to gCoatUndercoat.
+FurVarying UndercoatVS(VertexInput input)
+{
+    return furVarying(input, float2(gCoatUndercoat * (1.0 - gCoatShort), 1.0), kFurNear);
+}
+
+float4 UndercoatPS(FurVarying input) : SV_Target0
+{
+    float3 normal = tgWorldNormal(input.normal);
+    float cosine = dot(normal, gFurDown);
+    float3 albedo = lerp(gCoatRootColor, 0.4 * gCoatBellyColor, gCoatBelly * saturate(1.6 * (cosine - 0.25)));
+    float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world);
+    float3 around = lerp(gCoatSky, gCoatGround, 0.5 + 0.5 * cosine);
+    return float4(albedo * (gLightColor * (0.5 * lit) + 0.12 * around), 1.0);
+}
+
+#define COAT_SCRIPT OPACITY_SCRIPT \
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
+    TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
+    TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
+#define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
+    TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
+    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatUnderfur", UnderfurVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+
+#endif

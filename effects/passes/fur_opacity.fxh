@@ -1,0 +1,105 @@
+// Passes CoatSkin, CoatFront and Opacity: the shadow of strands on strands, by a deep opacity map (C. Yuksel and J. Keyser, Deep Opacity
+// Maps, 2008): where light enters the coat, and how much of it strands take, from there to four depths. The front is the skin moved out by the coat's
+// length: smooth, where strands' own first hits are not.
+#ifndef TEGUMENT_PASSES_FUR_OPACITY_FXH
+#define TEGUMENT_PASSES_FUR_OPACITY_FXH
+
+Texture2D gCoatSkinMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
+Texture2D gCoatFrontMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
+Texture2D gCoatOpacityMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
+TG_SAMPLER2D(gCoatSkin, POINT, CLAMP);
+TG_SAMPLER2D(gCoatFront, POINT, CLAMP);
+TG_SAMPLER2D(gCoatOpacity, LINEAR, CLAMP);
+
+// Where the layers end, in thicknesses of the coat; what is deeper than the last counts for it.
+static const float4 kCoatLayers = float4(0.25, 0.6, 1.2, 2.4);
+static const float kCoatOwn = 0.05;     // a strand does not shadow itself: that many thicknesses before it
+static const float kCoatSkinSoft = 0.5; // across which the shadow of the skin begins, thicknesses
+
+#define OPACITY_SCRIPT \
+    "RenderColorTarget0=gCoatSkinMap; RenderDepthStencilTarget=gShadowDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=CoatSkin;" \
+    "RenderColorTarget0=gCoatFrontMap; Clear=Color; Clear=Depth; Pass=CoatFront;" \
+    "RenderColorTarget0=gCoatOpacityMap; RenderDepthStencilTarget=; Clear=Color;" \
+    TG_LAYER_SCRIPT("gCoatShadowStrands", "gFurChild", "Opacity")
+#define OPACITY_PASSES \
+    TG_PART_PASS(CoatSkin, "skin", CoatSkinVS, CoatFrontPS, TG_STATE_TWOSIDED) \
+    TG_PART_PASS(CoatFront, "skin", CoatFrontVS, CoatFrontPS, TG_STATE_TWOSIDED) \
+    TG_PART_LAYER_PASS(Opacity, "underfur", "gCoatShadowStrands", OpacityVS, OpacityPS, TG_STATE_SUM)
+
+float coatThickness()
+{
+    return gFurLength * gMeshRadius;
+}
+
+struct CoatFrontVarying
+{
+    float4 position : SV_Position;
+    float distance : TEXCOORD0; // from the light, mm
+};
+
+CoatFrontVarying coatFrontVarying(VertexInput input, float height)
+{
+    FurVarying hull = furVarying(input, float2(height, 1.0), kFurNear);
+    CoatFrontVarying output;
+    float4 position = hull.lightClip;
+    position.z = tgFurNearDepth(position.z, position.w);
+    output.position = TG_HALF_PIXEL(position, gViewportSize);
+    output.distance = furFromLight(hull.world);
+    return output;
+}
+
+CoatFrontVarying CoatSkinVS(VertexInput input)
+{
+    return coatFrontVarying(input, 0.0);
+}
+
+CoatFrontVarying CoatFrontVS(VertexInput input)
+{
+    return coatFrontVarying(input, 1.0);
+}
+
+float4 CoatFrontPS(CoatFrontVarying input) : SV_Target0
+{
+    return float4(max(input.distance, 1e-6), 0.0, 0.0, 1.0); // 0 means that there is nothing
+}
+
+// Depth behind the coat's front, thicknesses.
+float coatDepth(float2 place, float distance)
+{
+    float front = tex2Dlod(gCoatFront, float4(place, 0.0, 0.0)).x;
+    return front > 0.0 ? (distance - front) / max(tgMillimetres(coatThickness()), 1e-20) : 0.0;
+}
+
+struct OpacityVarying
+{
+    float4 position : SV_Position;
+    float3 edge : TEXCOORD0;  // of tgRibbonCoverage
+    float4 place : TEXCOORD1; // lightClip's x, y, w; distance from the light, mm
+};
+
+float4 OpacityPS(OpacityVarying input) : SV_Target0
+{
+    float2 place = input.place.xy / input.place.z * float2(0.5, -0.5) + 0.5;
+    float depth = coatDepth(place, input.place.w);
+    return tgRibbonCoverage(input.edge) * saturate((kCoatLayers - depth) * 16.0 + 0.5);
+}
+
+// Share of the light that comes to a point of the coat.
+float coatOpen(float3 world)
+{
+    float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    float2 place = tgShadowCoordinate(lightClip);
+    float distance = furFromLight(world);
+    float depth = coatDepth(place, distance);
+    float4 sums = tex2Dlod(gCoatOpacity, float4(place + float2(0.6, 0.35) / kTgMapSize, 0.0, 0.0))
+        + tex2Dlod(gCoatOpacity, float4(place - float2(0.6, 0.35) / kTgMapSize, 0.0, 0.0));
+    float opacity = 0.5 * tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
+    // Behind the skin: soft, for strands stand on it and lean over its edges.
+    float2 skin = float2(tgShadowStored(tex2Dlod(gCoatSkin, float4(place + float2(1.0, -0.7) / kTgMapSize, 0.0, 0.0))).x,
+                         tgShadowStored(tex2Dlod(gCoatSkin, float4(place - float2(1.0, -0.7) / kTgMapSize, 0.0, 0.0))).x);
+    float2 behind = (distance - skin) / max(tgMillimetres(kCoatSkinSoft * coatThickness()), 1e-20);
+    return exp(-gCoatShadow * opacity) * (1.0 - 0.5 * dot(saturate(behind), 1.0));
+}
+
+#endif

@@ -1,0 +1,13 @@
+// What an artist may turn on strands that are ribbons.
+#ifndef TEGUMENT_PASSES_FUR_RIBBON_PARAMETERS_FXH
+#define TEGUMENT_PASSES_FUR_RIBBON_PARAMETERS_FXH
+
+float gFurCut < UI_SLIDER("Cut", 0.05, 0.95, 0.01)
+    string UIHelp = "coverage from which a strand hides what is behind it; what has less is drawn after all strands"; > = 0.4;
+float gFurShare < UI_SLIDER("Share of the strands", 0.05, 1.0, 0.01)
+    string UIHelp = "that are drawn, as much wider: for far away"; > = 1.0;
+float gFurEdge < UI_SLIDER("Soft edge", 0.1, 0.5, 0.01)
+    string UIHelp = "pixels that a ribbon is wider than its strand on each side; 0.5: all that is covered"; > = 0.5;
+float gFurChild < string UIWidget = "None"; > = 0.0;
+
+#endif

@@ -1,0 +1,114 @@
+// Ribbons (`tegument fur strands`, docs/strands.md): a vertex stands on its strand's root and holds its place along the strand; here it
+// goes to its place in space, beside the axis, so that the ribbon faces the eye. All light is found at vertices; pixels know how far they are
+// from the axis. Lengths along the mesh's axes at rest, in units of the world.
+#ifndef TEGUMENT_PASSES_FUR_RIBBONS_FXH
+#define TEGUMENT_PASSES_FUR_RIBBONS_FXH
+
+struct RibbonVarying
+{
+    float4 position : SV_Position;
+    float3 color : TEXCOORD0;
+    float3 edge : TEXCOORD1; // of tgRibbonCoverage
+};
+
+// A root where it stands in the world, and what is seen from it.
+struct RibbonFrame
+{
+    float3 world;
+    float3 toEye;   // not unit, as the next
+    float3 toLight;
+    float perMm;    // world units in a mm of the roots' mesh
+};
+
+// Nothing of the vertex's triangles is drawn.
+RibbonVarying ribbonNowhere()
+{
+    RibbonVarying output;
+    output.position = float4(2.0, 2.0, 2.0, 1.0);
+    output.color = 0.0;
+    output.edge = 0.0;
+    return output;
+}
+
+// Not skin, where a host draws all parts of a mesh, and not one of the strands that are left out: rank as of tgRibbonRank.
+bool ribbonDrawn(VertexInput input, float rank, float share)
+{
+    return input.uv.y >= kTgRibbonFirst && rank < share;
+}
+
+// ball: of the roots' mesh.
+RibbonFrame ribbonFrame(VertexInput input, float4 ball)
+{
+    RibbonFrame frame;
+    frame.world = tgWorldPosition(meshVertex(input).position);
+    frame.toEye = strandsAxes(gCameraPosition - frame.world, input);
+    frame.toLight = strandsAxes(tgLightVector(frame.world), input);
+    frame.perMm = gMeshRadius / max(ball.w, 1e-20);
+    return frame;
+}
+
+float3 ribbonWorld(RibbonFrame frame, float3 offset, VertexInput input)
+{
+    return frame.world + furFromAxes(vertexTurned(offset, input));
+}
+
+// Across a pixel at distance 1.
+float ribbonPixel()
+{
+    return 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x;
+}
+
+// offset: of the axis from the root; tangent: of the axis, unit; radius: that is drawn there.
+RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset, float3 tangent, float radius, float3 color)
+{
+    float3 toEye = frame.toEye - offset;
+    float pixel = ribbonPixel() * length(toEye);
+    float2 width = tgRibbonWidth(radius, pixel);
+    float drawn = (width.x + gFurEdge * pixel) * input.tangent.w;
+    float3 aside = tgSafeNormalize(cross(tangent, toEye));
+    float4 position = mul(float4(ribbonWorld(frame, offset + drawn * aside, input), 1.0), gViewProjection);
+    position.z = tgFurNearDepth(position.z, position.w);
+    RibbonVarying output;
+    output.position = TG_HALF_PIXEL(position, gViewportSize);
+    output.color = color;
+    output.edge = float3(drawn / pixel, width.x / pixel, width.y);
+    return output;
+}
+
+// No strand is further from its root: four lengths of the coat, whose strands lie and stray.
+#define RIBBON_REACH "gFurLength"
+#define RIBBON_REACHES 4.0
+
+static const float kRibbonFaint = 0.004; // less an 8-bit target would not show
+
+// Covered by half and more, as opaque.
+float4 RibbonCorePS(RibbonVarying input) : SV_Target0
+{
+    clip(tgRibbonCoverage(input.edge) - 0.5);
+    return float4(input.color, 1.0);
+}
+
+// What pass Core leaves.
+float4 RibbonFringePS(RibbonVarying input) : SV_Target0
+{
+    float coverage = tgRibbonCoverage(input.edge);
+    clip(coverage < 0.5 ? coverage - kRibbonFaint : -1.0);
+    return float4(input.color, coverage);
+}
+
+// Covered by gFurCut and more, blended over what is there.
+float4 RibbonSoftCorePS(RibbonVarying input) : SV_Target0
+{
+    float coverage = tgRibbonCoverage(input.edge);
+    clip(coverage - gFurCut);
+    return float4(input.color, coverage);
+}
+
+float4 RibbonSoftFringePS(RibbonVarying input) : SV_Target0
+{
+    float coverage = tgRibbonCoverage(input.edge);
+    clip(coverage < gFurCut ? coverage - kRibbonFaint : -1.0);
+    return float4(input.color, coverage);
+}
+
+#endif

@@ -1,0 +1,107 @@
+// Techniques Strands and StrandsSoft: the strands of FurRoots' technique Roots, lit as there, as ribbons.
+#ifndef TEGUMENT_PASSES_FUR_ROOT_STRANDS_FXH
+#define TEGUMENT_PASSES_FUR_ROOT_STRANDS_FXH
+
+static const float kStrandTuftSteps = 3.0;
+static const float kStrandBefore = 0.02; // of the coat: from there to the axis runs its tangent
+
+// As FurRoots bends it. Lengths in mm.
+struct RootStrand
+{
+    float3 root;
+    float3 normal;
+    float3 lean;   // of the tip, shares of the coat
+    float3 side;   // of its turns and strays, times its curl
+    float3 across;
+    float coat;    // its height
+    float spacing;
+    float share;   // of that height
+    float radius;
+    float tint;
+};
+
+RootStrand rootStrand(VertexInput input, float4 ball, float rows)
+{
+    float2 texel = tgFurTexel(input.uv.y, rows);
+    float4 place = furRootTexel(texel, 0.0);
+    float4 up = furRootTexel(texel, 1.0);
+    float4 lean = furRootTexel(texel, 2.0);
+    float4 strands = furRootsHeader(3.0);
+    float3 random = frac(lean.w * float3(1.0, 256.0, 65536.0));
+    RootStrand strand;
+    strand.root = place.xyz;
+    strand.normal = input.normal;
+    strand.spacing = rsqrt(max(strands.w, 1e-10));
+    strand.coat = max(gFurLength * ball.w, 1e-20);
+    strand.share = max(min(length(up.xyz), up.w / strand.coat), 0.01);
+    strand.radius = place.w * gFurRadius / strands.y * strand.spacing;
+    float curl = dot(lean.xyz, strand.normal);
+    float3 side = random - 0.5;
+    strand.side = curl * tgFurAlong(side - strand.normal * dot(side, strand.normal));
+    strand.across = cross(strand.normal, strand.side);
+    strand.lean = lean.xyz - strand.normal * curl + strandsAxes(furHang(), input);
+    strand.tint = 1.0 + gFurVariation * (random.z - 0.5);
+    return strand;
+}
+
+// From the root's axis at this height to where the strand is. Height 0: the root.
+float3 rootStrandBend(RootStrand strand, float height)
+{
+    float2 turn = tgFurWave(gFurTurns * height + float3(0.0, 0.75, 0.5)).xy;
+    float2 bend = height * (float2(gFurScatter * height, 0.0) + gFurCurls * turn);
+    float3 stray = bend.x * strand.side + bend.y * strand.across;
+    // FurRoots looks its strands up at a place that goes aside by the tuft there: the place from which it comes to this one.
+    float3 place = strand.root / strand.spacing + stray;
+    float3 tuft = 0.0;
+    [unroll] for (float i = 0.0; i < kStrandTuftSteps; i += 1.0)
+    {
+        tuft = gFurTufts * height * height * tgFurTuft((place - tuft) / gFurTuftSize);
+        tuft -= strand.normal * dot(tuft, strand.normal);
+    }
+    return strand.coat * height * (strand.normal + height * strand.lean) + strand.spacing * (stray - tuft);
+}
+
+// Radiance: as furStrandColor of fur_strands.fxh.
+float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, float along, VertexInput input)
+{
+    float height = along * strand.share;
+    float3 albedo = lerp(gFurRootColor, gFurTipColor, along) * strand.tint;
+    float3 axis = tgFurAlong(strand.normal + 2.0 * height * strand.lean);
+    float3 toLight = tgSafeNormalize(frame.toLight - offset);
+    float3 world = ribbonWorld(frame, offset, input);
+    float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    float depth = tgShadowDepth(lightClip, tgMillimetres(tgLightVector(world))) - furShadowTolerance();
+    float open = tgShadowLit(TG_SAMPLER2D_ARG(gShadow), tgShadowCoordinate(lightClip), depth) *
+                 tgFurTransmittance(height, dot(strand.normal, toLight), gFurDensity, gFurLength);
+    float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * gLightColor * open;
+    return direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple);
+}
+
+RibbonVarying StrandsVS(VertexInput input)
+{
+    RibbonVarying output = ribbonNowhere();
+    [branch] if (ribbonDrawn(input, tgRibbonRank(input.uv.y), gFurShare))
+    {
+        float4 ball = furRootsHeader(4.0);
+        RibbonFrame frame = ribbonFrame(input, ball);
+        RootStrand strand = rootStrand(input, ball, furRootsHeader(2.0).x);
+        float along = tgRibbon(input.uv.x).along;
+        float height = along * strand.share;
+        float3 offset = rootStrandBend(strand, height);
+        float3 tangent = tgSafeNormalize(offset - rootStrandBend(strand, height - kStrandBefore));
+        offset *= frame.perMm;
+        float3 color = rootStrandColor(strand, frame, offset, along, input);
+        float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare; // those that are drawn stand for all
+        output = ribbonVarying(input, frame, offset, tangent, radius, color);
+    }
+    return output;
+}
+
+#define STRANDS_SCRIPT SHADOW_MAP_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
+#define STRANDS_PASSES(core, fringe, coreState) \
+    TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
+    TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
+    TG_SEEN_PASS(Core, "strands", RIBBON_REACH, RIBBON_REACHES, StrandsVS, core, coreState) \
+    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH, RIBBON_REACHES, StrandsVS, fringe, TG_STATE_FRINGE)
+
+#endif

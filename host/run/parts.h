@@ -1,0 +1,41 @@
+#pragma once
+// Which of a mesh's triangles a pass draws: all, or the part that its annotation `Part` names, without the clusters that cannot be seen.
+
+#include "host/effect/model.h"
+#include "host/mesh/mesh.h"
+#include "host/run/semantics.h"
+
+#include <vector>
+
+namespace tegument::run {
+
+struct IndexRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    bool operator==(const IndexRange&) const = default;
+};
+
+/// What parts may be called "skin" where none is: every part that no pass of the effect names.
+inline constexpr const char* kSkinPart = "skin";
+
+/// From where clusters are looked at. All in the mesh's own space, mm.
+struct PartView {
+    glm::dmat4 toClip{1}; // GLM's order
+    glm::dvec3 eye{0};
+    double reach = 0; // how far from its clusters' vertices something may be drawn
+};
+[[nodiscard]] PartView partView(const SceneView& scene, double reach);
+
+/// False only for what lies outside of the picture as a whole, or looks away from the eye as a whole: by more than kHidden, so that what
+/// grows there does not reach over the horizon.
+[[nodiscard]] bool canBeSeen(const MeshCluster& cluster, const PartView& view);
+/// Least cosine between a normal and the way to the eye at which strands are still drawn: over the horizon of a ball of the radius R those
+/// of the length 0.2 R reach at -0.55. The effects leave out single strands by the same.
+inline constexpr double kHidden = -0.55;
+
+/// In order, those that touch made one; with a view, without the clusters that cannot be seen: perhaps none. TG4060 the mesh has no part of
+/// that name.
+[[nodiscard]] Result<std::vector<IndexRange>> partOf(const Effect& effect, const Pass& pass, const Mesh& mesh,
+                                                     const PartView* view = nullptr);
+
+} // namespace tegument::run

@@ -1,0 +1,144 @@
+// tegument fur strands, and strands that are grown for a mesh that has none, as a user meets them.
+
+#include "host/image/image.h"
+#include "host/mesh/mesh.h"
+#include "tests/app/program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+using namespace tegument::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::map<std::string, std::string>& ownCache() {
+    static const std::map<std::string, std::string> environment = {{"TEGUMENT_CACHE", (scratch() / "strands_cache").string()}};
+    return environment;
+}
+
+Ran strands(const fs::path& file, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {"fur", "strands", ballMesh(), "-o", file.string(), "--count", "1500"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tegument::test::tegument(arguments);
+}
+
+Ran draw(const fs::path& picture, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"render", "effects/FurCoat.fx", "--size", "96x96",
+                                          "-o",     picture.string(),     "-D",     "TEGUMENT_MAP_SIZE=64"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tegument::test::tegument(arguments, ownCache());
+}
+
+std::vector<float> pixels(const fs::path& picture) {
+    const auto image = tegument::loadImage(picture);
+    EXPECT_TRUE(image) << picture;
+    return image ? image->pixels : std::vector<float>{};
+}
+
+} // namespace
+
+TEST(FurStrands, are_a_part_of_the_mesh_that_is_written_with_their_roots_beside_it) {
+    const fs::path file = scratch() / "strands.glb";
+    const Ran ran = strands(file, {"--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto mesh = tegument::loadMesh(file);
+    ASSERT_TRUE(mesh) << tegument::format(mesh.error());
+    EXPECT_TRUE(mesh->warnings.empty()) << "texture coordinates of ribbons are none that could overlap";
+    const auto part = std::ranges::find(mesh->parts, tegument::kStrandsPart, &tegument::MeshPart::name);
+    ASSERT_NE(part, mesh->parts.end());
+    EXPECT_EQ(part->indexCount, 1500U * 12 * 3);
+    const auto json = ran.json();
+    EXPECT_EQ(json["strands"], 1500);
+    EXPECT_EQ(json["clusters"], part->clusters.size());
+    EXPECT_EQ(json["files"], nlohmann::json({file.string(), (scratch() / "strands.dds").string()}));
+    EXPECT_TRUE(fs::exists(scratch() / "strands.dds"));
+}
+
+TEST(FurStrands, are_the_same_each_time_and_from_roots_that_are_there) {
+    ASSERT_EQ(strands(scratch() / "one.glb").code, 0);
+    const fs::path again = scratch() / "again.glb";
+    ASSERT_EQ(tegument::test::tegument(
+                  {"fur", "strands", ballMesh(), "-o", again.string(), "--roots", (scratch() / "one.dds").string(), "--threads", "1"})
+                  .code,
+              0);
+    EXPECT_FALSE(fs::exists(scratch() / "again.dds")) << "these roots have a file already";
+    const auto one = tegument::loadMesh(scratch() / "one.glb");
+    const auto two = tegument::loadMesh(again);
+    ASSERT_TRUE(one && two);
+    EXPECT_EQ(one->uvs, two->uvs);
+    EXPECT_EQ(one->tangents, two->tangents);
+}
+
+TEST(FurStrands, grow_on_any_mesh_in_one_command_and_as_from_a_file) {
+    const fs::path own = scratch() / "own.png";
+    const Ran first = draw(own, {"--mesh", ballMesh()});
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_NE(first.err.find("made fur roots"), std::string::npos) << first.err;
+    const Ran second = draw(scratch() / "own2.png", {"--mesh", ballMesh()});
+    EXPECT_EQ(second.err.find("made"), std::string::npos) << second.err;
+    EXPECT_EQ(pixels(own), pixels(scratch() / "own2.png"));
+
+    fs::path roots;
+    for (const auto& entry : fs::directory_iterator(scratch() / "strands_cache" / "fur" / "made"))
+        if (entry.path().filename().string().starts_with("roots_")) roots = entry.path();
+    ASSERT_FALSE(roots.empty());
+    const fs::path file = scratch() / "grown.glb";
+    ASSERT_EQ(tegument::test::tegument({"fur", "strands", ballMesh(), "-o", file.string(), "--roots", roots.string()}).code, 0);
+    ASSERT_EQ(draw(scratch() / "file.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
+    EXPECT_EQ(pixels(own), pixels(scratch() / "file.png"));
+}
+
+TEST(FurStrands, find_their_roots_beside_their_file_and_refuse_others) {
+    const fs::path file = scratch() / "beside.glb";
+    ASSERT_EQ(strands(file).code, 0);
+    EXPECT_EQ(draw(scratch() / "beside.png", {"--mesh", file.string()}).code, 0);
+
+    ASSERT_EQ(
+        tegument::test::tegument({"fur", "roots", ballMesh(), "-o", (scratch() / "other.dds").string(), "--count", "1500", "--seed", "7"})
+            .code,
+        0);
+    const Ran other = draw(scratch() / "x.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + (scratch() / "other.dds").string()});
+    EXPECT_EQ(other.code, 1);
+    for (const char* text : {"TG4061", "other roots", "gFurRootsMap", "--set"})
+        EXPECT_NE(other.err.find(text), std::string::npos) << text << " in " << other.err;
+
+    fs::remove(scratch() / "beside.dds");
+    const Ran alone = draw(scratch() / "y.png", {"--mesh", file.string()});
+    EXPECT_EQ(alone.code, 1);
+    EXPECT_NE(alone.err.find("TG4061"), std::string::npos) << alone.err;
+}
+
+TEST(FurStrands, of_no_roots_no_mesh_or_no_segments_are_refused_and_nothing_is_written) {
+    const fs::path file = scratch() / "none.glb";
+    const std::string picture = write("no_roots.dds", "DDS ");
+    EXPECT_EQ(strands(file, {"--roots", picture}).code, 1);
+    EXPECT_EQ(strands(file, {"--roots", "no such file.dds"}).code, 2);
+    EXPECT_EQ(strands(file, {"--segments", "0"}).code, 2);
+    EXPECT_EQ(strands(file, {"--color-map", "no such file.png"}).code, 2);
+    EXPECT_EQ(tegument::test::tegument({"fur", "strands", "no such mesh.glb", "-o", file.string()}).code, 2);
+    EXPECT_EQ(tegument::test::tegument({"fur", "strands", ballMesh(), "-o", (scratch() / "x.obj").string()}).code, 2);
+    EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(FurStrands, take_the_colours_of_a_scan) {
+    const fs::path mesh = scratch() / "painted.ply";
+    std::ofstream(mesh) << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                           "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+                           "property list uchar int vertex_indices\nend_header\n"
+                           "0 0 0 255 0 188\n100 0 0 255 0 188\n100 100 0 255 0 188\n0 100 0 255 0 188\n4 0 1 2 3\n";
+    const fs::path file = scratch() / "painted.glb";
+    const Ran ran = tegument::test::tegument(
+        {"fur", "strands", mesh.string(), "-o", file.string(), "--count", "50", "--color-attribute", "red,green,blue"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto read = tegument::loadMesh(file);
+    ASSERT_TRUE(read);
+    // (1, 0, 0.5 linear) as steps of roots: 31, 0, round(31 sqrt(0.5)) = 22
+    const float code = std::floor(read->uvs.back().x / 16);
+    EXPECT_EQ(code, 31 + 32 * (0 + 32 * 22));
+}

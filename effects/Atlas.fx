@@ -8,9 +8,11 @@
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/materials.fxh"
-#include "passes/normal_map.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Atlas") > = 0.8;
+
+Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
+TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
 
 Texture2D gAtlasPositionMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A32B32G32R32F") >;
 Texture2D gAtlasNormalMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;

@@ -1,16 +1,15 @@
 // Ladder: what each level of a pyramid weighs in the diffusion profile, over the density of texels (x); rows: the pixel's own Gaussian and
-// levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end at level gLadderTop. Shown on a grey ground.
+// levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels). Shown on a grey ground.
 #include "../hlsl/platform.fxh"
+#include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/scatter/ladder.fxh"
 #include "passes/annotations.fxh"
 #include "passes/quad.fxh"
+#include "passes/coarse_levels.fxh"
 #include "passes/profile.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Ladder") > = 0.8;
-
-// x: last level of the pyramid where links bring the light of the fifth and sixth Gaussian.
-float4 gLadderTop < string UIName = "Last level beside links"; float UIMin = 2.0; float UIMax = 6.0; > = { 6.0, 0.0, 0.0, 0.0 };
 
 Texture2D gLadderMap : RENDERCOLORTARGET < int Width = 160; int Height = 16; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 TG_SAMPLER2D(gLadder, POINT, CLAMP);
@@ -32,7 +31,7 @@ float4 LadderPS(QuadVarying input) : SV_Target0
     float row = floor(input.uv.y * 2.0 * kTgLadderSteps);
     bool linked = row > kTgLadderSteps - 0.5;
     float step = linked ? row - kTgLadderSteps : row;
-    return float4(profileOn(step, tgLadderDensity(input.uv.x), linked ? 4.0 : 6.0, linked ? gLadderTop.x : kTgLadderTop), 1.0);
+    return float4(profileOn(step, tgLadderDensity(input.uv.x), linked ? 4.0 : 6.0, linked ? linkedTop() : kTgLadderTop), 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0

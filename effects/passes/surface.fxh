@@ -1,9 +1,9 @@
 // What a lit pass knows of a point from the mesh, its normal map and the light.
-#ifndef TEGUMENT_PASSES_NORMAL_MAP_FXH
-#include "normal_map.fxh"
-#endif
 #ifndef TEGUMENT_PASSES_SURFACE_FXH
 #define TEGUMENT_PASSES_SURFACE_FXH
+
+Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
+TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
 
 struct SurfaceVarying
 {

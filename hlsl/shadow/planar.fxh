@@ -1,6 +1,6 @@
 // Shadows from a map of distances to the plane through the light, across its axis: linear over a triangle, so that a pass has one number to
-// interpolate. The filters are as wide as the first Gaussian of skin, or as a texel of the map that receives the light. Taps outside of the
-// map are lit. axis: where the light looks, a unit vector.
+// interpolate. The filters are as wide as the first Gaussian of skin, or as a texel of the map that receives the light. What lies outside of the
+// map is lit. axis: where the light looks, a unit vector.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
 #endif
@@ -18,9 +18,11 @@ static const float kTgSmallestPlanarCosine = 0.15;
 // N.L of the mesh at which its own horizon has passed.
 static const float kTgPlanarHorizon = 0.05;
 // Texels of the map (mm) up to which 4 x 4 taps are wider than the four nearest texels, and the distance of those taps on the surface, mm:
-// four of them have the variance of the first Gaussian, 5/4 of its square.
+// four of them in a row have the variance of the first Gaussian, 5/4 of its square.
 static const float kTgNarrowTexel = 0.15;
 static const float kTgNarrowStep = 0.0716;
+// Cosine and sine of the turn of a 4 x 4 grid by atan(1/4): along the axes its 16 points are equally far apart.
+static const float2 kTgTurn = float2(0.9701425, 0.2425356);
 
 // Distance to the plane through the light, mm; before its near plane 0: what lies there, or behind the light, is lit.
 float tgShadowPlanarDepth(float4 lightClip, float3 toLight, float3 axis)
@@ -51,15 +53,6 @@ float3 tgShadowAcross(float3 normal)
     return across * rsqrt(max(dot(across, across), 1e-20));
 }
 
-// Four depths side by side.
-float4 tgShadowRow(TG_SAMPLER2D_PARAM(map), float2 first, float across)
-{
-    float4 row;
-    [unroll] for (int i = 0; i < 4; i++)
-        row[i] = TG_TEX2DLOD(map, float4(first.x + i * across, first.y, 0.0, 0.0)).x;
-    return tgShadowStored(row);
-}
-
 // The four nearest texels, interpolated: as sharp as the map. depth: less tolerance.
 float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
 {
@@ -78,41 +71,29 @@ float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, flo
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
 }
 
-// 4 x 4 taps over a square of `width` texels of the map.
-float tgShadowSpread(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float width)
-{
-    float apart = 0.25 * width;
-    float2 rise = apart * slope;
-    float2 first = coordinate - 1.5 * apart / kTgShadowSize;
-    float4 plane = depth + rise.x * float4(-1.5, -0.5, 0.5, 1.5);
-    float sum = 0.0;
-    [unroll] for (int j = 0; j < 4; j++)
-    {
-        float4 row = tgShadowRow(TG_SAMPLER2D_ARG(map), first + float2(0.0, j * apart / kTgShadowSize), apart / kTgShadowSize);
-        sum += dot(step(plane + rise.y * (j - 1.5), row), 0.0625);
-    }
-    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : sum;
-}
-
-// 4 x 4 taps on the receiver's own plane, kTgNarrowStep apart and turned against the map, for maps whose texels are smaller than that.
-float tgShadowNarrow(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float3 normal, float3 axisX, float3 axisY, float3 axis,
-                     float footprint)
+// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other. The square is turned against the map, so that an edge
+// along the map's axes meets the taps one by one. depth: less tolerance; footprint: mm of a texel of the map.
+float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float3 normal, float3 axisX, float3 axisY, float3 axis,
+                      float footprint, float apart)
 {
     float3 side = tgShadowAcross(normal);
     float3 other = cross(normal, side);
-    float3 u = kTgNarrowStep * (0.970 * side + 0.243 * other);
-    float3 v = kTgNarrowStep * (0.970 * other - 0.243 * side);
+    float3 u = apart * (kTgTurn.x * side + kTgTurn.y * other);
+    float3 v = apart * (kTgTurn.x * other - kTgTurn.y * side);
     float scale = 1.0 / (footprint * kTgShadowSize);
     float3 alongU = float3(dot(u, axisX) * scale, -dot(u, axisY) * scale, dot(u, axis));
     float3 alongV = float3(dot(v, axisX) * scale, -dot(v, axisY) * scale, dot(v, axis));
+    float4 columns = depth + alongU.z * float4(-1.5, -0.5, 0.5, 1.5);
     float sum = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
+    {
+        float2 middle = coordinate + (j - 1.5) * alongV.xy;
+        float4 row;
         [unroll] for (int i = 0; i < 4; i++)
-        {
-            float3 tap = (i - 1.5) * alongU + (j - 1.5) * alongV;
-            sum += tgShadowLit(TG_SAMPLER2D_ARG(map), coordinate + tap.xy, depth + tap.z);
-        }
-    return sum / 16.0;
+            row[i] = TG_TEX2DLOD(map, float4(middle + (i - 1.5) * alongU.xy, 0.0, 0.0)).x;
+        sum += dot(step(columns + (j - 1.5) * alongV.z, tgShadowStored(row)), 0.0625);
+    }
+    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : sum;
 }
 
 #endif

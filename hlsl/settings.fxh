@@ -1,5 +1,6 @@
 // The switches, and the constants that no setting changes: those that differ stand in constants.fxh (corrected) and in printed/.
-//   TEGUMENT_MAP_SIZE  texels along each side of the maps (default 1024)
+//   TEGUMENT_MAP_SIZE  texels along each side of the maps in texture space (default 1024)
+//   TEGUMENT_SHADOW_SIZE  texels along each side of the maps that are seen from the light (default: as many)
 //   TEGUMENT_MAP_BITS  bits per channel of the irradiance maps: 16 (default) or 32
 //   TEGUMENT_SEAM_REPAIR  1 (default); 0 lets the gaps between the charts bleed into them, to measure what the repair is worth
 //   TEGUMENT_NORMAL_XY  0 (default); 1: the normal map has two channels (BC5, RG8), and z follows from them
@@ -8,6 +9,9 @@
 
 #ifndef TEGUMENT_MAP_SIZE
 #define TEGUMENT_MAP_SIZE 1024
+#endif
+#ifndef TEGUMENT_SHADOW_SIZE
+#define TEGUMENT_SHADOW_SIZE TEGUMENT_MAP_SIZE
 #endif
 #ifndef TEGUMENT_MAP_BITS
 #define TEGUMENT_MAP_BITS 16
@@ -127,6 +131,7 @@ static const bool kTgPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 
 static const float kTgPi = 3.14159265;
 static const float kTgMapSize = TEGUMENT_MAP_SIZE;
+static const float kTgShadowSize = TEGUMENT_SHADOW_SIZE;
 // The largest half is 65504; ten passes of the printed kernel, whose weights sum to 1.001, must not reach it. A float's, 3.4e38, is far
 // beyond any light.
 static const float kTgLargestHalf = 64512.0;

@@ -26,7 +26,7 @@ float2 tgPenumbraTap(float i, float turn)
 // A way along the surface (mm) as the shadow map has it: change of its uv, and of depth. texel: its footprint.
 float3 tgPenumbraAxis(float3 way, float3 axisX, float3 axisY, float3 toLight, float texel)
 {
-    return float3(float2(dot(way, axisX), -dot(way, axisY)) / (texel * kTgMapSize), -dot(way, toLight));
+    return float3(float2(dot(way, axisX), -dot(way, axisY)) / (texel * kTgShadowSize), -dot(way, toLight));
 }
 
 // Share of light over the disc in the surface whose radii are axisU and axisV, as the map has them. depth: less tolerance. rise: by how

@@ -47,16 +47,16 @@ float tgShadowHorizon(float cosine)
 float4 tgShadowOnMap(float first)
 {
     float4 texel = first + float4(0.0, 1.0, 2.0, 3.0);
-    return step(-0.5, texel) * step(texel, kTgMapSize - 0.5);
+    return step(-0.5, texel) * step(texel, kTgShadowSize - 0.5);
 }
 
 // Box three texels wide over bilinear comparisons: 4 x 4 taps weighted (1 - f, 1, 1, f) in both directions, each compared with the
 // receiver's plane there. Taps outside of the map are lit.
 float tgShadowFiltered(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
 {
-    float2 position = coordinate * kTgMapSize - 0.5;
+    float2 position = coordinate * kTgShadowSize - 0.5;
     float2 f = frac(position);
-    float2 corner = (position - f - 0.5) / kTgMapSize;
+    float2 corner = (position - f - 0.5) / kTgShadowSize;
     float4 columnWeight = tgShadowOnMap(position.x - f.x - 1.0) * float4(1.0 - f.x, 1.0, 1.0, f.x);
     float4 rowWeight = tgShadowOnMap(position.y - f.y - 1.0) * float4(1.0 - f.y, 1.0, 1.0, f.y);
     float4 plane = depth + slope.x * (float4(-1.0, 0.0, 1.0, 2.0) - f.x);
@@ -65,7 +65,7 @@ float tgShadowFiltered(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, 
     {
         float4 row;
         [unroll] for (int i = 0; i < 4; i++)
-            row[i] = TG_TEX2DLOD(map, float4(corner + float2(i, j) / kTgMapSize, 0.0, 0.0)).x;
+            row[i] = TG_TEX2DLOD(map, float4(corner + float2(i, j) / kTgShadowSize, 0.0, 0.0)).x;
         shadow += rowWeight[j] * dot(1.0 - step(plane + slope.y * (j - 1.0 - f.y), tgShadowStored(row)), columnWeight);
     }
     return 1.0 - shadow / 9.0;

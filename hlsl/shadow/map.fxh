@@ -22,7 +22,7 @@ float2 tgShadowCoordinate(float4 lightClip)
 // mm across a texel at this w of the light's clip space; spread = mm across half of the light's view for each unit of w.
 float tgShadowFootprint(float w, float spread)
 {
-    return 2.0 * w * spread / kTgMapSize;
+    return 2.0 * w * spread / kTgShadowSize;
 }
 
 // Maps are cleared to 0, because Direct3D 9 clears to 0..1 in 8 bits: there is no surface, and nothing lies in front of anything.

@@ -29,7 +29,7 @@ static const float kTgOnePiece = 0.03;
 // unit depth.
 float3 tgTsmNormal(TG_SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, float3 axisY, float3 toLight, float footprint, float range)
 {
-    float2 texel = float2(1.0, 0.0) / kTgMapSize;
+    float2 texel = float2(1.0, 0.0) / kTgShadowSize;
     float4 around;
     around.x = TG_TEX2DLOD(tsm, float4(coordinate + texel.xy, 0.0, 0.0)).x;
     around.y = TG_TEX2DLOD(tsm, float4(coordinate - texel.xy, 0.0, 0.0)).x;
@@ -47,13 +47,13 @@ float3 tgTsmNormal(TG_SAMPLER2D_PARAM(tsm), float2 coordinate, float3 axisX, flo
 // None outside of the map.
 float4 tgTsmEntry(TG_SAMPLER2D_PARAM(tsm), float2 coordinate)
 {
-    float2 position = coordinate * kTgMapSize - 0.5;
+    float2 position = coordinate * kTgShadowSize - 0.5;
     float2 f = frac(position);
-    float2 corner = (position - f + 0.5) / kTgMapSize;
+    float2 corner = (position - f + 0.5) / kTgShadowSize;
     float4 a = TG_TEX2DLOD(tsm, float4(corner, 0.0, 0.0));
-    float4 b = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 0.0) / kTgMapSize, 0.0, 0.0));
-    float4 c = TG_TEX2DLOD(tsm, float4(corner + float2(0.0, 1.0) / kTgMapSize, 0.0, 0.0));
-    float4 d = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 1.0) / kTgMapSize, 0.0, 0.0));
+    float4 b = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 0.0) / kTgShadowSize, 0.0, 0.0));
+    float4 c = TG_TEX2DLOD(tsm, float4(corner + float2(0.0, 1.0) / kTgShadowSize, 0.0, 0.0));
+    float4 d = TG_TEX2DLOD(tsm, float4(corner + float2(1.0, 1.0) / kTgShadowSize, 0.0, 0.0));
     float3 spread = max(max(a, b), max(c, d)).yzw - min(min(a, b), min(c, d)).yzw;
     float4 nearest = lerp(lerp(a, b, step(0.5, f.x)), lerp(c, d, step(0.5, f.x)), step(0.5, f.y));
     float4 entry = max(spread.x, max(spread.y, spread.z)) < kTgOnePiece ? lerp(lerp(a, b, f.x), lerp(c, d, f.x), f.y) : nearest;

@@ -13,6 +13,10 @@ void addEffectOptions(CLI::App& command, EffectOptions& options) {
     repeatable(command.add_option("-I,--include", options.includeFolders, "Folder searched for #include files; may be repeated"));
     command.add_option("--setting", options.setting, "Setting of the effect, by name; tegument info lists them (docs/settings.md)");
     command.add_option("--map-size", options.mapSize, "Texels along each side of the texture-space maps")->check(CLI::Range(1, 16384));
+    command
+        .add_option("--shadow-size", options.shadowSize,
+                    "Texels along each side of the maps seen from the light; default: as many as --map-size")
+        ->check(CLI::Range(1, 16384));
 }
 
 LoadOptions loadOptions(const EffectOptions& options) {
@@ -27,6 +31,7 @@ LoadOptions loadOptions(const EffectOptions& options) {
     }
     load.setting = options.setting;
     if (options.mapSize > 0) load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
+    if (options.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(options.shadowSize));
     for (const std::string& folder : options.includeFolders)
         load.includeFolders.emplace_back(folder);
     return load;

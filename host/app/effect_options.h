@@ -18,11 +18,12 @@ struct EffectOptions {
     std::vector<std::string> includeFolders;
     std::string setting; // one of the effect's own; empty: its default
     int mapSize = 0;     // 0: the effect's default
+    int shadowSize = 0;  // likewise
 };
 
 void addEffectOptions(CLI::App& command, EffectOptions& options);
 
-/// Defines in the order given; --map-size becomes TEGUMENT_MAP_SIZE.
+/// Defines in the order given; --map-size becomes TEGUMENT_MAP_SIZE, --shadow-size TEGUMENT_SHADOW_SIZE.
 [[nodiscard]] LoadOptions loadOptions(const EffectOptions& options);
 
 } // namespace tegument::app

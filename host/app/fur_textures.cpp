@@ -1,5 +1,7 @@
 #include "host/app/fur_textures.h"
 
+#include "host/app/skin_links.h"
+
 #include "host/image/dds.h"
 #include "host/support/file.h"
 #include "meshprep/fur/cube_texture.h"
@@ -64,13 +66,15 @@ Result<DdsTexture> drawRoots(const Mesh& mesh) {
 }
 
 Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say& say) {
+    if (generator == kSkinLinksGenerator) return cachedSkinLinks(mesh, say);
     const bool roots = generator == kRoots;
     if (roots && hasRibbons(mesh))
         return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
                           "tegument fur strands has written them beside the mesh: give that file");
     if (!roots && generator != kCubeMap && generator != kSphereMap)
         return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
-                          fmt::format("the annotation Generator knows \"{}\", \"{}\" and \"{}\"", kCubeMap, kSphereMap, kRoots));
+                          fmt::format("the annotation Generator knows \"{}\", \"{}\", \"{}\" and \"{}\"", kCubeMap, kSphereMap, kRoots,
+                                      kSkinLinksGenerator));
     const fs::path file =
         cacheFolder() / "fur" / "made" /
         (roots ? fmt::format("roots_{}.dds", keyOf(mesh)) : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));
@@ -87,6 +91,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
 
 /// Files that do not hold roots are left to who loads them.
 Result<void> check(const std::string& generator, const fs::path& file, const Mesh& mesh) {
+    if (generator == kSkinLinksGenerator) return checkSkinLinks(file, mesh);
     if (generator != kRoots) return {};
     const auto texture = loadDds(file);
     if (!texture || texture->isCube()) return {};

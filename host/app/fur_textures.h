@@ -1,5 +1,6 @@
 #pragma once
-// Fur on any mesh: what its effects read is made when nothing names it, and kept in the cache folder. docs/fur.md, "Made when asked for".
+// Textures that belong to a mesh, for fur and for skin: what effects read is made when nothing names it, and kept in the cache folder
+// (docs/running.md).
 
 #include "host/app/scene.h"
 
@@ -7,7 +8,7 @@
 
 namespace tegument::app {
 
-/// Generators `fur cube map` and `fur sphere map` make one map for all meshes, `fur roots` makes roots for each; a roots file of another
+/// Generators `fur cube map` and `fur sphere map` make one map for all meshes, `fur roots` and `skin links` a file for each; one of another
 /// mesh is TG4055. `say` is told what was made.
 [[nodiscard]] MeshTextures furTextures(std::function<void(const std::string&)> say);
 

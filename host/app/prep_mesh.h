@@ -9,6 +9,8 @@ void addPrepMesh(CLI::App& prep, Action& action);
 /// tegument prep bunny
 void addPrepBunny(CLI::App& prep, Action& action);
 void addPrepShape(CLI::App& prep, Action& action);
+/// tegument prep links
+void addPrepLinks(CLI::App& prep, Action& action);
 void addPrepHuman(CLI::App& prep, Action& action); // nothing where the build leaves it out: TEGUMENT_HUMAN
 
 } // namespace tegument::app

@@ -2,6 +2,7 @@
 
 #include "host/app/command_line.h"
 #include "host/app/effect_options.h"
+#include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/names.h"
 #include "host/app/output.h"
@@ -31,6 +32,7 @@ struct BenchArguments {
     std::vector<std::string> settings;
     std::string size;
     std::vector<int> mapSizes;
+    std::vector<int> shadowSizes;
     int frames = 0;
     std::string reference = "1024";
     std::string keepScenes;
@@ -87,9 +89,11 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .width = size->first,
                                 .height = size->second,
                                 .mapSizes = arguments.mapSizes.empty() ? std::vector{defaults.mapSize} : arguments.mapSizes,
+                                .shadowSizes = arguments.shadowSizes.empty() ? std::vector{0} : arguments.shadowSizes,
                                 .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
                                 .compiler = *compiler,
-                                .pixels = *pixels};
+                                .pixels = *pixels,
+                                .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
     return options;
 }
 
@@ -309,6 +313,10 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--setting", arguments->settings, "Settings of them; default: all");
     command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
     command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 1024")
+        ->check(CLI::Range(16, 8192));
+    command
+        ->add_option("--shadow-size", arguments->shadowSizes,
+                     "Texels along each side of the maps seen from the light; may be several; default: as many as --map-size")
         ->check(CLI::Range(16, 8192));
     command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
         ->check(CLI::Range(1, 100000));

@@ -70,6 +70,7 @@ Row rowOf(const Stage& stage, const Contender& contender, const Contest& contest
             .width = contest.width,
             .height = contest.height,
             .mapSize = contest.mapSize,
+            .shadowSize = contest.shadowSize > 0 ? contest.shadowSize : contest.mapSize,
             .coverage = stage.sample.coverage,
             .drawn = {},
             .errors = {},
@@ -143,7 +144,8 @@ void addFlip(std::vector<Row>& rows, std::size_t first, const Stage& stage, cons
 
 void runContest(gpu::Device& device, const Stage& stage, const Contest& contest, const std::vector<Contender>& contenders,
                 const Frames& frames, const BenchTools& tools, std::vector<Row>& rows) {
-    const std::string place = fmt::format("{}, maps of {}", stage.scene.name, contest.mapSize);
+    const std::string place = fmt::format("{}, maps of {}, shadows of {}", stage.scene.name, contest.mapSize,
+                                          contest.shadowSize > 0 ? contest.shadowSize : contest.mapSize);
     const auto drawn = drawInTurns(device, entriesOf(contest, contenders), frames,
                                    [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
     const std::size_t first = rows.size();
@@ -164,14 +166,17 @@ Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contend
     for (Scene& scene : *scenes) {
         const auto stage = stageOf(std::move(scene), contenders, options, tools.say);
         if (!stage) return stage.error();
-        for (const int mapSize : options.mapSizes) {
-            const Contest contest{.scene = (*stage)->scene,
-                                  .width = options.width,
-                                  .height = options.height,
-                                  .mapSize = mapSize,
-                                  .compiler = options.compiler};
-            runContest(device, **stage, contest, contenders, options.frames, tools, rows);
-        }
+        for (const int mapSize : options.mapSizes)
+            for (const int shadowSize : options.shadowSizes) {
+                const Contest contest{.scene = (*stage)->scene,
+                                      .width = options.width,
+                                      .height = options.height,
+                                      .mapSize = mapSize,
+                                      .compiler = options.compiler,
+                                      .shadowSize = shadowSize,
+                                      .meshTextures = options.meshTextures};
+                runContest(device, **stage, contest, contenders, options.frames, tools, rows);
+            }
     }
     return rows;
 }

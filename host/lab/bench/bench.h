@@ -17,9 +17,11 @@ struct BenchOptions {
     int width = 0;
     int height = 0;
     std::vector<int> mapSizes;
+    std::vector<int> shadowSizes = {0}; // 0: as many texels as the maps
     Frames frames;
     Compiler compiler = Compiler::Dxc;
     std::size_t pixels = 1024; // of the reference; 0: all
+    MeshTextures meshTextures;
 };
 
 /// One contender on one scene with one size of maps.
@@ -31,6 +33,7 @@ struct Row {
     int width = 0;
     int height = 0;
     int mapSize = 0;
+    int shadowSize = 0;
     double coverage = 0;
     Drawn drawn; // without the picture
     Errors errors;

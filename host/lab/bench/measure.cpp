@@ -37,6 +37,7 @@ std::uint64_t bytesOfTargets(Entrant& entrant, const SessionFrame& frame) {
 Result<Entrant> enter(gpu::Device& device, const Contest& contest, const Contender& contender) {
     LoadOptions load{.defines = contender.defines, .includeFolders = {}};
     load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(contest.mapSize));
+    if (contest.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(contest.shadowSize));
     auto effect = loadEffect(contender.effect, load);
     if (!effect) return effect.error();
     Entrant entrant;
@@ -45,7 +46,8 @@ Result<Entrant> enter(gpu::Device& device, const Contest& contest, const Contend
                        .width = contest.width,
                        .height = contest.height,
                        .compiler = contest.compiler,
-                       .parameters = contender.parameters};
+                       .parameters = contender.parameters,
+                       .meshTextures = contest.meshTextures};
     const std::uint64_t before = device.allocatedBytes();
     entrant.session = std::make_unique<EffectSession>(device, *entrant.effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
     const auto frame = entrant.session->draw(contest.scene.workspace, entrant.options);

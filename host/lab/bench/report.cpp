@@ -44,6 +44,7 @@ Json headJson(const Row& row, const Machine& machine) {
               {"mesh", row.mesh},
               {"resolution", {row.width, row.height}},
               {"map_size", row.mapSize},
+              {"shadow_size", row.shadowSize},
               {"coverage", row.coverage}};
     json.update(machineJson(machine));
     return json;
@@ -100,30 +101,31 @@ std::string toJson(const std::vector<Row>& rows, const Machine& machine) {
 }
 
 std::string toCsv(const std::vector<Row>& rows, const Machine& machine) {
-    std::string csv =
-        "technique,setting,scene,mesh,width,height,map_size,coverage,device,driver,ms_median,ms_p5,ms_p95,ms_noise,bytes,target_bytes,"
-        "rel_l2,p99,p999,max_interior,bias,psnr,flip,own_rel_l2,reference_id,reference_pixels\n";
+    std::string csv = "technique,setting,scene,mesh,width,height,map_size,shadow_size,coverage,device,driver,ms_median,ms_p5,ms_p95,ms_"
+                      "noise,bytes,target_bytes,"
+                      "rel_l2,p99,p999,max_interior,bias,psnr,flip,own_rel_l2,reference_id,reference_pixels\n";
     for (const Row& row : rows) {
         if (row.failure) continue;
         const Spread& ms = row.drawn.milliseconds;
         const Errors& e = row.errors;
-        csv += fmt::format(
-            "{},{},{},{},{},{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{},{}\n",
-            quoted(row.contender.name()), quoted(row.contender.setting), quoted(row.scene), quoted(row.mesh), row.width, row.height,
-            row.mapSize, row.coverage, quoted(machine.device), quoted(machine.driver), ms.median, ms.p5, ms.p95, ms.noise, row.drawn.bytes,
-            row.drawn.targetBytes, e.relativeL2, e.p99, e.p999, e.largestInterior, e.bias, e.psnr,
-            e.flip ? fmt::format("{:.6g}", *e.flip) : "", row.own ? fmt::format("{:.6g}", row.own->relativeL2) : "", row.referenceId,
-            row.referencePixels);
+        csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:."
+                           "6g},{},{},{},{}\n",
+                           quoted(row.contender.name()), quoted(row.contender.setting), quoted(row.scene), quoted(row.mesh), row.width,
+                           row.height, row.mapSize, row.shadowSize, row.coverage, quoted(machine.device), quoted(machine.driver), ms.median,
+                           ms.p5, ms.p95, ms.noise, row.drawn.bytes, row.drawn.targetBytes, e.relativeL2, e.p99, e.p999, e.largestInterior,
+                           e.bias, e.psnr, e.flip ? fmt::format("{:.6g}", *e.flip) : "",
+                           row.own ? fmt::format("{:.6g}", row.own->relativeL2) : "", row.referenceId, row.referencePixels);
     }
     return csv;
 }
 
 Table toTable(const std::vector<Row>& rows) {
-    Table table{.header = {"technique", "setting", "scene", "maps", "ms", "p5", "p95", "MiB", "rel L2", "p99", "max", "bias", "PSNR",
-                           "FLIP", "own"},
+    Table table{.header = {"technique", "setting", "scene", "maps", "shadow", "ms", "p5", "p95", "MiB", "rel L2", "p99", "max", "bias",
+                           "PSNR", "FLIP", "own"},
                 .rows = {}};
     for (const Row& row : rows) {
-        std::vector<std::string> cells = {row.contender.name(), row.contender.setting, row.scene, std::to_string(row.mapSize)};
+        std::vector<std::string> cells = {row.contender.name(), row.contender.setting, row.scene, std::to_string(row.mapSize),
+                                          std::to_string(row.shadowSize)};
         const Spread& ms = row.drawn.milliseconds;
         const Errors& e = row.errors;
         if (row.failure)

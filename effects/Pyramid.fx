@@ -1,0 +1,62 @@
+// Pyramid: human skin by a pyramid of B-splines in texture space instead of a cascade of convolutions. Light enters in one full-screen pass
+// over an atlas of the mesh, is reduced a few times, and comes back from the levels, weighed so that they make the diffusion profile; what
+// is narrower than a texel is left to the pixel. Techniques: Pyramid, for one chart; PyramidLinked, where the widest Gaussians come along
+// precomputed links in space, across seams, folds and through thin parts (docs/modules/Pyramid.md).
+#include "../hlsl/platform.fxh"
+#include "../hlsl/workspace.fxh"
+#include "../hlsl/specular.fxh"
+#include "../hlsl/shadow.fxh"
+#include "../hlsl/shadow/planar.fxh"
+#include "../hlsl/scatter.fxh"
+#include "../hlsl/scatter/ladder.fxh"
+#include "../hlsl/scatter/pyramid.fxh"
+#include "passes/annotations.fxh"
+#include "passes/vertex.fxh"
+#include "passes/quad.fxh"
+#include "passes/materials.fxh"
+#include "passes/skin_parameters.fxh"
+#include "passes/shadow_map.fxh"
+#include "passes/surface.fxh"
+#include "passes/specular.fxh"
+
+Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnergyAttenuationMap";
+    string ResourceName = "energy_attenuation.dds"; >;
+TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
+
+#include "passes/energy_share.fxh"
+#include "passes/coarse_levels.fxh"
+#include "passes/profile.fxh"
+#include "passes/planar_shadow.fxh"
+#include "passes/atlas.fxh"
+#include "passes/pyramid_maps.fxh"
+#include "passes/pyramid.fxh"
+#include "passes/pyramid_links.fxh"
+#include "passes/pyramid_final.fxh"
+
+float Script : STANDARDSGLOBAL < STARTS_WITH("PyramidLinked") string WithoutUvs = "Lambert, peers/Separable.fx, peers/Burley.fx, Specular.fx"; > = 0.8;
+
+#ifdef FX_TECHNIQUES
+technique Pyramid < string Script =
+    SHADOW_MAP_SCRIPT
+    ENTRY_SCRIPT REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6")
+    LEVEL_SCRIPT("6") LEVEL_SCRIPT("5") LEVEL_SCRIPT("4") LEVEL_SCRIPT("3") LEVEL_SCRIPT("2") LEVEL_SCRIPT("1") LEVEL_SCRIPT("0")
+    PYRAMID_FINAL_SCRIPT; >
+{
+    PLANAR_SHADOW_PASS
+    ENTRY_PASS
+    REDUCE_PASS(1) REDUCE_PASS(2) REDUCE_PASS(3) REDUCE_PASS(4) REDUCE_PASS(5) REDUCE_PASS(6)
+    LEVEL_PASS(6) LEVEL_PASS(5) LEVEL_PASS(4) LEVEL_PASS(3) LEVEL_PASS(2) LEVEL_PASS(1) LEVEL_PASS(0)
+    PYRAMID_FINAL_PASS
+}
+
+technique PyramidLinked < string Script =
+    SHADOW_MAP_SCRIPT
+    ENTRY_SCRIPT LINKED_SCRIPT
+    PYRAMID_FINAL_SCRIPT; >
+{
+    PLANAR_SHADOW_PASS
+    ENTRY_PASS
+    LINKED_PASSES
+    PYRAMID_FINAL_PASS
+}
+#endif

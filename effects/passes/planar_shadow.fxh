@@ -1,0 +1,41 @@
+// Pass ShadowMap, with distances to the plane through the light: one number to interpolate (hlsl/shadow/planar.fxh).
+#ifndef TEGUMENT_PASSES_PLANAR_SHADOW_FXH
+#define TEGUMENT_PASSES_PLANAR_SHADOW_FXH
+
+#define PLANAR_SHADOW_PASS TG_MESH_PASS(ShadowMap, PlanarShadowVS, PlanarShadowPS, TG_STATE_TWOSIDED)
+
+struct PlanarVarying
+{
+    float4 position : SV_Position;
+    float depth : TEXCOORD0; // mm
+};
+
+// The bound below keeps 0, which is nothing, apart from what touches the light.
+PlanarVarying PlanarShadowVS(VertexInput stored)
+{
+    TgMeshInput input = meshVertex(stored);
+    PlanarVarying output;
+    float3 world = tgWorldPosition(input.position);
+    output.position = TG_HALF_PIXEL(mul(float4(world, 1.0), gLightViewProjection), gViewportSize);
+    output.depth = -dot(tgMillimetres(tgLightVector(world)), tgLightRays());
+    return output;
+}
+
+float4 PlanarShadowPS(PlanarVarying input) : SV_Target0
+{
+    return float4(input.depth, 0.0, 0.0, 1.0);
+}
+
+// Place in the map, and distance there, less the tolerance for this slope over `texels` of the map.
+float planarDepth(float4 lightClip, float3 world)
+{
+    return tgShadowPlanarDepth(lightClip, tgMillimetres(tgLightVector(world)), tgLightRays());
+}
+
+float planarTolerance(float2 slope, float texels)
+{
+    float tolerance = kTgDepthInMillimetres ? gShadowTolerance : gShadowTolerance * tgMillimetres(gLightFar - gLightNear);
+    return tolerance + texels * (abs(slope.x) + abs(slope.y));
+}
+
+#endif

@@ -1,0 +1,108 @@
+// Passes Entry, Reduce1 to 6 and Light6 to 0: light that enters over the charts, its pyramid, and the levels weighed and added from the
+// coarsest to the base. Full-screen passes over the maps of Atlas.fx: no triangle is drawn.
+#ifndef TEGUMENT_PASSES_PYRAMID_FXH
+#define TEGUMENT_PASSES_PYRAMID_FXH
+
+// Taps of the shadow cover a texel of the base; their distance in texels of the shadow map, from where they still see different ones to where
+// they would miss what is between them.
+static const float2 kEntryTaps = float2(0.75, 6.0);
+// Largest density that half floats hold.
+static const float kLargestDensity = 60000.0;
+
+// What a lit pass knows of a texel of the base.
+LitPoint entryPoint(float2 uv, float3 place, float3 normal)
+{
+    LitPoint p;
+    float4 albedo = tex2D(gSkin, uv);
+    float3 world = tgWorldPosition(place);
+    float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
+    p.albedo = albedo.rgb;
+    p.scatters = albedo.a;
+    p.normal = tgWorldNormal(normal);
+    p.meshNormal = tgWorldNormal(tex2Dlod(gAtlasMeshNormal, float4(uv, 0.0, 0.0)).xyz);
+    p.toLight = tgLightDirection(world);
+    p.cosine = dot(p.normal, p.toLight);
+    p.shadow = 1.0;
+    p.lightUv = tgShadowCoordinate(lightClip);
+    p.depth = planarDepth(lightClip, world);
+    p.footprint = tgShadowFootprint(lightClip.w, tgLightSpread());
+    p.axisX = tgLightRight();
+    p.axisY = tgLightUp();
+    return p;
+}
+
+// density: texels^2 of the base per mm^2.
+float entryShadow(LitPoint p, float density)
+{
+    float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+    float apart = clamp(0.25 * rsqrt(max(density, 1e-8)), kEntryTaps.x * p.footprint, kEntryTaps.y * p.footprint);
+    float depth = p.depth - planarTolerance(slope, 1.0);
+    return tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint, apart) *
+           tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+}
+
+float4 EntryPS(QuadVarying input) : SV_Target0
+{
+    float4 place = tex2Dlod(gAtlasPosition, float4(input.uv, 0.0, 0.0));
+    float4 normal = tex2Dlod(gAtlasNormal, float4(input.uv, 0.0, 0.0));
+    LitPoint p = entryPoint(input.uv, place.xyz, normal.xyz);
+    p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).z);
+    float covered = place.w * normal.w;
+    return float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);
+}
+
+// A level by itself, weighed: alpha keeps the density, below 0 where links bring the widest Gaussians.
+float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, float linked)
+{
+    float3 metric = tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).xyz;
+    float3 light = tgPyramidRound(TG_SAMPLER2D_ARG(map), uv, size, level, metric.xy);
+    float density = clamp(metric.z, 1e-4, kLargestDensity);
+    return float4(light * ladderWeight(linked * kTgLadderSteps + level + 1.0, density), linked > 0.5 ? -density : density);
+}
+
+// What the coarser levels have added up to.
+float4 coarser(TG_SAMPLER2D_PARAM(map), float2 uv)
+{
+    return float4(tex2Dlod(map, float4(uv, 0.0, 0.0)).rgb, 0.0);
+}
+
+#define PYRAMID_REDUCE(level, finer) \
+float4 Reduce##level##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return tgPyramidReduce(TG_SAMPLER2D_ARG(gEntry##finer), input.uv, kPyramidSize##finer); \
+}
+#define PYRAMID_LEVEL(level, wider) \
+float4 Light##level##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return levelLight(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level, 0.0) + \
+           coarser(TG_SAMPLER2D_ARG(gLight##wider), input.uv); \
+}
+
+PYRAMID_REDUCE(1, 0)
+PYRAMID_REDUCE(2, 1)
+PYRAMID_REDUCE(3, 2)
+PYRAMID_REDUCE(4, 3)
+PYRAMID_REDUCE(5, 4)
+PYRAMID_REDUCE(6, 5)
+
+float4 Light6PS(QuadVarying input) : SV_Target0
+{
+    return levelLight(TG_SAMPLER2D_ARG(gEntry6), input.uv, kPyramidSize6, 6, 0.0);
+}
+PYRAMID_LEVEL(5, 6)
+PYRAMID_LEVEL(4, 5)
+PYRAMID_LEVEL(3, 4)
+PYRAMID_LEVEL(2, 3)
+PYRAMID_LEVEL(1, 2)
+PYRAMID_LEVEL(0, 1)
+
+// One pass into one map. name: both of the pass and, with its number, of the map.
+#define PYRAMID_STEP(map, name) "RenderColorTarget0=" map "; Pass=" name ";"
+#define ENTRY_SCRIPT "RenderColorTarget0=gEntry0Map; RenderDepthStencilTarget=; Pass=Entry;"
+#define REDUCE_SCRIPT(level) PYRAMID_STEP("gEntry" level "Map", "Reduce" level)
+#define LEVEL_SCRIPT(level) PYRAMID_STEP("gLight" level "Map", "Light" level)
+#define ENTRY_PASS TG_QUAD_PASS(Entry, QuadVS, EntryPS, TG_STATE_BUFFER)
+#define REDUCE_PASS(level) TG_QUAD_PASS(Reduce##level, QuadVS, Reduce##level##PS, TG_STATE_BUFFER)
+#define LEVEL_PASS(level) TG_QUAD_PASS(Light##level, QuadVS, Light##level##PS, TG_STATE_BUFFER)
+
+#endif

@@ -1,0 +1,75 @@
+// Pass Final of the pyramid: one look-up of what all levels have added up to, and the first Gaussian at the pixel itself: light that enters
+// there, its shadow filtered as widely as that Gaussian. The rest of the colour, specular reflection.
+#ifndef TEGUMENT_PASSES_PYRAMID_FINAL_FXH
+#define TEGUMENT_PASSES_PYRAMID_FINAL_FXH
+
+// No more than what cannot be had from it again: 12 numbers to interpolate.
+struct FinalVarying
+{
+    float4 position : SV_Position;
+    float2 uv : TEXCOORD0;
+    float3 world : TEXCOORD1; // world units
+    float3 normal : TEXCOORD2;
+    float4 tangent : TEXCOORD3;
+};
+
+FinalVarying PyramidFinalVS(VertexInput stored)
+{
+    SurfaceVarying surface = SurfaceVS(stored);
+    FinalVarying output;
+    output.position = surface.position;
+    output.uv = surface.uv;
+    output.world = surface.world;
+    output.normal = surface.normal;
+    output.tangent = surface.tangent;
+    return output;
+}
+
+LitPoint finalPoint(FinalVarying input)
+{
+    SurfaceVarying surface;
+    surface.position = input.position;
+    surface.uv = input.uv;
+    surface.world = input.world;
+    surface.normal = input.normal;
+    surface.tangent = input.tangent;
+    surface.lightClip = mul(float4(input.world, 1.0), gLightViewProjection);
+    LitPoint p = surfacePoint(surface);
+    float4 colour = tex2D(gSkin, input.uv);
+    p.albedo = colour.rgb;
+    p.scatters = colour.a;
+    p.depth = planarDepth(surface.lightClip, input.world);
+    p.footprint = tgShadowFootprint(surface.lightClip.w, tgLightSpread());
+    return p;
+}
+
+float finalShadow(LitPoint p)
+{
+    float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+    float depth = p.depth - planarTolerance(slope, 1.0);
+    float lit;
+    [branch] if (p.footprint < kTgNarrowTexel)
+        lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint,
+                              kTgNarrowStep);
+    else
+        lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, slope);
+    return lit * tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+}
+
+float4 PyramidFinalPS(FinalVarying input) : SV_Target0
+{
+    LitPoint p = finalPoint(input);
+    p.shadow = finalShadow(p);
+    float4 wide = tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0));
+    float3 own = ladderWeight(wide.w < 0.0 ? kTgLadderSteps : 0.0, abs(wide.w));
+    float3 diffused = max(enteringLight(p) * own + wide.rgb, 0.0);
+    float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
+    float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
+    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+}
+
+#define PYRAMID_FINAL_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"
+#define PYRAMID_FINAL_PASS TG_MESH_PASS(Final, PyramidFinalVS, PyramidFinalPS, TG_STATE_SOLID)
+
+#endif

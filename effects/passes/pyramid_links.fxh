@@ -1,0 +1,219 @@
+// Passes LinkedLight6 to 0: the levels of the pyramid where the light of the fifth and sixth Gaussian comes along links in space. `tegument
+// prep links` makes them, and Generator has them made: a sheet of square tiles, as many along each side as its last texel says in x; tile k
+// holds link k of each texel of a map of 256 x 256. Link = (u, v, weights of the two Gaussians) of a texel that sends light. Signs tell the
+// size of the map that it belongs to: u < 0 halves 512, v < 0 quarters it, the second weight < 0 takes a sixteenth; 0 ends a list. A mesh
+// without links gets all its light from the pyramid.
+#ifndef TEGUMENT_PASSES_PYRAMID_LINKS_FXH
+#define TEGUMENT_PASSES_PYRAMID_LINKS_FXH
+
+Texture2D gLinksMap < string Generator = "skin links"; float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Links";
+    string UIHelp = "from tegument prep links, made from this mesh"; >;
+TG_SAMPLER2D(gLinks, POINT, CLAMP);
+
+static const float kMostLinks = 64.0;
+// A source with less coverage than this lies beside the charts.
+static const float kLeastSource = 1e-4;
+
+// Maps of light by their size, as links name them: coarser ones where there are none as fine. WIDE_n(light): `light` at the level whose map
+// is as large as the links' own, else nothing. FINE_...: passes without the coarse levels (gCoarseLevels = 0).
+#if TEGUMENT_MAP_SIZE >= 2048
+#define LINK_512 gEntry2
+#define LINK_256 gEntry3
+#define LINK_128 gEntry4
+#define LINK_64 gEntry5
+#define LINK_32 gEntry6
+#define LINK_16 gEntry6
+#elif TEGUMENT_MAP_SIZE >= 1024
+#define LINK_512 gEntry1
+#define LINK_256 gEntry2
+#define LINK_128 gEntry3
+#define LINK_64 gEntry4
+#define LINK_32 gEntry5
+#define LINK_16 gEntry6
+#elif TEGUMENT_MAP_SIZE >= 512
+#define LINK_512 gEntry0
+#define LINK_256 gEntry1
+#define LINK_128 gEntry2
+#define LINK_64 gEntry3
+#define LINK_32 gEntry4
+#define LINK_16 gEntry5
+#elif TEGUMENT_MAP_SIZE >= 256
+#define LINK_512 gEntry0
+#define LINK_256 gEntry0
+#define LINK_128 gEntry1
+#define LINK_64 gEntry2
+#define LINK_32 gEntry3
+#define LINK_16 gEntry4
+#else
+#define LINK_512 gEntry0
+#define LINK_256 gEntry0
+#define LINK_128 gEntry0
+#define LINK_64 gEntry1
+#define LINK_32 gEntry2
+#define LINK_16 gEntry3
+#endif
+#if TEGUMENT_MAP_SIZE >= 2048
+#define WIDE_3(light) light
+#else
+#define WIDE_3(light) 0.0
+#endif
+#if TEGUMENT_MAP_SIZE >= 1024 && TEGUMENT_MAP_SIZE < 2048
+#define WIDE_2(light) light
+#else
+#define WIDE_2(light) 0.0
+#endif
+#if TEGUMENT_MAP_SIZE >= 512 && TEGUMENT_MAP_SIZE < 1024
+#define WIDE_1(light) light
+#else
+#define WIDE_1(light) 0.0
+#endif
+#if TEGUMENT_MAP_SIZE < 512
+#define WIDE_0(light) light
+#else
+#define WIDE_0(light) 0.0
+#endif
+
+// 1 where the mesh has links: as many tiles as lie side by side.
+float linkTiles()
+{
+    return tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).x;
+}
+
+// Link number k of the texel.
+float4 linkOf(float2 uv, float k, float tiles)
+{
+    float row = floor((k + 0.5) / tiles);
+    return tex2Dlod(gLinks, float4((float2(k - row * tiles, row) + uv) / tiles, 0.0, 0.0));
+}
+
+float linkMap(float4 link)
+{
+    return (link.x < 0.0 ? 1.0 : 0.0) + (link.y < 0.0 ? 2.0 : 0.0) + (link.w < 0.0 ? 4.0 : 0.0);
+}
+
+float3 linkLight(float4 link, float4 source)
+{
+    float3 share = abs(link.z) * gGaussianWeight[4].rgb + abs(link.w) * gGaussianWeight[5].rgb;
+    return share * source.rgb / max(source.a, kLeastSource);
+}
+
+// From maps of 512 to 128 texels.
+float4 fineSource(float4 link)
+{
+    float map = linkMap(link);
+    float4 at = float4(abs(link.xy), 0.0, 0.0);
+    float4 source;
+    [branch] if (map < 0.5)
+        source = tex2Dlod(LINK_512, at);
+    else
+    {
+        [branch] if (map < 1.5)
+            source = tex2Dlod(LINK_256, at);
+        else
+            source = tex2Dlod(LINK_128, at);
+    }
+    return source;
+}
+
+// From maps of 512 to 16 texels.
+float4 anySource(float4 link)
+{
+    float map = linkMap(link);
+    float4 at = float4(abs(link.xy), 0.0, 0.0);
+    float4 source;
+    [branch] if (map < 2.5)
+        source = fineSource(link);
+    else
+    {
+        [branch] if (map < 3.5)
+            source = tex2Dlod(LINK_64, at);
+        else
+        {
+            [branch] if (map < 4.5)
+                source = tex2Dlod(LINK_32, at);
+            else
+                source = tex2Dlod(LINK_16, at);
+        }
+    }
+    return source;
+}
+
+// Light of the fifth and sixth Gaussian. A list ends the loop by its 0.
+#define LINKED_SUM(name, sourceOf) \
+float4 name(float2 uv) \
+{ \
+    float tiles = linkTiles(); \
+    float3 sum = 0.0; \
+    float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0; \
+    [loop] for (float k = 0.0; k <= last; k += 1.0) \
+    { \
+        float4 link = linkOf(uv, k, tiles); \
+        last = link.x == 0.0 ? -1.0 : last; \
+        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, sourceOf(link)); \
+    } \
+    return float4(sum, 0.0); \
+}
+LINKED_SUM(fineLinks, fineSource)
+LINKED_SUM(anyLinks, anySource)
+
+float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
+{
+    return levelLight(TG_SAMPLER2D_ARG(map), uv, size, level, linkTiles() > 0.5 ? 1.0 : 0.0);
+}
+
+#define LINKED_LEVEL(name, level, more, links) \
+float4 name(QuadVarying input) : SV_Target0 \
+{ \
+    return linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more + links; \
+}
+#define COARSER(level) coarser(TG_SAMPLER2D_ARG(gLight##level), input.uv)
+
+LINKED_LEVEL(LinkedLight6PS, 6, 0.0, 0.0)
+LINKED_LEVEL(LinkedLight5PS, 5, COARSER(6), 0.0)
+LINKED_LEVEL(LinkedLight4PS, 4, COARSER(5), 0.0)
+LINKED_LEVEL(LinkedLight3PS, 3, COARSER(4), WIDE_3(anyLinks(input.uv)))
+LINKED_LEVEL(LinkedLight2PS, 2, COARSER(3), WIDE_2(anyLinks(input.uv)))
+LINKED_LEVEL(LinkedLight1PS, 1, COARSER(2), WIDE_1(anyLinks(input.uv)))
+LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(anyLinks(input.uv)))
+
+#define LINKED_STEP(level) PYRAMID_STEP("gLight" level "Map", "LinkedLight" level)
+#define LINKED_OR(level, fine) "RenderColorTarget0=gLight" level "Map; Pass=gCoarseLevels?" fine ":LinkedLight" level ";"
+#define LINKED_PASS(name) TG_QUAD_PASS(name, QuadVS, name##PS, TG_STATE_BUFFER)
+#define LINKED_ALL_PASSES \
+    REDUCE_PASS(1) REDUCE_PASS(2) REDUCE_PASS(3) REDUCE_PASS(4) REDUCE_PASS(5) REDUCE_PASS(6) \
+    LINKED_PASS(LinkedLight6) LINKED_PASS(LinkedLight5) LINKED_PASS(LinkedLight4) LINKED_PASS(LinkedLight3) \
+    LINKED_PASS(LinkedLight2) LINKED_PASS(LinkedLight1) LINKED_PASS(LinkedLight0)
+
+#if TEGUMENT_MAP_SIZE >= 2048
+LINKED_LEVEL(FineTopPS, 3, 0.0, fineLinks(input.uv))
+#define LINKED_SCRIPT \
+    REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") \
+    "LoopByCount=gCoarseLevels;" REDUCE_SCRIPT("5") REDUCE_SCRIPT("6") LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") "LoopEnd;" \
+    LINKED_OR("3", "FineTop") LINKED_STEP("2") LINKED_STEP("1") LINKED_STEP("0")
+#define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop)
+#elif TEGUMENT_MAP_SIZE >= 1024
+LINKED_LEVEL(FineTopPS, 2, 0.0, fineLinks(input.uv))
+#define LINKED_SCRIPT \
+    REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") \
+    "LoopByCount=gCoarseLevels;" REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6") \
+    LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") LINKED_STEP("3") "LoopEnd;" \
+    LINKED_OR("2", "FineTop") LINKED_STEP("1") LINKED_STEP("0")
+#define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop)
+#else
+#if TEGUMENT_MAP_SIZE >= 512
+LINKED_LEVEL(FineLightPS, 1, COARSER(2), fineLinks(input.uv))
+#define FINE_LEVELS LINKED_OR("1", "FineLight") LINKED_STEP("0")
+#else
+LINKED_LEVEL(FineLightPS, 0, COARSER(1), fineLinks(input.uv))
+#define FINE_LEVELS LINKED_STEP("1") LINKED_OR("0", "FineLight")
+#endif
+LINKED_LEVEL(FineTopPS, 2, 0.0, 0.0)
+#define LINKED_SCRIPT \
+    REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") \
+    "LoopByCount=gCoarseLevels;" REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6") \
+    LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") LINKED_STEP("3") "LoopEnd;" \
+    LINKED_OR("2", "FineTop") FINE_LEVELS
+#define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop) LINKED_PASS(FineLight)
+#endif
+
+#endif

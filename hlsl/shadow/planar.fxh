@@ -1,0 +1,99 @@
+// Shadows from a map of distances to the plane through the light, across its axis: linear over a triangle, so that a pass has one number to
+// interpolate. The filters are as wide as the first Gaussian of skin, or as a texel of the map that receives the light. What lies outside of the
+// map is lit. axis: where the light looks, a unit vector.
+#ifndef TEGUMENT_PLATFORM_FXH
+#include "../platform.fxh"
+#endif
+#ifndef TEGUMENT_SETTINGS_FXH
+#include "../settings.fxh"
+#endif
+#ifndef TEGUMENT_SHADOW_MAP_FXH
+#include "../shadow/map.fxh"
+#endif
+#ifndef TEGUMENT_SHADOW_PLANAR_FXH
+#define TEGUMENT_SHADOW_PLANAR_FXH
+
+// Smallest share of the light's axis that slopes are computed with; below it the receiver is seen edge-on.
+static const float kTgSmallestPlanarCosine = 0.15;
+// N.L of the mesh at which its own horizon has passed.
+static const float kTgPlanarHorizon = 0.05;
+// Texels of the map (mm) up to which 4 x 4 taps are wider than the four nearest texels, and the distance of those taps on the surface, mm:
+// four of them in a row have the variance of the first Gaussian, 5/4 of its square.
+static const float kTgNarrowTexel = 0.15;
+static const float kTgNarrowStep = 0.0716;
+// Cosine and sine of the turn of a 4 x 4 grid by atan(1/4): along the axes its 16 points are equally far apart.
+static const float2 kTgTurn = float2(0.9701425, 0.2425356);
+
+// Distance to the plane through the light, mm; before its near plane 0: what lies there, or behind the light, is lit.
+float tgShadowPlanarDepth(float4 lightClip, float3 toLight, float3 axis)
+{
+    return lightClip.z > 0.0 ? -dot(toLight, axis) : 0.0;
+}
+
+// Change of that distance (mm) from texel to texel along u and v on the plane through the receiver. On the ray through the neighbouring
+// texel the distance to the plane changes by footprint * n.x / (n.l / l.a): exact under perspective and for parallel light.
+float2 tgShadowPlanarSlope(float3 normal, float3 axisX, float3 axisY, float3 toLight, float3 axis, float footprint)
+{
+    float facing = dot(normal, toLight) / max(-dot(toLight, axis), 1e-3);
+    float scale = footprint / max(facing, kTgSmallestPlanarCosine);
+    return facing > 0.0 ? scale * float2(dot(normal, axisX), -dot(normal, axisY)) : float2(0.0, 0.0);
+}
+
+// A surface that turns away from the light is shadowed by itself.
+float tgShadowPlanarHorizon(float cosine)
+{
+    return saturate(cosine / kTgPlanarHorizon);
+}
+
+// A unit vector across another one.
+float3 tgShadowAcross(float3 normal)
+{
+    float3 helper = abs(normal.y) < 0.9 ? float3(0.0, 1.0, 0.0) : float3(1.0, 0.0, 0.0);
+    float3 across = cross(normal, helper);
+    return across * rsqrt(max(dot(across, across), 1e-20));
+}
+
+// The four nearest texels, interpolated: as sharp as the map. depth: less tolerance.
+float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
+{
+    float2 position = coordinate * kTgShadowSize - 0.5;
+    float2 f = frac(position);
+    float2 corner = (position - f + 0.5) / kTgShadowSize;
+    float2 far = corner + 1.0 / kTgShadowSize;
+    float4 texel;
+    texel.x = TG_TEX2DLOD(map, float4(corner, 0.0, 0.0)).x;
+    texel.y = TG_TEX2DLOD(map, float4(far.x, corner.y, 0.0, 0.0)).x;
+    texel.z = TG_TEX2DLOD(map, float4(corner.x, far.y, 0.0, 0.0)).x;
+    texel.w = TG_TEX2DLOD(map, float4(far, 0.0, 0.0)).x;
+    float4 plane = depth + slope.x * (float4(0.0, 1.0, 0.0, 1.0) - f.x) + slope.y * (float4(0.0, 0.0, 1.0, 1.0) - f.y);
+    float lit = dot(step(plane, tgShadowStored(texel)),
+                    float4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y));
+    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
+}
+
+// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other. The square is turned against the map, so that an edge
+// along the map's axes meets the taps one by one. depth: less tolerance; footprint: mm of a texel of the map.
+float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float3 normal, float3 axisX, float3 axisY, float3 axis,
+                      float footprint, float apart)
+{
+    float3 side = tgShadowAcross(normal);
+    float3 other = cross(normal, side);
+    float3 u = apart * (kTgTurn.x * side + kTgTurn.y * other);
+    float3 v = apart * (kTgTurn.x * other - kTgTurn.y * side);
+    float scale = 1.0 / (footprint * kTgShadowSize);
+    float3 alongU = float3(dot(u, axisX) * scale, -dot(u, axisY) * scale, dot(u, axis));
+    float3 alongV = float3(dot(v, axisX) * scale, -dot(v, axisY) * scale, dot(v, axis));
+    float4 columns = depth + alongU.z * float4(-1.5, -0.5, 0.5, 1.5);
+    float sum = 0.0;
+    [unroll] for (int j = 0; j < 4; j++)
+    {
+        float2 middle = coordinate + (j - 1.5) * alongV.xy;
+        float4 row;
+        [unroll] for (int i = 0; i < 4; i++)
+            row[i] = TG_TEX2DLOD(map, float4(middle + (i - 1.5) * alongU.xy, 0.0, 0.0)).x;
+        sum += dot(step(columns + (j - 1.5) * alongV.z, tgShadowStored(row)), 0.0625);
+    }
+    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : sum;
+}
+
+#endif

@@ -47,7 +47,8 @@ bool isDisplayed(const fs::path& path) {
 } // namespace
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
-    command.add_option("-o,--output", options.output, "Picture to write (.png, .jpg, .exr or .dds); default: out/<effect>.png");
+    command.add_option("-o,--output", options.output,
+                       "Picture to write (.png, .jpg, .exr, .dds; .webp with --turntable); default: out/<effect>.png");
     repeatable(command.add_option("--dump-format", options.formats,
                                   "Of dumped targets: exr, dds (for engines) or png (for looking); several are separated by commas"))
         ->delimiter(',')

@@ -57,6 +57,15 @@ TEST_F(Gpu, an_unknown_device_name_is_an_error_that_lists_the_names_there_are) {
     EXPECT_NE(format(made.error()).find(device().info().name), std::string::npos) << format(made.error());
 }
 
+TEST_F(Gpu, a_device_name_with_a_slip_is_answered_with_the_word_that_was_meant) {
+    const std::string& name = device().info().name;
+    const std::string word = name.substr(0, name.find_first_of(" ("));
+    ASSERT_GT(word.size(), 3U) << name;
+    const auto made = Device::create({.prefer = word + word.back()});
+    ASSERT_EQ(codeOf(made), 6004);
+    EXPECT_NE(format(made.error()).find("did you mean '" + word + "'?"), std::string::npos) << format(made.error());
+}
+
 TEST_F(Gpu, the_environment_chooses_the_device_when_the_options_do_not) {
     const Environment variable("TEGUMENT_DEVICE", "no such device");
     EXPECT_EQ(codeOf(Device::create()), 6004);

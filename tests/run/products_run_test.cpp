@@ -4,6 +4,7 @@
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace tegument::test {
@@ -66,6 +67,24 @@ Workspace seenFrom(float z) {
     workspace.camera.nearPlane = 1;
     workspace.camera.farPlane = 100;
     return workspace;
+}
+
+TEST_F(Products, parameters_that_make_a_difference_are_those_of_shaders_scripts_and_of_what_is_drawn_for_them) {
+    const auto readBy = [&](const std::string& file, const std::string& technique) {
+        const auto effect = loadEffect(kFixtures / file);
+        EXPECT_TRUE(succeeded(effect));
+        EffectSession session(*device_, *effect, SessionScene{});
+        const auto frame = session.draw({}, pixels(technique));
+        EXPECT_TRUE(succeeded(frame));
+        return frame ? frame->parameters : Names{};
+    };
+    const Names product = readBy("consumer.fx", "Product");
+    EXPECT_EQ(std::ranges::count(product, "gScale"), 1) << "of the shader";
+    EXPECT_EQ(std::ranges::count(product, "gViewProjection"), 0) << "of another technique";
+    const Names cleared = readBy("scripts.fx", "ClearOnly");
+    EXPECT_EQ(std::ranges::count(cleared, "gClearValue"), 1) << "a clear value";
+    EXPECT_EQ(std::ranges::count(cleared, "gCount"), 0);
+    EXPECT_EQ(std::ranges::count(readBy("scripts.fx", "Loop"), "gCount"), 1) << "a loop's count";
 }
 
 TEST_F(Products, another_effect_draws_a_texture) {

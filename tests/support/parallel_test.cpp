@@ -10,6 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tegument::test {
@@ -34,6 +35,21 @@ TEST_F(Parallel, does_every_item_once_and_says_when_all_are_done) {
     for (const auto& count : calls)
         EXPECT_EQ(count, 1);
     EXPECT_EQ(last, calls.size());
+}
+
+TEST_F(Parallel, a_watcher_hears_of_long_loops_and_of_none_inside_another) {
+    std::vector<std::pair<std::size_t, std::size_t>> heard;
+    watchLoops([&](std::size_t done, std::size_t total) { heard.emplace_back(done, total); });
+    const auto sleep = [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(60)); };
+    forEachInParallel(3, [](std::size_t) { wait(); }); // over before anybody could read of it
+    forEachInParallel(
+        8, [&](std::size_t) { forEachInParallel(11, sleep, {}, 1); }, {}, 2);
+    watchLoops({});
+    forEachInParallel(13, sleep, {}, 1);
+    ASSERT_FALSE(heard.empty());
+    for (const auto& [done, total] : heard)
+        EXPECT_EQ(total, 8U);
+    EXPECT_EQ(heard.back().first, 8U);
 }
 
 TEST_F(Parallel, works_on_as_many_threads_as_are_allowed) {

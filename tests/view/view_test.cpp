@@ -1,5 +1,6 @@
 // What the viewer does without a window: camera and light, watched files, steps through passes and targets, how targets are shown.
 
+#include "host/run/scene_bounds.h"
 #include "host/view/keys.h"
 #include "host/view/layout.h"
 #include "host/view/levels.h"
@@ -201,6 +202,21 @@ TEST(Orbit, turns_parallel_light_as_it_would_turn_a_lamp_far_away) {
     orbitLight(sun, camera, 0.4, -0.2);
     for (glm::length_t axis = 0; axis < 3; ++axis)
         EXPECT_NEAR((*sun.direction)[axis], -lamp.position[axis], kFloat) << axis;
+}
+
+TEST(SceneInTheWorld, is_the_same_in_metres) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {200, 0, 0}, {0, 150, 90}};
+    computeBounds(mesh);
+    const SessionScene scene{.mesh = &mesh, .objects = {}};
+    Workspace workspace;
+    const Workspace millimetres = run::inWorld(workspace, scene);
+    workspace.worldUnitMm = 1000;
+    const Workspace metres = run::inWorld(workspace, scene);
+    EXPECT_EQ(metres.camera.position, millimetres.camera.position) << "a workspace holds millimetres";
+    EXPECT_EQ(metres.light.position, millimetres.light.position);
+    EXPECT_NEAR(glm::length(millimetres.camera.position - mesh.bounds.centre), 5 * mesh.bounds.radius, kFloat);
+    EXPECT_FALSE(metres.camera.nearPlane) << "to be fitted anew wherever the camera goes";
 }
 
 TEST(Presets, are_laid_over_what_was_given_and_leave_nothing_of_each_other) {

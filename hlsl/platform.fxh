@@ -158,8 +158,8 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 // One line per pass: its name, entry points, states.
 #define TG_MESH_PASS(name, vs, ps, states) pass name < string Script = "Draw=Geometry;"; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
-// The same of one part of the mesh; a host that does not know parts draws all of it. TG_SEEN_...: of its clusters only those that the camera
-// can see, where nothing is drawn further from them than so many times the parameter `reach`, in the mesh's radii.
+// The same of one part of the mesh; a host that does not know parts draws all of it. TG_SEEN_...: of its clusters only those that the
+// camera can see, where nothing is drawn further from them than so many times the parameter `reach`, in the mesh's radii.
 #define TG_SEEN_PASS(name, part, reach, times, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
     string Reach = reach; float ReachScale = times; > \
     { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }

@@ -33,9 +33,8 @@ float3 gCoatSky < UI_COLOUR("Light from above") string UIHelp = "irradiance / pi
 float gCoatShadow < UI_SLIDER("Shadow", 0.0, 4.0, 0.01) string UIHelp = "of strands on strands"; > = 0.9;
 float3 gCoatGround < UI_COLOUR("Light from below") > = { 0.19, 0.15, 0.115 };
 float gCoatThrough < UI_SLIDER("Light through strands", 0.0, 2.0, 0.01) string UIHelp = "towards who looks against it"; > = 0.5;
-float3 gCoatRim < UI_COLOUR("Rim light") > = { 0.9, 0.95, 1.05 };
+float3 gCoatRim < UI_COLOUR("Rim light") > = { 0.22, 0.235, 0.26 };
 float gCoatShine < UI_SLIDER("Shine", 0.0, 1.0, 0.01) string UIHelp = "highlight of the surface of strands"; > = 0.07;
-float3 gCoatRimFrom < string UIName = "Where the rim light is"; string UIHelp = "direction of the world"; > = { 0.75, 0.45, -0.8 };
 float gCoatSheen < UI_SLIDER("Sheen", 0.0, 1.0, 0.01) string UIHelp = "coloured highlight from inside strands"; > = 0.25;
 
 float gCoatUndercoat < UI_SLIDER("Undercoat", 0.0, 1.0, 0.01)
@@ -47,7 +46,6 @@ float gCoatPainted < UI_SLIDER("Painted", 0.0, 1.0, 0.01)
 float gCoatThin < UI_SLIDER("Thinnest", 0.1, 4.0, 0.01) string UIHelp = "pixels: of thinner strands fewer are drawn, wider"; > = 0.7;
 float gCoatShineExponent < UI_SLIDER("Sharpness of the shine", 1.0, 500.0, 1.0) > = 60.0;
 float gCoatSheenExponent < UI_SLIDER("Sharpness of the sheen", 1.0, 500.0, 1.0) > = 14.0;
-float gCoatWrap < UI_SLIDER("Light beyond the horizon", 0.0, 1.0, 0.01) string UIHelp = "that wanders through the coat"; > = 0.4;
 float gCoatShadowStrands < UI_SLIDER("Strands that throw shadows", 1.0, 32.0, 1.0)
     string UIHelp = "of a lock: the others are part of them"; > = 2.0;
 

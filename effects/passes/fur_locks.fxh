@@ -6,6 +6,8 @@
 static const float kLockHorizon = -0.55;  // least cosine of a root's normal and the way to the eye: what looks further away is hidden
 static const float kLockSink = 0.15;      // spacings that roots stand below the skin
 static const float3 kLockWaves = float3(1.25, 2.6, 13.0); // a coat's waves in a mesh's radius
+static const float kLockWrap = 0.4;     // cosine beyond the horizon to which light wanders through the coat
+static const float2 kLockShifts = float2(-0.1, 0.2); // of highlights R and TRT, along the normal: 6 and 11 degrees, as tilted scales do
 static const float kLockFade = 8.0;     // one in so many of the strands that are drawn is narrower than it should be
 static const float kLockOfUnderfur = 64.0; // noise of its own: number of its first strand
 
@@ -172,11 +174,13 @@ struct LockPoint
 float3 lockLight(LockPoint p, float3 toLight, float3 color, float open, float under)
 {
     float cosine = dot(p.normal, toLight);
-    float wrap = saturate((cosine + gCoatWrap) / (1.0 + gCoatWrap)); // light that has wandered through the coat reaches beyond the horizon
+    float wrap = saturate((cosine + kLockWrap) / (1.0 + kLockWrap));
     float3 diffuse = p.albedo * (tgFurSine(dot(p.tangent, toLight)) * lerp(1.0, wrap, 0.8));
     if (under > 0.5)
         return color * open * diffuse;
-    float2 lobes = tgFurHighlights(p.tangent, p.normal, toLight, p.toEye, float2(-0.1 - p.shift, 0.2 - p.shift), float2(gCoatShineExponent, gCoatSheenExponent));
+    float2 shifts = kLockShifts - p.shift;
+    float2 exponents = float2(gCoatShineExponent, gCoatSheenExponent);
+    float2 lobes = tgFurHighlights(p.tangent, p.normal, toLight, p.toEye, shifts, exponents);
     float3 shine = (gCoatShine * lobes.x + gCoatSheen * lobes.y * p.albedo) * (wrap * (0.25 + 0.75 * p.along));
     float against = saturate(-dot(p.toEye, toLight));
     float through = gCoatThrough * against * against * against * against;
@@ -191,12 +195,11 @@ float3 lockSurroundings(LockPoint p, float3 up)
     return p.albedo * lerp(gCoatGround, gCoatSky, 0.5 + 0.5 * dot(shaded, up)) * (gap * gap);
 }
 
-// Of a light behind, seen where the coat turns away: light that only thin fur stops.
-float3 lockRim(LockPoint p, float3 from)
+// Light from behind and above, seen where the coat turns away and only thin fur stops it.
+float3 lockRim(LockPoint p, float3 up)
 {
-    float behind = saturate(0.9 * dot(p.normal, from) + 0.25);
     float edge = 1.0 - saturate(dot(p.normal, p.toEye));
-    return gCoatRim * (0.05 + p.albedo) * (tgFurSine(dot(p.tangent, from)) * behind * behind * edge * p.along);
+    return gCoatRim * (0.05 + p.albedo) * (edge * edge * p.along * saturate(0.6 + 0.4 * dot(p.normal, up)));
 }
 
 float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
@@ -213,7 +216,7 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     float open = coatOpen(ribbonWorld(frame, offset, input));
     float3 color = lockLight(p, tgSafeNormalize(frame.toLight - offset), gLightColor, open, under) + lockSurroundings(p, up);
     if (under < 0.5)
-        color += lockRim(p, tgSafeNormalize(strandsAxes(gCoatRimFrom, input)));
+        color += lockRim(p, up);
     return color;
 }
 
@@ -232,7 +235,8 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
     [branch] if (ribbonDrawn(input, share.rank, share.share) && lockSeen(input, frame))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
-        LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, child + kLockOfUnderfur * under, under);
+        float number = child + kLockOfUnderfur * under;
+        LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, number, under);
         LockPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);

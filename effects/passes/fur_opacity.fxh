@@ -1,6 +1,6 @@
 // Passes CoatSkin, CoatFront and Opacity: the shadow of strands on strands, by a deep opacity map (C. Yuksel and J. Keyser, Deep Opacity
-// Maps, 2008): where light enters the coat, and how much of it strands take, from there to four depths. The front is the skin moved out by the coat's
-// length: smooth, where strands' own first hits are not.
+// Maps, 2008): where light enters the coat, and how much of it strands take, from there to four depths. The front is the skin moved out
+// by the coat's length: smooth, where strands' own first hits are not.
 #ifndef TEGUMENT_PASSES_FUR_OPACITY_FXH
 #define TEGUMENT_PASSES_FUR_OPACITY_FXH
 

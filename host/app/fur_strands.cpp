@@ -5,7 +5,7 @@
 #include "host/app/fur_textures.h"
 #include "host/app/names.h"
 #include "host/image/dds.h"
-#include "host/mesh/glb.h"
+#include "host/run/parts.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
 #include "meshprep/fur/ribbons/ribbons.h"
@@ -124,7 +124,7 @@ Result<void> checkInputs(const StrandArguments& arguments) {
     return {};
 }
 
-int run(StrandArguments& arguments) {
+int growFile(StrandArguments& arguments) {
     if (const auto fine = checkInputs(arguments); !fine) return fail(fine.error(), arguments.json);
     Progress progress;
     const auto grown = grow(arguments, progress);
@@ -188,12 +188,6 @@ void addShape(CLI::App& command, StrandArguments& arguments) {
         ->excludes(region);
 }
 
-bool drawsStrands(const Effect& effect) {
-    return std::ranges::any_of(effect.techniques, [](const Technique& technique) {
-        return std::ranges::any_of(technique.passes, [](const Pass& pass) { return pass.annotations.string("Part") == kStrandsPart; });
-    });
-}
-
 /// The texture that strands read: the one with the generator "fur roots".
 const Parameter* rootsOf(const Effect& effect) {
     const auto found = std::ranges::find_if(
@@ -223,7 +217,7 @@ void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, con
 Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene& scene, const fs::path& meshFile,
                          const std::function<void(const std::string&)>& say) {
     const Parameter* roots = rootsOf(effect);
-    if (!drawsStrands(effect) || !roots) return {};
+    if (!run::drawsPart(effect, kStrandsPart) || !roots) return {};
     const MeshTextures textures = furTextures(say);
     for (Mesh& mesh : scene.meshes) {
         const auto object = std::ranges::find_if(scene.objects, [&](const RunObject& own) { return own.mesh == &mesh; });
@@ -258,7 +252,7 @@ void addFurStrands(CLI::App& fur, Action& action) {
     addExamples(*command, {{"fur strands bunny.glb -o out/fur/bunny_strands.glb", "roots and ribbons"},
                            {"fur strands bunny.glb --roots out/fur/bunny_roots.dds --flow 1 -0.5 0", "on roots that are there, combed"},
                            {"fur strands fox.ply --color-attribute red,green,blue", "in the colours of a scan"}});
-    command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments] { return growFile(*arguments); }; });
 }
 
 } // namespace tegument::app

@@ -54,6 +54,10 @@ bool outside(const glm::dmat4& toClip, const glm::dvec3& centre, double radius) 
 
 } // namespace
 
+bool drawsPart(const Effect& effect, const std::string& part) {
+    return namedBy(effect).contains(part);
+}
+
 PartView partView(const SceneView& scene, double reach) {
     const glm::dmat4 world = scene.world;
     return {.toClip = glm::dmat4(scene.camera.viewProjection) * world,

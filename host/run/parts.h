@@ -18,6 +18,9 @@ struct IndexRange {
 /// What parts may be called "skin" where none is: every part that no pass of the effect names.
 inline constexpr const char* kSkinPart = "skin";
 
+/// Whether a pass of the effect names this part.
+[[nodiscard]] bool drawsPart(const Effect& effect, const std::string& part);
+
 /// From where clusters are looked at. All in the mesh's own space, mm.
 struct PartView {
     glm::dmat4 toClip{1}; // GLM's order

@@ -3,7 +3,7 @@
 #include "host/image/dds.h"
 #include "meshprep/fur/cube_texture.h"
 #include "meshprep/fur/fur_map.h"
-#include "meshprep/fur/roots/root_texture.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 
 #include <cmath>
 #include <numbers>
@@ -67,13 +67,11 @@ Result<void> writeFurMaps() {
     return writeDds(mapFile("fur_cube"), cubeTexture(drawCubeMap(*onCube, kCubeMapSize, cones), DdsFormat::Rgba32F));
 }
 
-Result<void> writeFurRoots() {
+Result<void> writeFurRoots(Mesh& mesh) {
     constexpr std::size_t kRoots = 4000;
-    auto set = makeRoots(furMesh(), {.count = kRoots, .shortest = 0.5, .lean = 0.3, .comb = {1, 0, 0}});
-    if (!set) return set.error();
-    const auto texture = buildRootTexture(*set);
-    if (!texture) return texture.error();
-    return writeDds(mapFile("fur_roots"), makeDds(texture->image, DdsFormat::Rgba32F, false));
+    const auto roots = growRibbons(mesh, {.count = kRoots, .shortest = 0.5, .lean = 0.3, .comb = {1, 0, 0}});
+    if (!roots) return roots.error();
+    return writeDds(mapFile("fur_roots"), makeDds(*roots, DdsFormat::Rgba32F, false));
 }
 
 Workspace furWorkspace() {

@@ -17,7 +17,8 @@ inline constexpr const char* kFurMeshFile = "fur.bin";
 [[nodiscard]] Result<void> writeFurMaps();
 
 /// Roots on the torus, likewise.
-[[nodiscard]] Result<void> writeFurRoots();
+/// Makes roots for the mesh and gives it strands on them, which those who do not bend them draw as points.
+[[nodiscard]] Result<void> writeFurRoots(Mesh& mesh);
 
 [[nodiscard]] Workspace furWorkspace();
 

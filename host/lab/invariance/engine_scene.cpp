@@ -32,6 +32,8 @@ void transformMesh(Mesh& mesh, const glm::dmat3& linear, const glm::dvec3& offse
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
             std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
     computeBounds(mesh);
+    for (MeshPart& part : mesh.parts)
+        computeClusters(mesh, part);
 }
 
 /// Of points: p becomes linear p + offset; directions are turned only.

@@ -4,7 +4,8 @@
 #include "host/lab/invariance/invariance.h"
 #include "host/lab/invariance/painter.h"
 #include "host/lab/verify/fur_scene.h"
-#include "meshprep/fur/roots/root_texture.h"
+#include "host/run/parts.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 
 #include <fmt/format.h>
 
@@ -67,7 +68,8 @@ Result<DdsTexture> rootsOf(const Mesh& mesh) {
     return makeDds(texture->image, DdsFormat::Rgba32F, false);
 }
 
-Result<void> addFur(EngineScene& scene, Textures& textures) {
+/// Strands: the effect draws them as parts of the mesh.
+Result<void> addFur(EngineScene& scene, Textures& textures, bool strands) {
     const std::pair<const char*, double> kValues[] = {{"gFurLength", kFurLength}, {"gFurSpacing", kFurSpacing}, {"gFurLayers", kFurLayers}};
     for (const auto& [name, value] : kValues)
         scene.workspace.parameters.try_emplace(name, std::vector<double>{value});
@@ -76,6 +78,8 @@ Result<void> addFur(EngineScene& scene, Textures& textures) {
     if (const auto added = textures.add(scene.workspace, "gFurSphereMap", sphere); !added) return added;
     const auto roots = rootsOf(scene.mesh);
     if (!roots) return roots.error();
+    if (strands)
+        if (const auto grown = addRibbons(scene.mesh, roots->images.front()); !grown) return grown.error();
     return textures.add(scene.workspace, "gFurRootsMap", *roots);
 }
 
@@ -222,7 +226,7 @@ Result<std::vector<InvarianceCell>> measureInvariance(gpu::Device& device, const
     std::error_code code;
     Textures textures(options.folder.empty() ? fs::temp_directory_path(code) : options.folder);
     if (effect->findParameter("gFurLength"))
-        if (const auto added = addFur(scene, textures); !added) return added.error();
+        if (const auto added = addFur(scene, textures, run::drawsPart(*effect, kStrandsPart)); !added) return added.error();
     std::vector<InvarianceCell> cells;
     for (const Technique& technique : effect->techniques) {
         if (!wanted(options.techniques, technique.name)) continue;

@@ -1,11 +1,17 @@
 // Every technique of every effect on hostile scenes: no value of any target may be NaN or infinite.
 
+#include "host/image/dds.h"
 #include "host/lab/stability/work.h"
+#include "host/run/parts.h"
 #include "host/run/read_back.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 namespace tegument::bench::stability {
@@ -54,6 +60,17 @@ Result<void> drawScene(const Context& context, const Effect& effect, const std::
     return {};
 }
 
+/// With strands, for an effect that draws them; as it is where none can stand on the mesh. `file`: for their roots.
+HardScene withStrands(HardScene scene, const std::filesystem::path& file) {
+    constexpr std::size_t kRoots = 600;
+    HardScene grown = scene;
+    const auto roots = growRibbons(grown.mesh, {.count = kRoots});
+    if (!roots) return scene;
+    if (!writeDds(file, makeDds(*roots, DdsFormat::Rgba32F, false))) return scene;
+    grown.workspace.textures["gFurRootsMap"] = file.string();
+    return grown;
+}
+
 std::string causes(const Tally& tally) {
     std::string text = tally.first;
     if (tally.scenes.size() > 1) text += fmt::format("; and {} more scenes", tally.scenes.size() - 1);
@@ -65,6 +82,8 @@ std::string causes(const Tally& tally) {
 
 Result<void> measureFinite(const Context& context) {
     const std::vector<HardScene> scenes = hostileScenes();
+    std::error_code code;
+    const auto roots = std::filesystem::temp_directory_path(code) / fmt::format("tegument_stability_{}.dds", ::getpid());
     for (const auto& file : effectFiles(context)) {
         Tally tally;
         std::size_t techniques = 0;
@@ -76,7 +95,9 @@ Result<void> measureFinite(const Context& context) {
             techniques = effect->techniques.size();
             for (const HardScene& scene : scenes) {
                 context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
-                if (const auto drawn = drawScene(context, *effect, setting, scene, tally); !drawn) return drawn.error();
+                const bool strands = run::drawsPart(*effect, kStrandsPart);
+                const auto drawn = drawScene(context, *effect, setting, strands ? withStrands(scene, roots) : scene, tally);
+                if (!drawn) return drawn.error();
             }
         }
         context.report.rows.push_back(
@@ -91,6 +112,7 @@ Result<void> measureFinite(const Context& context) {
              .notFinite = tally.values,
              .why = "finite numbers in, finite numbers out"});
     }
+    std::filesystem::remove(roots, code);
     return {};
 }
 

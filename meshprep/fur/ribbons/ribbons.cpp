@@ -3,7 +3,6 @@
 #include "host/mesh/triangles.h"
 #include "host/support/parallel.h"
 #include "host/support/rays/surface_tree.h"
-#include "meshprep/fur/roots/root_texture.h"
 
 #include <fmt/format.h>
 
@@ -241,6 +240,15 @@ RibbonVertex unpackRibbonVertex(float packed) {
 
 bool hasRibbons(const Mesh& mesh) {
     return std::ranges::any_of(mesh.parts, isRibbons);
+}
+
+Result<Image> growRibbons(Mesh& mesh, const RootOptions& roots, const RibbonOptions& options) {
+    auto set = makeRoots(mesh, roots);
+    if (!set) return set.error();
+    auto texture = buildRootTexture(*set, roots.threads);
+    if (!texture) return texture.error();
+    if (const auto added = addRibbons(mesh, texture->image, options); !added) return added.error();
+    return std::move(texture->image);
 }
 
 std::optional<std::string> whyNotItsRoots(const Mesh& mesh, const Image& roots) {

@@ -2,7 +2,7 @@
 // Strands as ribbons: a part of a mesh that effects/FurCoat.fx bends into fur. docs/strands.md has the layout of their vertices.
 
 #include "meshprep/fur/ribbons/coat_flow.h"
-#include "meshprep/fur/roots/root_maps.h"
+#include "meshprep/fur/roots/root_texture.h"
 
 #include <string>
 
@@ -36,6 +36,9 @@ struct RibbonFigures {
 /// as loadMesh gives it. TG7103 an option that makes no sense, TG7106 a map that the mesh has no coordinates for, TG7109 no texture of
 /// roots.
 [[nodiscard]] Result<RibbonFigures> addRibbons(Mesh& mesh, const Image& roots, const RibbonOptions& options = {});
+
+/// The same on roots that are made for it: their texture.
+[[nodiscard]] Result<Image> growRibbons(Mesh& mesh, const RootOptions& roots, const RibbonOptions& options = {});
 
 [[nodiscard]] bool hasRibbons(const Mesh& mesh);
 /// Why the strands of the mesh cannot be drawn with this texture of roots; nothing where they were made from it.

@@ -150,7 +150,7 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #else
 #define TG_LAYER_PASS(name, count, vs, ps, states) TG_MESH_PASS(name, vs, ps, states)
 #endif
-#define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; \
+#define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; bool CoversTarget = true; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #endif
 

@@ -38,6 +38,7 @@ struct RunOptions {
     /// Albedo, linear, and the scatter mask of skin for which nothing gives a colour map (semantic DIFFUSE), with a warning. None: the
     /// effect's own Fallback.
     std::optional<std::array<float, 4>> plainSkin;
+    bool clearsApart = false; // clears are drawn and timed by themselves; otherwise on the way of the pass behind them
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these
 };

@@ -1,5 +1,6 @@
-// Ladder: what each level of a pyramid weighs in the diffusion profile, over the density of texels (x); rows: the pixel's own Gaussian and
-// levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels). Shown on a grey ground.
+// Ladder: what each level of a pyramid weighs in the diffusion profile, over the density of texels (x). Rows: the pixel's own Gaussian and
+// levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels). Shown on a grey
+// ground.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"

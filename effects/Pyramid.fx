@@ -6,10 +6,7 @@
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
 #include "../hlsl/shadow.fxh"
-#include "../hlsl/shadow/planar.fxh"
 #include "../hlsl/scatter.fxh"
-#include "../hlsl/scatter/ladder.fxh"
-#include "../hlsl/scatter/pyramid.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"
@@ -33,7 +30,9 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/pyramid_links.fxh"
 #include "passes/pyramid_final.fxh"
 
-float Script : STANDARDSGLOBAL < STARTS_WITH("PyramidLinked") string WithoutUvs = "Lambert, peers/Separable.fx, peers/Burley.fx, Specular.fx"; > = 0.8;
+float Script : STANDARDSGLOBAL <
+    STARTS_WITH("PyramidLinked") string WithoutUvs = "Main.fx, peers/Separable.fx, peers/Burley.fx, Specular.fx";
+> = 0.8;
 
 #ifdef FX_TECHNIQUES
 technique Pyramid < string Script =

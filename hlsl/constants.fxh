@@ -24,6 +24,8 @@ static const bool kTgFilterShadow = true;
 static const int kTgFirstTransmitted = 4;
 // Whether the cascade counts what has blurred its first map.
 static const bool kTgConvolveExactly = true;
+// Whether the first Gaussian, narrower than a texel, is taken at the pixel instead of from the first map.
+static const bool kTgFirstAtPixel = true;
 // Poisson blurs: radii in mm of the surface, or texels. Whether specular reflection is shadowed, for which Final reads the shadow map.
 static const bool kTgPoissonStretched = true;
 static const bool kTgShadowSpecular = true;

@@ -178,7 +178,7 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_PART_LAYER_PASS(name, part, count, vs, ps, states) TG_PART_PASS(name, part, vs, ps, states)
 #define TG_SEEN_LAYER_PASS(name, part, reach, times, count, vs, ps, states) TG_SEEN_PASS(name, part, reach, times, vs, ps, states)
 #endif
-#define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; \
+#define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; bool CoversTarget = true; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #endif
 

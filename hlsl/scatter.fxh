@@ -10,6 +10,8 @@
 #include "../hlsl/scatter/disc.fxh"
 #include "../hlsl/scatter/poisson.fxh"
 #include "../hlsl/printed/poisson.fxh"
+#include "../hlsl/scatter/ladder.fxh"
+#include "../hlsl/scatter/pyramid.fxh"
 #include "../hlsl/scatter/thickness.fxh"
 #include "../hlsl/scatter/transmission.fxh"
 #include "../hlsl/printed/transmission.fxh"

@@ -4,3 +4,4 @@
 #include "../hlsl/shadow/filter.fxh"
 #include "../hlsl/printed/filter.fxh"
 #include "../hlsl/shadow/tsm.fxh"
+#include "../hlsl/shadow/planar.fxh"

@@ -12,3 +12,4 @@
 #include "../hlsl/surface/halves.fxh"
 #include "../hlsl/surface/unwrap.fxh"
 #include "../hlsl/surface/stretch.fxh"
+#include "../hlsl/surface/metric.fxh"

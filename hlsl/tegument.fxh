@@ -8,7 +8,8 @@
 //
 // WHAT TO DEFINE BEFORE (each has a default)
 //   TEGUMENT_HLSL_3      for ps_3_0 and vs_3_0: functions take a sampler2D in place of a texture and its sampler
-//   TEGUMENT_MAP_SIZE    texels along each side of the maps in texture space and of the shadow map, a number: 1024
+//   TEGUMENT_MAP_SIZE    texels along each side of the maps in texture space, a number: 1024
+//   TEGUMENT_SHADOW_SIZE texels along each side of the maps that are seen from the light: as many
 //   TEGUMENT_MAP_BITS    bits per channel of the maps of light: 16, or 32
 //   TEGUMENT_NORMAL_XY   1: the normal map has two channels (BC5, RG8), and z follows from them: 0
 //   TEGUMENT_SEAM_REPAIR 0: texels outside the charts count as valid, to measure what the repair is worth: 1

@@ -31,7 +31,9 @@ float3 fetchThere(TG_SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaus
 float3 diffusedLight(SurfaceVarying input, LitPoint p)
 {
     float3 unblurred = enteringLight(p);
-    float4 m1 = lightHere(tgSeamBilinear(TG_SAMPLER2D_ARG(gIrradiance), input.uv), unblurred);
+    float4 m1 = float4(unblurred, kTgLargestAlpha);
+    if (!kTgFirstAtPixel)
+        m1 = lightHere(tgSeamBilinear(TG_SAMPLER2D_ARG(gIrradiance), input.uv), unblurred);
     float4 m2 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), input.uv, unblurred);
     float4 m3 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), input.uv, unblurred);
     float4 m4 = fetchHere(TG_SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), input.uv, unblurred);

@@ -23,6 +23,8 @@ static const bool kTgFilterShadow = false;
 static const int kTgFirstTransmitted = 4;
 // Whether the cascade counts what has blurred its first map.
 static const bool kTgConvolveExactly = false;
+// Whether the first Gaussian is taken at the pixel instead of from the first map.
+static const bool kTgFirstAtPixel = false;
 // Poisson blurs: radii in mm of the surface, or texels. Whether specular reflection is shadowed, for which Final reads the shadow map.
 static const bool kTgPoissonStretched = false;
 static const bool kTgShadowSpecular = false;

@@ -1,6 +1,6 @@
 // Shadows from a map of distances to the plane through the light, across its axis: linear over a triangle, so that a pass has one number to
-// interpolate. The filters are as wide as the first Gaussian of skin, or as a texel of the map that receives the light. What lies outside of the
-// map is lit. axis: where the light looks, a unit vector.
+// interpolate. The filters are as wide as the first Gaussian of skin, or as a texel of the map that receives the light. What lies outside
+// of the map is lit. axis: where the light looks, a unit vector.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
 #endif

@@ -1,5 +1,6 @@
 // How a texel of a map in texture space lies on the surface: the whole first fundamental form, not only lengths along U and V, so that
-// charts may be sheared. In texels, a round kernel on the surface is an ellipse; its short axis is where a millimetre has the fewest texels.
+// charts may be sheared. In texels a round kernel on the surface is an ellipse; its short axis is where a millimetre has the fewest
+// texels.
 #ifndef TEGUMENT_SURFACE_METRIC_FXH
 #define TEGUMENT_SURFACE_METRIC_FXH
 

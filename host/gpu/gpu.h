@@ -174,6 +174,8 @@ public:
     explicit Recorder(detail::RecorderState& state) : state_(state) {}
     Result<void> clearColor(Texture& target, const std::array<float, 4>& rgba);
     Result<void> clearDepthStencil(Texture& target, std::optional<float> depth, std::optional<std::uint32_t> stencil);
+    /// What has been asked to be cleared is cleared now; otherwise the first draw into it does that on the way.
+    void clearNow();
     Result<void> draw(const Targets& targets, const Draw& draw);
     Result<void> dispatch(const Pipeline& pipeline, const std::vector<BoundResource>& resources, std::array<std::uint32_t, 3> groups);
     Result<void> generateMips(Texture& texture);

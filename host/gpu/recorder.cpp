@@ -137,6 +137,11 @@ Result<void> Recorder::clearDepthStencil(Texture& target, std::optional<float> d
     return {};
 }
 
+void Recorder::clearNow() {
+    detail::endScope(state_);
+    detail::flushAllClears(state_);
+}
+
 Result<void> Recorder::draw(const Targets& targets, const Draw& draw) {
     assert(draw.pipeline && draw.pipeline->state && !draw.pipeline->state->compute);
     return detail::guarded("recording a draw", [&] { return detail::drawChecked(state_, targets, draw); });

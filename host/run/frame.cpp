@@ -227,9 +227,17 @@ Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder) {
     return recorder.generateMips(*std::get<FrameMips>(item).target);
 }
 
-Result<void> recordTimed(const FrameItem& item, gpu::Recorder& recorder) {
+void recordClears(gpu::Recorder& recorder) {
+    recorder.beginTimer(kClears);
+    recorder.clearNow();
+    recorder.endTimer();
+}
+
+/// `cleared`: clears have been asked for since the last draw and are to be timed by themselves.
+Result<void> recordTimed(const FrameItem& item, gpu::Recorder& recorder, bool cleared) {
     const auto* draw = std::get_if<FrameDraw>(&item);
     if (!draw) return recordItem(item, recorder);
+    if (cleared) recordClears(recorder);
     recorder.beginTimer(draw->name);
     auto drawn = recordItem(item, recorder);
     recorder.endTimer();
@@ -272,8 +280,11 @@ Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t ite
     for (const FrameNode& node : frame.before)
         for (const FrameItem& item : node.items)
             if (auto done = recordItem(item, recorder); !done) return done;
-    for (const FrameItem& item : std::span(frame.items).first(std::min(items, frame.items.size())))
-        if (auto done = recordTimed(item, recorder); !done) return done;
+    bool cleared = false;
+    for (const FrameItem& item : std::span(frame.items).first(std::min(items, frame.items.size()))) {
+        if (auto done = recordTimed(item, recorder, cleared && frame.clearsApart); !done) return done;
+        cleared = std::holds_alternative<FrameClear>(item) || (cleared && !std::holds_alternative<FrameDraw>(item));
+    }
     return frame.resolve ? recordResolve(*frame.resolve, recorder) : Result<void>();
 }
 

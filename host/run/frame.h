@@ -55,6 +55,7 @@ struct FrameNode {
 struct Frame {
     std::vector<FrameNode> before; // in this order; without sections of their own
     std::vector<FrameItem> items;
+    bool clearsApart = false;            // RunOptions
     std::optional<FrameResolve> resolve; // after the items that are recorded; where the caller's targets have several samples a pixel
 };
 
@@ -63,7 +64,7 @@ struct Frame {
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
 /// Records the nodes before the frame, then its items, or the first `items` of them; each of their draws is a timed section with its pass's
-/// name, and so is the resolve, kResolve.
+/// name, and so is the resolve, kResolve. Apart, the clears before a draw are a section kClears in front of it.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 
 } // namespace tegument::run

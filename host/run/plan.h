@@ -23,6 +23,8 @@ inline constexpr const char* kPictureDepth = "<picture depth>";
 inline constexpr const char* kPictureResolved = "<picture resolved>";
 /// The resolve's name among the passes' times.
 inline constexpr const char* kResolve = "resolve";
+/// That of clears which are timed by themselves; no pass can have it.
+inline constexpr const char* kClears = "<clears>";
 
 [[nodiscard]] inline bool isCallers(const std::string& target) {
     return target == kPicture || target == kPictureDepth || target == kPictureResolved;
@@ -74,6 +76,7 @@ struct Plan {
 struct PassUse {
     std::set<std::string> sampled;   // texture parameters read by either stage, targets or not
     std::uint32_t writtenColors = 0; // bit n: the pixel shader writes SV_Targetn
+    bool discards = false;           // some pixels may be left out
 };
 
 /// Completes the plan with what the shaders use:
@@ -81,7 +84,8 @@ struct PassUse {
 ///    samples that the pass does not write,
 ///  * TG4024 when a pass samples a target that it has bound; TG4025 when two of its targets differ in size, TG4039 in samples a pixel,
 ///  * targets that the frame uses before clearing them are cleared first (0, depth 1), so that a frame never depends on the one before;
-///    warning TG4026 when the first use is sampling,
+///    warning TG4026 when the first use is sampling. Not so where the first use overwrites every pixel: a full-screen pass with the
+///    annotation `bool CoversTarget = true` that neither tests, blends, masks nor discards,
 ///  * mip chains are made before they are sampled.
 struct TargetShape {
     std::uint32_t width = 0;

@@ -21,6 +21,16 @@ bool writesColor(const Pass& pass, const PassUse& use, std::size_t slot) {
     return (use.writtenColors >> slot & 1U) != 0 && pass.state.targets[slot].writeMask != 0;
 }
 
+/// Whether nothing of what the slot's target held remains.
+bool overwrites(const DrawStep& draw, const PassUse& use, std::size_t slot) {
+    const Pass& pass = *draw.pass;
+    const auto covers = pass.annotations.numbers("CoversTarget");
+    const TargetBlend& target = pass.state.targets[slot];
+    return draw.kind == DrawKind::Buffer && covers && covers->front() != 0 && !usesDepth(pass.state) && !use.discards &&
+           (use.writtenColors >> slot & 1U) != 0 && target.writeMask == 15 && !target.enable && !pass.state.alphaToCoverage &&
+           !pass.state.scissorTest;
+}
+
 bool fit(const TargetShape& a, const TargetShape& b) {
     return a.width == b.width && a.height == b.height && a.samples == b.samples;
 }
@@ -96,8 +106,13 @@ public:
     void draw(const DrawStep& step, std::vector<Step>& steps) {
         for (const std::string& name : with_.uses.at(step.pass).sampled)
             if (with_.shapes.contains(name)) sample(name, step, steps);
-        for (const auto& color : step.colors)
-            if (color) use(*color, false);
+        for (std::size_t slot = 0; slot < step.colors.size(); ++slot) {
+            if (!step.colors[slot]) continue;
+            if (overwrites(step, with_.uses.at(step.pass), slot) && with_.shapes.at(*step.colors[slot]).mips == 1)
+                touch(*step.colors[slot]);
+            else
+                use(*step.colors[slot], false);
+        }
         if (step.depth) use(*step.depth, true);
     }
 

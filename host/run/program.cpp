@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace tegument::run {
 
@@ -69,6 +70,19 @@ std::vector<const UniformBlock*> blocksOf(const Reflection& reflection) {
     return blocks;
 }
 
+namespace {
+
+/// OpKill, OpTerminateInvocation or OpDemoteToHelperInvocation stands in the module.
+bool discardsPixels(const std::vector<std::uint32_t>& spirv) {
+    constexpr std::size_t kHeader = 5; // words
+    constexpr std::array<std::uint32_t, 3> kEnds = {252, 4416, 5380};
+    for (std::size_t at = kHeader; at < spirv.size(); at += std::max<std::size_t>(1, spirv[at] >> 16U))
+        if (std::ranges::find(kEnds, spirv[at] & 0xffffU) != kEnds.end()) return true;
+    return false;
+}
+
+} // namespace
+
 Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler) {
     if (const auto checked = checkStages(pass); !checked) return checked.error();
     PassProgram program;
@@ -87,6 +101,7 @@ Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler
     gather(program.vertex.reflection, program);
     if (program.pixel) {
         gather(program.pixel->reflection, program);
+        program.use.discards = discardsPixels(program.pixel->spirv);
         for (const StageVariable& output : program.pixel->reflection.outputs)
             program.use.writtenColors |= 1U << output.location;
     }

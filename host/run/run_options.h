@@ -41,6 +41,7 @@ struct RunOptions {
     std::optional<std::array<float, 4>> plainSkin;
     /// Hears of each pass that has to be compiled, before it is: how many of its frame are done; and at the end that all are.
     std::function<void(std::size_t done, std::size_t total)> compiling;
+    bool clearsApart = false; // clears are drawn and timed by themselves; otherwise on the way of the pass behind them
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these
 };

@@ -44,8 +44,24 @@ std::vector<double> medians(const std::vector<Sections>& frames) {
     return result;
 }
 
-/// The sections are those of the passes that were drawn, and of the resolve.
-void readTimes(const std::vector<double>& times, bool resolved, SessionFrame& frame) {
+/// Takes the clears out: all in one number, at the end of the sections.
+Sections clearsLast(const Sections& sections) {
+    Sections result;
+    gpu::TimedSection clears{.name = run::kClears, .milliseconds = 0};
+    for (const gpu::TimedSection& section : sections) {
+        if (section.name == run::kClears)
+            clears.milliseconds += section.milliseconds;
+        else
+            result.push_back(section);
+    }
+    result.push_back(std::move(clears));
+    return result;
+}
+
+/// The sections are those of the passes that were drawn, and of the resolve; then the clears.
+void readTimes(std::vector<double> times, bool resolved, SessionFrame& frame) {
+    frame.clearMilliseconds = times.back();
+    times.pop_back();
     const std::size_t drawn = times.size() - (resolved ? 1 : 0);
     for (std::size_t i = 0; i < drawn; ++i)
         frame.passes[i].milliseconds = times[i];
@@ -89,7 +105,7 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
     for (int i = 0; i < options.warmUpFrames + measured; ++i) {
         auto sections = state_->stage.draw(*staged, items);
         if (!sections) return sections.error();
-        if (i >= options.warmUpFrames) timed.push_back(std::move(*sections));
+        if (i >= options.warmUpFrames) timed.push_back(clearsLast(*sections));
     }
     readTimes(medians(timed), staged->frame.resolve.has_value(), frame);
     return frame;

@@ -23,6 +23,7 @@ struct SessionPass {
 struct SessionFrame {
     std::string technique;
     std::vector<SessionPass> passes;           // of the whole frame, in order
+    double clearMilliseconds = 0;              // where clears are timed apart
     std::optional<double> resolveMilliseconds; // where a pixel of the caller's targets has several samples
     std::vector<std::string>
         produced; // effect files that had to draw a texture for this frame, in order; none where nothing they read changed

@@ -88,6 +88,7 @@ Result<StagedFrame> Stage::prepare(const Workspace& workspace, const RunOptions&
     if (!frame) return frame.error();
     staged.frame = std::move(*frame);
     staged.frame.before = std::move(before);
+    staged.frame.clearsApart = options.clearsApart;
     return staged;
 }
 

@@ -23,7 +23,7 @@ constexpr double kLeast = 0.35;
 /// Widths of the widest Gaussian within which sources count: 3 leave out 1.1 %.
 constexpr double kReach = 3.0;
 /// A source is taken apart to find its weight where its side is more than this share of the narrower Gaussian's width.
-constexpr double kFineShare = 0.5;
+constexpr double kFineShare = 0.75;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
 constexpr int kBeside = 2;
 /// A texel counts as at most so many usual ones along a side.

@@ -123,6 +123,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> gaussianCases();
 [[nodiscard]] std::vector<FunctionCase> poissonCases();
 [[nodiscard]] std::vector<FunctionCase> scatterCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidCases();
 [[nodiscard]] std::vector<FunctionCase> cullCases();
 [[nodiscard]] std::vector<FunctionCase> furCases();
 [[nodiscard]] std::vector<FunctionCase> furRootsCases();

@@ -93,6 +93,7 @@ Result<void> judge(Row& row, const Stage& stage, const Result<Drawn>& drawn) {
         row.own = *own;
     }
     row.drawn = {.milliseconds = drawn->milliseconds,
+                 .gross = drawn->gross,
                  .passes = drawn->passes,
                  .bytes = drawn->bytes,
                  .targetBytes = drawn->targetBytes,

@@ -22,7 +22,8 @@ struct Entrant {
     RunOptions options;
     std::uint64_t bytes = 0;
     std::uint64_t targetBytes = 0;
-    std::vector<double> frames;
+    std::vector<double> frames;         // of all passes
+    std::vector<double> gross;          // and of clears
     std::vector<std::string> passNames; // in order of the frame
     std::map<std::string, std::vector<double>> passes;
 };
@@ -47,7 +48,8 @@ Result<Entrant> enter(gpu::Device& device, const Contest& contest, const Contend
                        .height = contest.height,
                        .compiler = contest.compiler,
                        .parameters = contender.parameters,
-                       .meshTextures = contest.meshTextures};
+                       .meshTextures = contest.meshTextures,
+                       .clearsApart = true};
     const std::uint64_t before = device.allocatedBytes();
     entrant.session = std::make_unique<EffectSession>(device, *entrant.effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
     const auto frame = entrant.session->draw(contest.scene.workspace, entrant.options);
@@ -69,14 +71,19 @@ Result<void> drawOnce(const Contest& contest, Entrant& entrant, bool timed) {
         whole += pass.milliseconds;
     }
     entrant.frames.push_back(whole);
+    entrant.gross.push_back(whole + frame->clearMilliseconds);
     for (const auto& [name, milliseconds] : sums)
         entrant.passes[name].push_back(milliseconds);
     return {};
 }
 
 Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
-    Drawn drawn{
-        .milliseconds = spreadOf(entrant.frames), .passes = {}, .bytes = entrant.bytes, .targetBytes = entrant.targetBytes, .picture = {}};
+    Drawn drawn{.milliseconds = spreadOf(entrant.frames),
+                .gross = spreadOf(entrant.gross),
+                .passes = {},
+                .bytes = entrant.bytes,
+                .targetBytes = entrant.targetBytes,
+                .picture = {}};
     for (const std::string& name : entrant.passNames)
         drawn.passes.push_back({name, quantile(entrant.passes.at(name), 0.5)});
     auto picture = run::readBack(device, *entrant.session->target(""));

@@ -25,7 +25,8 @@ struct PassTime {
 
 /// What drawing cost, and the last picture.
 struct Drawn {
-    Spread milliseconds;          // of all passes of a frame
+    Spread milliseconds;          // of all passes of a frame, without clears
+    Spread gross;                 // with them
     std::vector<PassTime> passes; // of one name: together
     std::uint64_t bytes = 0;      // everything the technique holds on the device: targets, textures, mesh
     std::uint64_t targetBytes = 0;

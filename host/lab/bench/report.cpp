@@ -58,6 +58,8 @@ Json rowJson(const Row& row, const Machine& machine) {
     }
     const Spread& ms = row.drawn.milliseconds;
     json["ms"] = {{"median", ms.median}, {"p5", ms.p5}, {"p95", ms.p95}, {"noise", ms.noise}};
+    const Spread& gross = row.drawn.gross;
+    json["ms_gross"] = {{"median", gross.median}, {"p5", gross.p5}, {"p95", gross.p95}, {"noise", gross.noise}};
     json["passes"] = passesJson(row.drawn);
     json["bytes"] = row.drawn.bytes;
     json["target_bytes"] = row.drawn.targetBytes;
@@ -102,17 +104,17 @@ std::string toJson(const std::vector<Row>& rows, const Machine& machine) {
 
 std::string toCsv(const std::vector<Row>& rows, const Machine& machine) {
     std::string csv = "technique,setting,scene,mesh,width,height,map_size,shadow_size,coverage,device,driver,ms_median,ms_p5,ms_p95,ms_"
-                      "noise,bytes,target_bytes,"
+                      "noise,ms_gross,bytes,target_bytes,"
                       "rel_l2,p99,p999,max_interior,bias,psnr,flip,own_rel_l2,reference_id,reference_pixels\n";
     for (const Row& row : rows) {
         if (row.failure) continue;
         const Spread& ms = row.drawn.milliseconds;
         const Errors& e = row.errors;
-        csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:."
-                           "6g},{},{},{},{}\n",
-                           quoted(row.contender.name()), quoted(row.contender.setting), quoted(row.scene), quoted(row.mesh), row.width,
-                           row.height, row.mapSize, row.shadowSize, row.coverage, quoted(machine.device), quoted(machine.driver), ms.median,
-                           ms.p5, ms.p95, ms.noise, row.drawn.bytes, row.drawn.targetBytes, e.relativeL2, e.p99, e.p999, e.largestInterior,
+        csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},", quoted(row.contender.name()),
+                           quoted(row.contender.setting), quoted(row.scene), quoted(row.mesh), row.width, row.height, row.mapSize,
+                           row.shadowSize, row.coverage, quoted(machine.device), quoted(machine.driver), ms.median, ms.p5, ms.p95, ms.noise,
+                           row.drawn.gross.median, row.drawn.bytes, row.drawn.targetBytes);
+        csv += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{},{}\n", e.relativeL2, e.p99, e.p999, e.largestInterior,
                            e.bias, e.psnr, e.flip ? fmt::format("{:.6g}", *e.flip) : "",
                            row.own ? fmt::format("{:.6g}", row.own->relativeL2) : "", row.referenceId, row.referencePixels);
     }
@@ -120,8 +122,8 @@ std::string toCsv(const std::vector<Row>& rows, const Machine& machine) {
 }
 
 Table toTable(const std::vector<Row>& rows) {
-    Table table{.header = {"technique", "setting", "scene", "maps", "shadow", "ms", "p5", "p95", "MiB", "rel L2", "p99", "max", "bias",
-                           "PSNR", "FLIP", "own"},
+    Table table{.header = {"technique", "setting", "scene", "maps", "shadow", "ms", "gross", "p5", "p95", "MiB", "rel L2", "p99", "max",
+                           "bias", "PSNR", "FLIP", "own"},
                 .rows = {}};
     for (const Row& row : rows) {
         std::vector<std::string> cells = {row.contender.name(), row.contender.setting, row.scene, std::to_string(row.mapSize),
@@ -129,13 +131,14 @@ Table toTable(const std::vector<Row>& rows) {
         const Spread& ms = row.drawn.milliseconds;
         const Errors& e = row.errors;
         if (row.failure)
-            cells.insert(cells.end(), {"failed", "", "", "", "", "", "", "", "", "", ""});
+            cells.insert(cells.end(), {"failed", "", "", "", "", "", "", "", "", "", "", ""});
         else
             cells.insert(cells.end(),
-                         {fmt::format("{:.3f}", ms.median), fmt::format("{:.3f}", ms.p5), fmt::format("{:.3f}", ms.p95),
-                          mebibytes(row.drawn.targetBytes), fmt::format("{:.4f}", e.relativeL2), fmt::format("{:.3f}", e.p99),
-                          fmt::format("{:.3f}", e.largestInterior), fmt::format("{:+.4f}", e.bias), fmt::format("{:.1f}", e.psnr),
-                          optional(e.flip, "-"), row.own ? fmt::format("{:.4f}", row.own->relativeL2) : "-"});
+                         {fmt::format("{:.3f}", ms.median), fmt::format("{:.3f}", row.drawn.gross.median), fmt::format("{:.3f}", ms.p5),
+                          fmt::format("{:.3f}", ms.p95), mebibytes(row.drawn.targetBytes), fmt::format("{:.4f}", e.relativeL2),
+                          fmt::format("{:.3f}", e.p99), fmt::format("{:.3f}", e.largestInterior), fmt::format("{:+.4f}", e.bias),
+                          fmt::format("{:.1f}", e.psnr), optional(e.flip, "-"),
+                          row.own ? fmt::format("{:.4f}", row.own->relativeL2) : "-"});
         table.rows.push_back(std::move(cells));
     }
     return table;

@@ -1,0 +1,321 @@
+// Pyramid and ladder, the metric of texels, and planar shadows against double precision: interpolation by Neville's scheme, eigenvalues of
+// the first fundamental form, rays that meet planes.
+
+#include "tests/hlsl/function_case.h"
+#include "tests/hlsl/maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kPresent = 1.0 / 12 + 1.0 / 6; // texels^2
+constexpr double kApart = 1.3;
+constexpr double kGap = 10;
+constexpr double kTexel = 1.0 / kTestMapSize;
+
+double levelVariance(double level) {
+    return (std::pow(4.0, level) - 1) / 2 + kPresent;
+}
+
+/// Variances (mm^2) of the steps on the ladder, the pixel's own first; the first level's number.
+struct Ladder {
+    std::vector<double> variances;
+    int start = 0;
+};
+
+Ladder ladder(double pixel, double density, int top) {
+    Ladder steps;
+    while (steps.start < top - 2 && levelVariance(steps.start) < kApart * pixel * density)
+        ++steps.start;
+    steps.variances.push_back(std::max(pixel, levelVariance(steps.start) / (kGap * density)));
+    for (int level = steps.start; level <= top; ++level)
+        steps.variances.push_back(levelVariance(level) / density);
+    return steps;
+}
+
+/// What the function that is 1 at rung `at` and 0 at the others becomes at y, through the four rungs around y (Neville).
+double weight(double variance, int step, double pixel, double density, int top) {
+    const Ladder steps = ladder(pixel, density, top);
+    const int last = static_cast<int>(steps.variances.size()) - 1;
+    const int place = step == 0 ? 0 : step - steps.start;
+    if (step > 0 && place < 1) return 0;
+    const double v = std::clamp(variance, steps.variances.front(), steps.variances.back());
+    int below = 0; // the last rung that is not above
+    while (below < last && steps.variances[static_cast<std::size_t>(below) + 1] <= v)
+        ++below;
+    const int first = std::clamp(below - 1, 0, last - 3);
+    if (place < first || place > first + 3) return 0;
+    std::array<double, 4> x{};
+    std::array<double, 4> p{};
+    for (int i = 0; i < 4; ++i) {
+        x[static_cast<std::size_t>(i)] = std::log(steps.variances[static_cast<std::size_t>(first + i)]);
+        p[static_cast<std::size_t>(i)] = first + i == place ? 1 : 0;
+    }
+    const double y = std::log(v);
+    for (std::size_t width = 1; width < 4; ++width)
+        for (std::size_t i = 0; i + width < 4; ++i)
+            p[i] = ((y - x[i + width]) * p[i] + (x[i] - y) * p[i + 1]) / (x[i] - x[i + width]);
+    return p[0];
+}
+
+/// Whether rounding may choose other rungs: near a change of the first level, or of the four around.
+bool undecided(double variance, double pixel, double density, int top) {
+    const auto near = [](double a, double b) { return std::abs(a / b - 1) < 1e-4; };
+    for (int level = 0; level <= top; ++level)
+        if (near(levelVariance(level), kApart * pixel * density) || near(levelVariance(level), variance * density)) return true;
+    return false;
+}
+
+glm::dvec3 across(const glm::dvec3& normal) {
+    return glm::normalize(glm::cross(normal, std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+}
+
+/// Of the first two arguments.
+glm::dvec2 texelOf(const Inputs& x) {
+    return {x.scalar(0), x.scalar(1)};
+}
+
+double stored(double depth) {
+    return depth > 0 ? depth : 1e9;
+}
+
+std::vector<FunctionCase> ladderCases() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgLadderVariance",
+                     .body = "return tgLadderVariance(a0);",
+                     .arguments = {whole(0, 8)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double v = levelVariance(x.scalar(0));
+                             return values(v, v, v, v);
+                         },
+                     .tolerance = {.forward = 8, .backward = 0, .why = "a power of two and two sums"}});
+    cases.push_back({.function = "tgLadderLevel",
+                     .body = "return float4(tgLadderLevel(a0), 0, 0, 0);",
+                     .arguments = {linear(0.25, 3000)},
+                     .expected = [](const Inputs& x) { return values(std::log2(2 * (x.scalar(0) - kPresent) + 1) / 2); },
+                     .tolerance = {.forward = 8, .backward = 2, .absolute = 2e-6, .why = "a logarithm, whose error is absolute near 1"}});
+    cases.push_back({.function = "tgLadderStart",
+                     .body = "return float4(tgLadderStart(a0, a1, 6.0), 0, 0, 0);",
+                     .arguments = {linear(0.001, 0.1), linear(0.1, 2000)},
+                     .expected = [](const Inputs& x) { return values(ladder(x.scalar(0), x.scalar(1), 6).start); },
+                     .tolerance = {.forward = 0, .backward = 0, .why = "a whole number"},
+                     .domain = [](const Inputs& x) { return !undecided(1, x.scalar(0), x.scalar(1), 6); }});
+    cases.push_back({.function = "tgLadderRung",
+                     .body = "return float4(tgLadderRung(a0, a1, a2, a3), 0, 0, 0);",
+                     .arguments = {whole(0, 4), whole(0, 3), linear(0.001, 0.1), linear(0.1, 2000)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double v = x.scalar(0) < 0.5 ? x.scalar(2) : levelVariance(x.scalar(1) + x.scalar(0) - 1) / x.scalar(3);
+                             return values(std::log2(v));
+                         },
+                     .tolerance = {.forward = 8, .backward = 2, .absolute = 4e-6, .why = "a logarithm, whose error is absolute near 1"}});
+    cases.push_back(
+        {.function = "tgLadderWeight",
+         .body = "return float4(tgLadderWeight(a0, a1, 0.0064, a2, 6.0), tgLadderWeight(a0, a1, 0.0064, a2, 2.0), 0, 0);",
+         .arguments = {linear(0.01, 8), whole(0, 7), linear(1, 30)},
+         .expected =
+             [](const Inputs& x) {
+                 const int step = static_cast<int>(x.scalar(1));
+                 return values(weight(x.scalar(0), step, 0.0064, x.scalar(2), 6), weight(x.scalar(0), step, 0.0064, x.scalar(2), 2));
+             },
+         .tolerance =
+             {.forward = 8, .backward = 2, .absolute = 3e-5, .why = "products of quotients of differences of logarithms, each off by 4e-6"},
+         .domain =
+             [](const Inputs& x) {
+                 return !undecided(x.scalar(0), 0.0064, x.scalar(2), 6) && !undecided(x.scalar(0), 0.0064, x.scalar(2), 2);
+             }});
+    cases.push_back({.function = "tgLadderCoordinate",
+                     .body = "return float4(tgLadderCoordinate(a0, a1), 0, 0);",
+                     .arguments = {whole(0, 15), linear(0.02, 10000)},
+                     .expected = [](const Inputs& x) { return values((std::log2(x.scalar(1)) + 6) * 8 / 160, (x.scalar(0) + 0.5) / 16); },
+                     .tolerance = {.forward = 8, .backward = 2, .absolute = 1e-6, .why = "a logarithm, whose error is absolute near 1"}});
+    cases.push_back({.function = "tgLadderDensity",
+                     .body = "return float4(tgLadderDensity(a0), 0, 0, 0);",
+                     .arguments = {linear(0, 1)},
+                     .expected = [](const Inputs& x) { return values(std::exp2(20 * x.scalar(0) - 6)); },
+                     .tolerance = {.forward = 40, .backward = 8, .why = "exp2 of up to 14: 3 + 2 |x| ULP in Vulkan"}});
+    return cases;
+}
+
+std::vector<FunctionCase> mapCases() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgMetric",
+                     .body = "float3 m = tgMetric(a0, a1); return float4(m.x * m.x, m.x * m.y, m.y * m.y, m.z);",
+                     .arguments = {linear(-0.5, 0.5, 3), linear(-0.5, 0.5, 3)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double e = glm::dot(x.vec3(0), x.vec3(0));
+                             const double f = glm::dot(x.vec3(0), x.vec3(1));
+                             const double g = glm::dot(x.vec3(1), x.vec3(1));
+                             const double root = std::sqrt((e - g) * (e - g) / 4 + f * f);
+                             const double large = (e + g) / 2 + root;
+                             const double small = std::max((e + g) / 2 - root, large / 9);
+                             const double turn = std::atan2(2 * f, e - g) / 2 + 1.5707963267948966; // of the smaller eigenvalue
+                             const glm::dvec2 d = std::sqrt(large / small - 1) * glm::dvec2(std::cos(turn), std::sin(turn));
+                             return values(d.x * d.x, d.x * d.y, d.y * d.y, 1 / large);
+                         },
+                     .tolerance = {.forward = 64, .backward = 16, .absolute = 2e-3, .why = "eigenvectors of a form that is nearly round"},
+                     .domain =
+                         [](const Inputs& x) {
+                             const double e = glm::dot(x.vec3(0), x.vec3(0));
+                             const double f = glm::dot(x.vec3(0), x.vec3(1));
+                             const double g = glm::dot(x.vec3(1), x.vec3(1));
+                             return std::hypot(e - g, 2 * f) > 0.05 * (e + g) && e + g > 0.01;
+                         }});
+    cases.push_back({.function = "tgPyramidReduce",
+                     .body = "return tgPyramidReduce(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0);",
+                     .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             glm::dvec4 sum(0);
+                             for (const double j : {-0.75, 0.75})
+                                 for (const double i : {-0.75, 0.75})
+                                     sum += irradianceMap().at((texelOf(x) + 0.5 + glm::dvec2(i, j)) * kTexel);
+                             return values(sum / 4.0);
+                         },
+                     .tolerance = {.forward = 4, .backward = 0, .absolute = 1e-7, .why = "a mean of four"},
+                     .map = &irradianceMap()});
+    cases.push_back({.function = "tgPyramidAround",
+                     .body = "return tgPyramidAround(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0);",
+                     .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             glm::dvec4 sum(0);
+                             for (int j = -1; j <= 1; ++j)
+                                 for (int i = -1; i <= 1; ++i)
+                                     if (i != 0 || j != 0) sum += irradianceMap().at((texelOf(x) + 0.5 + glm::dvec2(i, j)) * kTexel);
+                             return values(sum);
+                         },
+                     .tolerance = {.forward = 8, .backward = 0, .absolute = 1e-6, .why = "a sum of eight"},
+                     .map = &irradianceMap()});
+    cases.push_back(
+        {.function = "tgPyramidRound",
+         .body = "return float4(tgPyramidRound(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0, 1.0, float2(0, 0)), 0);",
+         .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec2 uv = (texelOf(x) + 0.5) * kTexel;
+                 glm::dvec4 sum = irradianceMap().at(uv);
+                 if (sum.w < 1e-3) {
+                     sum = glm::dvec4(0);
+                     for (int j = -1; j <= 1; ++j)
+                         for (int i = -1; i <= 1; ++i)
+                             if (i != 0 || j != 0) sum += irradianceMap().at(uv + glm::dvec2(i, j) * kTexel);
+                 }
+                 return values(sum.w > 1e-6 ? glm::dvec3(sum) / sum.w : glm::dvec3(0));
+             },
+         .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of eight at most, a quotient"},
+         .map = &irradianceMap()});
+    return cases;
+}
+
+std::vector<FunctionCase> shadowCasesOfPlanes() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(
+        {.function = "tgShadowPlanarDepth",
+         .body = "return float4(tgShadowPlanarDepth(float4(0, 0, a0, 1), a1, a2), 0, 0, 0);",
+         .arguments = {linear(-1, 1), linear(-500, 500, 3), unit()},
+         .expected = [](const Inputs& x) { return values(x.scalar(0) > 0 ? -glm::dot(x.vec3(1), x.vec3(2)) : 0); },
+         .tolerance = {.forward = 4, .backward = 2, .absolute = 2e-4, .why = "a sum of three products of up to 500 that may cancel"}});
+    cases.push_back({.function = "tgShadowPlanarSlope",
+                     .body =
+                         "float3 axis = cross(float3(1, 0, 0), float3(0, 1, 0)); return float4(tgShadowPlanarSlope(a0, float3(1, 0, 0), "
+                         "float3(0, 1, 0), normalize(float3(a1, 1)), -axis, a2), 0, 0);",
+                     .arguments = {unit(), linear(-0.4, 0.4, 2), linear(0.01, 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             // The light looks along -z from 500 mm over the point; rays through neighbouring texels meet the point's
+                             // plane.
+                             const glm::dvec3 normal = x.vec3(0);
+                             const double far = 500;
+                             const glm::dvec3 ray = glm::dvec3(-x.vec2(1), -1); // to the point, per mm of depth
+                             const double facing = -glm::dot(normal, ray);
+                             if (facing <= 0) return values(0);
+                             const double plane = glm::dot(normal, far * ray);
+                             const double step = 1e-6 * x.scalar(2) / far;
+                             const auto depth = [&](double u, double v) {
+                                 const glm::dvec3 other = ray + glm::dvec3(u, -v, 0);
+                                 const double towards = std::min(glm::dot(normal, other), -0.15);
+                                 return plane / towards;
+                             };
+                             const double here = plane / glm::dot(normal, ray);
+                             return values((depth(step, 0) - here) * 1e6, (depth(0, step) - here) * 1e6);
+                         },
+                     .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-3, .why = "the reference takes a difference quotient"},
+                     .domain = [](const Inputs& x) { return -glm::dot(x.vec3(0), glm::dvec3(-x.vec2(1), -1)) > 0.2; }});
+    cases.push_back({.function = "tgShadowPlanarHorizon",
+                     .body = "return float4(tgShadowPlanarHorizon(a0), 0, 0, 0);",
+                     .arguments = {linear(-1, 1)},
+                     .expected = [](const Inputs& x) { return values(std::clamp(x.scalar(0) / 0.05, 0.0, 1.0)); },
+                     .tolerance = {.forward = 4, .backward = 0, .why = "a quotient"}});
+    cases.push_back({.function = "tgShadowAcross",
+                     .body = "return float4(tgShadowAcross(a0), 0);",
+                     .arguments = {unit()},
+                     .expected = [](const Inputs& x) { return values(across(x.vec3(0))); },
+                     .tolerance = {.forward = 8, .backward = 4, .absolute = 2e-6, .why = "a cross product, normalised"},
+                     .domain = [](const Inputs& x) { return std::abs(std::abs(x.scalar(0, 1)) - 0.9) > 1e-4; }});
+    cases.push_back({.function = "tgShadowSharp",
+                     .body = "return float4(tgShadowSharp(TG_SAMPLER2D_ARG(gTest), a0, a1, a2), 0, 0, 0);",
+                     .arguments = {linear(-0.1, 1.1, 2), linear(400, 700), linear(-2, 2, 2)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec2 beyond = x.vec2(0) - glm::clamp(x.vec2(0), 0.0, 1.0);
+                             if (beyond != glm::dvec2(0)) return values(1);
+                             const glm::dvec2 place = x.vec2(0) * double{kTestMapSize} - 0.5;
+                             const glm::dvec2 f = glm::fract(place);
+                             double sum = 0;
+                             for (int j = 0; j < 2; ++j)
+                                 for (int i = 0; i < 2; ++i) {
+                                     const double plane = x.scalar(1) + x.scalar(2) * (i - f.x) + x.scalar(2, 1) * (j - f.y);
+                                     const double w = (i == 0 ? 1 - f.x : f.x) * (j == 0 ? 1 - f.y : f.y);
+                                     const auto corner = glm::ivec2(glm::floor(place));
+                                     sum += plane <= stored(shadowMap().texel(corner.x + i, corner.y + j).x) ? w : 0;
+                                 }
+                             return values(sum);
+                         },
+                     .tolerance = {.forward = 4, .backward = 4, .absolute = 6e-5, .why = "the share of a texel keeps 1.2e-7 of 256"},
+                     .map = &shadowMap()});
+    cases.push_back(
+        {.function = "tgShadowOnPlane",
+         .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, a1, float3(0, 0, 1), float3(1, 0, 0), float3(0, 1, 0), "
+                 "float3(0, 0, -1), 0.2, 0.1), 0, 0, 0);",
+         .arguments = {linear(0.1, 0.9, 2), linear(400, 700)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec3 side = across({0, 0, 1});
+                 const glm::dvec3 other = glm::cross(glm::dvec3(0, 0, 1), side);
+                 double sum = 0;
+                 for (int j = 0; j < 4; ++j)
+                     for (int i = 0; i < 4; ++i) {
+                         const double a = 0.1 * (i - 1.5);
+                         const double b = 0.1 * (j - 1.5);
+                         const double c = 0.9701425;
+                         const double s = 0.2425356;
+                         const glm::dvec3 tap = a * (c * side + s * other) + b * (c * other - s * side);
+                         const glm::dvec2 uv = x.vec2(0) + glm::dvec2(tap.x, -tap.y) / (0.2 * kTestMapSize);
+                         sum += x.scalar(1) <= stored(shadowMap().at(uv).x) ? 1.0 / 16 : 0;
+                     }
+                 return values(sum);
+             },
+         .tolerance = {.forward = 4, .backward = 16, .absolute = 0.07, .why = "a tap on the border of a texel may see either"},
+         .map = &shadowMap()});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> pyramidCases() {
+    std::vector<FunctionCase> cases = ladderCases();
+    for (auto make : {mapCases, shadowCasesOfPlanes})
+        for (FunctionCase& one : make())
+            cases.push_back(std::move(one));
+    return cases;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,137 @@
+// Links of skin against integrals in closed form: planes, sheets, borders.
+
+#include "meshprep/skin/link_cells.h"
+#include "meshprep/skin/skin_links.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr std::array kVariances = {1.99, 7.41};
+
+/// A square of `side` mm at height z, over the square of the map with this corner and side.
+void addSheet(Mesh& mesh, double side, double z, glm::dvec2 corner, double mapSide) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec2 at(i % 2, i / 2);
+        mesh.positions.emplace_back((at.x - 0.5) * side, (at.y - 0.5) * side, z);
+        mesh.uvs.emplace_back(corner + at * mapSide);
+    }
+    for (const std::uint32_t index : {0U, 1U, 2U, 2U, 1U, 3U})
+        mesh.indices.push_back(first + index);
+}
+
+struct Read {
+    std::array<double, 2> sum{}; // of the weights
+    glm::dvec2 uv{0};            // mean place of the sources, by the second weight
+    std::size_t count = 0;
+    std::array<double, 2> beyond{}; // weights of sources with v > 1/2
+};
+
+/// The list of a texel, as the effect reads it: the last texel of the sheet says how many tiles there are.
+Read listOf(const SkinLinks& links, int x, int y) {
+    const Image& sheet = links.sheet;
+    const int tiles = static_cast<int>(sheet.at(sheet.width - 1, sheet.height - 1, 0));
+    Read read;
+    for (int k = 0; k < kMostLinks; ++k) {
+        const int u = k % tiles * kLinkSide + x;
+        const int v = k / tiles * kLinkSide + y;
+        if (k >= tiles * tiles || sheet.at(u, v, 0) == 0) break;
+        const glm::dvec2 uv(std::abs(sheet.at(u, v, 0)), std::abs(sheet.at(u, v, 1)));
+        const std::array<double, 2> weight = {std::abs(sheet.at(u, v, 2)), std::abs(sheet.at(u, v, 3))};
+        for (std::size_t i = 0; i < 2; ++i) {
+            read.sum[i] += weight[i];
+            read.beyond[i] += uv.y > 0.5 ? weight[i] : 0;
+        }
+        read.uv += weight[1] * uv;
+        ++read.count;
+    }
+    read.uv /= read.sum[1];
+    return read;
+}
+
+} // namespace
+
+TEST(SkinLinks, TheMiddleOfALargePlaneGetsAllOfItsLight) {
+    Mesh plane;
+    addSheet(plane, 100, 0, {0.05, 0.05}, 0.9);
+    const auto links = makeSkinLinks(plane);
+    ASSERT_TRUE(links) << format(links.error());
+    const Read read = listOf(*links, 128, 128);
+    // Beyond 3 widths of the wider Gaussian exp(-4.5) = 1.1 % of it is lost, of the narrower one nothing.
+    EXPECT_NEAR(read.sum[0], 1, 0.005);
+    EXPECT_NEAR(read.sum[1], 1, 0.02);
+    EXPECT_NEAR(read.uv.x, 128.5 / 256, 0.002) << "sources lie around the texel";
+    EXPECT_NEAR(read.uv.y, 128.5 / 256, 0.002);
+    EXPECT_GT(read.count, 10U);
+    EXPECT_LE(read.count, static_cast<std::size_t>(kMostLinks));
+}
+
+TEST(SkinLinks, LightDiesAwayAcrossAGapAsTheGaussianDoes) {
+    constexpr double kApart = 2.5; // mm
+    Mesh sheets;
+    addSheet(sheets, 45, 0, {0.02, 0.02}, 0.45);
+    addSheet(sheets, 45, kApart, {0.02, 0.53}, 0.45);
+    const auto links = makeSkinLinks(sheets);
+    ASSERT_TRUE(links) << format(links.error());
+    const int middle = static_cast<int>(0.245 * kLinkSide);
+    const Read read = listOf(*links, middle, middle);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double expected = std::exp(-kApart * kApart / (2 * kVariances[i]));
+        // Sources are made narrower for their size, so what lies at one distance only gets too little: a tenth.
+        EXPECT_NEAR(read.beyond[i] / (read.sum[i] - read.beyond[i]), expected, 0.1 + 0.02) << i;
+        EXPECT_NEAR(read.sum[i], 1 + expected, 0.03) << "not normalised: the other sheet adds to the light";
+    }
+}
+
+TEST(SkinLinks, HalfOfTheLightReachesTheBorderAndLessWhatLiesBeyond) {
+    Mesh plane;
+    addSheet(plane, 100, 0, {0.0, 0.25}, 0.5); // ends at u = 1/2, a texel's border, and at v = 1/4
+    const auto links = makeSkinLinks(plane);
+    ASSERT_TRUE(links) << format(links.error());
+    const double texel = 100.0 / 128; // mm
+    for (const int beyond : {-3, -1, 0, 1}) {
+        const double away = (beyond + 0.5) * texel; // of the texel's middle from the border
+        const Read read = listOf(*links, 128 + beyond, 128);
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_NEAR(read.sum[i], 0.5 * std::erfc(away / std::sqrt(2 * kVariances[i])), 0.025) << beyond << " " << i;
+    }
+    EXPECT_EQ(listOf(*links, 128 + 3, 128).count, 0U) << "nothing farther out";
+}
+
+TEST(SkinLinks, WhatTheMeshCallsNoSkinSendsNothing) {
+    Mesh plane;
+    addSheet(plane, 100, 0, {0, 0}, 1);
+    Image color{.width = 2, .height = 1, .channels = 4, .pixels = {1, 1, 1, 1, 1, 1, 1, 0}, .metadata = {}};
+    plane.textures.push_back({.role = "color", .image = color});
+    const auto links = makeSkinLinks(plane);
+    ASSERT_TRUE(links) << format(links.error());
+    EXPECT_NEAR(listOf(*links, 64, 128).sum[1], 1, 0.02);
+    EXPECT_EQ(listOf(*links, 192, 128).count, 0U);
+}
+
+TEST(SkinLinks, MeshesWithoutTextureCoordinatesAreRefused) {
+    Mesh plane;
+    addSheet(plane, 100, 0, {0, 0}, 1);
+    plane.uvs.clear();
+    const auto links = makeSkinLinks(plane);
+    ASSERT_FALSE(links);
+    EXPECT_EQ(links.error().diagnostics.front().code, 7044) << "TG7044";
+}
+
+TEST(SkinLinks, TheyAreTheSameWithAnyNumberOfThreads) {
+    Mesh plane;
+    addSheet(plane, 60, 0, {0.1, 0.1}, 0.8);
+    const auto one = makeSkinLinks(plane, {.threads = 1});
+    const auto many = makeSkinLinks(plane, {.threads = 3});
+    ASSERT_TRUE(one && many);
+    EXPECT_TRUE(one->sheet.pixels == many->sheet.pixels);
+}
+
+} // namespace tegument::test

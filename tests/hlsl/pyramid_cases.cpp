@@ -17,6 +17,7 @@ constexpr double kPresent = 1.0 / 12 + 1.0 / 6; // texels^2
 constexpr double kApart = 1.3;
 constexpr double kGap = 10;
 constexpr double kTexel = 1.0 / kTestMapSize;
+constexpr double kLengthOfZero = 1e-10; // shorter vectors shrink towards zero instead of becoming unit vectors
 
 double levelVariance(double level) {
     return (std::pow(4.0, level) - 1) / 2 + kPresent;
@@ -71,8 +72,10 @@ bool undecided(double variance, double pixel, double density, int top) {
     return false;
 }
 
+/// Zero stays zero.
 glm::dvec3 across(const glm::dvec3& normal) {
-    return glm::normalize(glm::cross(normal, std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+    const glm::dvec3 way = glm::cross(normal, std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0));
+    return way / std::max(glm::length(way), kLengthOfZero);
 }
 
 /// Of the first two arguments.

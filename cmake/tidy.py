@@ -51,11 +51,23 @@ def key_of(program, path, command):
     return digest.hexdigest()
 
 
+def without_precompiled_headers(entries, folder):
+    """The same commands with copies of CMake's precompiled headers, beside which no compiler has put what only it can read."""
+    for entry in entries:
+        for header in set(re.findall(r"\S+/cmake_pch\.hxx(?=\s)", entry["command"])):
+            copy = folder / hashlib.sha256(header.encode()).hexdigest()[:16] / "cmake_pch.hxx"
+            copy.parent.mkdir(exist_ok=True)
+            copy.write_bytes(pathlib.Path(header).read_bytes())
+            entry["command"] = entry["command"].replace(header, str(copy))
+    (folder / "compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
+    return entries
+
+
 def look(program, build, path, command):
     stamp = build / "tidy" / key_of(program, path, command)
     if stamp.exists():
         return path, ""
-    done = subprocess.run([program, "--quiet", "-p", str(build), str(path)], capture_output=True, text=True, check=False)
+    done = subprocess.run([program, "--quiet", "-p", str(build / "tidy"), str(path)], capture_output=True, text=True, check=False)
     if done.returncode == 0:
         stamp.touch()
         return path, ""
@@ -66,7 +78,7 @@ def main(arguments):
     program, build = arguments[0], pathlib.Path(arguments[1])
     pattern = re.compile(arguments[2] if len(arguments) > 2 else "(host|meshprep|tests|docs)/")
     (build / "tidy").mkdir(exist_ok=True)
-    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    entries = without_precompiled_headers(json.loads((build / "compile_commands.json").read_text(encoding="utf-8")), build / "tidy")
     commands = {pathlib.Path(entry["file"]).resolve(): entry["command"] for entry in entries}
     chosen = sorted(path for path in commands if path.is_relative_to(ROOT) and pattern.match(str(path.relative_to(ROOT))))
     flawed = 0

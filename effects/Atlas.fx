@@ -1,5 +1,5 @@
 // Atlas: what lighting in texture space needs of the mesh, drawn once per mesh and pose: place and normals in the mesh's own space, and the
-// metric of its texels. Shown: normals. Passes that light it are full-screen passes, and draw no triangle.
+// metric of its texels. Shown: texels per mm. Passes that light it are full-screen passes, and draw no triangle.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
@@ -20,11 +20,13 @@ Texture2D gAtlasChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; i
     string Format = "A32B32G32R32F"; >;
 Texture2D gAtlasMetricMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 TG_SAMPLER2D(gAtlasCharts, POINT, CLAMP);
-TG_SAMPLER2D(gAtlasNormal, POINT, CLAMP);
+TG_SAMPLER2D(gAtlasMetric, POINT, CLAMP);
 
 // Levels of the chart's mip chain that are looked through for the density around a gap; beyond any chain: its last level.
 static const int kGapLevels = 4;
 static const float kLastLevel = 20.0;
+// Texels of this size (mm) are shown white.
+static const float kShownTexel = 0.1;
 
 struct AtlasVarying
 {
@@ -87,7 +89,8 @@ float4 MetricPS(QuadVarying input) : SV_Target0
 
 float4 ShowPS(QuadVarying input) : SV_Target0
 {
-    return float4(0.5 + 0.5 * tex2Dlod(gAtlasNormal, float4(input.uv, 0.0, 0.0)).xyz, 1.0);
+    float density = sqrt(tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).z);
+    return float4(float3(1.0, 1.0, 1.0) * density * kShownTexel, 1.0);
 }
 
 #ifdef FX_TECHNIQUES

@@ -22,11 +22,16 @@ LitPoint litPoint(SurfaceVarying input)
     float4 colour = tex2D(gSkin, input.uv);
     p.albedo = colour.rgb;
     p.scatters = colour.a;
+    // Where the surface turns away from the light, no map need say so.
+    p.shadow = 0.0;
+    [branch] if (tgShadowHorizon(dot(p.meshNormal, p.toLight)) > 0.0)
+    {
 #if TEGUMENT_SHADOW_FROM_TSM
-    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gTsm), p);
+        p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gTsm), p);
 #else
-    p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
+        p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
 #endif
+    }
     return p;
 }
 

@@ -73,16 +73,11 @@ LitPoint surfacePoint(SurfaceVarying input)
     return p;
 }
 
-// map: of depths seen from the light. It is not asked where the surface turns away.
+// map: of depths seen from the light.
 float surfaceShadow(TG_SAMPLER2D_PARAM(map), LitPoint p)
 {
-    float lit = tgShadowHorizon(dot(p.meshNormal, p.toLight));
-    [branch] if (lit > 0.0)
-    {
-        float2 slope = tgShadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
-        lit *= tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope);
-    }
-    return lit;
+    float2 slope = tgShadowSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, p.footprint);
+    return tgShadowTest(TG_SAMPLER2D_ARG(map), p.lightUv, p.depth, gShadowTolerance, slope) * tgShadowHorizon(dot(p.meshNormal, p.toLight));
 }
 
 #endif

@@ -45,14 +45,6 @@ float tgShadowPlanarHorizon(float cosine)
     return saturate(cosine / kTgPlanarHorizon);
 }
 
-// A unit vector across another one.
-float3 tgShadowAcross(float3 normal)
-{
-    float3 helper = abs(normal.y) < 0.9 ? float3(0.0, 1.0, 0.0) : float3(1.0, 0.0, 0.0);
-    float3 across = cross(normal, helper);
-    return across * rsqrt(max(dot(across, across), 1e-20));
-}
-
 // The four nearest texels, interpolated: as sharp as the map. depth: less tolerance.
 float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope)
 {
@@ -71,12 +63,13 @@ float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, flo
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
 }
 
-// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other. The square is turned against the map, so that an edge
-// along the map's axes meets the taps one by one. depth: less tolerance; footprint: mm of a texel of the map.
+// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other. The square is turned against the light's right, so that
+// an edge along the map's axes meets the taps one by one. depth: less tolerance; footprint: mm of a texel of the map.
 float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float3 normal, float3 axisX, float3 axisY, float3 axis,
                       float footprint, float apart)
 {
-    float3 side = tgShadowAcross(normal);
+    float3 right = axisX - normal * dot(normal, axisX);
+    float3 side = right * rsqrt(max(dot(right, right), 1e-12));
     float3 other = cross(normal, side);
     float3 u = apart * (kTgTurn.x * side + kTgTurn.y * other);
     float3 v = apart * (kTgTurn.x * other - kTgTurn.y * side);

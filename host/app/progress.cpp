@@ -48,7 +48,7 @@ std::optional<Count> countIn(std::string_view text) {
 } // namespace
 
 std::string durationText(double seconds) {
-    const auto whole = static_cast<long>(seconds + 0.5);
+    const long whole = std::lround(seconds);
     return whole < 60 ? fmt::format("{} s", whole) : fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }
 

@@ -90,11 +90,10 @@ EffectSession::~EffectSession() = default;
 
 Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOptions& options, std::size_t passes) {
     auto staged = state_->stage.prepare(workspace, options);
-    std::optional<RunOptions> single; // what is staged points at it
     if (!staged && needsOneSample(staged.error(), options)) {
-        single = options;
-        single->samples = 1;
-        staged = state_->stage.prepare(workspace, *single);
+        RunOptions single = options;
+        single.samples = 1;
+        return draw(workspace, single, passes);
     }
     if (!staged) return staged.error();
     SessionFrame frame = run::describe(staged->runs, staged->frame, state_->device.info());

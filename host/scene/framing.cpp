@@ -60,7 +60,7 @@ std::vector<glm::vec3> sweptRings(const Mesh& mesh, const glm::dvec3& centre, Up
     for (const glm::vec3& position : mesh.positions) {
         const glm::dvec3 p = glm::dvec3(position) - centre;
         const double height = glm::dot(p, axis);
-        const auto slice = static_cast<std::size_t>(std::clamp((height / reach + 1) / 2, 0.0, 1.0) * kSlices + 0.5);
+        const auto slice = static_cast<std::size_t>(std::lround(std::clamp((height / reach + 1) / 2, 0.0, 1.0) * kSlices));
         widest[slice] = std::max(widest[slice], glm::length(p - height * axis));
     }
     std::vector<glm::vec3> rings;

@@ -149,5 +149,35 @@ TEST_F(Completing, drawing_with_nothing_bound_is_an_error) {
     EXPECT_EQ(test::code(complete()), 4027);
 }
 
+/// All that the annotation promises, and that the host sees for itself.
+TEST_F(Completing, a_target_that_a_full_screen_pass_overwrites_is_not_cleared_before) {
+    pass_.annotations.list.push_back({.name = "CoversTarget", .type = {}, .value = std::vector<double>{1}, .at = {}, .pieces = {}});
+    draw({"gSmall"}).kind = DrawKind::Buffer;
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_TRUE(steps<ClearStep>().empty());
+}
+
+TEST_F(Completing, a_target_is_cleared_before_a_pass_that_may_leave_pixels_out) {
+    const auto clearsOf = [&](auto change) {
+        pass_ = {};
+        pass_.name = "P";
+        pass_.state.depthTest = false;
+        pass_.annotations.list.push_back({.name = "CoversTarget", .type = {}, .value = std::vector<double>{1}, .at = {}, .pieces = {}});
+        uses_[&pass_] = {.sampled = {}, .writtenColors = 1};
+        plan_ = {};
+        DrawStep& step = draw({"gSmall"});
+        step.kind = DrawKind::Buffer;
+        change(step);
+        EXPECT_TRUE(test::succeeded(complete()));
+        return steps<ClearStep>().size();
+    };
+    EXPECT_EQ(clearsOf([](DrawStep&) {}), 0U);
+    EXPECT_EQ(clearsOf([&](DrawStep&) { pass_.annotations.list.clear(); }), 1U);
+    EXPECT_EQ(clearsOf([](DrawStep& step) { step.kind = DrawKind::Geometry; }), 1U);
+    EXPECT_EQ(clearsOf([&](DrawStep&) { uses_[&pass_].discards = true; }), 1U);
+    EXPECT_EQ(clearsOf([&](DrawStep&) { pass_.state.targets[0].enable = true; }), 1U) << "blends";
+    EXPECT_EQ(clearsOf([&](DrawStep&) { pass_.state.targets[0].writeMask = 7; }), 1U) << "keeps alpha";
+}
+
 } // namespace
 } // namespace tegument::run

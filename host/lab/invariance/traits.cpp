@@ -37,7 +37,8 @@ bool isOneOf(const std::string& name, std::initializer_list<std::string_view> na
 } // namespace
 
 bool showsMap(const Subject& subject) {
-    return isOneOf(stem(subject), {"Beckmann", "EnergyAttenuation", "PreintegratedTable", "Stretch", "Irradiance", "Convolution"});
+    return isOneOf(stem(subject),
+                   {"Beckmann", "EnergyAttenuation", "PreintegratedTable", "Stretch", "Irradiance", "Convolution", "Atlas", "Ladder"});
 }
 
 std::string apart(const Subject& subject, const Case& each) {
@@ -46,6 +47,7 @@ std::string apart(const Subject& subject, const Case& each) {
     if (each.asks == Asks::MirrorPicture && stem(subject) == "Culling") return "it shows four panels, which stay where they are";
     if (each.asks == Asks::MirrorPicture && (stem(subject) == "Burley" || subject.technique == "PreintegratedPenumbra"))
         return "its samples are turned from pixel to pixel, to one sense";
+    if (each.asks == Asks::MirrorPicture && stem(subject) == "Pyramid") return "the grid of its shadow taps is turned, to one sense";
     return {};
 }
 

@@ -53,7 +53,7 @@ float tgScreenSlope(TG_SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 fr
 // axis: in a mirror its length, and so that of a kernel, would be another one.
 float3 tgScreenTangent(TG_SAMPLER2D_PARAM(depth), float2 uv, float2 axis, float2 frustum)
 {
-    float z = tex2Dlod(depth, float4(uv, 0.0, 0.0)).x;
+    float z = TG_TEX2DLOD(depth, float4(uv, 0.0, 0.0)).x;
     float change = tgScreenSlope(TG_SAMPLER2D_ARG(depth), uv, axis, frustum);
     return tgScreenPosition(uv, change, frustum) + float3(z * axis * float2(2.0, -2.0) * frustum, 0.0);
 }

@@ -84,7 +84,7 @@ std::vector<std::string> unknownNames(const Effect& effect, const std::vector<Gi
                 unknown.push_back(name);
     }
     std::ranges::sort(unknown);
-    unknown.erase(std::ranges::unique(unknown).begin(), unknown.end());
+    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
     return unknown;
 }
 

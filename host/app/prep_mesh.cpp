@@ -22,6 +22,7 @@ struct Arguments {
     bool dryRun = false;
     bool json = false;
     bool refuseNotFinite = false;
+    std::string up; // y or z; empty: z of STL files, else y
     std::string order = "best";
     std::string cache = "warp";
     prep::PrepOptions options;
@@ -83,6 +84,7 @@ int run(Arguments& arguments) {
     if (const auto fine = checkFiles(arguments); !fine) return fail(fine.error(), arguments.json);
     if (endingOf(arguments.output) == ".ply") arguments.options.levels = 1; // it holds the full mesh only
     arguments.options.guessUnit = true;
+    arguments.options.turnUp = arguments.up.empty() ? endingOf(arguments.input) == ".stl" : arguments.up == "z";
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     if (const auto exists = inputExists(arguments); !exists) return fail(exists.error(), arguments.json);
@@ -109,6 +111,10 @@ namespace {
 void addReading(CLI::App& command, Arguments& arguments) {
     ReadOptions& read = arguments.options.read;
     command.add_option("--unit-mm", read.unitMm, "Millimetres per unit of the file; default: 1000 for glTF, else 1, or what is likely");
+    command
+        .add_option("--up", arguments.up,
+                    "Which axis of the file points up, y or z; default: z of STL files, else y. Of what is written it is y")
+        ->transform(oneOf({"y", "z"}));
     command.add_flag("--drop-bad-faces", read.dropBadFaces, "Leave out faces that refer to no vertex, instead of refusing the file");
     command.add_flag("--refuse-not-finite", arguments.refuseNotFinite,
                      "Refuse a file with NaN or infinity, instead of leaving out its faces");

@@ -74,6 +74,11 @@ private:
             return inputError(7021, {.file = path_.string(), .byte = {}}, fmt::format("{} vertices and no faces", counts.vertices),
                               "a cloud of points must be made a surface first");
         end("read", counts.faces, fmt::format("{} vertices, {} faces", counts.vertices, counts.faces));
+        if (options_.turnUp) {
+            begin("up");
+            turnUp();
+            end("up", surface_.mesh.positions.size(), "z is up in the file, y in what is written");
+        }
         noteDropped("faces of fewer than three corners", "small faces", counts.smallFaces);
         noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
         noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);
@@ -85,6 +90,18 @@ private:
         if (options_.read.unitMm || mesh.indices.empty()) return std::nullopt;
         computeBounds(mesh);
         return likelyUnit(mesh.bounds, mesh.unitMm);
+    }
+
+    /// A quarter of a turn about x: z goes to y, and y to -z.
+    void turnUp() {
+        Mesh& mesh = surface_.mesh;
+        const auto turned = [](const auto& v) { return glm::vec3(v.x, v.z, -v.y); };
+        for (glm::vec3& position : mesh.positions)
+            position = turned(position);
+        for (glm::vec3& normal : mesh.normals)
+            normal = turned(normal);
+        for (glm::vec4& tangent : mesh.tangents)
+            tangent = {turned(tangent), tangent.w};
     }
 
     void noteDropped(const char* what, const char* name, std::size_t dropped) {

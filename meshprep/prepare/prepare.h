@@ -28,6 +28,7 @@ struct PrepOptions {
     CentreMode centre = CentreMode::Ball;
     NormalOptions normals;
     bool guessUnit = false;                                   // where no unit is given and the size is implausible: host/mesh/mesh.h
+    bool turnUp = false;                                      // z is up in the file: turned, so that y is, as glTF has it
     bool unwrap = false;                                      // make texture coordinates, in place of those that there are
     std::optional<order::Method> order = order::Method::Best; // none: the file's
     order::CacheModel cache = order::kWarp;

@@ -77,13 +77,14 @@ std::string halfOut() {
                                               ballMesh()));
 }
 
-/// Pixels of the view, the upper right quarter, that have one of the causes' colours: the green of the fallback colour is 3/4 of its red.
+/// Pixels of the view, the upper right quarter, that have one of the causes' colours: the green of skin without a colour map is 0.64 of its
+/// red.
 int culledPixels(const std::string& technique, const std::string& setting) {
     const Image image = small("effects/Culling.fx", technique, {"-w", halfOut(), "--setting", setting, "--size", "256x256"}).image;
     int culled = 0;
     for (int y = 0; y < image.height / 2; ++y)
         for (int x = image.width / 2; x < image.width; ++x)
-            culled += std::abs(image.at(x, y, 1) - 0.75F * image.at(x, y, 0)) > 0.01F;
+            culled += std::abs(image.at(x, y, 1) - 0.34F / 0.53F * image.at(x, y, 0)) > 0.01F;
     return culled;
 }
 

@@ -190,6 +190,18 @@ TEST(OwnMesh, stands_upright_whichever_axis_is_up) {
     EXPECT_LT(y.bottom - y.top, 3 * (y.right - y.left));
 }
 
+TEST(OwnMesh, is_prepared_with_y_up_whichever_axis_was) {
+    const std::string lying = write("rod_z.obj", rod(2, 60, 300));
+    const std::string standing = (scratch() / "standing.glb").string();
+    const Ran prep = tegument::test::tegument({"prep", lying, "--up", "z", "-o", standing});
+    ASSERT_EQ(prep.code, 0) << prep.err;
+    EXPECT_NE(prep.out.find("z is up in the file"), std::string::npos) << prep.out;
+    const Covered upright = covered(draw("upright", {"effects/Specular.fx", "--mesh", standing}).image);
+    EXPECT_GT(upright.bottom - upright.top, 2 * (upright.right - upright.left));
+    const Covered from = covered(draw("from", {"effects/Specular.fx", "--mesh", lying, "--up", "z"}).image);
+    EXPECT_NEAR(from.count, upright.count, 0.01 * from.count) << "the same view of the file itself";
+}
+
 TEST(OwnMesh, in_metres_is_taken_for_that_and_said_so) {
     const std::string metres = write("metres.obj", ballObj(32, 0.11));
     const Drawn guessed = draw("guessed", {"effects/Specular.fx", "--mesh", metres});
@@ -244,6 +256,7 @@ TEST(OwnMesh, without_texture_coordinates_is_drawn_by_what_does_not_need_them) {
         EXPECT_GT(covered(drawn.image).count, 160 * 160 / 4) << effect;
     }
     EXPECT_EQ(draw("lambert", {"effects/Main.fx", "-t", "Lambert", "--mesh", bare}).ran.code, 0);
+    static_cast<void>(ballWorkspace()); // writes grey.png
     EXPECT_EQ(draw("texture", {"effects/Specular.fx", "--mesh", bare, "--set", "gSkinMap=" + (scratch() / "grey.png").string()}).ran.code,
               1)
         << "a picture cannot lie on it";
@@ -271,7 +284,7 @@ TEST(OwnMesh, is_told_of_a_generator_that_does_not_exist) {
     const std::string include = "#include \"passes/materials.fxh\"";
     ASSERT_NE(text.find(include), std::string::npos);
     text.replace(text.find(include), include.size(),
-                 "Texture2D gSkinMap : DIFFUSE < string Generator = \"moss\"; >;\nSAMPLER2D_SRGB(gSkin, LINEAR, CLAMP);");
+                 "Texture2D gSkinMap : DIFFUSE < string Generator = \"moss\"; >;\nTG_SAMPLER2D_SRGB(gSkin, LINEAR, CLAMP);");
     const std::string effect = write("effects/Moss.fx", text);
     const Ran ran = draw("moss", {effect, "--mesh", ballMesh()}).ran;
     EXPECT_EQ(ran.code, 1);

@@ -1,5 +1,5 @@
 # The program without the laboratory: what it offers, and that it says so of what it lacks.
-set(expected check compare flatten fur info prep render sheet view)
+set(expected check compare flatten fur help info prep render sheet view)
 
 execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help ERROR_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCH "Subcommands:\n(  [^\n]*\n)+" listed "${help}")
@@ -9,7 +9,7 @@ list(SORT subcommands)
 if(NOT subcommands STREQUAL expected)
   message(FATAL_ERROR "subcommands: ${subcommands}\nexpected:    ${expected}\n${help}")
 endif()
-if(NOT help MATCHES "Exit codes: 0 success" OR help MATCHES "tegument (verify|bench)")
+if(NOT help MATCHES "Exit codes:\n  0  done" OR help MATCHES "tegument (verify|bench)")
   message(FATAL_ERROR "the footer of --help:\n${help}")
 endif()
 

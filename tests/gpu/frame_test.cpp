@@ -8,7 +8,9 @@
 #include "shaders/storage_frag.h"
 #include "shaders/uniform_frag.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace tegument::gpu {
@@ -234,10 +236,17 @@ TEST_F(Timers, more_work_takes_more_time) {
         return {};
     };
     must(device().run(frame)); // llvmpipe compiles shaders at their first draw
-    const auto sections = must(device().run(frame));
-    // 20 times 16384 times the pixels; a factor of 4 leaves room for a busy machine.
-    EXPECT_GT(sections[1].milliseconds, 4 * sections[0].milliseconds);
-    EXPECT_GT(sections[1].milliseconds, 0);
+    // Other processes only make a frame slower: the least of several is the frame's own time.
+    double little = std::numeric_limits<double>::infinity();
+    double much = little;
+    for (int i = 0; i < 8; ++i) {
+        const auto sections = must(device().run(frame));
+        little = std::min(little, sections[0].milliseconds);
+        much = std::min(much, sections[1].milliseconds);
+    }
+    // 20 times 16384 times the pixels, and what each draw costs besides.
+    EXPECT_GT(much, 4 * little);
+    EXPECT_GT(much, 0);
 }
 
 TEST_F(Timers, hundreds_of_sections_in_a_frame_are_all_reported) {

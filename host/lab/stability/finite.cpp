@@ -1,6 +1,5 @@
 // Every technique of every effect on hostile scenes: no value of any target may be NaN or infinite.
 
-#include "generated/setting_names.h"
 #include "host/image/dds.h"
 #include "host/lab/stability/work.h"
 #include "host/run/parts.h"
@@ -88,7 +87,9 @@ Result<void> measureFinite(const Context& context) {
     for (const auto& file : effectFiles(context)) {
         Tally tally;
         std::size_t techniques = 0;
-        for (const char* setting : {kSettingSeed, kSettingCorrected}) {
+        const auto settings = outerSettings(context, file);
+        if (!settings) return settings.error();
+        for (const std::string& setting : *settings) {
             const auto effect = load(context, file, setting);
             if (!effect) return effect.error();
             techniques = effect->techniques.size();
@@ -102,7 +103,8 @@ Result<void> measureFinite(const Context& context) {
         context.report.rows.push_back(
             {.part = {},
              .module = file.stem().string(),
-             .hardCase = fmt::format("{} scenes, {} technique{}, seed and corrected", scenes.size(), techniques, techniques > 1 ? "s" : ""),
+             .hardCase = fmt::format("{} scenes, {} technique{}, {}", scenes.size(), techniques, techniques > 1 ? "s" : "",
+                                     settings->front().empty() ? "no settings" : fmt::format("{}", fmt::join(*settings, " and "))),
              .figure = "values that are not finite, all targets",
              .value = static_cast<double>(tally.values),
              .limit = 0,

@@ -56,10 +56,12 @@ void add(Pairs& pairs, const std::string& picture, const Image& a, const Image& 
 using DrawPair = std::function<Result<std::pair<Image, Image>>(const std::filesystem::path& file, const std::string& technique,
                                                                const std::string& setting)>;
 
-/// Every technique of an effect in settings seed and corrected.
+/// Every technique of an effect in the first and the last of its settings.
 Result<Pairs> pairsOf(const Context& context, const std::filesystem::path& file, const DrawPair& drawPair) {
     Pairs pairs;
-    for (const char* setting : {kSettingSeed, kSettingCorrected}) {
+    const auto settings = outerSettings(context, file);
+    if (!settings) return settings.error();
+    for (const std::string& setting : *settings) {
         const auto effect = load(context, file, setting);
         if (!effect) return effect.error();
         for (const Technique& technique : effect->techniques) {

@@ -22,9 +22,18 @@ Result<Effect> load(const Context& context, const fs::path& file, const std::str
     const auto missing = [&](const char* name) {
         return std::ranges::none_of(options.defines, [&](const auto& define) { return define.first == name; });
     };
-    if (missing(kSettingSwitch)) options.setting = setting;
+    if (!setting.empty() && missing(kSettingSwitch)) options.setting = setting;
     if (missing("TEGUMENT_MAP_SIZE")) options.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(context.options.size));
     return loadEffect(file, options);
+}
+
+Result<std::vector<std::string>> outerSettings(const Context& context, const fs::path& file) {
+    const auto effect = load(context, file, {});
+    if (!effect) return effect.error();
+    if (!effect->settings) return std::vector<std::string>{{}};
+    const std::vector<std::string>& names = effect->settings->names;
+    if (names.size() == 1) return names;
+    return std::vector{names.front(), names.back()};
 }
 
 std::vector<fs::path> effectFiles(const Context& context) {

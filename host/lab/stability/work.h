@@ -49,6 +49,9 @@ struct HardScene {
 [[nodiscard]] Result<Effect> load(const Context& context, const std::filesystem::path& file, const std::string& setting,
                                   const Defines& defines = {});
 
+/// The first and the last of an effect's settings: of ours what the seed has, and what is right. One without a name where it has none.
+[[nodiscard]] Result<std::vector<std::string>> outerSettings(const Context& context, const std::filesystem::path& file);
+
 /// Every wanted .fx file below the options' folder, sorted.
 [[nodiscard]] std::vector<std::filesystem::path> effectFiles(const Context& context);
 

@@ -23,13 +23,13 @@ struct Change {
     std::string to;
 };
 
-const Change kFirstLevel{"hlsl/platform.fxh", "#define tex2D(s, uv) s##Map.Sample(s, uv)",
-                         "#define tex2D(s, uv) s##Map.SampleLevel(s, uv, 0.0)"};
+const Change kFirstLevel{"hlsl/platform.fxh", "#define TG_TEX2D(s, uv) s##Map.Sample(s, uv)",
+                         "#define TG_TEX2D(s, uv) s##Map.SampleLevel(s, uv, 0.0)"};
 /// A hundredth of a millimetre, or 1e-5 of z/w, to both sides of which a float is sure.
 const Change kSoftShadow{"hlsl/shadow/map.fxh", "return depth <= texel + kTgFarBeyond * tgShadowBeyond(coordinate) ? 1.0 : 0.0;",
                          "return saturate((texel + kTgFarBeyond * tgShadowBeyond(coordinate) - depth) / "
                          "(kTgDepthInMillimetres ? 0.01 : 1e-5) + 0.5);"};
-const Change kLengthsOfVectors{"hlsl/peers/preintegrated.fxh", "length(abs(nx) + abs(ny)) / max(length(abs(px) + abs(py)), 1e-6)",
+const Change kLengthsOfVectors{"hlsl/printed/preintegrated.fxh", "length(abs(nx) + abs(ny)) / max(length(abs(px) + abs(py)), 1e-6)",
                                "(length(nx) + length(ny)) / max(length(px) + length(py), 1e-6)"};
 
 class Causes : public testing::Test {

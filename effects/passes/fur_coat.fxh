@@ -117,6 +117,16 @@ float furShadow(FurVarying input, float3 normal, float3 toLight)
     return tgShadowTest(TG_SAMPLER2D_ARG(gShadow), tgShadowCoordinate(input.lightClip), depth, furShadowTolerance(), slope);
 }
 
+// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As tgShadowLit of
+// tgShadowDepth, in fewer slots of shader model 3: outside of the light's view and before it all is lit.
+float furSkinShadow(float4 lightClip, float distance)
+{
+    float within = min(lightClip.w - max(abs(lightClip.x), abs(lightClip.y)), lightClip.z);
+    float depth = (kTgDepthInMillimetres ? distance : lightClip.z / lightClip.w) - furShadowTolerance();
+    float texel = tgShadowStored(tex2Dlod(gShadow, float4(tgShadowCoordinate(lightClip), 0.0, 0.0))).x;
+    return within > 0.0 && depth > texel ? 0.0 : 1.0;
+}
+
 // Albedo of fur at this place: from root to tip, times the colour map.
 float3 furAlbedo(FurVarying input)
 {

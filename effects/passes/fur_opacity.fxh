@@ -92,12 +92,13 @@ float coatOpen(float3 world)
     float2 place = tgShadowCoordinate(lightClip);
     float distance = furFromLight(world);
     float depth = coatDepth(place, distance);
-    float4 sums = tex2Dlod(gCoatOpacity, float4(place + float2(0.6, 0.35) / kTgMapSize, 0.0, 0.0))
-        + tex2Dlod(gCoatOpacity, float4(place - float2(0.6, 0.35) / kTgMapSize, 0.0, 0.0));
+    // Taps one above the other: a mirror leaves them where they are.
+    float2 aside = float2(0.0, 0.7 / kTgMapSize);
+    float4 sums = tex2Dlod(gCoatOpacity, float4(place + aside, 0.0, 0.0)) + tex2Dlod(gCoatOpacity, float4(place - aside, 0.0, 0.0));
     float opacity = 0.5 * tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
     // Behind the skin: soft, for strands stand on it and lean over its edges.
-    float2 skin = float2(tgShadowStored(tex2Dlod(gCoatSkin, float4(place + float2(1.0, -0.7) / kTgMapSize, 0.0, 0.0))).x,
-                         tgShadowStored(tex2Dlod(gCoatSkin, float4(place - float2(1.0, -0.7) / kTgMapSize, 0.0, 0.0))).x);
+    float2 skin = float2(tgShadowStored(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0))).x,
+                         tgShadowStored(tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0))).x);
     float2 behind = (distance - skin) / max(tgMillimetres(kCoatSkinSoft * coatThickness()), 1e-20);
     return exp(-gCoatShadow * opacity) * (1.0 - 0.5 * dot(saturate(behind), 1.0));
 }

@@ -70,8 +70,7 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     float3 toLight = tgSafeNormalize(frame.toLight - offset);
     float3 world = ribbonWorld(frame, offset, input);
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
-    float depth = tgShadowDepth(lightClip, tgMillimetres(tgLightVector(world))) - furShadowTolerance();
-    float open = tgShadowLit(TG_SAMPLER2D_ARG(gShadow), tgShadowCoordinate(lightClip), depth) *
+    float open = furSkinShadow(lightClip, furFromLight(world)) *
                  tgFurTransmittance(height, dot(strand.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * gLightColor * open;
     return direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple);

@@ -295,16 +295,6 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     return piece;
 }
 
-// What the skin leaves of the light: one tap, for strands are narrower than texels of the map. distance: mm. As tgShadowLit of
-// tgShadowDepth, in fewer slots of shader model 3: outside of the light's view and before it all is lit.
-float furSkinShadow(float4 lightClip, float distance)
-{
-    float within = min(lightClip.w - max(abs(lightClip.x), abs(lightClip.y)), lightClip.z);
-    float depth = (kTgDepthInMillimetres ? distance : lightClip.z / lightClip.w) - furShadowTolerance();
-    float texel = tgShadowStored(tex2Dlod(gShadow, float4(tgShadowCoordinate(lightClip), 0.0, 0.0))).x;
-    return within > 0.0 && depth > texel ? 0.0 : 1.0;
-}
-
 // The layer's colour and coverage. met: as furMeet; last: the last piece. density: as furExpect.
 float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
 {

@@ -89,6 +89,7 @@ const std::vector<Exception>& exceptions() {
         "bit is 1.2e-4 mm, and t counts in mm";
     static const std::string kShadowEdge = "a depth one step apart turns a comparison at the edge of a shadow";
     static const std::string kAlphaTest = "a coverage one step apart turns the alpha test of a layer";
+    static const std::string kHalfCovered = "coverage one step apart turns whether a strand is drawn opaque or blended";
     static const std::string kStrand = "a distance one step apart turns whether a ray grazes a strand";
     static const std::string kHalfStep =
         "a step of a half above 1 is 9.8e-4, 1.2e-3 of these maps' mean: where a spacing's last bit, of the footprint in the light's map, "
@@ -116,6 +117,9 @@ const std::vector<Exception>& exceptions() {
         {Engine::Direct3D9, "FurRoots_", "picture", 2.5e-2, kTwoPixels, kStrand},
         {Engine::Direct3D10, "FurRoots_", "picture", 1e-2, kTwoPixels, kStrand},
         {Engine::Direct3D11, "FurRoots_", "picture", 1e-2, kTwoPixels, kStrand},
+        {Engine::Direct3D9, "FurCoat_Coat", "picture", 5e-2, kTwoPixels, kHalfCovered},
+        {Engine::Direct3D10, "FurCoat_Coat", "picture", 5e-2, kTwoPixels, kHalfCovered},
+        {Engine::Direct3D11, "FurCoat_Coat", "picture", 5e-2, kTwoPixels, kHalfCovered},
         {Engine::Direct3D9, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D10, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D11, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},

@@ -1,6 +1,7 @@
 #include "tests/d3d/job_file.h"
 
 #include "host/run/geometry.h"
+#include "host/run/parts.h"
 #include "host/run/pixels.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
@@ -186,6 +187,23 @@ Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const 
     return lines;
 }
 
+namespace {
+
+/// What a pass draws of the mesh: here a part is one run of triangles.
+Result<std::string> partLines(const run::RunInput& input, const Technique& technique) {
+    std::string lines;
+    for (const Pass& pass : technique.passes) {
+        if (!pass.annotations.find("Part")) continue;
+        const auto ranges = run::partOf(input.effect, pass, *input.mesh);
+        if (!ranges) return ranges.error();
+        assert(ranges->size() == 1);
+        lines += fmt::format("part {} {} {}\n", pass.name, ranges->front().first, ranges->front().count);
+    }
+    return lines;
+}
+
+} // namespace
+
 Result<std::string> writeJob(const Case& drawn, Engine engine, const run::ObjectRun& run, const std::string& textures) {
     const auto& [input, prepared] = run;
     const Technique* technique = input.effect.findTechnique(drawn.technique);
@@ -194,6 +212,9 @@ Result<std::string> writeJob(const Case& drawn, Engine engine, const run::Object
     std::string lines = fmt::format("technique {}\npicture {} {}{}\n", drawn.technique, kPictureWidth, kPictureHeight,
                                     text({background.x, background.y, background.z}));
     if (prepared.drawsMesh) lines += fmt::format("mesh {}\n", drawsFur(drawn) ? kFurMeshFile : kMeshFile);
+    const auto parts = partLines(input, *technique);
+    if (!parts) return parts.error();
+    lines += *parts;
     for (const auto& [name, numbers] : input.workspace.parameters)
         lines += fmt::format("value {}{}\n", name, text(numbers));
     lines += sceneLines(prepared.scene) + textures;

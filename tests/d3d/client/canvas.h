@@ -85,7 +85,7 @@ public:
         Com<typename Api::ResourceView> resource;
     };
 
-    explicit Canvas(const Job& job) : quad_(upload(fullScreenQuad())) {
+    explicit Canvas(const Job& job) : job_(job), quad_(upload(fullScreenQuad())) {
         targets_.emplace("", makeTarget({false, job.width, job.height, "A32B32G32R32F", 1}));
         pictureDepth_ = makeTarget({true, job.width, job.height, "D24S8", 1});
         for (const auto& [name, shape] : job.targets)
@@ -134,8 +134,8 @@ public:
         }
     }
 
-    /// With the shaders and states that are set.
-    void draw(Drawing drawing, typename Api::Layout* layout, UINT instances) {
+    /// With the shaders and states that are set, what the pass draws of the mesh.
+    void draw(Drawing drawing, const std::string& pass, typename Api::Layout* layout, UINT instances) {
         const Mesh& mesh = drawing == Drawing::Quad ? quad_ : mesh_;
         typename Api::Buffer* const vertices = mesh.vertices.get();
         const UINT stride = kVertexBytes;
@@ -144,7 +144,8 @@ public:
         Api::context()->IASetVertexBuffers(0, 1, &vertices, &stride, &offset);
         Api::context()->IASetIndexBuffer(mesh.indices.get(), DXGI_FORMAT_R32_UINT, 0);
         Api::context()->IASetPrimitiveTopology(Api::kTriangles);
-        Api::context()->DrawIndexedInstanced(mesh.indexCount, instances, 0, 0, 0);
+        const IndexRange range = drawing == Drawing::Quad ? IndexRange{0, mesh.indexCount} : job_.rangeOf(pass, mesh.indexCount);
+        Api::context()->DrawIndexedInstanced(range.count, instances, range.first, 0, 0);
         for (const Target* target : boundColors_)
             if (target->shape.levels != 1) Api::context()->GenerateMips(target->resource.get());
     }
@@ -207,6 +208,7 @@ private:
     std::map<std::string, Target> targets_;
     Target pictureDepth_;
     Mesh mesh_;
+    const Job& job_;
     Mesh quad_;
     std::vector<const Target*> boundColors_;
     const Target* boundDepth_ = nullptr;

@@ -180,7 +180,7 @@ void Direct3D10::draw(const std::string& name, Drawing drawing) {
     must(pass->GetDesc(&desc), "GetDesc " + name);
     must(pass->Apply(0), "Apply " + name);
     const std::string instances = text(pass, "Instances");
-    canvas_.draw(drawing, layout(name, desc), instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0)));
+    canvas_.draw(drawing, name, layout(name, desc), instances.empty() ? 1U : static_cast<UINT>(numbers(instances).at(0)));
 }
 
 } // namespace

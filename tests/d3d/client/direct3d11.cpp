@@ -331,7 +331,7 @@ void Direct3D11::draw(const std::string& name, Drawing drawing) {
     context()->RSSetState(program.raster.get());
     bindStage(program.vertexCode, false);
     bindStage(program.pixelCode, true);
-    canvas_.draw(drawing, program.layout.get(), pass.instances.empty() ? 1U : static_cast<UINT>(numbers(pass.instances).at(0)));
+    canvas_.draw(drawing, name, program.layout.get(), pass.instances.empty() ? 1U : static_cast<UINT>(numbers(pass.instances).at(0)));
 }
 
 } // namespace

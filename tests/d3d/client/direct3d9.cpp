@@ -323,7 +323,9 @@ void Direct3D9::draw(const std::string& pass, Drawing drawing) {
     must(device()->SetVertexDeclaration(declaration_.get()), "SetVertexDeclaration");
     must(device()->SetStreamSource(0, mesh.vertices.get(), 0, kVertexBytes), "SetStreamSource");
     must(device()->SetIndices(mesh.indices.get()), "SetIndices");
-    must(device()->DrawIndexedPrimitive(D3DPT_TRIANGLELIST, 0, 0, mesh.vertexCount, 0, mesh.triangleCount), "DrawIndexedPrimitive");
+    const IndexRange all{0, 3 * mesh.triangleCount};
+    const IndexRange range = drawing == Drawing::Quad ? all : job_.rangeOf(pass, all.count);
+    must(device()->DrawIndexedPrimitive(D3DPT_TRIANGLELIST, 0, 0, mesh.vertexCount, range.first, range.count / 3), "DrawIndexedPrimitive");
     must(effect_->EndPass(), "EndPass");
     must(effect_->End(), "End");
     must(device()->EndScene(), "EndScene");

@@ -76,6 +76,8 @@ bool readEffect(const std::string& key, std::istream& line, Job& job) {
     } else if (key == "number") {
         line >> name;
         job.numbers[name] = restAsNumbers(line);
+    } else if (key == "part") {
+        line >> name >> job.parts[name].first >> job.parts[name].count;
     } else if (key == "script") {
         job.script = restAsText(line);
     } else if (key == "sampler") {
@@ -126,6 +128,11 @@ std::optional<Numbers> Job::valueOf(const std::string& parameter, const std::str
     Numbers value = own != values.end() ? own->second : found->numbers;
     if (value.size() == 3 && columns == 4) value.push_back(1); // a position's w, a colour's alpha
     return value;
+}
+
+IndexRange Job::rangeOf(const std::string& pass, unsigned indices) const {
+    const auto part = parts.find(pass);
+    return part == parts.end() ? IndexRange{0, indices} : part->second;
 }
 
 Numbers Job::emptyColor(const std::string& target) const {

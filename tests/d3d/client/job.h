@@ -5,6 +5,7 @@
 //   technique NAME
 //   picture WIDTH HEIGHT R G B             the application's targets, and what it clears them to (alpha 0)
 //   mesh FILE                              counts, 12 floats a vertex, 32-bit indices
+//   part PASS FIRST COUNT                  of the mesh's indices, what a pass draws that names a part of it
 //   scene SEMANTIC OBJECT NUMBER...        a value that effects may ask for by semantic; OBJECT - is the camera or the mesh
 //   value NAME NUMBER...                   a value that the user has set
 //   texture NAME FILE                      levels of a texture, see pixels.h
@@ -56,6 +57,12 @@ struct PassInfo {
     std::map<std::string, Numbers> state;
 };
 
+/// Of the mesh's indices.
+struct IndexRange {
+    unsigned first = 0;
+    unsigned count = 0;
+};
+
 struct SamplerInfo {
     std::string filter;
     std::string address;
@@ -69,6 +76,7 @@ struct Job {
     unsigned height = 1;
     std::array<float, 3> background{};
     std::string mesh;
+    std::map<std::string, IndexRange> parts; // by pass
     std::vector<SceneValue> scene;
     std::map<std::string, Numbers> values;
     std::map<std::string, std::string> textures;
@@ -84,6 +92,8 @@ struct Job {
     /// vector of four columns asks for.
     [[nodiscard]] std::optional<Numbers> valueOf(const std::string& parameter, const std::string& semantic, const std::string& object,
                                                  unsigned columns) const;
+    /// What a pass draws of a mesh of so many indices.
+    [[nodiscard]] IndexRange rangeOf(const std::string& pass, unsigned indices) const;
     /// What a colour target holds before the first pass; the application's has the empty name.
     [[nodiscard]] Numbers emptyColor(const std::string& target) const;
 };

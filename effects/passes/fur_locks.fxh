@@ -3,7 +3,6 @@
 #ifndef TEGUMENT_PASSES_FUR_LOCKS_FXH
 #define TEGUMENT_PASSES_FUR_LOCKS_FXH
 
-static const float kLockHorizon = -0.55;  // least cosine of a root's normal and the way to the eye: what looks further away is hidden
 static const float kLockSink = 0.15;      // spacings that roots stand below the skin
 static const float3 kLockWaves = float3(1.25, 2.6, 13.0); // a coat's waves in a mesh's radius
 static const float kLockWrap = 0.4;     // cosine beyond the horizon to which light wanders through the coat
@@ -220,19 +219,13 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     return color;
 }
 
-// Roots that look away by more than a strand reaches over the horizon are left out before anything is read.
-bool lockSeen(VertexInput input, RibbonFrame frame)
-{
-    return dot(input.normal, frame.toEye) > kLockHorizon * length(frame.toEye);
-}
-
 RibbonVarying lockVarying(VertexInput input, float child, float under)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
     LockShare share = lockShare(input, child, ribbonPixel() * length(frame.toEye));
-    [branch] if (ribbonDrawn(input, share.rank, share.share) && lockSeen(input, frame))
+    [branch] if (ribbonDrawn(input, share.rank, share.share) && ribbonSeen(input, frame))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
         float number = child + kLockOfUnderfur * under;

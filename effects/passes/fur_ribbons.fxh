@@ -4,6 +4,8 @@
 #ifndef TEGUMENT_PASSES_FUR_RIBBONS_FXH
 #define TEGUMENT_PASSES_FUR_RIBBONS_FXH
 
+static const float kRibbonHorizon = -0.62; // least cosine of a root's normal and the way to the eye: what looks further away is hidden
+
 struct RibbonVarying
 {
     float4 position : SV_Position;
@@ -45,6 +47,12 @@ RibbonFrame ribbonFrame(VertexInput input, float4 ball)
     frame.toLight = strandsAxes(tgLightVector(frame.world), input);
     frame.perMm = gMeshRadius / max(ball.w, 1e-20);
     return frame;
+}
+
+// Roots that look away by more than a strand reaches over the horizon are left out before anything is read.
+bool ribbonSeen(VertexInput input, RibbonFrame frame)
+{
+    return dot(input.normal, frame.toEye) > kRibbonHorizon * length(frame.toEye);
 }
 
 float3 ribbonWorld(RibbonFrame frame, float3 offset, VertexInput input)

@@ -33,8 +33,8 @@ struct PartView {
 /// grows there does not reach over the horizon.
 [[nodiscard]] bool canBeSeen(const MeshCluster& cluster, const PartView& view);
 /// Least cosine between a normal and the way to the eye at which strands are still drawn: over the horizon of a ball of the radius R those
-/// of the length 0.2 R reach at -0.55. The effects leave out single strands by the same.
-inline constexpr double kHidden = -0.55;
+/// of the length 0.28 R reach at -0.62. The effects leave out single strands by the same.
+inline constexpr double kHidden = -0.62;
 
 /// In order, those that touch made one; with a view, without the clusters that cannot be seen: perhaps none. TG4060 the mesh has no part of
 /// that name.

@@ -2,9 +2,11 @@
 
 #include "host/scene/view.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -168,15 +170,21 @@ void mirrorWorld(EngineScene& scene) {
     scene.mirrored = !scene.mirrored;
 }
 
+/// Strands are blended in the order of their triangles, which is theirs to choose: it stays.
 void shuffle(EngineScene& scene) {
     Mesh& mesh = scene.mesh;
     std::mt19937 random(1);
+    std::vector<MeshPart> ribbons;
+    std::ranges::copy_if(mesh.parts, std::back_inserter(ribbons), isRibbons);
+    const std::size_t skin = ribbons.empty() ? mesh.indices.size() : ribbons.front().firstIndex; // ribbons are a mesh's last parts
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    for (std::size_t i = 0; i + 2 < skin; i += 3) {
         const std::size_t first = random() % 3;
         triangles.push_back({mesh.indices[i + first], mesh.indices[i + (first + 1) % 3], mesh.indices[i + (first + 2) % 3]});
     }
     mix(triangles, random);
+    for (std::size_t i = skin; i + 2 < mesh.indices.size(); i += 3)
+        triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
     std::vector<std::uint32_t> from(mesh.positions.size());
     std::iota(from.begin(), from.end(), 0U);
     mix(from, random);
@@ -191,7 +199,8 @@ void shuffle(EngineScene& scene) {
     for (const auto& triangle : triangles)
         for (const std::uint32_t corner : triangle)
             mesh.indices.push_back(to[corner]);
-    mesh.parts = {{.name = mesh.name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
+    mesh.parts = {{.name = mesh.name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(skin)}};
+    mesh.parts.insert(mesh.parts.end(), ribbons.begin(), ribbons.end());
     computeBounds(mesh);
 }
 

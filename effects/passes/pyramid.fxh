@@ -3,8 +3,8 @@
 #ifndef TEGUMENT_PASSES_PYRAMID_FXH
 #define TEGUMENT_PASSES_PYRAMID_FXH
 
-// Taps of the shadow cover a texel of the base; their distance in texels of the shadow map, from where they still see different ones to where
-// they would miss what is between them.
+// Taps of the shadow cover a texel of the base; their distance in texels of the shadow map, from where they still see different ones to
+// where they would miss what is between them.
 static const float2 kEntryTaps = float2(0.75, 6.0);
 // Largest density that half floats hold.
 static const float kLargestDensity = 60000.0;

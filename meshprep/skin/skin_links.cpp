@@ -17,7 +17,7 @@ namespace {
 /// Variances along each axis in squares of a texel's side: a texel's light is interpolated between texels by a quadratic B-spline; a source
 /// is a texel of the pyramid, whose light comes from its square and somewhat beyond (docs/modules/Pyramid.md has both measured).
 constexpr double kReceived = 0.25;
-constexpr double kSent = 0.125;
+constexpr double kSent = 0.6;
 /// What the above leaves of a Gaussian: at least this share.
 constexpr double kLeast = 0.35;
 /// Widths of the widest Gaussian within which sources count: 3 leave out 1.1 %.
@@ -37,7 +37,7 @@ struct Link {
     std::array<float, 2> weight{};
 };
 
-/// Light that reaches one place, by both Gaussians: what sources get once they are as wide as they are, and the whole truth.
+/// Light that reaches one place: its links, and the sum of their weights by each Gaussian.
 struct Gathered {
     std::vector<Link> links;
     std::array<double, 2> whole{};
@@ -47,6 +47,9 @@ class Gatherer {
 public:
     Gatherer(const LinkCells& cells, const LinkOptions& options) : cells_(cells), options_(options) {
         reach_ = static_cast<float>(kReach * std::sqrt(std::max(options.variances[0], options.variances[1])));
+        for (int level = 0; level < kLinkLevels; ++level)
+            if (level == 0 || static_cast<double>(cells.usualSide(level)) <= options.nearest)
+                sent_ = static_cast<double>(cells.usualSide(level));
         fine_ = static_cast<float>(kFineShare * std::sqrt(std::min(options.variances[0], options.variances[1])));
     }
 
@@ -78,12 +81,11 @@ private:
     }
 
     void emit(const glm::vec3& place, double side, int level, int x, int y, Gathered& gathered) const {
-        const double sent = std::sqrt(static_cast<double>(cells_.at(level, x, y).area));
         Link link{
             .level = static_cast<std::uint8_t>(level), .index = static_cast<std::uint32_t>(y * LinkCells::side(level) + x), .weight = {}};
         std::array<double, 2> narrower{};
         for (std::size_t i = 0; i < 2; ++i)
-            narrower[i] = std::max(options_.variances[i] - kReceived * side * side - kSent * sent * sent, kLeast * options_.variances[i]);
+            narrower[i] = std::max(options_.variances[i] - kReceived * side * side - kSent * sent_ * sent_, kLeast * options_.variances[i]);
         std::array<double, 2> sum{};
         add(place, level, x, y, narrower, sum, gathered.whole);
         link.weight = {static_cast<float>(sum[0]), static_cast<float>(sum[1])};
@@ -104,7 +106,7 @@ private:
         const float squared = glm::dot(offset, offset);
         for (std::size_t i = 0; i < 2; ++i) {
             sum[i] += cell.area * gaussian(squared, narrower[i]);
-            whole[i] += cell.area * gaussian(squared, options_.variances[i]);
+            whole[i] += cell.area * gaussian(squared, narrower[i]);
         }
     }
 
@@ -117,9 +119,10 @@ private:
     const LinkOptions& options_;
     float reach_ = 0;
     float fine_ = 0;
+    double sent_ = 0; // side of the sources that are near, mm
 };
 
-/// Leaves out the least links, and scales the rest up to the whole light.
+/// Leaves out the least links, and scales the rest up to the whole; of the wider Gaussian with what lies beyond the reach.
 std::vector<Link> kept(Gathered gathered, const LinkOptions& options) {
     const auto worth = [&](const Link& link) { return options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1]; };
     std::vector<Link>& links = gathered.links;
@@ -136,7 +139,8 @@ std::vector<Link> kept(Gathered gathered, const LinkOptions& options) {
         double sum = 0;
         for (const Link& link : links)
             sum += link.weight[i];
-        const auto scale = static_cast<float>(sum > 0 ? gathered.whole[i] / sum : 0);
+        const double reached = i == 1 ? 1 - std::exp(-kReach * kReach / 2) : 1;
+        const auto scale = static_cast<float>(sum > 0 ? gathered.whole[i] / (sum * reached) : 0);
         for (Link& link : links)
             link.weight[i] = std::max(link.weight[i] * scale, kTinyWeight);
     }

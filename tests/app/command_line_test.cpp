@@ -232,7 +232,7 @@ const std::map<std::string, std::string> kNoDevice = {{"VK_ICD_FILENAMES", "/non
 TEST(Output, that_cannot_be_written_is_found_before_any_work) {
     const std::string file = write("file", "");
     const std::string below = file + "/x"; // a file where a folder should be: refused to root as well
-    const std::string mesh = ballMesh();
+    const std::string& mesh = ballMesh();
     const std::vector<std::vector<std::string>> all = {
         {"render", quad(), "-o", below + ".png"},
         {"view", quad(), "-o", below},

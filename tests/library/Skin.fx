@@ -251,13 +251,12 @@ float3 there(float4 texel, float thickness, float4 gaussian, float apart)
 float3 diffused(Surface input, Lit p)
 {
     float3 unblurred = entering(p);
-    float4 m1 = here(tgSeamBilinear(TG_SAMPLER2D_ARG(gLight1), input.uv), unblurred);
     float4 m2 = here(gLight2Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m3 = here(gLight3Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m4 = here(gLight4Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m5 = here(gLight5Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
     float4 m6 = here(gLight6Map.SampleLevel(gLinear, input.uv, 0.0), unblurred);
-    float3 sum = m1.rgb * kTgSkinProfile[0].rgb + m2.rgb * kTgSkinProfile[1].rgb + m3.rgb * kTgSkinProfile[2].rgb +
+    float3 sum = unblurred * kTgSkinProfile[0].rgb + m2.rgb * kTgSkinProfile[1].rgb + m3.rgb * kTgSkinProfile[2].rgb +
                  m4.rgb * kTgSkinProfile[3].rgb + m5.rgb * kTgSkinProfile[4].rgb + m6.rgb * kTgSkinProfile[5].rgb;
     float4 entry = entryOf(p);
     float apart = tgTransmissionScale(input.world * gUnitMm, input.uv) * length(input.uv - entry.xy);

@@ -79,10 +79,10 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
 RibbonVarying StrandsVS(VertexInput input)
 {
     RibbonVarying output = ribbonNowhere();
-    float4 ball = furRootsHeader(4.0);
-    RibbonFrame frame = ribbonFrame(input, ball);
-    [branch] if (ribbonDrawn(input, tgRibbonRank(input.uv.y), gFurShare) && ribbonSeen(input, frame))
+    [branch] if (ribbonDrawn(input, tgRibbonRank(input.uv.y), gFurShare))
     {
+        float4 ball = furRootsHeader(4.0);
+        RibbonFrame frame = ribbonFrame(input, ball);
         RootStrand strand = rootStrand(input, ball, furRootsHeader(2.0).x);
         float along = tgRibbon(input.uv.x).along;
         float height = along * strand.share;

@@ -207,4 +207,17 @@ Result<LocatedJson> parseLocatedJson(std::string_view text, const std::string& f
     return std::move(builder.root());
 }
 
+std::optional<std::vector<double>> parameterNumbers(const LocatedJson& value) {
+    using Kind = LocatedJson::Kind;
+    if (value.kind == Kind::Number) return std::vector{value.number};
+    if (value.kind == Kind::Boolean) return std::vector{value.boolean ? 1.0 : 0.0};
+    if (value.kind != Kind::List || value.items.empty()) return std::nullopt;
+    std::vector<double> numbers;
+    for (const LocatedJson& item : value.items) {
+        if (item.kind != Kind::Number) return std::nullopt;
+        numbers.push_back(item.number);
+    }
+    return numbers;
+}
+
 } // namespace tegument

@@ -3,6 +3,7 @@
 
 #include "host/support/result.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,5 +29,8 @@ struct LocatedJson {
 
 /// Strict JSON (RFC 8259), nesting at most 32 deep. TG5400 syntax, TG5404 a key that its object already has.
 [[nodiscard]] Result<LocatedJson> parseLocatedJson(std::string_view text, const std::string& file);
+
+/// The numbers of a parameter: one number, true or false (1 or 0), or a list of at least one number. None: it is something else.
+[[nodiscard]] std::optional<std::vector<double>> parameterNumbers(const LocatedJson& value);
 
 } // namespace tegument

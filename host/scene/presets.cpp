@@ -50,16 +50,10 @@ private:
             preset.parameters[value.keys[i]] = numbers(value.items[i], value.keys[i]);
     }
 
-    /// One number, true or false, or a list of numbers.
     std::vector<double> numbers(const LocatedJson& value, const std::string& what) {
-        if (value.kind == LocatedJson::Kind::Number) return {value.number};
-        if (value.kind == LocatedJson::Kind::Boolean) return {value.boolean ? 1.0 : 0.0};
-        std::vector<double> list;
-        for (const LocatedJson& item : value.items)
-            if (item.kind == LocatedJson::Kind::Number) list.push_back(item.number);
-        if (value.kind != LocatedJson::Kind::List || list.empty() || list.size() != value.items.size())
-            fail(5402, value, fmt::format("{} must be a number, true, false or a list of numbers", what), {});
-        return list;
+        auto read = parameterNumbers(value);
+        if (!read) fail(5402, value, fmt::format("{} must be a number, true, false or a list of numbers", what), {});
+        return std::move(read).value_or(std::vector<double>());
     }
 
     bool expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what) {

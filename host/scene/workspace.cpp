@@ -235,16 +235,10 @@ private:
         });
     }
 
-    /// One number, true or false, or a list of numbers.
     std::vector<double> parameterValue(const LocatedJson& value, const std::string& what) {
-        if (value.kind == LocatedJson::Kind::Number) return {value.number};
-        if (value.kind == LocatedJson::Kind::Boolean) return {value.boolean ? 1.0 : 0.0};
-        std::vector<double> numbers;
-        for (const LocatedJson& item : value.items)
-            if (item.kind == LocatedJson::Kind::Number) numbers.push_back(item.number);
-        if (value.kind != LocatedJson::Kind::List || numbers.empty() || numbers.size() != value.items.size())
-            fail(5402, value, fmt::format("{} must be a number, true, false or a list of numbers", what), {});
-        return numbers;
+        auto read = parameterNumbers(value);
+        if (!read) fail(5402, value, fmt::format("{} must be a number, true, false or a list of numbers", what), {});
+        return std::move(read).value_or(std::vector<double>());
     }
 
     bool frameIsMesh(const LocatedJson& value) {

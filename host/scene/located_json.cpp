@@ -2,6 +2,7 @@
 
 #include "host/scene/located_json.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -218,6 +219,19 @@ std::optional<std::vector<double>> parameterNumbers(const LocatedJson& value) {
         numbers.push_back(item.number);
     }
     return numbers;
+}
+
+bool LocatedReader::expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what) {
+    if (error_) return false;
+    if (value.kind == kind) return true;
+    fail(5402, value, fmt::format("{} is {}, but must be {}", what, value.kindName(), LocatedJson{.kind = kind}.kindName()), {});
+    return false;
+}
+
+void LocatedReader::fail(int code, const LocatedJson& value, std::string text, std::string hint) {
+    if (error_) return;
+    error_ = inputError(code, positionAt(text_, value.offset, path_.string()), std::move(text), std::move(hint));
+    error_->diagnostics.front().sourceLine = lineAt(text_, value.offset);
 }
 
 } // namespace tegument

@@ -3,6 +3,7 @@
 
 #include "host/support/result.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,5 +33,19 @@ struct LocatedJson {
 
 /// The numbers of a parameter: one number, true or false (1 or 0), or a list of at least one number. None: it is something else.
 [[nodiscard]] std::optional<std::vector<double>> parameterNumbers(const LocatedJson& value);
+
+/// What readers of such files have in common: the first error is kept, and everything after it is passed over. Text and path outlive it.
+class LocatedReader {
+protected:
+    LocatedReader(std::string_view text, const std::filesystem::path& path) : text_(text), path_(path) {}
+
+    /// TG5402 where the value is of another kind.
+    bool expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what);
+    void fail(int code, const LocatedJson& value, std::string text, std::string hint);
+
+    std::string_view text_;
+    const std::filesystem::path& path_;
+    std::optional<Error> error_;
+};
 
 } // namespace tegument

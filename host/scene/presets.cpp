@@ -14,10 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The first error is kept and everything after it is passed over.
-class PresetReader {
+class PresetReader : LocatedReader {
 public:
-    PresetReader(std::string_view text, const fs::path& path) : text_(text), path_(path) {}
+    PresetReader(std::string_view text, const fs::path& path) : LocatedReader(text, path) {}
 
     Result<std::vector<Preset>> read(const LocatedJson& root) {
         if (expect(root, LocatedJson::Kind::Object, "the file"))
@@ -56,23 +55,7 @@ private:
         return std::move(read).value_or(std::vector<double>());
     }
 
-    bool expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what) {
-        if (error_) return false;
-        if (value.kind == kind) return true;
-        fail(5402, value, fmt::format("{} is {}, but must be {}", what, value.kindName(), LocatedJson{.kind = kind}.kindName()), {});
-        return false;
-    }
-
-    void fail(int code, const LocatedJson& value, std::string text, std::string hint) {
-        if (error_) return;
-        error_ = inputError(code, positionAt(text_, value.offset, path_.string()), std::move(text), std::move(hint));
-        error_->diagnostics.front().sourceLine = lineAt(text_, value.offset);
-    }
-
-    std::string_view text_;
-    const fs::path& path_;
     std::vector<Preset> presets_;
-    std::optional<Error> error_;
 };
 
 } // namespace

@@ -27,11 +27,11 @@ std::string commandThatMakes(const fs::path& file) {
     return folder == "fur" ? "tegument prep bunny" : "";
 }
 
-/// Reads the tree into the workspace. The first error is kept and everything after it is passed over.
-class WorkspaceReader {
+/// Reads the tree into the workspace.
+class WorkspaceReader : LocatedReader {
 public:
     WorkspaceReader(std::string_view text, const fs::path& path, const WorkspaceOptions& options)
-        : text_(text), path_(path), options_(options) {}
+        : LocatedReader(text, path), options_(options) {}
 
     Result<Workspace> read(const LocatedJson& root) {
         workspace_.file = path_;
@@ -249,13 +249,6 @@ private:
         return frame == "mesh";
     }
 
-    bool expect(const LocatedJson& value, LocatedJson::Kind kind, const std::string& what) {
-        if (error_) return false;
-        if (value.kind == kind) return true;
-        fail(5402, value, fmt::format("{} is {}, but must be {}", what, value.kindName(), LocatedJson{.kind = kind}.kindName()), {});
-        return false;
-    }
-
     std::string string(const LocatedJson& value, const std::string& what) {
         return expect(value, LocatedJson::Kind::Text, what) ? value.text : std::string();
     }
@@ -323,20 +316,19 @@ private:
         if (!command.empty()) error_->blame = Blame::Machine;
     }
 
-    void fail(int code, const LocatedJson& value, std::string text, std::string hint) {
-        if (error_) return;
-        error_ = inputError(code, positionAt(text_, value.offset, path_.string()), std::move(text), std::move(hint));
-        error_->diagnostics.front().sourceLine = lineAt(text_, value.offset);
-    }
-
-    std::string_view text_;
-    const fs::path& path_;
     const WorkspaceOptions& options_;
     Workspace workspace_;
-    std::optional<Error> error_;
 };
 
 } // namespace
+
+Workspace worldWorkspace() {
+    Workspace workspace;
+    workspace.head = false;
+    workspace.cameraRelative = false;
+    workspace.lightRelative = false;
+    return workspace;
+}
 
 Result<Workspace> parseWorkspace(const std::string& text, const fs::path& path, const WorkspaceOptions& options) {
     const Result<LocatedJson> root = parseLocatedJson(text, path.string());

@@ -67,6 +67,9 @@ struct Workspace : MeshSource {
     std::map<std::string, std::vector<double>> parameters; // parameter name -> numbers
 };
 
+/// In the frame "world": camera and light are in mm, and no mesh is taken for a head.
+[[nodiscard]] Workspace worldWorkspace();
+
 struct WorkspaceOptions {
     bool requireMesh = true; // false: the mesh is given elsewhere, so neither it nor the textures made for it need exist
 };

@@ -4,6 +4,7 @@
 #include "host/lab/reference/pinhole.h"
 #include "host/support/parallel.h"
 #include "meshprep/fur/roots/root_texture.h"
+#include "tests/measure/plain_strands.h"
 
 #include <fmt/format.h>
 
@@ -100,10 +101,7 @@ struct BodyFur::Body {
         const glm::dvec3 alongRing(0, 0, -1);
         const glm::dvec3 sideways = view.across ? glm::cross(alongRing, normal) : alongRing;
         const glm::dvec3 target = place + 0.5 * coat.length * normal;
-        Workspace workspace;
-        workspace.head = false;
-        workspace.cameraRelative = false;
-        workspace.lightRelative = false;
+        Workspace workspace = worldWorkspace();
         workspace.camera.target = glm::vec3(target);
         workspace.camera.position = glm::vec3(target + kAway * (std::cos(view.tilt) * normal + std::sin(view.tilt) * sideways));
         workspace.camera.up = glm::vec3(view.across ? normal : glm::cross(normal, alongRing));
@@ -132,25 +130,13 @@ Result<BodyFur> BodyFur::create(gpu::Device& device, const FurBody& body, const 
 Result<BodyPicture> BodyFur::draw(const BodyView& view, int layers, int fewest, bool fringes) const {
     const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "16"}}, .includeFolders = {}});
     if (!effect) return effect.error();
-    const auto grey = [](double v) { return std::vector<double>{v, v, v}; };
     RunOptions options{.technique = "Roots", .width = view.size, .height = view.size, .compiler = defaultCompiler()};
-    options.parameters = {{"gFurLength", {body_->coat.length / static_cast<double>(body_->mesh.bounds.radius)}},
-                          {"gFurLayers", {static_cast<double>(layers)}},
-                          {"gFurFewest", {static_cast<double>(fewest)}},
-                          {"gFurFringes", {fringes ? 1.0 : 0.0}},
-                          {"gFurRadius", {body_->coat.radius}},
-                          {"gFurScatter", {0}},
-                          {"gFurCurls", {0}},
-                          {"gFurTufts", {0}},
-                          {"gFurVariation", {0}},
-                          {"gFurLean", {0}},
-                          {"gFurDensity", {0}},
-                          {"gFurMultiple", {1}},
-                          {"gFurSpecular", {0}},
-                          {"gFurKajiyaKay", {1}},
-                          {"gFurFill", grey(1)},
-                          {"gFurRootColor", grey(kRootShade)},
-                          {"gFurTipColor", grey(1)}};
+    options.parameters =
+        plainStrands(body_->coat.length / static_cast<double>(body_->mesh.bounds.radius), body_->coat.radius, kRootShade, 1);
+    options.parameters["gFurLayers"] = {static_cast<double>(layers)};
+    options.parameters["gFurFewest"] = {static_cast<double>(fewest)};
+    options.parameters["gFurFringes"] = {fringes ? 1.0 : 0.0};
+    options.parameters["gFurKajiyaKay"] = {1};
     options.textures = {{"gFurRootsMap", body_->file.string()}};
     const auto run = runEffect(body_->device, *effect, &body_->mesh, body_->workspace(view), options);
     if (!run) return run.error();

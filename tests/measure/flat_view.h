@@ -17,10 +17,7 @@ constexpr double kPatchAway = 4000; // of the eye: rays go astray by a 2000th of
 
 /// Seen from the side of -x, so that a ray moves towards +x on its way down (FurRay); light from above. coat: spacings.
 inline Workspace flatView(const reference::FurView& view, double coat) {
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
+    Workspace workspace = worldWorkspace();
     const glm::dvec3 middle(0, 0, coat / 2);
     workspace.camera.position = glm::vec3(middle + kPatchAway * glm::dvec3(-std::sin(view.tilt), 0, std::cos(view.tilt)));
     workspace.camera.target = glm::vec3(middle);

@@ -1,6 +1,7 @@
 // The generated head: a star-shaped body over the faces of a cube, each a chart of its own.
 
 #include "host/lab/invariance/invariance.h"
+#include "host/lab/verify/painted.h"
 
 #include <array>
 #include <cmath>
@@ -13,8 +14,8 @@ namespace {
 constexpr int kQuads = 20;                   // along a side of each chart
 constexpr glm::dvec3 kHalfAxes{75, 100, 92}; // mm
 constexpr double kMargin = 0.02;             // of the map, around each chart
-constexpr int kTextureSize =
-    32; // coarser than the pictures, and smooth: mip levels hardly matter, which devices choose by blocks of 2 x 2 pixels
+// Coarser than the pictures, and smooth: mip levels hardly matter, which devices choose by blocks of 2 x 2 pixels.
+constexpr int kTextureSize = 32;
 
 /// A swelling (or a hollow) around a direction from the middle, `width` radians wide.
 struct Bump {
@@ -95,20 +96,6 @@ void addFace(Mesh& mesh, std::size_t chart) {
                                                      vertex(i + 1, j + 1), vertex(i, j + 1)});
 }
 
-/// A picture of a smooth function of u and v with values in 0..1.
-template <class Function>
-Image paint(int bits, Function function) {
-    const double largest = std::ldexp(1.0, bits) - 1;
-    Image image{.width = kTextureSize, .height = kTextureSize, .channels = 4, .pixels = {}, .bitsPerChannel = bits, .metadata = {}};
-    for (int y = 0; y < kTextureSize; ++y)
-        for (int x = 0; x < kTextureSize; ++x) {
-            const glm::dvec4 value = function((x + 0.5) / kTextureSize, (y + 0.5) / kTextureSize);
-            for (int c = 0; c < 4; ++c)
-                image.pixels.push_back(static_cast<float>(std::round(largest * value[c]) / largest));
-        }
-    return image;
-}
-
 constexpr double kTurn = 2 * std::numbers::pi;
 
 glm::dvec4 colour(double u, double v) {
@@ -129,17 +116,15 @@ Mesh invarianceMesh() {
     for (std::size_t chart = 0; chart < kFaces.size(); ++chart)
         addFace(mesh, chart);
     mesh.parts = {{.name = mesh.name, .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
-    mesh.textures = {{.role = "color", .image = paint(8, colour)}, {.role = "normal", .image = paint(16, relief)}};
+    mesh.textures = {{.role = "color", .image = verify::painted(kTextureSize, 8, colour)},
+                     {.role = "normal", .image = verify::painted(kTextureSize, 16, relief)}};
     computeTangents(mesh);
     computeBounds(mesh);
     return mesh;
 }
 
 Workspace invarianceWorkspace() {
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
+    Workspace workspace = worldWorkspace();
     workspace.camera.position = {230, 70, 480};
     workspace.camera.target = {4, 0, 5};
     workspace.camera.horizontalFov = 25;

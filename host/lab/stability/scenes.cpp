@@ -26,10 +26,7 @@ void finish(Mesh& mesh) {
 }
 
 Workspace stage(const glm::vec3& camera, const glm::vec3& light) {
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
+    Workspace workspace = worldWorkspace();
     workspace.camera.position = camera;
     workspace.camera.target = glm::vec3(0);
     workspace.light.position = light;

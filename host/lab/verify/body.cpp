@@ -1,5 +1,6 @@
 // The built-in body: a lens with a bump, front and back in a chart each.
 
+#include "host/lab/verify/painted.h"
 #include "host/lab/verify/scene.h"
 
 #include <cmath>
@@ -76,20 +77,6 @@ void addSide(Mesh& mesh, bool front) {
         }
 }
 
-/// A picture of a smooth function of u and v with values in 0..1, rounded to this many bits.
-template <class Function>
-Image paint(int bits, Function function) {
-    const double largest = std::ldexp(1.0, bits) - 1;
-    Image image{.width = kTextureSize, .height = kTextureSize, .channels = 4, .pixels = {}, .bitsPerChannel = bits, .metadata = {}};
-    for (int y = 0; y < kTextureSize; ++y)
-        for (int x = 0; x < kTextureSize; ++x) {
-            const glm::dvec4 value = function((x + 0.5) / kTextureSize, (y + 0.5) / kTextureSize);
-            for (int c = 0; c < 4; ++c)
-                image.pixels.push_back(static_cast<float>(std::round(largest * value[c]) / largest));
-        }
-    return image;
-}
-
 glm::dvec4 colour(double u, double v) {
     const double turn = 2 * std::numbers::pi;
     return {0.75 + 0.15 * std::sin(3 * turn * u), 0.55 + 0.2 * std::sin(4 * turn * v), 0.5 + 0.2 * std::sin(2 * turn * (u + v)), 1};
@@ -111,7 +98,8 @@ Mesh verificationMesh() {
     addSide(mesh, false);
     mesh.parts = {{.name = "body", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
     // Normals of 8 bits, filtered in 8 bits as software does it, would drown the error of the reflection in that of the look-up.
-    mesh.textures = {{.role = "color", .image = paint(8, colour)}, {.role = "normal", .image = paint(16, relief)}};
+    mesh.textures = {{.role = "color", .image = verify::painted(kTextureSize, 8, colour)},
+                     {.role = "normal", .image = verify::painted(kTextureSize, 16, relief)}};
     computeTangents(mesh);
     computeBounds(mesh);
     return mesh;
@@ -121,10 +109,7 @@ namespace verify {
 
 Scene sceneOf(const VerifyOptions& options) {
     if (options.mesh && options.workspace) return {*options.mesh, *options.workspace};
-    Scene scene{verificationMesh(), {}};
-    scene.workspace.head = false;
-    scene.workspace.cameraRelative = false;
-    scene.workspace.lightRelative = false;
+    Scene scene{verificationMesh(), worldWorkspace()};
     scene.workspace.camera.position = {60, 25, 170};
     scene.workspace.camera.target = {0, 0, 2};
     scene.workspace.camera.horizontalFov = 30;

@@ -77,10 +77,7 @@ Result<DrawnEdge> drawEdge(const Context& context, double texel, double phase) {
     const int size = context.options.mapSize;
     Mesh mesh = plane(texel, size);
     mesh.textures = {{.role = "color", .image = edgeColour(size, phase)}};
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
+    Workspace workspace = worldWorkspace();
     workspace.camera.position = {0, 0, 500};
     workspace.light.direction = glm::vec3(0, 0, -1);
     workspace.light.width = 1e-3F; // the edge is one of colour: no shadow's filter has been over it

@@ -42,10 +42,7 @@ Result<Image> expected(gpu::Device& device, int quads) {
     const auto effect = loadEffect("effects/FurRoots.fx", {.defines = {}, .includeFolders = {}});
     if (!effect) return effect.error();
     const Mesh mesh = squareOf(quads);
-    Workspace workspace;
-    workspace.head = false;
-    workspace.cameraRelative = false;
-    workspace.lightRelative = false;
+    Workspace workspace = worldWorkspace();
     workspace.camera.position = {0, -300, 300};
     workspace.camera.target = {0, 0, 0};
     workspace.camera.horizontalFov = 12;

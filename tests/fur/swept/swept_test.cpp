@@ -7,6 +7,7 @@
 #include "meshprep/fur/roots/root_texture.h"
 #include "tests/gpu/with_device.h"
 #include "tests/measure/flat_view.h"
+#include "tests/measure/plain_strands.h"
 #include "tests/run/slider_ends.h"
 
 #include <fmt/format.h>
@@ -104,27 +105,16 @@ std::vector<double> drawn(gpu::Device& device, const FurPatch& patch, const FurV
     EXPECT_TRUE(file.written()) << format(file.written().error());
     const auto effect = loadEffect("effects/FurRoots.fx");
     EXPECT_TRUE(effect) << format(effect.error());
-    const auto grey = [](double v) { return std::vector<double>{v, v, v}; };
+    auto parameters =
+        measure::plainStrands(patch.coat / static_cast<double>(mesh.bounds.radius), patch.baseRadius, shades.root, shades.tip);
+    parameters["gFurLayers"] = {32};
+    parameters["gFurFewest"] = {static_cast<double>(fewest)};
     const auto run = runEffect(device, *effect, &mesh, workspaceOf(patch, view),
                                {.technique = "Roots",
                                 .width = view.size,
                                 .height = view.size,
                                 .compiler = defaultCompiler(),
-                                .parameters = {{"gFurLength", {patch.coat / static_cast<double>(mesh.bounds.radius)}},
-                                               {"gFurLayers", {32}},
-                                               {"gFurFewest", {static_cast<double>(fewest)}},
-                                               {"gFurRadius", {patch.baseRadius}},
-                                               {"gFurScatter", {0}},
-                                               {"gFurCurls", {0}},
-                                               {"gFurTufts", {0}},
-                                               {"gFurVariation", {0}},
-                                               {"gFurLean", {0}},
-                                               {"gFurDensity", {0}},
-                                               {"gFurMultiple", {1}},
-                                               {"gFurSpecular", {0}},
-                                               {"gFurFill", grey(1)},
-                                               {"gFurRootColor", grey(shades.root)},
-                                               {"gFurTipColor", grey(shades.tip)}},
+                                .parameters = parameters,
                                 .textures = {{"gFurRootsMap", file.path()}},
                                 .dump = {}});
     EXPECT_TRUE(run) << format(run.error());

@@ -27,11 +27,9 @@ Defines only(const std::string& cause) {
 /// The built-in body, half of it right of the view; `black`: with a colour map that is black left of its middle.
 struct BodyScene {
     Mesh mesh = verificationMesh();
-    Workspace workspace;
+    Workspace workspace = worldWorkspace();
 
     explicit BodyScene(bool black = false) {
-        workspace.head = false;
-        workspace.cameraRelative = workspace.lightRelative = false;
         workspace.camera.position = {-25, 0, 170};
         workspace.camera.target = {-25, 0, 0};
         workspace.camera.horizontalFov = 14;

@@ -5,7 +5,7 @@
 #include "host/lab/verify/fur_exact.h"
 #include "host/lab/verify/fur_roots_scene.h"
 #include "host/lab/verify/fur_scene.h"
-#include "tests/lab/verify/fixture.h"
+#include "tests/lab/verify/fur_fixture.h"
 #include "tests/measure/body_fur.h"
 #include "tests/run/slider_ends.h"
 
@@ -22,10 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Parameters = std::map<std::string, std::vector<double>>;
-
 /// Each test with both techniques. What is drawn is small.
-class FurRoots : public Verify, public testing::WithParamInterface<const char*> {
+class FurRoots : public FurPictures, public testing::WithParamInterface<const char*> {
 protected:
     static constexpr int kSize = 48;
 
@@ -61,13 +59,7 @@ protected:
         EXPECT_TRUE(effect) << format(effect.error());
         RunOptions options{.technique = GetParam(), .width = size, .height = size, .compiler = defaultCompiler()};
         options.parameters = parametersOf(scene_);
-        for (const auto& [name, value] : parameters)
-            options.parameters[name] = value;
-        auto run = runEffect(*device_, *effect, &mesh(), workspace(), options);
-        EXPECT_TRUE(run) << format(run.error());
-        if (!run) return {};
-        EXPECT_TRUE(std::ranges::all_of(run->image.pixels, [](float value) { return std::isfinite(value); }));
-        return std::move(run->image);
+        return effect ? drawn(*effect, scene_.scene, std::move(options), parameters) : Image{};
     }
 
     verify::StrandsScene scene_;
@@ -75,27 +67,6 @@ protected:
 };
 
 const auto kTechnique = [](const auto& each) { return std::string(each.param); };
-
-std::size_t covered(const Image& picture) {
-    std::size_t count = 0;
-    for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
-        count += picture.pixels[i] > 0 ? 1 : 0;
-    return count;
-}
-
-float brightest(const Image& picture) {
-    float largest = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (i % 4 != 3) largest = std::max(largest, picture.pixels[i]);
-    return largest;
-}
-
-double mean(const Image& picture) {
-    double sum = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (i % 4 != 3) sum += static_cast<double>(picture.pixels[i]);
-    return sum / static_cast<double>(picture.pixels.size());
-}
 
 const Parameters kWhite = {{"gFurRootColor", {1, 1, 1}}, {"gFurTipColor", {1, 1, 1}}, {"gFurSpecular", {0}},
                            {"gFurVariation", {0}},       {"gFurMultiple", {1}},       {"gFurFill", {0, 0, 0}}};

@@ -2,8 +2,7 @@
 
 #include "host/image/dds.h"
 #include "host/lab/verify/fur_scene.h"
-#include "host/run/run.h"
-#include "tests/lab/verify/fixture.h"
+#include "tests/lab/verify/fur_fixture.h"
 #include "tests/measure/flat_fur.h"
 #include "tests/run/slider_ends.h"
 
@@ -19,9 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Parameters = std::map<std::string, std::vector<double>>;
-
-class Fur : public Verify {
+class Fur : public FurPictures {
 protected:
     void SetUp() override {
         Verify::SetUp();
@@ -51,32 +48,12 @@ protected:
         EXPECT_TRUE(effect) << format(effect.error());
         RunOptions options{.technique = "CubePosition", .width = size, .height = size, .compiler = defaultCompiler()};
         options.parameters = verify::parametersOf(scene_.coat);
-        for (const auto& [name, value] : parameters)
-            options.parameters[name] = value;
-        auto run = runEffect(*device_, *effect, &mesh(), workspace(), options);
-        EXPECT_TRUE(run) << format(run.error());
-        if (!run) return {};
-        EXPECT_TRUE(std::ranges::all_of(run->image.pixels, [](float value) { return std::isfinite(value); }));
-        return std::move(run->image);
+        return effect ? drawn(*effect, scene_.scene, std::move(options), parameters) : Image{};
     }
 
     verify::FurScene scene_;
     fs::path folder_;
 };
-
-std::size_t covered(const Image& picture) {
-    std::size_t count = 0;
-    for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
-        count += picture.pixels[i] > 0 ? 1 : 0;
-    return count;
-}
-
-float brightest(const Image& picture) {
-    float largest = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (i % 4 != 3) largest = std::max(largest, picture.pixels[i]);
-    return largest;
-}
 
 /// Largest difference of the first three channels.
 float distance(const Image& a, const Image& b) {
@@ -84,13 +61,6 @@ float distance(const Image& a, const Image& b) {
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         if (i % 4 != 3) largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
     return largest;
-}
-
-double mean(const Image& picture) {
-    double sum = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (i % 4 != 3) sum += static_cast<double>(picture.pixels[i]);
-    return sum / static_cast<double>(picture.pixels.size());
 }
 
 void scale(Mesh& mesh, float factor) {

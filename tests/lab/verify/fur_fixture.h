@@ -1,0 +1,56 @@
+#pragma once
+// What the tests of fur on bodies share: a picture with other parameters, and figures of pictures.
+
+#include "host/lab/verify/scene.h"
+#include "host/run/run.h"
+#include "tests/lab/verify/fixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tegument::test {
+
+using Parameters = std::map<std::string, std::vector<double>>;
+
+class FurPictures : public Verify {
+protected:
+    /// The scene as verify draws it, with `changed` instead of the options' own parameters. Every value of it is finite.
+    Image drawn(const Effect& effect, const verify::Scene& scene, RunOptions options, const Parameters& changed) {
+        for (const auto& [name, value] : changed)
+            options.parameters[name] = value;
+        auto run = runEffect(*device_, effect, &scene.mesh, scene.workspace, options);
+        EXPECT_TRUE(run) << format(run.error());
+        if (!run) return {};
+        EXPECT_TRUE(std::ranges::all_of(run->image.pixels, [](float value) { return std::isfinite(value); }));
+        return std::move(run->image);
+    }
+};
+
+/// Pixels whose alpha is not 0.
+inline std::size_t covered(const Image& picture) {
+    std::size_t count = 0;
+    for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
+        count += picture.pixels[i] > 0 ? 1 : 0;
+    return count;
+}
+
+/// Of the first three channels.
+inline float brightest(const Image& picture) {
+    float largest = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        if (i % 4 != 3) largest = std::max(largest, picture.pixels[i]);
+    return largest;
+}
+
+/// Sum of the first three channels, over all four's count.
+inline double mean(const Image& picture) {
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        if (i % 4 != 3) sum += static_cast<double>(picture.pixels[i]);
+    return sum / static_cast<double>(picture.pixels.size());
+}
+
+} // namespace tegument::test

@@ -12,6 +12,10 @@ target_compile_options(tegument_options INTERFACE
 set(sanitizers_address -fsanitize=address,undefined -fno-sanitize-recover=all)
 # GCC 12 also finds false bounds in strings that are moved, once ThreadSanitizer's calls stand between.
 set(sanitizers_thread -fsanitize=thread "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
+if(TEGUMENT_QUICK)
+  # Sources compiled together hide each other's names, and classes have fields of types without a name outside. Other builds look for both.
+  target_compile_options(tegument_options INTERFACE "$<BUILD_INTERFACE:-Wno-shadow;$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>>")
+endif()
 if(TEGUMENT_SANITIZE)
   if(NOT DEFINED sanitizers_${TEGUMENT_SANITIZE})
     message(FATAL_ERROR "TEGUMENT_SANITIZE is '${TEGUMENT_SANITIZE}': address, thread or OFF")
@@ -34,6 +38,19 @@ function(tegument_library name)
   endif()
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC tegument_options ${ARGN})
+  tegument_unite(${name})
+endfunction()
+
+# tegument_unite(name): in a quick build a room's sources are compiled together, so that each header is read once.
+function(tegument_unite name)
+  if(TEGUMENT_QUICK)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
+endfunction()
+
+# tegument_apart(SOURCES...): sources of the current folder that cannot be compiled together with the others.
+function(tegument_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # tegument_precompile(name HEADERS...): in a quick build the target's sources begin with these, compiled once.

@@ -246,8 +246,9 @@ void addRender(CLI::App& program, Action& action) {
                               ->check(CLI::Range(1, 10000))
                               ->capture_default_str();
     command
-        ->add_option("--turntable", options->turntable,
-                     "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp")
+        ->add_option(
+            "--turntable", options->turntable,
+            "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp or .gif")
         ->check(CLI::Range(2, 999))
         ->excludes(dump)
         ->excludes(frames);

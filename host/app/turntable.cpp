@@ -5,12 +5,11 @@
 #include "host/run/scene_bounds.h"
 #include "host/run/session.h"
 #include "host/scene/framing.h"
-#include "host/support/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <memory>
 
 namespace tegument::app {
 
@@ -33,8 +32,9 @@ public:
     Sink(const PictureOptions& options, fs::path output) : options_(options), output_(std::move(output)) {}
 
     Result<void> begin(const RunOptions& run, int pictures) {
-        if (toLower(output_.extension().string()) != kAnimation) return {};
-        auto animation = Animation::create(run.width, run.height, std::max(kShortest, kTurnTakes / pictures));
+        if (!isAnimation(output_)) return {};
+        auto animation =
+            makeAnimation(output_, {.width = run.width, .height = run.height, .milliseconds = std::max(kShortest, kTurnTakes / pictures)});
         if (!animation) return animation.error();
         animation_ = std::move(*animation);
         return {};
@@ -53,7 +53,7 @@ public:
 private:
     const PictureOptions& options_;
     fs::path output_;
-    std::optional<Animation> animation_;
+    std::unique_ptr<Animation> animation_;
     std::vector<fs::path> files_;
 };
 

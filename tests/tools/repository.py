@@ -164,7 +164,7 @@ def nothing_but_the_laboratory_includes_it(root):
 
 def some_libraries_are_known_to_one_room(root):
     """What stands behind a wrapper of ours, or serves one subcommand, is included there alone: other rooms build without it."""
-    rooms = {"embree3": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "host/app", "webp": "host/app", "GLFW": "host/view"}
+    rooms = {"embree3": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "host/app", "webp": "host/app", "gif_lib": "host/app", "GLFW": "host/view"}
     for path in files(root / "host", {".cpp", ".h"}) + files(root / "meshprep", {".cpp", ".h"}):
         for library in re.findall(r"^#include <(\w+)[./]", text_of(path), re.MULTILINE):
             if library in rooms and path.relative_to(root).parent.as_posix() != rooms[library]:

@@ -56,6 +56,7 @@ LinkCell joined(const std::array<LinkCell, 4>& parts) {
     glm::vec3 sum(0);
     for (const LinkCell& part : parts) {
         cell.area += part.area;
+        cell.covered += part.covered / 4;
         sum += part.area * part.place;
     }
     if (!(cell.area > 0)) return {};
@@ -116,7 +117,8 @@ LinkCells::LinkCells(const Mesh& mesh, const std::vector<std::uint8_t>& skin) {
     static_assert(kSamplesAlongCell == 2);
     levels_[0] = joinedCells(side(0), [&](int x, int y) {
         const Sample& sample = samples[index(x, y, kSamples)];
-        return LinkCell{.place = sample.place, .area = sample.area, .radius = halfDiagonal(sample.area)};
+        return LinkCell{
+            .place = sample.place, .area = sample.area, .radius = halfDiagonal(sample.area), .covered = sample.area > 0 ? 1.0F : 0.0F};
     });
     for (int level = 1; level < kLinkLevels; ++level)
         levels_[static_cast<std::size_t>(level)] = joinedCells(side(level), [&](int x, int y) { return at(level - 1, x, y); });

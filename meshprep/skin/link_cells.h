@@ -18,6 +18,7 @@ struct LinkCell {
     glm::vec3 place{0}; // centre of its surface
     float area = 0;     // 0: no chart
     float radius = 0;   // around `place`, over all of its surface
+    float covered = 0;  // share of its square that lies on charts
 };
 
 inline constexpr int kLinkLevels = 6;        // of the hierarchy: squares of 512, 256 ... 16 cells

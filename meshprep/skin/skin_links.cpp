@@ -2,6 +2,7 @@
 
 #include "host/support/parallel.h"
 #include "meshprep/skin/link_cells.h"
+#include "meshprep/skin/link_fit.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,14 +15,12 @@ namespace tegument {
 
 namespace {
 
-/// Variances along each axis in squares of a texel's side: a texel's light is interpolated between texels by a quadratic B-spline; a source
-/// is a texel of the pyramid, whose light comes from its square and somewhat beyond (docs/modules/Pyramid.md has both measured).
+/// Variance along each axis in squares of a texel's side: a texel's light is interpolated between texels by a quadratic B-spline.
 constexpr double kReceived = 0.25;
-constexpr double kSent = 0.6;
 /// What the above leaves of a Gaussian: at least this share.
 constexpr double kLeast = 0.35;
-/// Widths of the widest Gaussian within which sources count: 3 leave out 1.1 %.
-constexpr double kReach = 3.0;
+/// Widths of the widest Gaussian within which sources count: 3.5 leave out 0.2 %.
+constexpr double kReach = 3.5;
 /// A source is taken apart to find its weight where its side is more than this share of the narrower Gaussian's width.
 constexpr double kFineShare = 0.75;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
@@ -47,10 +46,23 @@ class Gatherer {
 public:
     Gatherer(const LinkCells& cells, const LinkOptions& options) : cells_(cells), options_(options) {
         reach_ = static_cast<float>(kReach * std::sqrt(std::max(options.variances[0], options.variances[1])));
-        for (int level = 0; level < kLinkLevels; ++level)
-            if (level == 0 || static_cast<double>(cells.usualSide(level)) <= options.nearest)
-                sent_ = static_cast<double>(cells.usualSide(level));
         fine_ = static_cast<float>(kFineShare * std::sqrt(std::min(options.variances[0], options.variances[1])));
+    }
+
+    /// What is left of the Gaussians for links: receivers are read by a spline. `side`: of the texel that receives, mm.
+    [[nodiscard]] std::array<double, 2> narrower(double side) const {
+        std::array<double, 2> variances{};
+        for (std::size_t i = 0; i < 2; ++i)
+            variances[i] = std::max(options_.variances[i] - kReceived * side * side, kLeast * options_.variances[i]);
+        return variances;
+    }
+
+    /// Means of the Gaussians over a cell, 1/mm^2.
+    [[nodiscard]] std::array<double, 2> means(const glm::vec3& place, double side, const LinkSource& cell) const {
+        std::array<double, 2> sum{};
+        add(place, cell.level, cell.x, cell.y, narrower(side), sum);
+        const auto area = static_cast<double>(cells_.at(cell.level, cell.x, cell.y).area);
+        return {sum[0] / area, sum[1] / area};
     }
 
     /// `side`: of the texel that receives, mm.
@@ -83,31 +95,27 @@ private:
     void emit(const glm::vec3& place, double side, int level, int x, int y, Gathered& gathered) const {
         Link link{
             .level = static_cast<std::uint8_t>(level), .index = static_cast<std::uint32_t>(y * LinkCells::side(level) + x), .weight = {}};
-        std::array<double, 2> narrower{};
-        for (std::size_t i = 0; i < 2; ++i)
-            narrower[i] = std::max(options_.variances[i] - kReceived * side * side - kSent * sent_ * sent_, kLeast * options_.variances[i]);
         std::array<double, 2> sum{};
-        add(place, level, x, y, narrower, sum, gathered.whole);
+        add(place, level, x, y, narrower(side), sum);
+        for (std::size_t i = 0; i < 2; ++i)
+            gathered.whole[i] += sum[i];
         link.weight = {static_cast<float>(sum[0]), static_cast<float>(sum[1])};
         gathered.links.push_back(link);
     }
 
     /// The cell, or its parts where it is large.
-    void add(const glm::vec3& place, int level, int x, int y, const std::array<double, 2>& narrower, std::array<double, 2>& sum,
-             std::array<double, 2>& whole) const {
+    void add(const glm::vec3& place, int level, int x, int y, const std::array<double, 2>& variances, std::array<double, 2>& sum) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
         if (level > 0 && cell.radius * std::numbers::sqrt2_v < float >> fine_) {
             for (int i = 0; i < 4; ++i)
-                add(place, level - 1, 2 * x + i % 2, 2 * y + i / 2, narrower, sum, whole);
+                add(place, level - 1, 2 * x + i % 2, 2 * y + i / 2, variances, sum);
             return;
         }
         const glm::vec3 offset = cell.place - place;
         const float squared = glm::dot(offset, offset);
-        for (std::size_t i = 0; i < 2; ++i) {
-            sum[i] += cell.area * gaussian(squared, narrower[i]);
-            whole[i] += cell.area * gaussian(squared, narrower[i]);
-        }
+        for (std::size_t i = 0; i < 2; ++i)
+            sum[i] += cell.area * gaussian(squared, variances[i]);
     }
 
     static float gaussian(float squared, double variance) {
@@ -119,13 +127,11 @@ private:
     const LinkOptions& options_;
     float reach_ = 0;
     float fine_ = 0;
-    double sent_ = 0; // side of the sources that are near, mm
 };
 
-/// Leaves out the least links, and scales the rest up to the whole; of the wider Gaussian with what lies beyond the reach.
-std::vector<Link> kept(Gathered gathered, const LinkOptions& options) {
+/// Leaves out the least links.
+void leaveOut(std::vector<Link>& links, const LinkOptions& options) {
     const auto worth = [&](const Link& link) { return options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1]; };
-    std::vector<Link>& links = gathered.links;
     std::ranges::sort(links, [&](const Link& a, const Link& b) { return worth(a) > worth(b); });
     double all = 0;
     for (const Link& link : links)
@@ -135,17 +141,39 @@ std::vector<Link> kept(Gathered gathered, const LinkOptions& options) {
     while (count < links.size() && count < kMostLinks && left > options.lost * all)
         left -= worth(links[count++]);
     links.resize(count);
-    for (std::size_t i = 0; i < 2; ++i) {
-        double sum = 0;
-        for (const Link& link : links)
-            sum += link.weight[i];
-        const double reached = i == 1 ? 1 - std::exp(-kReach * kReach / 2) : 1;
-        const auto scale = static_cast<float>(sum > 0 ? gathered.whole[i] / (sum * reached) : 0);
-        for (Link& link : links)
-            link.weight[i] = std::max(link.weight[i] * scale, kTinyWeight);
-    }
     // Neighbouring texels then read neighbouring sources at the same time.
     std::ranges::sort(links, [](const Link& a, const Link& b) { return std::pair(a.level, a.index) < std::pair(b.level, b.index); });
+}
+
+LinkSource sourceOf(const Link& link) {
+    const int side = LinkCells::side(link.level);
+    return {.level = link.level, .x = static_cast<int>(link.index) % side, .y = static_cast<int>(link.index) / side};
+}
+
+/// The links that are kept, so weighed that their sources, as wide as they are, make the Gaussians, and each list has all of its light.
+std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkCells::Middle& middle, const LinkOptions& options) {
+    Gathered gathered = gatherer.at(middle.place, static_cast<double>(middle.side));
+    std::vector<Link>& links = gathered.links;
+    leaveOut(links, options);
+    std::vector<LinkSource> sources;
+    for (const Link& link : links)
+        sources.push_back(sourceOf(link));
+    const LinkFit fit(cells, sources);
+    std::array<std::vector<float>, 2> wanted;
+    for (const LinkSource& node : fit.nodes()) {
+        const auto means = gatherer.means(middle.place, static_cast<double>(middle.side), node);
+        for (std::size_t i = 0; i < 2; ++i)
+            wanted[i].push_back(static_cast<float>(means[i]));
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        std::vector<float> weights;
+        for (const Link& link : links)
+            weights.push_back(std::max(link.weight[i], kTinyWeight));
+        fit.improve(wanted[i], weights);
+        const auto scale = static_cast<float>(gathered.whole[i] / std::accumulate(weights.begin(), weights.end(), 0.0));
+        for (std::size_t k = 0; k < links.size(); ++k)
+            links[k].weight[i] = std::max(weights[k] * scale, kTinyWeight);
+    }
     return std::move(links);
 }
 
@@ -161,8 +189,8 @@ Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const LinkOptions& opt
             for (std::size_t x = 0; x < kLinkSide; ++x) {
                 const auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
                 if (!middle) continue;
-                const double side = std::min(static_cast<double>(middle->side), kMostSide * usual);
-                lists[y * kLinkSide + x] = kept(gatherer.at(middle->place, side), options);
+                const auto side = static_cast<float>(std::min(static_cast<double>(middle->side), kMostSide * usual));
+                lists[y * kLinkSide + x] = weighed(cells, gatherer, {.place = middle->place, .side = side}, options);
             }
         },
         {}, options.threads);

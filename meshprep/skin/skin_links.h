@@ -17,14 +17,14 @@ struct LinkOptions {
     std::array<double, 2> weights{0.358, 0.078}; // what they weigh in red, by which links are judged
     double lost = 0.0005;                        // share of a texel's light whose links may be left out; the others make up for it
     double nearest = 1.3;                        // largest source where it is received, mm
-    double growth = 1.2;                         // and how it grows with the distance, mm per mm
+    double growth = 1.0;                         // and how it grows with the distance, mm per mm
     unsigned threads = 0;                        // 0: one a processor
 };
 
 /// A list of links for each texel of a map of kLinkSide texels along each side.
 inline constexpr int kLinkSide = 256;
 inline constexpr int kMostLinks = 64; // of a list: what effects/passes/pyramid_links.fxh reads
-inline constexpr int kLinkVersion = 1;
+inline constexpr int kLinkVersion = 2;
 
 struct SkinLinks {
     Image sheet;           // RGBA: tiles x tiles maps of kLinkSide, as the effect reads it; for half floats

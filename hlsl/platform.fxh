@@ -158,25 +158,21 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 // One line per pass: its name, entry points, states.
 #define TG_MESH_PASS(name, vs, ps, states) pass name < string Script = "Draw=Geometry;"; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
-// The same of one part of the mesh; a host that does not know parts draws all of it. TG_SEEN_...: of its clusters only those that the
-// camera can see, where nothing is drawn further from them than so many times the parameter `reach`, in the mesh's radii.
-#define TG_SEEN_PASS(name, part, reach, times, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
-    string Reach = reach; float ReachScale = times; > \
+// The same of one part of the mesh; a host that does not know parts draws all of it. TG_SEEN_...: of its ribbons only those that show.
+// seen: annotations Reach and ReachScale (nothing is drawn further from them than so many times that parameter, in the mesh's radii), Share
+// (of the strands that is drawn), ShareRadius and ShareThinnest (of a strand, in the mesh's radii; pixels below which fewer are drawn).
+#define TG_SEEN_PASS(name, part, seen, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; seen > \
     { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #define TG_PART_PASS(name, part, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #ifndef TEGUMENT_HLSL_3
-#define TG_PART_LAYER_PASS(name, part, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
-    string Instances = count; > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
-#define TG_SEEN_LAYER_PASS(name, part, reach, times, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; \
-    string Part = part; string Reach = reach; float ReachScale = times; string Instances = count; > \
-    { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
+#define TG_SEEN_LAYER_PASS(name, part, seen, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Part = part; \
+    seen string Instances = count; > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #define TG_LAYER_PASS(name, count, vs, ps, states) pass name < string Script = "Draw=Geometry;"; string Instances = count; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }
 #else
 #define TG_LAYER_PASS(name, count, vs, ps, states) TG_MESH_PASS(name, vs, ps, states)
-#define TG_PART_LAYER_PASS(name, part, count, vs, ps, states) TG_PART_PASS(name, part, vs, ps, states)
-#define TG_SEEN_LAYER_PASS(name, part, reach, times, count, vs, ps, states) TG_SEEN_PASS(name, part, reach, times, vs, ps, states)
+#define TG_SEEN_LAYER_PASS(name, part, seen, count, vs, ps, states) TG_SEEN_PASS(name, part, seen, vs, ps, states)
 #endif
 #define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; bool CoversTarget = true; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }

@@ -125,12 +125,12 @@ struct LockShare
     float width;
 };
 
-// pixel: across it, at the strand.
-LockShare lockShare(VertexInput input, float child, float pixel)
+// pixel: across it, at the strand. strands: of the lock; the last of them go first.
+LockShare lockShare(VertexInput input, float child, float strands, float pixel)
 {
     LockShare s;
     s.share = gFurShare * saturate(2.0 * gCoatRadius * gMeshRadius / (gCoatThin * pixel));
-    s.rank = frac(tgRibbonRank(input.uv.y) + 0.6180340 * child);
+    s.rank = (child + tgRibbonRank(input.uv.y)) / strands;
     s.width = saturate(kLockFade * (s.share - s.rank) / s.share) * (kLockFade / (kLockFade - 0.5)) / s.share;
     return s;
 }
@@ -224,7 +224,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
-    LockShare share = lockShare(input, child, ribbonPixel() * length(frame.toEye));
+    LockShare share = lockShare(input, child, under > 0.5 ? gCoatUnderfur : gCoatChildren, ribbonPixel() * length(frame.toEye));
     [branch] if (ribbonDrawn(input, share.rank, share.share) && ribbonSeen(input, frame))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
@@ -258,7 +258,9 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
     float pixel = tgShadowFootprint(mul(float4(frame.world, 1.0), gLightViewProjection).w, tgLightSpread()) / tgMillimetres(1.0);
-    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), pixel);
+    // Nor is drawn what a picture as wide as the map would not show.
+    float coarser = max(pixel, ribbonPixel() * length(frame.toEye));
+    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), gCoatShadowStrands, coarser);
     [branch] if (ribbonDrawn(input, share.rank, share.share))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
@@ -293,14 +295,15 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     return float4(albedo * (gLightColor * (0.5 * lit) + 0.12 * around), 1.0);
 }
 
+#define LOCK_SHARE RIBBON_SHARE string ShareRadius = "gCoatRadius"; string ShareThinnest = "gCoatThin";
 #define COAT_SCRIPT OPACITY_SCRIPT \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
 #define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
-    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatUnderfur", UnderfurVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatChildren", LocksVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH, RIBBON_REACHES, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH LOCK_SHARE, "gCoatUnderfur", UnderfurVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH LOCK_SHARE, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH LOCK_SHARE, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
 
 #endif

@@ -25,7 +25,7 @@ static const float kCoatSkinSoft = 0.5; // across which the shadow of the skin b
 #define OPACITY_PASSES \
     TG_PART_PASS(CoatSkin, "skin", CoatSkinVS, CoatFrontPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(CoatFront, "skin", CoatFrontVS, CoatFrontPS, TG_STATE_TWOSIDED) \
-    TG_PART_LAYER_PASS(Opacity, "underfur", "gCoatShadowStrands", OpacityVS, OpacityPS, TG_STATE_SUM)
+    TG_SEEN_LAYER_PASS(Opacity, "underfur", LOCK_SHARE, "gCoatShadowStrands", OpacityVS, OpacityPS, TG_STATE_SUM)
 
 float coatThickness()
 {

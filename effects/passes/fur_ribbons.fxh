@@ -84,8 +84,8 @@ RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset,
 }
 
 // No strand is further from its root: four lengths of the coat, whose strands lie and stray.
-#define RIBBON_REACH "gFurLength"
-#define RIBBON_REACHES 4.0
+#define RIBBON_REACH string Reach = "gFurLength"; float ReachScale = 4.0;
+#define RIBBON_SHARE string Share = "gFurShare";
 
 static const float kRibbonFaint = 0.004; // less an 8-bit target would not show
 

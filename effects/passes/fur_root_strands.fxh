@@ -100,7 +100,7 @@ RibbonVarying StrandsVS(VertexInput input)
 #define STRANDS_PASSES(core, fringe, coreState) \
     TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
-    TG_SEEN_PASS(Core, "strands", RIBBON_REACH, RIBBON_REACHES, StrandsVS, core, coreState) \
-    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH, RIBBON_REACHES, StrandsVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_PASS(Core, "strands", RIBBON_REACH RIBBON_SHARE, StrandsVS, core, coreState) \
+    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH RIBBON_SHARE, StrandsVS, fringe, TG_STATE_FRINGE)
 
 #endif

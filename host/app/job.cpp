@@ -88,6 +88,11 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
                     "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
                     "cannot have several, and for render --frames")
         ->check(CLI::IsMember({1, 2, 4, 8}));
+    command
+        .add_option("--picture", options.picture,
+                    "What the picture is drawn into: float (RGBA32F), or half (RGBA16F), as engines do, into which blending costs less")
+        ->transform(oneOf({"float", "half"}))
+        ->capture_default_str();
     command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
         ->transform(oneOf({"dxc", "glslang"}));
     command.add_option("--device", options.device, "Part of the Vulkan device's name");
@@ -117,6 +122,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     job.run.width = size->first;
     job.run.height = size->second;
     job.run.samples = options.samples > 0 ? options.samples : kUsualSamples;
+    job.run.halfPicture = options.picture == "half";
     job.run.samplesAreAsked = options.samples > 0;
     job.run.plainSkin = {0.53F, 0.34F, 0.27F, 1}; // the mean of the default human's colour map
     const auto compiler = chosenCompiler(options.compiler);

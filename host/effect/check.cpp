@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 41> kAnnotations{{
+constexpr std::array<KnownAnnotation, 44> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -59,6 +59,9 @@ constexpr std::array<KnownAnnotation, 41> kAnnotations{{
     {"Part", kText},
     {"Reach", kText},
     {"ReachScale", kNumber},
+    {"Share", kText},
+    {"ShareRadius", kText},
+    {"ShareThinnest", kText},
     {"Producer", kText},
     {"ColorSpace", kText},
     {"Metadata", kText},
@@ -224,15 +227,16 @@ private:
             pass.script = script(pass.annotations, ScriptLevel::Pass, &technique);
             for (const auto* shader : {&pass.vertexShader, &pass.pixelShader, &pass.geometryShader, &pass.computeShader})
                 if (*shader) function(**shader);
-            instances(pass);
+            namedNumbers(pass);
         }
     }
 
-    /// The names in `Instances` and `Reach` get the spelling of their declaration, like those in scripts.
-    void instances(Pass& pass) {
+    /// The names of parameters in a pass's annotations get the spelling of their declaration, like those in scripts.
+    void namedNumbers(Pass& pass) {
+        constexpr std::array kNames = {"Instances", "Reach", "Share", "ShareRadius", "ShareThinnest"};
         for (Annotation& annotation : pass.annotations.list)
             if (auto* name = std::get_if<std::string>(&annotation.value);
-                name != nullptr && (equalsIgnoreCase(annotation.name, "Instances") || equalsIgnoreCase(annotation.name, "Reach")))
+                name != nullptr && std::ranges::any_of(kNames, [&](const char* own) { return equalsIgnoreCase(annotation.name, own); }))
                 scalar(*name, annotation.at);
     }
 

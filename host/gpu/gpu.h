@@ -154,6 +154,8 @@ struct Targets {
 struct DrawRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    std::uint32_t firstInstance = 0; // shaders count instances from it (SV_InstanceID)
+    std::uint32_t instances = 0;     // 0: as many as the draw
 };
 
 /// Clockwise or counter-clockwise as Direct3D sees it: the viewport is y-up like Direct3D's, depth 0..1.

@@ -47,15 +47,16 @@ void recordDraw(RecorderState& recorder, const PipelineHandle& pipeline, const D
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.pipeline);
     if (draw.vertices) commands.bindVertexBuffers(0, *draw.vertices->state->buffer, vk::DeviceSize{0});
     if (draw.indices) commands.bindIndexBuffer(*draw.indices->state->buffer, 0, vk::IndexType::eUint32);
-    const auto record = [&](std::uint32_t first, std::uint32_t count) {
+    const auto record = [&](const DrawRange& range) {
+        const std::uint32_t instances = range.instances > 0 ? range.instances : draw.instances;
         if (draw.indices)
-            commands.drawIndexed(count, draw.instances, first, 0, 0);
+            commands.drawIndexed(range.count, instances, range.first, 0, range.firstInstance);
         else
-            commands.draw(count, draw.instances, first, 0);
+            commands.draw(range.count, instances, range.first, range.firstInstance);
     };
-    record(draw.first, draw.count);
+    record({.first = draw.first, .count = draw.count});
     for (const DrawRange& range : draw.more)
-        record(range.first, range.count);
+        record(range);
 }
 
 Result<void> drawChecked(RecorderState& recorder, const Targets& targets, const Draw& draw) {

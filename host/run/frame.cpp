@@ -1,7 +1,7 @@
 #include "host/run/frame.h"
 
 #include "host/run/constants.h"
-#include "host/run/parts.h"
+#include "host/run/part_draws.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -142,34 +142,6 @@ Result<std::uint32_t> instancesOf(const Builder& builder, const DrawStep& step) 
     return static_cast<std::uint32_t>(value->front());
 }
 
-/// The annotation Reach names a parameter: this, times ReachScale, says how far from the mesh the pass draws, in its radii. Without it
-/// nothing is left out.
-Result<std::optional<PartView>> viewOf(const Builder& builder, const Pass& pass) {
-    const auto name = pass.annotations.string("Reach");
-    if (!name) return std::optional<PartView>();
-    const Parameter* parameter = builder.input.effect.findParameter(*name);
-    assert(parameter); // host/effect has checked the annotation
-    const auto value = builder.prepared.values.require(*parameter);
-    if (!value) return value.error();
-    const auto scale = pass.annotations.numbers("ReachScale");
-    const double reach = std::abs(value->front()) * (scale ? scale->front() : 1) * static_cast<double>(builder.input.mesh->bounds.radius);
-    return std::optional(partView(builder.prepared.scene, reach));
-}
-
-/// The quad as a whole; of a mesh the part that the pass names, as far as it can be seen.
-Result<void> chooseTriangles(const Builder& builder, const DrawStep& step, gpu::Draw& draw) {
-    if (step.kind == DrawKind::Buffer) return {};
-    const auto view = viewOf(builder, *step.pass);
-    if (!view) return view.error();
-    const auto ranges = partOf(builder.input.effect, *step.pass, *builder.input.mesh, *view ? &**view : nullptr);
-    if (!ranges) return ranges.error();
-    draw.first = ranges->empty() ? 0 : ranges->front().first;
-    draw.count = ranges->empty() ? 0 : ranges->front().count;
-    for (std::size_t i = 1; i < ranges->size(); ++i)
-        draw.more.push_back({(*ranges)[i].first, (*ranges)[i].count});
-    return {};
-}
-
 Extent extentOf(const gpu::Targets& targets) {
     const gpu::TextureDesc& desc = anyOf(targets).desc();
     return {desc.width, desc.height};
@@ -188,9 +160,12 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     item.draw.indices = &geometry.indices;
     item.draw.count = geometry.indexCount;
     item.draw.instances = *instances;
-    if (const auto chosen = chooseTriangles(builder, step, item.draw); !chosen) return chosen;
-    const PassProgram& program = *builder.prepared.programs.at(step.pass);
     const Extent viewport = extentOf(item.targets);
+    if (step.kind != DrawKind::Buffer) {
+        const PartRequest request{builder.input, builder.prepared, *step.pass, viewport, builder.resources.device};
+        if (const auto chosen = chooseTriangles(request, builder.frame.lists, item.draw); !chosen) return chosen;
+    }
+    const PassProgram& program = *builder.prepared.programs.at(step.pass);
     if (const auto bound = bindStage(builder, step, program.vertex, viewport, item); !bound) return bound;
     if (program.pixel)
         if (const auto bound = bindStage(builder, step, *program.pixel, viewport, item); !bound) return bound;

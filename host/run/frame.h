@@ -1,6 +1,7 @@
 #pragma once
 // One frame ready to be recorded any number of times: pipelines made, uniform blocks laid out, resources bound.
 
+#include "host/run/part_draws.h"
 #include "host/run/resources.h"
 
 #include <cstddef>
@@ -55,6 +56,7 @@ struct FrameNode {
 struct Frame {
     std::vector<FrameNode> before; // in this order; without sections of their own
     std::vector<FrameItem> items;
+    PartLists lists;                     // that draws of parts of a mesh take their indices from
     bool clearsApart = false;            // RunOptions
     std::optional<FrameResolve> resolve; // after the items that are recorded; where the caller's targets have several samples a pixel
 };

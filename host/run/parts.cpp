@@ -45,11 +45,8 @@ void appendPart(std::vector<IndexRange>& ranges, const MeshPart& part, const Par
 }
 
 /// Whether a ball lies on the outer side of one of the picture's edges.
-bool outside(const glm::dmat4& toClip, const glm::dvec3& centre, double radius) {
-    const glm::dmat4 rows = glm::transpose(toClip);
-    for (const glm::dvec4& edge : {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]})
-        if (glm::dot(edge, glm::dvec4(centre, 1)) < -radius * glm::length(glm::dvec3(edge))) return true;
-    return false;
+bool outside(const PartView& view, const glm::dvec3& centre, double radius) {
+    return std::ranges::any_of(view.edges, [&](const glm::dvec4& edge) { return glm::dot(edge, glm::dvec4(centre, 1)) < -radius; });
 }
 
 } // namespace
@@ -58,17 +55,31 @@ bool drawsPart(const Effect& effect, const std::string& part) {
     return namedBy(effect).contains(part);
 }
 
+PartView partView(const glm::dmat4& toClip, const glm::dvec3& eye, double reach) {
+    const glm::dmat4 rows = glm::transpose(toClip);
+    PartView view{.edges = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]}, .eye = eye, .reach = reach};
+    for (glm::dvec4& edge : view.edges)
+        edge /= std::max(glm::length(glm::dvec3(edge)), 1e-30);
+    return view;
+}
+
 PartView partView(const SceneView& scene, double reach) {
-    const glm::dmat4 world = scene.world;
-    return {.toClip = glm::dmat4(scene.camera.viewProjection) * world,
-            .eye = glm::dvec3(glm::inverse(world) * glm::dvec4(glm::dvec3(scene.camera.position), 1)),
-            .reach = reach};
+    return partView(glm::dmat4(scene.camera.viewProjection) * scene.world, eyeOf(scene), reach);
+}
+
+glm::dvec3 eyeOf(const SceneView& scene) {
+    return glm::dvec3(glm::inverse(scene.world) * glm::dvec4(glm::dvec3(scene.camera.position), 1));
+}
+
+bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view) {
+    const glm::dvec3 toEye = view.eye - place;
+    return glm::dot(normal, toEye) > kHidden * glm::length(toEye) && !outside(view, place, view.reach);
 }
 
 bool canBeSeen(const MeshCluster& cluster, const PartView& view) {
     const glm::dvec3 centre(cluster.centre);
     const double radius = static_cast<double>(cluster.radius);
-    if (outside(view.toClip, centre, radius + view.reach)) return false;
+    if (outside(view, centre, radius + view.reach)) return false;
     const glm::dvec3 toEye = view.eye - centre;
     const double distance = glm::length(toEye);
     if (!(distance > radius)) return true;

@@ -5,6 +5,7 @@
 #include "host/mesh/mesh.h"
 #include "host/run/semantics.h"
 
+#include <array>
 #include <vector>
 
 namespace tegument::run {
@@ -23,15 +24,20 @@ inline constexpr const char* kSkinPart = "skin";
 
 /// From where clusters are looked at. All in the mesh's own space, mm.
 struct PartView {
-    glm::dmat4 toClip{1}; // GLM's order
+    std::array<glm::dvec4, 4> edges{}; // of the picture: planes, positive inside, of unit normals
     glm::dvec3 eye{0};
     double reach = 0; // how far from its clusters' vertices something may be drawn
 };
+/// toClip: out of the mesh's space, GLM's order.
+[[nodiscard]] PartView partView(const glm::dmat4& toClip, const glm::dvec3& eye, double reach);
 [[nodiscard]] PartView partView(const SceneView& scene, double reach);
+[[nodiscard]] glm::dvec3 eyeOf(const SceneView& scene);
 
 /// False only for what lies outside of the picture as a whole, or looks away from the eye as a whole: by more than kHidden, so that what
 /// grows there does not reach over the horizon.
 [[nodiscard]] bool canBeSeen(const MeshCluster& cluster, const PartView& view);
+/// Of what grows on a vertex.
+[[nodiscard]] bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view);
 /// Least cosine between a normal and the way to the eye at which strands are still drawn: over the horizon of a ball of the radius R those
 /// of the length 0.28 R reach at -0.62. The effects leave out single strands by the same.
 inline constexpr double kHidden = -0.62;

@@ -80,9 +80,10 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
         prepared.targets.emplace(name, *target);
     }
     const auto samples = static_cast<std::uint32_t>(input.options.samples);
-    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = PixelFormat::RGBA32F, .samples = samples});
+    const PixelFormat color = input.options.halfPicture ? PixelFormat::RGBA16F : PixelFormat::RGBA32F;
+    prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = color, .samples = samples});
     prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = PixelFormat::D24S8, .samples = samples});
-    if (samples > 1) prepared.targets.emplace(kPictureResolved, TargetDesc{.extent = picture, .format = PixelFormat::RGBA32F});
+    if (samples > 1) prepared.targets.emplace(kPictureResolved, TargetDesc{.extent = picture, .format = color});
     return {};
 }
 

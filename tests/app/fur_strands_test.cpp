@@ -28,9 +28,9 @@ Ran strands(const fs::path& file, std::vector<std::string> more = {}) {
     return tegument::test::tegument(arguments);
 }
 
-Ran draw(const fs::path& picture, std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"render", "effects/FurCoat.fx", "--size", "96x96",
-                                          "-o",     picture.string(),     "-D",     "TEGUMENT_MAP_SIZE=64"};
+Ran draw(const fs::path& picture, std::vector<std::string> more, const fs::path& effect = "effects/FurCoat.fx") {
+    std::vector<std::string> arguments = {"render", effect.string(),  "--size", "96x96",
+                                          "-o",     picture.string(), "-D",     "TEGUMENT_MAP_SIZE=64"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return tegument::test::tegument(arguments, ownCache());
 }
@@ -92,6 +92,33 @@ TEST(FurStrands, grow_on_any_mesh_in_one_command_and_as_from_a_file) {
     ASSERT_EQ(tegument::test::tegument({"fur", "strands", ballMesh(), "-o", file.string(), "--roots", roots.string()}).code, 0);
     ASSERT_EQ(draw(scratch() / "file.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
     EXPECT_EQ(pixels(own), pixels(scratch() / "file.png"));
+}
+
+TEST(FurStrands, that_a_pass_is_not_given_would_not_have_been_drawn) {
+    // The same effect without the annotations by which a host leaves strands out.
+    const fs::path plain = scratch() / "plain";
+    fs::create_directories(plain);
+    for (const char* folder : {"effects", "hlsl"})
+        fs::copy(folder, plain / folder, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    for (const char* file : {"fur_ribbons.fxh", "fur_locks.fxh"}) {
+        std::ifstream in(plain / "effects/passes" / file);
+        std::string text, line;
+        while (std::getline(in, line))
+            text +=
+                line.substr(0, line.starts_with("#define RIBBON_") || line.starts_with("#define LOCK_") ? line.find(' ', 8) : line.size()) +
+                "\n";
+        in.close();
+        std::ofstream(plain / "effects/passes" / file) << text;
+    }
+    for (const char* compiler : {"dxc", "glslang"})
+        for (const char* share : {"1", "0.37"}) {
+            const fs::path some = scratch() / "some.exr", all = scratch() / "all.exr";
+            const std::vector<std::string> more = {"--mesh", ballMesh(), "--compiler",
+                                                   compiler, "--set",    std::string("gFurShare=") + share};
+            ASSERT_EQ(draw(some, more).code, 0);
+            ASSERT_EQ(draw(all, more, plain / "effects/FurCoat.fx").code, 0);
+            EXPECT_EQ(pixels(some), pixels(all)) << compiler << ", share " << share;
+        }
 }
 
 TEST(FurStrands, find_their_roots_beside_their_file_and_refuse_others) {

@@ -98,7 +98,7 @@ TEST(PartClusters, that_show_anything_are_never_left_out) {
         Mesh mesh;
         const glm::dvec3 place = 150.0 * random.inBall(), way = glm::normalize(random.inBall());
         const double size = random.number(1, 20), bend = random.number(0, 1);
-        const run::PartView view{.toClip = toClip, .eye = {0, 0, 300}, .reach = random.number(0, 10)};
+        const run::PartView view = run::partView(toClip, {0, 0, 300}, random.number(0, 10));
         bool shows = false;
         for (std::uint32_t i = 0; i < 30; ++i) {
             const glm::dvec3 vertex = place + size * random.inBall(), normal = glm::normalize(way + bend * random.inBall());

@@ -44,6 +44,21 @@ protected:
     }
 };
 
+TEST_F(Sampled, pictures_of_halves_hold_halves_with_any_number_of_samples) {
+    const Mesh mesh = slanted();
+    for (const int samples : {1, 4}) {
+        RunOptions asked = options(samples, 16);
+        asked.halfPicture = true;
+        Workspace workspace = closeUp();
+        workspace.background = {0.1F, 0.1F, 0.1F};
+        const auto result = run("mesh.fx", asked, &mesh, workspace);
+        ASSERT_TRUE(succeeded(result));
+        // The half next to 0.1, from above or from below: devices may round or cut off.
+        EXPECT_NEAR(result->image.at(0, 0, 0), 0.1F, 6.2e-5F) << samples;
+        EXPECT_NE(result->image.at(0, 0, 0), 0.1F) << samples;
+    }
+}
+
 bool offered(const Result<RunResult>& result) {
     return code(result) != 6016;
 }

@@ -1,0 +1,130 @@
+#include "host/run/strands.h"
+
+#include "host/support/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace tegument::run {
+
+namespace {
+
+constexpr double kShareTolerance = 1e-4; // relative: of distances in single precision
+
+/// A ribbon that is seen.
+struct Seen {
+    std::uint32_t first = 0; // of its indices
+    std::uint32_t count = 0;
+    double strands = 0; // how many of the root's are drawn, less the root's rank
+};
+
+class Lister {
+public:
+    Lister(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye, const StrandShare& share)
+        : mesh_(mesh), part_(part), view_(view), eye_(eye), share_(share) {}
+
+    std::optional<StrandLists> list() {
+        find();
+        StrandLists lists;
+        std::size_t indices = 0;
+        for (const Seen& ribbon : seen_)
+            indices += ribbon.count;
+        const auto wholes = static_cast<std::uint32_t>(std::clamp(fewest_, 0.0, double(share_.count)));
+        if (indices == part_.indexCount && wholes == share_.count) return std::nullopt;
+        if (wholes > 0) append(lists, 0, wholes);
+        for (std::uint32_t instance = wholes; instance < share_.count; ++instance)
+            if (!append(lists, instance, 1)) break; // the next have fewer still
+        return lists;
+    }
+
+private:
+    /// Of the ribbons that one chunk of clusters has.
+    struct Found {
+        std::vector<Seen> ribbons;
+        double fewest = 1e9; // strands of one of their roots that are drawn for certain
+    };
+
+    void find() {
+        std::vector<MeshCluster> clusters = part_.clusters;
+        if (clusters.empty()) clusters.push_back({.firstIndex = 0, .indexCount = part_.indexCount, .radius = mesh_.bounds.radius});
+        const bool bounded = !part_.clusters.empty();
+        std::vector<Found> found(chunkCount(clusters.size()));
+        inChunks(clusters.size(), 0, [&](std::size_t first, std::size_t last, std::size_t chunk) {
+            for (std::size_t i = first; i < last; ++i)
+                if (!bounded || !view_ || canBeSeen(clusters[i], *view_)) findIn(clusters[i], found[chunk]);
+        });
+        for (const Found& one : found) {
+            seen_.insert(seen_.end(), one.ribbons.begin(), one.ribbons.end());
+            fewest_ = std::min(fewest_, one.fewest);
+        }
+    }
+
+    void findIn(const MeshCluster& cluster, Found& found) const {
+        const std::uint32_t end = part_.firstIndex + cluster.firstIndex + cluster.indexCount;
+        for (std::uint32_t first = part_.firstIndex + cluster.firstIndex; first < end;) {
+            const std::uint32_t root = mesh_.indices[first];
+            const float address = mesh_.uvs[root].y;
+            std::uint32_t last = first + 3;
+            while (last < end && mesh_.uvs[mesh_.indices[last]].y == address)
+                last += 3;
+            judge({.first = first, .count = last - first}, root, address, found);
+            first = last;
+        }
+    }
+
+    void judge(Seen ribbon, std::uint32_t root, float address, Found& found) const {
+        const glm::dvec3 place(mesh_.positions[root]);
+        if (view_ && !canBeSeen(place, glm::dvec3(mesh_.normals[root]), *view_)) return;
+        const double strands = shareAt(share_, glm::distance(eye_, place)) * share_.count;
+        ribbon.strands = strands - rankOf(address);
+        if (!(ribbon.strands > -kRankTolerance)) return;
+        found.fewest = std::min(found.fewest, std::floor(strands * (1 + 1e-9)));
+        found.ribbons.push_back(ribbon);
+    }
+
+    /// Whether any is.
+    bool append(StrandLists& lists, std::uint32_t instance, std::uint32_t instances) const {
+        const auto from = static_cast<std::uint32_t>(lists.indices.size());
+        for (const Seen& ribbon : seen_)
+            if (instance + instances <= fewest_ || ribbon.strands > instance - kRankTolerance) {
+                const auto indices = std::span(mesh_.indices).subspan(ribbon.first, ribbon.count);
+                lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
+            }
+        const auto count = static_cast<std::uint32_t>(lists.indices.size()) - from;
+        if (count > 0)
+            lists.ranges.push_back({.range = {.first = from, .count = count}, .firstInstance = instance, .instances = instances});
+        return count > 0;
+    }
+
+    const Mesh& mesh_;
+    const MeshPart& part_;
+    const PartView* view_;
+    const glm::dvec3 eye_;
+    const StrandShare share_;
+    std::vector<Seen> seen_;
+    double fewest_ = 1e9; // strands that every root has for certain
+};
+
+} // namespace
+
+double shareAt(const StrandShare& share, double distance) {
+    if (!(share.width > 0) || !(share.thinnest > 0)) return share.share;
+    const double pixels = share.width / std::max(share.pixel * distance, 1e-30);
+    return share.share * std::min(pixels / share.thinnest * (1 + kShareTolerance), 1.0);
+}
+
+double rankOf(float address) {
+    constexpr double kColumns = 4096;
+    const double row = std::floor(static_cast<double>(address) / kColumns);
+    const double sum = (static_cast<double>(address) - kColumns * row) * 0.6180340 + row * 0.7548777;
+    const double rank = sum - std::floor(sum);
+    return rank < 1 - kRankTolerance ? rank : 0; // of a number just below the next whole one a shader may find 0
+}
+
+std::optional<StrandLists> listStrands(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye,
+                                       const StrandShare& share) {
+    return Lister(mesh, part, view, eye, share).list();
+}
+
+} // namespace tegument::run

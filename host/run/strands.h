@@ -1,0 +1,48 @@
+#pragma once
+// Which ribbons of fur a pass is given (docs/running.md, "Parts of a mesh"): those that the eye can see, and of thin ones a share. Needs no
+// GPU.
+
+#include "host/mesh/mesh.h"
+#include "host/run/parts.h"
+
+#include <optional>
+#include <vector>
+
+namespace tegument::run {
+
+/// Strand n of a root is drawn while (n + rank of the root) / strands is below a share: the annotation Share of a pass, with
+/// ShareRadius and ShareThinnest. The effect's shaders leave out the same strands; here a few more may be kept, never fewer.
+struct StrandShare {
+    double share = 1;        // of all strands, wherever they are
+    double width = 0;        // of a strand, mm; 0: distance takes none away
+    double thinnest = 0;     // pixels: of narrower ones so many are drawn as if they were that wide
+    double pixel = 0;        // across it at distance 1
+    std::uint32_t count = 1; // strands of a root: instances of the pass
+};
+
+struct StrandRange {
+    IndexRange range; // of StrandLists::indices
+    std::uint32_t firstInstance = 0;
+    std::uint32_t instances = 0;
+    bool operator==(const StrandRange&) const = default;
+};
+
+/// What to draw in place of a part.
+struct StrandLists {
+    std::vector<std::uint32_t> indices; // in the part's order
+    std::vector<StrandRange> ranges;    // the first begins at instance 0
+};
+
+/// Share of the strands of a root at this distance in mm, at least what a shader finds.
+[[nodiscard]] double shareAt(const StrandShare& share, double distance);
+
+/// In [0, 1): tgRibbonRank of hlsl/fur/ribbons.fxh, to kRankTolerance, or 0 where that may be 1.
+[[nodiscard]] double rankOf(float address);
+inline constexpr double kRankTolerance = 1e-3; // a shader multiplies by addresses of 4 digits in single precision: 2.5e-4, twice
+
+/// The ribbons of the part; a ribbon is a run of triangles of one address. `view`: of those only what canBeSeen. Nothing where all of it is
+/// to be drawn anyway.
+[[nodiscard]] std::optional<StrandLists> listStrands(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye,
+                                                     const StrandShare& share);
+
+} // namespace tegument::run

@@ -29,6 +29,7 @@ LoadOptions loadOptions(const EffectOptions& options) {
             load.defines.emplace_back(define.substr(0, equals), define.substr(equals + 1));
         }
     }
+    load.lenient = true;
     load.setting = options.setting;
     if (options.mapSize > 0) load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
     if (options.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(options.shadowSize));

@@ -29,7 +29,7 @@ std::vector<Variant> variantsOf(const std::filesystem::path& file, const CheckOp
     if (!options.allSettings) return options.variants;
     std::vector<Variant> all;
     for (const Variant& variant : options.variants)
-        for (Variant setting : settingVariants(file, {.defines = variant.defines, .includeFolders = options.includeFolders})) {
+        for (Variant setting : settingVariants(file, {.defines = variant.defines, .includeFolders = options.includeFolders, .lenient = true})) {
             setting.name = variant.name.empty() ? setting.name : variant.name + " " + setting.name;
             all.push_back(std::move(setting));
         }
@@ -162,7 +162,8 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
     work.report.variant = variant.name;
     for (const Target target : targets)
         work.report.targets.push_back({.target = target});
-    auto effect = loadEffect(file, {.defines = variant.defines, .includeFolders = options.includeFolders, .setting = variant.setting});
+    auto effect = loadEffect(
+        file, {.defines = variant.defines, .includeFolders = options.includeFolders, .setting = variant.setting, .lenient = true});
     if (!effect) {
         work.report.diagnostics = effect.error().diagnostics;
         for (TargetCheck& target : work.report.targets)

@@ -14,8 +14,10 @@ namespace tegument {
 namespace {
 
 constexpr double kLargestWord = 4294967295.0;
+constexpr double kTargets = 8;
+constexpr double kMostIndices = 65536;
 
-std::optional<double> named(std::string_view name, Vocabulary vocabulary) {
+std::optional<double> valueNamed(std::string_view name, Vocabulary vocabulary) {
     for (const NamedValue& value : vocabulary)
         if (sameStateName(value.name, name)) return value.value;
     return std::nullopt;
@@ -61,7 +63,9 @@ bool Parser::assignment(std::vector<Assignment>& result) {
         const Token at = peek();
         const std::optional<Constant> index = expression();
         if (!index || !expect(']', "after the index")) return false;
-        if (index->numbers.size() != 1 || !(index->numbers[0] >= 0 && index->numbers[0] < 8)) return fail(2002, at, "an index is 0 to 7");
+        const double most = lenient_ ? kMostIndices : kTargets; // textures, lights and constants have more places than targets
+        if (index->numbers.size() != 1 || !(index->numbers[0] >= 0 && index->numbers[0] < most))
+            return fail(2002, at, "an index is 0 to 7");
         assignment.index = static_cast<int>(index->numbers[0]);
     }
     if (!expect('=', "after the state's name")) return false;
@@ -94,36 +98,43 @@ bool Parser::assignments(std::vector<Assignment>& result) {
 
 std::optional<std::vector<double>> Parser::stateValue(const Assignment& assignment, Vocabulary vocabulary) {
     const std::size_t after = at_;
+    const std::size_t errors = result_.errors.size();
     at_ = assignment.value.first;
     std::string unknown;
-    const Resolver resolve = [&](std::string_view name) {
-        const std::optional<double> value = named(name, vocabulary);
-        if (!value && unknown.empty() && !equalsIgnoreCase(name, "true") && !equalsIgnoreCase(name, "false")) unknown = name;
-        return value                             ? value
-               : equalsIgnoreCase(name, "true")  ? std::optional(1.0)
-               : equalsIgnoreCase(name, "false") ? std::optional(0.0)
-                                                 : value;
+    const Resolver resolve = [&](std::string_view name) -> std::optional<double> {
+        if (const auto value = valueNamed(name, vocabulary)) return value;
+        if (lenient_ && constants_.contains(name)) return std::nullopt; // a parameter's value
+        if (equalsIgnoreCase(name, "true")) return 1.0;
+        if (equalsIgnoreCase(name, "false")) return 0.0;
+        if (unknown.empty()) unknown = name;
+        return std::nullopt;
     };
-    const Token& start = peek();
+    const Token start = peek();
     std::optional<std::vector<double>> result;
     if (start.is('{')) {
         std::vector<double> numbers;
         if (bracedValues(numbers, 0)) result = std::move(numbers);
-    } else if (std::optional<Constant> value = expression(resolve)) {
-        result = std::move(value->numbers);
+    } else {
+        const bool angles = lenient_ && accept('<'); // <gParameter>
+        closesAngle_ = angles;
+        std::optional<Constant> value = expression(resolve);
+        closesAngle_ = false;
+        if (value && (!angles || expect('>', "after the value"))) result = std::move(value->numbers);
     }
     if (result && at_ != assignment.value.last) {
         unexpected("';' after the state's value");
         result.reset();
     }
     at_ = after;
+    if (lenient_ && unknown.empty()) soften(errors); // an expression that only its host can compute
     if (!unknown.empty())
-        fail(2002, start, fmt::format("'{}' is not a value of {}", unknown, assignment.name.text), valueHint(unknown, vocabulary));
+        refuse(2002, start, fmt::format("'{}' is not a value of {}", unknown, assignment.name.text), valueHint(unknown, vocabulary));
     if (!unknown.empty() || !result) return std::nullopt;
     const auto outside = [&](double n) { return vocabulary.empty() ? !(std::abs(n) <= kLargestWord) : !allowed(n, vocabulary); };
+    if (lenient_ && !vocabulary.empty() && result->size() > 1) result = std::vector<double>{result->front()};
     if (!result->empty() && (vocabulary.empty() ? result->size() <= 4 : result->size() == 1) && std::ranges::none_of(*result, outside))
         return result;
-    fail(2002, start, fmt::format("this is not a value of {}", assignment.name.text), valueHint("", vocabulary));
+    refuse(2002, start, fmt::format("this is not a value of {}", assignment.name.text), valueHint("", vocabulary));
     return std::nullopt;
 }
 
@@ -135,12 +146,13 @@ bool Parser::apply(const Assignment& assignment, std::span<const StateEntry<Targ
                     nameHint(assignment.name.text, table));
     const std::optional<std::vector<double>> value = stateValue(assignment, entry->vocabulary);
     if (!value) return false;
+    if (assignment.index >= static_cast<int>(kTargets)) return refuse(2002, assignment.name, "an index is 0 to 7");
     if (entry->apply != nullptr) {
         entry->apply(target, assignment.index, *value);
         return true;
     }
     if (value->size() == 1 && (*value)[0] == entry->onlyValue) return true;
-    return fail(2003, assignment.name, fmt::format("{} cannot be expressed", entry->name), std::string(entry->hint));
+    return refuse(2003, assignment.name, fmt::format("{} cannot be expressed", entry->name), std::string(entry->hint));
 }
 
 bool Parser::applyState(const Assignment& assignment, std::string_view objectType, States& states) {
@@ -150,10 +162,35 @@ bool Parser::applyState(const Assignment& assignment, std::string_view objectTyp
     const std::string_view name = assignment.name.text;
     const bool known = findEntry(name, direct3D9States()) != nullptr;
     if (!known && isFixedFunction(name)) return fixedFunction(assignment);
-    if (!known &&
-        (findEntry(name, samplerStateEntries()) != nullptr || equalsIgnoreCase(name, "Sampler") || equalsIgnoreCase(name, "Texture")))
-        return fail(2003, assignment.name, fmt::format("{} cannot be expressed in a pass", name), "write it in the sampler's block");
+    if (!known && (findEntry(name, samplerStateEntries()) != nullptr || equalsIgnoreCase(name, "SRGBTexture") ||
+                   equalsIgnoreCase(name, "Sampler") || equalsIgnoreCase(name, "Texture")))
+        return refuse(2003, assignment.name, fmt::format("{} cannot be expressed in a pass", name), "write it in the sampler's block");
     return apply(assignment, direct3D9States(), states, "render state");
+}
+
+/// What of a pass is no state of a pipeline.
+bool Parser::applyToPass(const Assignment& assignment, Pass& pass, States& states) {
+    const std::string_view name = assignment.name.text;
+    if (!lenient_) return applyState(assignment, "", states);
+    if (sameStateName(name, "SRGBWriteEnable")) {
+        const auto value = stateValue(assignment, kBool);
+        if (value) pass.encodesSrgb = (*value)[0] != 0;
+        return value.has_value();
+    }
+    if (sameStateName(name, "AlphaTestEnable") || sameStateName(name, "AlphaFunc") || sameStateName(name, "AlphaRef"))
+        return alphaTest(assignment, pass);
+    return applyState(assignment, "", states);
+}
+
+bool Parser::alphaTest(const Assignment& assignment, Pass& pass) {
+    const std::string_view name = assignment.name.text;
+    const bool compares = sameStateName(name, "AlphaFunc");
+    const auto value = stateValue(assignment, compares ? Vocabulary(kCompare) : sameStateName(name, "AlphaRef") ? Vocabulary() : kBool);
+    if (!value) return false;
+    if (compares) pass.alphaTest.compare = static_cast<CompareOp>((*value)[0] - 1);
+    if (sameStateName(name, "AlphaRef")) pass.alphaTest.reference = static_cast<unsigned>(std::clamp((*value)[0], 0.0, 255.0));
+    if (sameStateName(name, "AlphaTestEnable")) pass.alphaTest.enable = (*value)[0] != 0;
+    return true;
 }
 
 /// Turning a fixed-function stage off says nothing new, and many files do it.
@@ -162,14 +199,18 @@ bool Parser::fixedFunction(const Assignment& assignment) {
     const bool single = assignment.value.last - assignment.value.first == 1;
     for (const std::string_view off : {"FALSE", "NONE", "DISABLE", "0"})
         if (single && equalsIgnoreCase(value.text, off)) return true;
-    return fail(2003, assignment.name, fmt::format("fixed-function state {}: not expressible", assignment.name.text),
-                "write it in a shader");
+    return refuse(2003, assignment.name, fmt::format("fixed-function state {}: not expressible", assignment.name.text),
+                  "write it in a shader");
 }
 
 /// `Texture = <gMap>`, `Texture = (gMap)`, `Texture = gMap`.
 bool Parser::samplerTexture(Sampler& sampler, const Assignment& assignment) {
     for (std::size_t i = assignment.value.first; i < assignment.value.last; ++i)
         if (tokens_[i].kind == TokenKind::Word && sampler.texture.empty()) sampler.texture = tokens_[i].text;
+    if (lenient_ && (equalsIgnoreCase(sampler.texture, "NULL") || tokens_[assignment.value.first].is("0"))) {
+        sampler.texture.clear();
+        return true;
+    }
     if (sampler.texture.empty()) return fail(1101, assignment.name, "Texture takes the name of a texture: Texture = <gMap>;");
     result_.textureReferences.emplace_back(sampler.texture, position(tokens_[assignment.value.first]));
     return true;

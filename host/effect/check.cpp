@@ -74,7 +74,7 @@ constexpr std::array<KnownAnnotation, 44> kAnnotations{{
 
 class Checker {
 public:
-    explicit Checker(Parsed& parsed) : parsed_(parsed), effect_(parsed.effect) {}
+    Checker(Parsed& parsed, bool lenient) : parsed_(parsed), effect_(parsed.effect), lenient_(lenient) {}
 
     void run() {
         uniqueNames(effect_.parameters, "parameter");
@@ -90,6 +90,13 @@ public:
     }
 
 private:
+    /// An error; where reading is lenient a warning.
+    void refuse(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
+        if (!lenient_) return fail(code, at, std::move(text), std::move(hint));
+        effect_.warnings.push_back(
+            {.severity = Severity::Warning, .code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
+    }
+
     void fail(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
         if (parsed_.errors.size() < 20)
             parsed_.errors.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
@@ -121,19 +128,19 @@ private:
         const Annotation* format = annotations.find("Format");
         const auto* text = format != nullptr ? std::get_if<std::string>(&format->value) : nullptr;
         if (text != nullptr && !canonicalFormat(*text))
-            fail(2016, format->at, fmt::format("unknown format '{}'", *text), didYouMean(*text, formatNames()));
+            refuse(2016, format->at, fmt::format("unknown format '{}'", *text), didYouMean(*text, formatNames()));
     }
 
     void typed(const Annotation& annotation, const KnownAnnotation& known) {
         const auto* numbers = std::get_if<std::vector<double>>(&annotation.value);
         if (known.kind == kText && numbers != nullptr)
-            return fail(2017, annotation.at, fmt::format("annotation {} is a string", known.name));
+            return refuse(2017, annotation.at, fmt::format("annotation {} is a string", known.name));
         if (known.kind == kText) return;
         if (numbers != nullptr && numbers->size() >= known.least && numbers->size() <= known.most) return;
         const std::string count = known.most == 1             ? "one number"
                                   : known.least == known.most ? fmt::format("{} numbers", known.most)
                                                               : fmt::format("{} to {} numbers", known.least, known.most);
-        fail(2017, annotation.at, fmt::format("annotation {} takes {}", known.name, count));
+        refuse(2017, annotation.at, fmt::format("annotation {} takes {}", known.name, count));
     }
 
     void oneOf(const Annotations& annotations, std::string_view name, std::initializer_list<std::string_view> values) {
@@ -146,7 +153,7 @@ private:
         if (hint.empty())
             for (const std::string& allowed : names)
                 hint += (hint.empty() ? "one of " : ", ") + allowed;
-        fail(2018, annotations.find(name)->at, fmt::format("'{}' is not a value of {}", *value, name), hint);
+        refuse(2018, annotations.find(name)->at, fmt::format("'{}' is not a value of {}", *value, name), hint);
     }
 
     /// What the name of a parameter may be corrected to.
@@ -169,7 +176,7 @@ private:
             const Parameter* texture = effect_.findParameter(name);
             if (texture == nullptr) fail(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
             if (texture != nullptr && !texture->type.isTexture())
-                fail(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
+                refuse(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
         }
         for (Sampler& sampler : effect_.samplers) {
             const Parameter* conventional = effect_.findParameter(sampler.name + "Map");
@@ -206,7 +213,7 @@ private:
     void globalScript() {
         for (const Parameter& parameter : effect_.parameters) {
             if (!equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL")) continue;
-            if (effect_.standardsGlobal) return fail(2015, parameter.at, "a second STANDARDSGLOBAL parameter");
+            if (effect_.standardsGlobal) return refuse(2015, parameter.at, "a second STANDARDSGLOBAL parameter");
             StandardsGlobal global{.at = parameter.at};
             const auto* version = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr;
             if (version != nullptr) global.version = (*version)[0];
@@ -250,19 +257,39 @@ private:
         const Annotation* annotation = annotations.find("Script");
         const auto* text = annotation != nullptr ? std::get_if<std::string>(&annotation->value) : nullptr;
         if (text == nullptr) return {};
-        Result<ScriptResult> parsed = parseScript(*text, level, annotation->pieces);
+        Result<ScriptResult> parsed = parseScript(*text, level, annotation->pieces, lenient_);
         if (!parsed) {
             for (const Diagnostic& diagnostic : parsed.error().diagnostics)
                 fail(diagnostic.code, diagnostic.at, diagnostic.text, diagnostic.hint);
             return {};
         }
         effect_.warnings.insert(effect_.warnings.end(), parsed->warnings.begin(), parsed->warnings.end());
+        bool loops = true;
         for (Command& command : parsed->script.commands)
-            this->command(command, technique);
+            if (!this->command(command, technique)) {
+                loops = loops && command.kind != CommandKind::LoopByCount;
+                drop(command);
+            }
+        for (Command& command : parsed->script.commands) // what is inside a loop without a count runs once
+            if (!loops && isLoop(command.kind)) drop(command);
         return std::move(parsed->script);
     }
 
-    void command(Command& command, const Technique* technique) {
+    static bool isLoop(CommandKind kind) {
+        return kind == CommandKind::LoopByCount || kind == CommandKind::LoopEnd || kind == CommandKind::LoopGetIndex ||
+               kind == CommandKind::LoopGetCount;
+    }
+
+    /// In its place nothing happens.
+    static void drop(Command& command) {
+        command.kind = CommandKind::Reserved;
+        command.options.clear();
+        command.selector.clear();
+    }
+
+    /// False: the command names what is not there, which has been said.
+    bool command(Command& command, const Technique* technique) {
+        const std::size_t said = parsed_.errors.size() + effect_.warnings.size();
         if (!command.selector.empty()) selector(command);
         for (std::string& option : command.options) {
             switch (command.kind) {
@@ -279,12 +306,19 @@ private:
             default: break;
             }
         }
+        return !lenient_ || said == parsed_.errors.size() + effect_.warnings.size();
     }
 
+    /// FX Composer writes a label in front of the choice: `Technique=Technique?A:B;` is A until somebody turns it.
     void selector(Command& command) {
+        if (lenient_ && parameter(command.selector) == nullptr) {
+            command.selector.clear();
+            command.options.resize(1);
+            return;
+        }
         const Parameter* parameter = scalar(command.selector, command.at);
         if (parameter != nullptr && parameter->type.base == BaseType::Bool && command.options.size() != 2)
-            fail(2008, command.at, fmt::format("bool '{}' chooses between two options, not {}", parameter->name, command.options.size()));
+            refuse(2008, command.at, fmt::format("bool '{}' chooses between two options, not {}", parameter->name, command.options.size()));
     }
 
     void techniqueName(std::string& name, const SourcePosition& at) {
@@ -295,7 +329,7 @@ private:
         std::vector<std::string> names;
         for (const Technique& technique : effect_.techniques)
             names.push_back(technique.name);
-        fail(2010, at, fmt::format("unknown technique '{}'", name), didYouMean(name, names));
+        refuse(2010, at, fmt::format("unknown technique '{}'", name), didYouMean(name, names));
     }
 
     void passName(std::string& name, const Technique& technique, const SourcePosition& at) {
@@ -306,23 +340,24 @@ private:
         std::vector<std::string> names;
         for (const Pass& pass : technique.passes)
             names.push_back(pass.name);
-        fail(2011, at, fmt::format("technique '{}' has no pass '{}'", technique.name, name), didYouMean(name, names));
+        refuse(2011, at, fmt::format("technique '{}' has no pass '{}'", technique.name, name), didYouMean(name, names));
     }
 
     void target(std::string& name, std::string_view semantic, const SourcePosition& at) {
         if (name.empty()) return;
         const Parameter* texture = parameter(name);
-        if (texture == nullptr) return fail(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
+        if (texture == nullptr) return refuse(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
         name = texture->name;
-        if (!texture->type.isTexture()) return fail(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
+        if (!texture->type.isTexture()) return refuse(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
         if (!equalsIgnoreCase(texture->semantic, semantic))
-            fail(2014, at, fmt::format("texture '{}' is not declared as a target", name), fmt::format("declare it with ': {}'", semantic));
+            refuse(2014, at, fmt::format("texture '{}' is not declared as a target", name),
+                   fmt::format("declare it with ': {}'", semantic));
     }
 
     const Parameter* numeric(std::string& name, const SourcePosition& at) {
         const Parameter* found = parameter(name);
         if (found == nullptr) {
-            fail(2013, at, fmt::format("unknown parameter '{}'", name), didYouMean(name, parameterNames(false)));
+            refuse(2013, at, fmt::format("unknown parameter '{}'", name), didYouMean(name, parameterNames(false)));
             return nullptr;
         }
         name = found->name;
@@ -332,24 +367,25 @@ private:
     const Parameter* scalar(std::string& name, const SourcePosition& at) {
         const Parameter* found = numeric(name, at);
         if (found == nullptr || (found->type.isNumeric() && found->type.scalarCount() == 1)) return found;
-        fail(2014, at, fmt::format("'{}' is a {}; one number is needed here", name, found->type.name));
+        refuse(2014, at, fmt::format("'{}' is a {}; one number is needed here", name, found->type.name));
         return nullptr;
     }
 
     void color(std::string& name, const SourcePosition& at) {
         const Parameter* found = numeric(name, at);
         if (found == nullptr || (found->type.isNumeric() && found->type.scalarCount() == 4)) return;
-        fail(2014, at, fmt::format("'{}' is a {}; ClearSetColor needs a float4", name, found->type.name));
+        refuse(2014, at, fmt::format("'{}' is a {}; ClearSetColor needs a float4", name, found->type.name));
     }
 
     Parsed& parsed_;
     Effect& effect_;
+    bool lenient_;
 };
 
 } // namespace
 
-void checkEffect(Parsed& parsed) {
-    Checker(parsed).run();
+void checkEffect(Parsed& parsed, bool lenient) {
+    Checker(parsed, lenient).run();
 }
 
 } // namespace tegument

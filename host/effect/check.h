@@ -6,6 +6,7 @@
 namespace tegument {
 
 /// Parses the scripts into the model, resolves every name (script names get the spelling of their declaration), appends to parsed.errors.
-void checkEffect(Parsed& parsed);
+/// `lenient`: what only a host of DXSAS would refuse is a warning; a script's command that cannot be is dropped.
+void checkEffect(Parsed& parsed, bool lenient = false);
 
 } // namespace tegument

@@ -29,7 +29,14 @@ bool isStateObject(const Token& token) {
 }
 
 bool isShaderObject(const Token& token) {
-    return token.is("VertexShader") || token.is("PixelShader") || token.is("GeometryShader") || token.is("ComputeShader");
+    for (const std::string_view name : {"VertexShader", "PixelShader", "GeometryShader", "ComputeShader", "HullShader", "DomainShader",
+                                        "VertexFragment", "PixelFragment"})
+        if (token.kind == TokenKind::Word && equalsIgnoreCase(token.text, name)) return true;
+    return false;
+}
+
+bool isStructure(const Token& token) {
+    return token.is("struct") || token.is("class") || token.is("interface") || token.is("enum");
 }
 
 /// float4[8]: `vector<float, 4>` and `matrix<float, 4, 4>` say their dimensions in angle brackets.
@@ -50,45 +57,54 @@ void applyTemplate(Type& type, const std::vector<Token>& arguments) {
 
 } // namespace
 
+std::optional<Type> Parser::namedType(std::string_view name) const {
+    if (const auto known = aliases_.find(name); known != aliases_.end()) return known->second;
+    if (const auto known = structures_.find(name); known != structures_.end())
+        return Type{.base = known->second ? BaseType::Struct : BaseType::Other, .name = std::string(name), .members = known->second};
+    return builtInType(name);
+}
+
+bool Parser::skipTemplate(Type& type) {
+    const std::size_t first = at_;
+    if (!skipAngles()) return false;
+    applyTemplate(type, {tokens_.begin() + static_cast<std::ptrdiff_t>(first), tokens_.begin() + static_cast<std::ptrdiff_t>(at_)});
+    return true;
+}
+
 std::optional<Type> Parser::type() {
     Token name;
     if (!expectName(name, "a type")) return std::nullopt;
-    Type type{.base = BaseType::Other, .name = std::string(name.text)};
-    if (const auto known = aliases_.find(name.text); known != aliases_.end()) {
-        type = known->second;
-    } else if (const std::optional<Type> builtIn = builtInType(name.text)) {
-        type = *builtIn;
-    }
+    Type type = namedType(name.text).value_or(Type{.base = BaseType::Other, .name = std::string(name.text)});
     while (peek().is(':') && peek(1).is(':') && !peek(1).space) {
         take();
         take();
         if (!expectName(name, "a name after '::'")) return std::nullopt;
         type = {.base = BaseType::Other, .name = type.name + "::" + std::string(name.text)};
     }
-    if (peek().is('<')) {
-        const std::size_t first = at_;
-        if (!skipAngles()) return std::nullopt;
-        applyTemplate(type, {tokens_.begin() + static_cast<std::ptrdiff_t>(first), tokens_.begin() + static_cast<std::ptrdiff_t>(at_)});
-    }
+    if (peek().is('<') && type.base != BaseType::Struct && !skipTemplate(type)) return std::nullopt;
     return type;
-}
-
-bool Parser::structure() {
-    take();
-    acceptWord("class"); // enum class
-    if (peek().kind == TokenKind::Word) structures_.insert(std::string(take().text));
-    return skipStatement();
 }
 
 bool Parser::alias() {
     take();
     while (isModifier(peek()))
         take();
-    if (peek().is("struct")) return structure();
-    std::optional<Type> target = type();
+    std::optional<Type> target;
+    if (peek().is("struct")) {
+        take();
+        const Token tag = peek().kind == TokenKind::Word ? take() : Token{};
+        const auto found = peek().is('{') ? members() : nullptr;
+        target = Type{.base = found ? BaseType::Struct : BaseType::Other, .name = std::string(tag.text), .members = found};
+        if (!tag.text.empty() && found) structures_[std::string(tag.text)] = found;
+        if (!tag.text.empty() && !found) target = namedType(tag.text).value_or(*target);
+    } else {
+        target = type();
+    }
     Token name;
     if (!target || !expectName(name, "the new type's name")) return false;
     if (peek().is('[') && !arraySize(*target)) return false;
+    if (target->members) target->name = name.text;
+    if (target->base == BaseType::Other) structures_[std::string(name.text)] = nullptr;
     aliases_[std::string(name.text)] = *target;
     return skipStatement();
 }
@@ -115,6 +131,10 @@ bool Parser::constantBuffer() {
 bool Parser::arraySize(Type& type) {
     while (accept('[')) {
         const Token at = peek();
+        if (accept(']')) {
+            type.unsized = true;
+            continue;
+        }
         const std::optional<Constant> size = expression();
         if (!size || !expect(']', "after the array size")) return false;
         const double n = size->numbers[0];
@@ -145,8 +165,10 @@ bool Parser::semantic(std::string& text) {
 bool Parser::function(const Token& name) {
     result_.functions.insert(std::string(name.text));
     if (!skipBalanced()) return false;
-    while (!atEnd() && !peek().is('{') && !peek().is(';'))
+    while (!atEnd() && !peek().is('{') && !peek().is(';') && !peek().is('<'))
         take(); // : COLOR0
+    Annotations ignored;
+    if (peek().is('<') && !annotations(ignored)) return false;
     if (peek().is('{')) return skipBalanced();
     return expect(';', "after the function's declaration");
 }
@@ -160,16 +182,26 @@ bool Parser::declaration() {
         modifiers.isConst |= token.is("const");
         modifiers.last = at_;
     }
+    if (isStructure(peek())) return structure(start, modifiers);
     if (isStateObject(peek())) return stateObject(start);
     if (isShaderObject(peek()) && peek(1).kind == TokenKind::Word) return shaderObject(start);
     const Token typeName = peek();
     const std::optional<Type> type = this->type();
     if (!type) return false;
+    return declarators(start, typeName, *type, modifiers);
+}
+
+bool Parser::declarators(std::size_t start, const Token& typeName, const Type& type, const Modifiers& modifiers) {
     for (bool first = true;; first = false) {
         Token name;
         if (!expectName(name, "a name")) return false;
+        while (peek().is(':') && peek(1).is(':') && !peek(1).space) { // a method: float3 Lamp::colour() { ... }
+            take();
+            take();
+            if (!expectName(name, "a name after '::'")) return false;
+        }
         if (first && peek().is('(')) return function(name);
-        if (!declarator({start, typeName, name, *type, modifiers})) return false;
+        if (!declarator({start, typeName, name, type, modifiers})) return false;
         if (accept(';')) break;
         if (!accept(',')) return unexpected("',' or ';' after the declaration");
     }
@@ -181,7 +213,7 @@ bool Parser::declarator(Declarator d) {
     Parameter parameter{.name = std::string(d.name.text), .type = d.type, .at = position(d.name)};
     if (!semantic(parameter.semantic)) return false;
     const bool effectSyntax = peek().is('<') || (peek().is('=') && !d.modifiers.isStatic);
-    const bool unknown = d.type.base == BaseType::Other && !builtInType(d.typeName.text) && !structures_.contains(d.type.name) &&
+    const bool unknown = d.type.base == BaseType::Other && !namedType(d.typeName.text) && !isStructure(d.typeName) &&
                          d.type.name.find(':') == std::string::npos;
     if (peek().is('<') && !annotations(parameter.annotations)) return false;
     if (effectSyntax && unknown) {
@@ -192,6 +224,13 @@ bool Parser::declarator(Declarator d) {
     if (d.modifiers.isStatic) return staticValue(d);
     if (peek().is('=') && !defaultValue(parameter) && !skipValue()) return false;
     if (d.type.base == BaseType::Other) return true;
+    if (const auto* numbers = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr) {
+        std::size_t next = 0;
+        setConstants(parameter.name, parameter.type, *numbers, next);
+    } else if (lenient_) { // states may ask for it: the host sets it later, and it starts at zero
+        std::size_t next = 0;
+        setConstants(parameter.name, parameter.type, std::vector<double>(static_cast<std::size_t>(parameter.type.scalarCount())), next);
+    }
     blankQualifiers(d);
     addParameter(std::move(parameter), d);
     return true;
@@ -207,6 +246,7 @@ bool Parser::staticValue(const Declarator& d) {
         result_.errors.resize(std::min(errors, result_.errors.size()));
         if (value && (peek().is(';') || peek().is(','))) {
             value->integral = d.type.base != BaseType::Float;
+            value->rows = d.type.rows;
             if (value->numbers.size() == 1) value->numbers.resize(static_cast<std::size_t>(d.type.scalarCount()), value->numbers[0]);
             constants_[std::string(d.name.text)] = std::move(*value);
         }
@@ -229,18 +269,25 @@ bool Parser::skipValue() {
 
 bool Parser::defaultValue(Parameter& parameter) {
     const std::size_t first = at_;
+    const std::size_t errors = result_.errors.size();
     take(); // '='
     if (parameter.type.base == BaseType::String) {
         std::string text;
         std::vector<TextPiece> pieces;
         if (!string(text, pieces)) return false;
         parameter.defaultValue = std::move(text);
-    } else if (parameter.type.isNumeric()) {
+    } else if (parameter.type.isNumeric() || parameter.type.base == BaseType::Struct) {
         Value value;
-        if (!initialiser(parameter.type, value)) return false;
-        parameter.defaultValue = std::move(value);
-    } else {
-        return fail(1101, peek(), fmt::format("'{}' takes no initial value", parameter.type.name));
+        if (initialiser(parameter.type, value)) {
+            parameter.defaultValue = std::move(value);
+        } else if (lenient_) {
+            soften(errors);
+            if (!skipValue()) return false;
+        } else {
+            return false;
+        }
+    } else if (!refuse(1101, peek(), fmt::format("'{}' takes no initial value", parameter.type.name)) || !skipValue()) {
+        return false;
     }
     blankFrom(first);
     return true;
@@ -259,55 +306,6 @@ void Parser::addParameter(Parameter parameter, const Declarator& d) {
     const bool onlyEffect = parameter.type.base == BaseType::String || equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL");
     if (onlyEffect && peek().is(';')) result_.blanks.push_back({d.start, at_ + 1});
     result_.effect.parameters.push_back(std::move(parameter));
-}
-
-bool Parser::samplerDeclarator(const Declarator& d, Annotations annotations) {
-    Sampler sampler{.name = std::string(d.name.text), .annotations = std::move(annotations), .at = position(d.name)};
-    const bool direct3D9 = isDirect3D9Sampler(d.type.name);
-    const std::size_t first = at_;
-    bool block = peek().is('{');
-    if (accept('=')) {
-        if (!acceptWord("sampler_state")) return unexpected("'sampler_state'");
-        block = true;
-        if (!peek().is('{')) return unexpected("'{' after sampler_state");
-    }
-    if (!samplerStates(sampler, block, direct3D9)) return false;
-    if (block) blankFrom(first);
-    if (const int dimension = samplerDimension(d.type.name); dimension != 0) result_.samplerDimensions[sampler.name] = dimension;
-    result_.effect.samplers.push_back(std::move(sampler));
-    return true;
-}
-
-bool Parser::stateObject(std::size_t start) {
-    StateObject object{.type = std::string(take().text), .states = {.pipeline = direct3D10Defaults()}};
-    Token name;
-    if (!expectName(name, "the state object's name")) return false;
-    Annotations ignored;
-    if (peek().is('<') && !annotations(ignored)) return false;
-    const bool hasBlock = peek().is('{');
-    std::vector<Assignment> list;
-    if (hasBlock && !assignments(list)) return false;
-    for (const Assignment& assignment : list)
-        applyState(assignment, object.type, object.states);
-    if (stateObjects_.contains(name.text)) fail(2015, name, fmt::format("state object '{}' is declared twice", name.text));
-    stateObjects_.insert_or_assign(std::string(name.text), std::move(object));
-    if (!hasBlock && !peek().is(';')) return unexpected("'{' or ';'");
-    accept(';');
-    blankFrom(start);
-    return true;
-}
-
-/// VertexShader X = CompileShader(vs_5_0, F());
-bool Parser::shaderObject(std::size_t start) {
-    take();
-    const Token name = take();
-    if (!expect('=', "after the shader object's name")) return false;
-    std::optional<ShaderReference> shader;
-    if (!shaderValue(shader)) return false;
-    if (shader) shaderObjects_.insert_or_assign(std::string(name.text), *shader);
-    if (!expect(';', "after the shader object")) return false;
-    blankFrom(start);
-    return true;
 }
 
 } // namespace tegument

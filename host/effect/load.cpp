@@ -29,7 +29,8 @@ bool losesDeclarations(const Diagnostic& diagnostic) {
 
 Result<Preprocessed> view(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read, Sources& sources,
                           std::pair<std::string, std::string> define) {
-    PreprocessOptions preprocessing{.defines = options.defines, .includeFolders = options.includeFolders, .read = read};
+    PreprocessOptions preprocessing{
+        .defines = options.defines, .includeFolders = options.includeFolders, .read = read, .anyCase = options.lenient};
     preprocessing.defines.push_back(std::move(define));
     return preprocess(file, preprocessing, sources);
 }
@@ -39,7 +40,7 @@ Result<void> addCode(Effect& effect, const LoadOptions& options, const FileReade
     Sources sources;
     const Result<Preprocessed> code = view(effect.file, options, read, sources, {"FX_ENTRY", "1"});
     if (!code) return quoted(code.error(), sources);
-    const Parsed parsed = Parser(sources, code->tokens).run();
+    const Parsed parsed = Parser(sources, code->tokens, options.lenient && !code->ownDialect).run();
     if (!parsed.errors.empty()) return quoted({Blame::Input, parsed.errors}, sources);
     effect.code = codeView(*code, sources, parsed.blanks);
     for (const std::filesystem::path& include : code->includes)
@@ -67,8 +68,9 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
     Sources sources;
     Result<Preprocessed> metadata = view(file, options, read, sources, {"FX_D3D11", "1"});
     if (!metadata) return quoted(metadata.error(), sources);
-    Parsed parsed = Parser(sources, metadata->tokens).run();
-    if (std::ranges::none_of(parsed.errors, losesDeclarations)) checkEffect(parsed);
+    const bool lenient = options.lenient && !metadata->ownDialect;
+    Parsed parsed = Parser(sources, metadata->tokens, lenient).run();
+    if (std::ranges::none_of(parsed.errors, losesDeclarations)) checkEffect(parsed, lenient);
     if (!parsed.errors.empty()) return quoted({Blame::Input, std::move(parsed.errors)}, sources);
 
     Effect effect = std::move(parsed.effect);
@@ -76,6 +78,7 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
     effect.defines = options.defines;
     effect.includeFolders = options.includeFolders;
     effect.includes = metadata->includes;
+    effect.ownDialect = metadata->ownDialect;
     effect.settings = std::move(metadata->settings);
     effect.metadata = std::move(metadata->metadata);
     effect.warnings.insert(effect.warnings.begin(), metadata->warnings.begin(), metadata->warnings.end());

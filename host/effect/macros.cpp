@@ -197,6 +197,10 @@ bool Macros::paste(std::vector<Token>& result, const Token& right, const Token& 
     const std::string text = std::string(left.text) + std::string(right.text);
     const auto isNameLetter = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
     const bool number = left.kind == TokenKind::Number;
+    if (left.kind == TokenKind::String && right.kind == TokenKind::String) { // they stay two, and strings side by side are one text
+        result.push_back(right);
+        return true;
+    }
     const auto fits = [&](char c) { return isNameLetter(c) || (number && (c == '.' || c == '+' || c == '-')); };
     if ((left.kind != TokenKind::Word && !number) || !std::ranges::all_of(text, fits))
         return fail(1010, call, fmt::format("'{}' ## '{}' in macro '{}' is not one token", left.text, right.text, call.text));
@@ -249,7 +253,10 @@ std::optional<std::vector<Token>> Macros::substitute(const Macro& macro, const A
         spaceAfter = false;
         const bool hash = macro.isFunction && token.is('#') && i + 1 < macro.body.size();
         if (hash && parameterIndex(macro, macro.body[i + 1]) < arguments.size()) {
-            result.push_back(stringified(arguments[parameterIndex(macro, macro.body[++i])], call));
+            // Microsoft's compiler expands the argument first, C does not: the strings of an effect are what its own host sees.
+            const std::size_t p = parameterIndex(macro, macro.body[++i]);
+            if (!expanded[p] && !expand(arguments[p], expanded[p].emplace())) return std::nullopt;
+            result.push_back(stringified(*expanded[p], call));
         } else if (const std::size_t p = parameterIndex(macro, token); p < arguments.size()) {
             const bool raw = pasteNext || isPaste(macro.body, i + 1);
             if (!raw && !expanded[p] && !expand(arguments[p], expanded[p].emplace())) return std::nullopt;

@@ -36,6 +36,16 @@ std::size_t defaultOption(const Effect& effect, const Command& command) {
 
 } // namespace
 
+int Type::scalarCount() const {
+    int count = rows * columns;
+    if (members) {
+        count = 0;
+        for (const TypeMember& member : *members)
+            count += member.type.isNumeric() || member.type.members ? member.type.scalarCount() : 0;
+    }
+    return count * (elements == 0 ? 1 : elements);
+}
+
 const Annotation* Annotations::find(std::string_view name) const {
     return findIgnoringCase(list, name);
 }

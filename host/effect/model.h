@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,7 +17,9 @@
 
 namespace tegument {
 
-enum class BaseType { Bool, Int, Uint, Float, String, Texture1D, Texture2D, Texture3D, TextureCube, Sampler, Other };
+enum class BaseType { Bool, Int, Uint, Float, String, Texture1D, Texture2D, Texture3D, TextureCube, Sampler, Struct, Other };
+
+struct TypeMember;
 
 /// Scalar: rows = columns = 1. float3: rows 1, columns 3. float4x3: rows 4, columns 3. elements 0: not an array.
 struct Type {
@@ -24,7 +27,9 @@ struct Type {
     int rows = 1;
     int columns = 1;
     int elements = 0;
-    std::string name; // as written: "float4x4"
+    std::string name;                                                 // as written: "float4x4"
+    bool unsized = false;                                             // `[]`, and no initial value has said how many yet
+    std::shared_ptr<const std::vector<TypeMember>> members = nullptr; // of a structure
 
     [[nodiscard]] bool isTexture() const {
         return base == BaseType::Texture1D || base == BaseType::Texture2D || base == BaseType::Texture3D || base == BaseType::TextureCube;
@@ -32,8 +37,13 @@ struct Type {
     [[nodiscard]] bool isNumeric() const {
         return base == BaseType::Bool || base == BaseType::Int || base == BaseType::Uint || base == BaseType::Float;
     }
-    /// Number of scalars in a value of this type.
-    [[nodiscard]] int scalarCount() const { return rows * columns * (elements == 0 ? 1 : elements); }
+    /// Number of scalars in a value of this type; of a structure those of its numbers.
+    [[nodiscard]] int scalarCount() const;
+};
+
+struct TypeMember {
+    std::string name;
+    Type type;
 };
 
 /// Numbers in row order (bool 0/1; int, uint and float exactly), or a string.
@@ -82,15 +92,29 @@ struct ShaderReference {
     SourcePosition at;
 };
 
+/// `AlphaTestEnable`, `AlphaFunc`, `AlphaRef`: no later Direct3D has them.
+struct AlphaTest {
+    bool enable = false;
+    CompareOp compare = CompareOp::Always;
+    unsigned reference = 0; // 0 to 255
+    bool operator==(const AlphaTest&) const = default;
+};
+
 struct Pass {
     std::string name;
     Annotations annotations;
     std::optional<ShaderReference> vertexShader;
     std::optional<ShaderReference> pixelShader;
     std::optional<ShaderReference> geometryShader;
+    std::optional<ShaderReference> hullShader;
+    std::optional<ShaderReference> domainShader;
     std::optional<ShaderReference> computeShader;
-    PipelineState state; // every assignment of the pass applied to the defaults of its Direct3D version
-    Script script;       // default: Draw=Geometry;
+    int assemblyShaders = 0;   // stages written in assembly: Microsoft's compiler takes them, nothing else does
+    bool streamOutput = false; // its geometry shader writes into buffers
+    AlphaTest alphaTest;
+    bool encodesSrgb = false; // SRGBWriteEnable
+    PipelineState state;      // every assignment of the pass applied to the defaults of its Direct3D version
+    Script script;            // default: Draw=Geometry;
     SourcePosition at;
 };
 
@@ -141,6 +165,7 @@ struct Effect {
     std::vector<std::pair<std::string, std::string>> defines; // as given at load
     std::vector<std::filesystem::path> includeFolders;        // likewise
     std::vector<Diagnostic> warnings;
+    bool ownDialect = false; // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const; // exact
     [[nodiscard]] const Sampler* findSampler(std::string_view name) const;     // exact
@@ -153,6 +178,9 @@ struct LoadOptions {
     std::vector<std::pair<std::string, std::string>> defines; // name, value
     std::vector<std::filesystem::path> includeFolders;        // searched after the including file's own folder
     std::string setting; // by its name in FX_SETTINGS, in addition to the defines; empty: as the effect and the defines have it
+    /// What Microsoft's compiler reads and this host cannot draw, or has no use for, is a warning and no error. Effects that ask for
+    /// FX_ENTRY, FX_D3D10 or FX_D3D11 are written for this host and are read strictly all the same.
+    bool lenient = false;
 };
 
 /// The D3DFORMAT that a `Format` annotation names: upper case, without D3DFMT_ or FMT_, known misspellings corrected. Nullopt when unknown.

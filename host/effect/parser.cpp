@@ -18,7 +18,8 @@ char closing(char opening) {
 
 } // namespace
 
-Parser::Parser(const Sources& sources, const std::vector<Token>& tokens) : sources_(sources), tokens_(tokens) {
+Parser::Parser(const Sources& sources, const std::vector<Token>& tokens, bool lenient)
+    : sources_(sources), tokens_(tokens), lenient_(lenient) {
     if (!tokens.empty()) end_ = tokens.back();
     end_.kind = TokenKind::Newline;
     end_.text = {};
@@ -64,6 +65,19 @@ bool Parser::fail(int code, const Token& at, std::string text, std::string hint)
     if (!full())
         result_.errors.push_back({.code = code, .at = position(at), .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
     return false;
+}
+
+bool Parser::refuse(int code, const Token& at, std::string text, std::string hint) {
+    if (!lenient_) return fail(code, at, std::move(text), std::move(hint));
+    warn(code, position(at), std::move(text), std::move(hint));
+    return true;
+}
+
+void Parser::soften(std::size_t firstError) {
+    if (!lenient_ || firstError >= result_.errors.size()) return;
+    for (auto error = result_.errors.begin() + static_cast<std::ptrdiff_t>(firstError); error != result_.errors.end(); ++error)
+        warn(error->code, error->at, error->text, error->hint);
+    result_.errors.resize(firstError);
 }
 
 bool Parser::unexpected(std::string_view expected) {
@@ -146,9 +160,8 @@ bool Parser::topLevel() {
         if (isWord(word)) return technique();
     if (isWord("fxgroup")) return group();
     if (isWord("cbuffer") || isWord("tbuffer")) return constantBuffer();
-    for (const std::string_view word : {"struct", "class", "interface", "enum"})
-        if (peek().is(word)) return structure();
     if (peek().is("typedef")) return alias();
+    if (isWord("stateblock") && peek(1).kind == TokenKind::Word) return stateBlockObject(at_);
     if (peek().is("using")) return skipStatement();
     if (peek().is("namespace")) {
         take();

@@ -3,6 +3,7 @@
 // Functions that return bool say whether what they parse was well formed; on false the diagnostic is already recorded and the
 // caller recovers at the next ';' or '}'.
 
+#include "host/effect/constants.h"
 #include "host/effect/model.h"
 #include "host/effect/preprocess.h"
 #include "host/effect/source.h"
@@ -18,12 +19,6 @@
 #include <vector>
 
 namespace tegument {
-
-/// A constant while it is computed: `integral` decides how '/' divides.
-struct Constant {
-    std::vector<double> numbers;
-    bool integral = false;
-};
 
 struct TokenRange {
     std::size_t first = 0;
@@ -43,6 +38,13 @@ struct StateObject {
     States states;
 };
 
+/// VertexShader X = compile vs_3_0 F(); and what a pass may set: nothing, a function, assembly.
+struct ShaderObject {
+    std::optional<ShaderReference> reference;
+    bool assembly = false;
+    bool streamOutput = false;
+};
+
 /// What parsing one view of the file gives.
 struct Parsed {
     Effect effect;
@@ -54,9 +56,13 @@ struct Parsed {
     std::vector<Diagnostic> errors;
 };
 
+/// As HLSL converts a number to the scalar of a type; words above 2^31 are negative as int.
+[[nodiscard]] double convertedTo(const Type& type, double value);
+
 class Parser {
 public:
-    Parser(const Sources& sources, const std::vector<Token>& tokens);
+    /// `lenient`: LoadOptions::lenient.
+    Parser(const Sources& sources, const std::vector<Token>& tokens, bool lenient = false);
 
     Parsed run();
 
@@ -77,7 +83,11 @@ private:
     bool skipAngles();
     void recover();
 
-    // Messages. All return false.
+    // Messages. All return false, but for refuse() where that is lenient.
+    /// An error; a warning where reading is lenient.
+    bool refuse(int code, const Token& at, std::string text, std::string hint = {});
+    /// Where reading is lenient, the errors from this one on are warnings.
+    void soften(std::size_t firstError);
     bool fail(int code, const Token& at, std::string text, std::string hint = {});
     bool unexpected(std::string_view expected);
     void warn(int code, const SourcePosition& at, std::string text, std::string hint = {});
@@ -102,8 +112,15 @@ private:
     bool skipStatement();
 
     // declarations.cpp
+    [[nodiscard]] std::optional<Type> namedType(std::string_view name) const;
+    bool skipTemplate(Type& type);
     std::optional<Type> type();
-    bool structure();
+    bool structure(std::size_t start, const Modifiers& modifiers);
+    bool declarators(std::size_t start, const Token& typeName, const Type& type, const Modifiers& modifiers);
+    /// structures.cpp. What stands between a structure's braces; none when it cannot be read.
+    std::shared_ptr<const std::vector<TypeMember>> members();
+    bool member(std::vector<TypeMember>& list);
+    void setConstants(const std::string& name, const Type& type, const std::vector<double>& numbers, std::size_t& next);
     bool alias();
     bool constantBuffer();
     bool arraySize(Type& type);
@@ -117,20 +134,35 @@ private:
     void blankQualifiers(const Declarator& d);
     void addParameter(Parameter parameter, const Declarator& d);
     bool samplerDeclarator(const Declarator& d, Annotations annotations);
+    bool samplerBlock(Sampler& sampler, bool direct3D9, const Declarator& d);
+    bool samplerArray(const Declarator& d, const Sampler& sampler, bool direct3D9);
     bool stateObject(std::size_t start);
+    bool stateBlock(const std::string& name, const std::string& type);
+    bool stateBlockObject(std::size_t start);
     bool shaderObject(std::size_t start);
 
-    // values.cpp. A constant expression looks names up among the file's static constants, then asks `resolve`.
+    // expressions.cpp. A constant expression asks `resolve`, then looks names up among the file's constants and parameters.
     std::optional<Constant> expression(const Resolver& resolve = {});
+    std::optional<Constant> conditional(int depth, const Resolver& resolve);
     std::optional<Constant> binary(int least, int depth, const Resolver& resolve);
     std::optional<Constant> unary(int depth, const Resolver& resolve);
+    std::optional<Constant> postfix(int depth, const Resolver& resolve);
     std::optional<Constant> primary(int depth, const Resolver& resolve);
+    std::optional<Constant> bracketed(int depth, const Resolver& resolve);
+    std::optional<Constant> named(const Resolver& resolve);
     std::optional<Constant> constructor(int depth, const Resolver& resolve);
+    std::optional<Constant> intrinsic(int depth, const Resolver& resolve);
+    std::optional<std::vector<Constant>> callArguments(int depth, const Resolver& resolve);
+    [[nodiscard]] const char* operatorHere(int& precedence, std::size_t& length) const;
     std::optional<double> number(const Token& token, bool& integral);
+
+    // values.cpp
     bool bracedValues(std::vector<double>& numbers, int depth);
-    bool initialiser(const Type& type, Value& value);
+    bool initialiser(Type& type, Value& value);
     bool string(std::string& text, std::vector<TextPiece>& pieces);
     bool annotation(Annotations& result);
+    bool annotationValue(const Type& type, Annotations& result);
+    bool annotationList(Annotations& result);
     bool annotations(Annotations& result);
 
     // assignments.cpp
@@ -142,6 +174,8 @@ private:
     template <class Target>
     bool apply(const Assignment& assignment, std::span<const StateEntry<Target>> table, Target& target, std::string_view what);
     bool applyState(const Assignment& assignment, std::string_view objectType, States& states);
+    bool applyToPass(const Assignment& assignment, Pass& pass, States& states);
+    bool alphaTest(const Assignment& assignment, Pass& pass);
     bool fixedFunction(const Assignment& assignment);
 
     // techniques.cpp
@@ -149,13 +183,19 @@ private:
     bool group();
     bool pass(Technique& technique);
     bool passStatement(const Technique& technique, Pass& pass, States& states);
-    bool shaderStatement(Pass& pass, const Token& stage);
-    bool shaderValue(std::optional<ShaderReference>& shader);
+    bool direct3D10Assignment(const Technique& technique, const Assignment& assignment, Pass& pass, States& states);
     bool setStatement(const Technique& technique, Pass& pass, States& states);
-    bool shaderByName(std::optional<ShaderReference>& shader);
-    bool shaderArguments(std::vector<std::string>& arguments);
     bool setState(const Technique& technique, const std::string& type, States& states);
     bool setStateArguments(const std::string& type, PipelineState& state);
+    std::optional<std::string> objectName(std::string_view what);
+
+    // shaders.cpp
+    bool shaderStatement(Pass& pass, const Token& stage);
+    bool shaderValue(ShaderObject& shader);
+    bool shaderValueHere(ShaderObject& shader);
+    bool shaderByName(ShaderObject& shader);
+    bool shaderArguments(std::vector<std::string>& arguments);
+    bool shaderCall(ShaderObject& shader, bool call);
 
     const Sources& sources_;
     const std::vector<Token>& tokens_;
@@ -163,9 +203,12 @@ private:
     Parsed result_;
     std::map<std::string, Constant, std::less<>> constants_;
     std::map<std::string, StateObject, std::less<>> stateObjects_;
-    std::map<std::string, ShaderReference, std::less<>> shaderObjects_;
+    std::map<std::string, ShaderObject, std::less<>> shaderObjects_; // of arrays by "name[0]", "name[1]" ...
     std::map<std::string, Type, std::less<>> aliases_;
-    std::set<std::string, std::less<>> structures_;
+    std::map<std::string, std::shared_ptr<const std::vector<TypeMember>>, std::less<>> structures_; // null: cannot be read
+    bool lenient_ = false;
+    int shaderDepth_ = 0;
+    bool closesAngle_ = false; // a '>' ends `<value>` or annotations and is no operator
     Token end_;
 };
 

@@ -78,6 +78,15 @@ private:
         return false;
     }
 
+    void warn(int code, const Token& at, std::string text, std::string hint = {}) {
+        result_.warnings.push_back({.severity = Severity::Warning,
+                                    .code = code,
+                                    .at = sources_.position(at),
+                                    .text = std::move(text),
+                                    .hint = std::move(hint),
+                                    .sourceLine = {}});
+    }
+
     bool process(int file, int depth) {
         bytes_ += sources_[file].text->size();
         LexResult lexed = lex(sources_, file);
@@ -119,6 +128,7 @@ private:
     bool directive(Line line, std::vector<Conditional>& conditionals, int depth) {
         if (line.size() == 1) return true; // the null directive
         const std::string_view name = line[1].text;
+        noticeDialect(line);
         if (name == "if" || name == "ifdef" || name == "ifndef") return openConditional(line, conditionals);
         if (name == "elif" || name == "else" || name == "endif") return continueConditional(line, conditionals);
         if (!conditionals.empty() && !conditionals.back().active) return true;
@@ -131,6 +141,15 @@ private:
         static const std::array<std::string, 11> kNames{"if",     "ifdef", "ifndef",  "elif",   "else", "endif",
                                                         "define", "undef", "include", "pragma", "error"};
         return fail(1005, line[1], fmt::format("unknown directive '#{}'", name), didYouMean(name, kNames));
+    }
+
+    /// A file that asks which compiler reads it is written for this host.
+    void noticeDialect(Line line) {
+        const std::string_view name = line[1].text;
+        if (name != "if" && name != "ifdef" && name != "ifndef" && name != "elif") return;
+        for (const Token& token : line)
+            for (const std::string_view macro : {"FX_ENTRY", "FX_D3D10", "FX_D3D11"})
+                result_.ownDialect = result_.ownDialect || token.is(macro);
     }
 
     /// The text after the directive's name, as written.
@@ -230,13 +249,7 @@ private:
             return fail(1010, macro.name, fmt::format("'##' at an end of macro '{}'", macro.name.text));
         for (const Token& token : macro.body)
             if (token.kind == TokenKind::BadString) return fail(1004, token, "this string is never closed");
-        if (macros_.define(std::move(macro)))
-            result_.warnings.push_back({.severity = Severity::Warning,
-                                        .code = 1012,
-                                        .at = sources_.position(line[2]),
-                                        .text = fmt::format("macro '{}' is defined again, differently", line[2].text),
-                                        .hint = {},
-                                        .sourceLine = {}});
+        if (macros_.define(std::move(macro))) warn(1012, line[2], fmt::format("macro '{}' is defined again, differently", line[2].text));
         return true;
     }
 
@@ -303,31 +316,71 @@ private:
             return fail(1011, line[1], fmt::format("more than {} inclusions or {} MiB of text", kMostFiles, kMostBytes >> 20));
         const Token& at = line.size() > 2 ? line[2] : line[1];
         std::vector<std::string> tried;
-        const std::optional<fs::path> path = find(*name, sources_[line[0].file].name, tried);
+        const std::optional<fs::path> path = find(*name, sources_[line[0].file].name, at, tried);
         if (!path)
             return fail(1001, at, fmt::format("cannot find include file '{}'", *name),
                         fmt::format("looked for {}", fmt::join(tried, ", ")));
         if (once_.contains(path->string())) return true;
-        return process(sources_.add(path->string(), texts_[*path]), depth + 1);
+        including_.push_back(fs::path(sources_[line[0].file].name).parent_path());
+        const bool good = process(sources_.add(path->string(), texts_[*path]), depth + 1);
+        including_.pop_back();
+        return good;
     }
 
-    /// The first readable candidate: beside the including file, then each include folder.
-    std::optional<fs::path> find(const std::string& name, const std::string& from, std::vector<std::string>& tried) {
+    /// Beside the including file, then beside each file on the way up to the effect, as Microsoft's handler looks, then the include
+    /// folders.
+    [[nodiscard]] std::vector<fs::path> foldersFrom(const std::string& from) const {
         std::vector<fs::path> folders{fs::path(from).parent_path()};
+        for (auto folder = including_.rbegin(); folder != including_.rend(); ++folder)
+            if (std::ranges::find(folders, *folder) == folders.end()) folders.push_back(*folder);
         folders.insert(folders.end(), options_.includeFolders.begin(), options_.includeFolders.end());
+        return folders;
+    }
+
+    bool readable(const fs::path& path) {
+        if (texts_.contains(path)) return true;
+        const Result<std::string> text = options_.read(path);
+        if (!text) return false;
+        texts_[path] = std::make_shared<const std::string>(*text);
+        result_.includes.push_back(path);
+        return true;
+    }
+
+    /// The first readable candidate; in another case than written only where no folder has it as written.
+    std::optional<fs::path> find(const std::string& name, const std::string& from, const Token& at, std::vector<std::string>& tried) {
         std::string portable = name;
         std::ranges::replace(portable, '\\', '/');
+        const std::vector<fs::path> folders = foldersFrom(from);
         for (const fs::path& folder : folders) {
             const fs::path path = (folder / portable).lexically_normal();
-            if (texts_.contains(path)) return path;
-            if (const Result<std::string> text = options_.read(path)) {
-                texts_[path] = std::make_shared<const std::string>(*text);
-                result_.includes.push_back(path);
-                return path;
-            }
+            if (readable(path)) return path;
             tried.push_back("'" + path.string() + "'");
         }
+        if (!options_.anyCase) return std::nullopt;
+        for (const fs::path& folder : folders) {
+            const auto path = inAnyCase(folder, fs::path(portable).lexically_normal());
+            if (!path || !readable(*path)) continue;
+            warn(1013, at, fmt::format("'{}' is spelt '{}' on disk", name, path->string()), "other systems tell cases apart");
+            return path;
+        }
         return std::nullopt;
+    }
+
+    static std::optional<fs::path> inAnyCase(fs::path folder, const fs::path& relative) {
+        for (const fs::path& part : relative) {
+            if (part == ".." || part == "." || part.empty()) {
+                folder /= part;
+                continue;
+            }
+            std::error_code error;
+            std::optional<fs::path> next;
+            for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
+                 entry.increment(error))
+                if (equalsIgnoreCase(entry->path().filename().string(), part.string())) next = entry->path().filename();
+            if (!next) return std::nullopt;
+            folder /= *next;
+        }
+        return folder.lexically_normal();
     }
 
     const PreprocessOptions& options_;
@@ -337,6 +390,7 @@ private:
     std::optional<Diagnostic> failure_;
     std::map<fs::path, std::shared_ptr<const std::string>> texts_;
     std::set<std::string> once_;
+    std::vector<fs::path> including_; // the folders of the files that include the present one, the effect first
     std::size_t bytes_ = 0;
 };
 

@@ -22,6 +22,7 @@ struct PreprocessOptions {
     std::vector<std::pair<std::string, std::string>> defines;
     std::vector<std::filesystem::path> includeFolders;
     FileReader read;
+    bool anyCase = false; // include files are looked for without regard to case where their own spelling finds none
 };
 
 /// A `#pragma` that the compilers should see, before tokens[before].
@@ -39,6 +40,7 @@ struct Preprocessed {
     std::vector<Diagnostic> warnings;
     std::optional<EffectSettings> settings;      // FX_SETTINGS
     std::map<std::string, std::string> metadata; // FX_METADATA: entry, its switch's value
+    bool ownDialect = false;                     // FX_ENTRY, FX_D3D10 or FX_D3D11 was asked for
 };
 
 /// TG1001..TG1012. The tokens point into `sources`.

@@ -82,8 +82,8 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 class ScriptParser {
 public:
-    ScriptParser(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces)
-        : text_(text), level_(level), pieces_(pieces) {}
+    ScriptParser(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces, bool lenient)
+        : text_(text), level_(level), pieces_(pieces), lenient_(lenient) {}
 
     Result<ScriptResult> run() {
         result_.script.given = true;
@@ -92,8 +92,10 @@ public:
             command(start, end);
             start = end + 1;
         }
-        for (const std::size_t open : loops_)
+        for (const std::size_t open : loops_) {
             fail(2007, result_.script.commands[open].at, "this loop has no LoopEnd");
+            dropLoops();
+        }
         if (!errors_.empty()) return Error{Blame::Input, std::move(errors_)};
         return std::move(result_);
     }
@@ -108,7 +110,14 @@ private:
     }
 
     void fail(int code, const SourcePosition& at, std::string text, std::string hint = {}) {
-        if (errors_.size() < 20)
+        if (lenient_)
+            result_.warnings.push_back({.severity = Severity::Warning,
+                                        .code = code,
+                                        .at = at,
+                                        .text = std::move(text),
+                                        .hint = std::move(hint),
+                                        .sourceLine = {}});
+        else if (errors_.size() < 20)
             errors_.push_back({.code = code, .at = at, .text = std::move(text), .hint = std::move(hint), .sourceLine = {}});
     }
 
@@ -168,7 +177,8 @@ private:
             return clear(command, text) || bad(command, entry, text, "write Color, Color0 to Color7, Depth or Stencil");
         case ValueForm::DrawWhat:
             return keyword(command, text, {"Geometry", "Buffer", "Scene"}) || bad(command, entry, text, "write Geometry, Buffer or Scene");
-        case ValueForm::Color: return keyword(command, text, {"Color"}) || bad(command, entry, text, "write Color");
+        case ValueForm::Color:
+            return keyword(command, text, {"Color"}) || (lenient_ && external(command)) || bad(command, entry, text, "write Color");
         }
         return false;
     }
@@ -176,6 +186,12 @@ private:
     bool bad(const Command& command, const CommandEntry& entry, const std::string& text, std::string hint = {}) {
         fail(2006, command.at, fmt::format("'{}' is not a value of {}", text, entry.name), std::move(hint));
         return false;
+    }
+
+    /// FX Composer's `ScriptExternal=Scene` and `ScriptExternal=;`: what lies below the effect, its colours.
+    static bool external(Command& command) {
+        command.options = {"Color"};
+        return true;
     }
 
     static bool keyword(Command& command, const std::string& text, std::initializer_list<std::string_view> words) {
@@ -228,19 +244,27 @@ private:
         commands.push_back(std::move(command));
     }
 
+    void dropLoops() {
+        for (Command& command : result_.script.commands)
+            for (const CommandKind kind :
+                 {CommandKind::LoopByCount, CommandKind::LoopEnd, CommandKind::LoopGetIndex, CommandKind::LoopGetCount})
+                if (command.kind == kind) command.kind = CommandKind::Reserved;
+    }
+
     std::string_view text_;
     ScriptLevel level_;
     std::span<const TextPiece> pieces_;
     ScriptResult result_;
     std::vector<std::size_t> loops_;
     std::vector<Diagnostic> errors_;
+    bool lenient_;
 };
 
 } // namespace
 
-Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces) {
+Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces, bool lenient) {
     assert(!pieces.empty());
-    return ScriptParser(text, level, pieces).run();
+    return ScriptParser(text, level, pieces, lenient).run();
 }
 
 } // namespace tegument

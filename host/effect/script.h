@@ -58,6 +58,8 @@ struct TextPiece {
 
 /// Parses one script. Unknown commands, commands on the wrong level, unbalanced loops are errors with the position of the string in the
 /// file. Names (techniques, passes, textures, parameters) are resolved later, by the effect's own check.
-[[nodiscard]] Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces);
+/// `lenient`: what is wrong is a warning, and the command is left out.
+[[nodiscard]] Result<ScriptResult> parseScript(std::string_view text, ScriptLevel level, std::span<const TextPiece> pieces,
+                                               bool lenient = false);
 
 } // namespace tegument

@@ -177,7 +177,7 @@ constexpr std::array<Entry, 10> kRasterizer{{
 }};
 
 /// Families of names: every name that starts so.
-constexpr std::array<std::string_view, 46> kFixedFunction{"Lighting",
+constexpr std::array<std::string_view, 55> kFixedFunction{"Lighting",
                                                           "Fog",
                                                           "RangeFog",
                                                           "SpecularEnable",
@@ -222,7 +222,16 @@ constexpr std::array<std::string_view, 46> kFixedFunction{"Lighting",
                                                           "AntialiasedLine",
                                                           "Multisample",
                                                           "FVF",
-                                                          "Constant"};
+                                                          "Constant",
+                                                          "VertexShaderConstant",
+                                                          "PixelShaderConstant",
+                                                          "PatchSegments",
+                                                          "EnableAdaptiveTessellation",
+                                                          "MinTessellationLevel",
+                                                          "MaxTessellationLevel",
+                                                          "NPatchMode",
+                                                          "DebugMonitor",
+                                                          "StateBlock"};
 
 std::string comparable(std::string_view name) {
     std::string text;

@@ -3,7 +3,10 @@
 #include "host/effect/parser.h"
 #include "host/support/text.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,22 +14,21 @@ namespace tegument {
 
 namespace {
 
+constexpr double kLargestWord = 4294967295.0;
+
 TechniqueKind kindOf(std::string_view keyword) {
     if (equalsIgnoreCase(keyword, "technique11")) return TechniqueKind::D3D11;
     return equalsIgnoreCase(keyword, "technique10") ? TechniqueKind::D3D10 : TechniqueKind::D3D9;
-}
-
-std::optional<ShaderReference>* shaderSlot(Pass& pass, std::string_view stage) {
-    if (equalsIgnoreCase(stage, "VertexShader")) return &pass.vertexShader;
-    if (equalsIgnoreCase(stage, "PixelShader")) return &pass.pixelShader;
-    if (equalsIgnoreCase(stage, "GeometryShader")) return &pass.geometryShader;
-    return equalsIgnoreCase(stage, "ComputeShader") ? &pass.computeShader : nullptr;
 }
 
 bool isShaderStage(std::string_view name) {
     for (const std::string_view stage : {"VertexShader", "PixelShader", "GeometryShader", "ComputeShader", "HullShader", "DomainShader"})
         if (equalsIgnoreCase(name, stage)) return true;
     return false;
+}
+
+bool isStateType(std::string_view name) {
+    return name == "DepthStencilState" || name == "BlendState" || name == "RasterizerState";
 }
 
 void copyDepthStencil(const PipelineState& from, PipelineState& to) {
@@ -67,7 +69,8 @@ bool Parser::group() {
     if (!expect('{', "of the group")) return false;
     while (!accept('}')) {
         if (atEnd()) return fail(1102, opened, "this '{' is never closed");
-        if (!isWord("technique11") && !isWord("technique10")) return unexpected("technique11");
+        if (accept(';')) continue;
+        if (!isWord("technique11") && !isWord("technique10") && !(lenient_ && isWord("technique"))) return unexpected("technique11");
         if (!technique()) return false;
     }
     blankFrom(first);
@@ -81,6 +84,10 @@ bool Parser::technique() {
     if (peek().kind == TokenKind::Word) {
         technique.at = position(peek());
         technique.name = take().text;
+    } else if (peek().kind == TokenKind::String) {
+        technique.at = position(peek());
+        technique.name = peek().text.substr(1, peek().text.size() - 2);
+        take();
     }
     if (peek().is('<') && !annotations(technique.annotations)) return false;
     const Token opened = peek();
@@ -134,68 +141,34 @@ bool Parser::passStatement(const Technique& technique, Pass& pass, States& state
     std::vector<Assignment> list;
     if (!assignment(list)) return false;
     if (technique.kind != TechniqueKind::D3D9)
-        fail(2003, list[0].name, fmt::format("'{}' in a Direct3D 10 technique", list[0].name.text),
-             "use SetDepthStencilState, SetBlendState, SetRasterizerState");
+        direct3D10Assignment(technique, list[0], pass, states);
     else
-        applyState(list[0], "", states);
+        applyToPass(list[0], pass, states);
     return true;
 }
 
-bool Parser::shaderStatement(Pass& pass, const Token& stage) {
-    std::optional<ShaderReference> shader;
-    if (!shaderValue(shader)) return false;
-    std::optional<ShaderReference>* slot = shaderSlot(pass, stage.text);
-    if (slot == nullptr && shader) return fail(2021, stage, fmt::format("{} is not supported", stage.text));
-    if (slot != nullptr) *slot = std::move(shader);
-    return true;
-}
-
-/// NULL, `compile ps_3_0 F(2, true)`, `CompileShader(ps_5_0, F())`, or the name of a shader object, bare or in brackets.
-bool Parser::shaderValue(std::optional<ShaderReference>& shader) {
-    if (peek().is("NULL") || peek().is("null") || (peek().kind == TokenKind::Number && peek().text == "0")) {
-        take();
+/// `RasterizerState = rs;`, `DS_StencilRef = 1;`: what the Set calls do. Microsoft's compiler takes Direct3D 9's states too and drops them.
+bool Parser::direct3D10Assignment(const Technique& technique, const Assignment& assignment, Pass& pass, States& states) {
+    const std::string name(assignment.name.text);
+    if (isStateType(name)) {
+        const std::size_t after = std::exchange(at_, assignment.value.first);
+        const bool good = setState(technique, name, states);
+        at_ = after;
+        return good;
+    }
+    if (name == "AB_BlendFactor" || name == "DS_StencilRef") {
+        const auto value = stateValue(assignment, {});
+        if (!value) return false;
+        for (std::size_t i = 0; name == "AB_BlendFactor" && i < std::min<std::size_t>(4, value->size()); ++i)
+            states.pipeline.blendConstant[i] = static_cast<float>((*value)[i]);
+        if (name == "DS_StencilRef" && (*value)[0] >= 0 && (*value)[0] <= 255)
+            states.pipeline.stencilReference = static_cast<unsigned>((*value)[0]);
         return true;
     }
-    if (isWord("asm")) return fail(2021, peek(), "assembly shaders are not supported", "write HLSL");
-    if (isWord("ConstructGSWithSO")) return fail(2021, peek(), "stream output is not supported");
-    const bool call = isWord("CompileShader");
-    if (!isWord("compile") && !call) return shaderByName(shader);
-    take();
-    if (call && !expect('(', "after CompileShader")) return false;
-    Token profile;
-    Token entry;
-    if (!expectName(profile, "a profile such as ps_3_0")) return false;
-    if (call && !expect(',', "after the profile")) return false;
-    if (!expectName(entry, "the shader's function")) return false;
-    shader = ShaderReference{.entry = std::string(entry.text), .profile = std::string(profile.text), .at = position(entry)};
-    if (!shaderArguments(shader->arguments)) return false;
-    return !call || expect(')', "after the shader");
-}
-
-bool Parser::shaderByName(std::optional<ShaderReference>& shader) {
-    const char opening = peek().is('(') || peek().is('<') ? take().text[0] : '\0';
-    Token name;
-    if (!expectName(name, "a shader")) return false;
-    if (opening != '\0' && !expect(opening == '(' ? ')' : '>', "after the shader's name")) return false;
-    const auto object = shaderObjects_.find(name.text);
-    if (object == shaderObjects_.end()) return fail(2019, name, fmt::format("unknown shader object '{}'", name.text));
-    shader = object->second;
-    return true;
-}
-
-/// The arguments for `uniform` parameters, each as written but for its spaces.
-bool Parser::shaderArguments(std::vector<std::string>& arguments) {
-    const std::size_t first = mark() + 1;
-    if (!peek().is('(')) return unexpected("'(' after the shader's function");
-    if (!skipBalanced()) return false;
-    int depth = 0;
-    for (std::size_t i = first; i + 1 < mark(); ++i) {
-        const Token& token = tokens_[i];
-        depth += token.is('(') ? 1 : token.is(')') ? -1 : 0;
-        if (arguments.empty() || (depth == 0 && token.is(','))) arguments.emplace_back();
-        if (depth > 0 || !token.is(',')) arguments.back() += token.text;
-    }
-    return true;
+    if (name == "AB_SampleMask") return true;
+    if (lenient_ && technique.kind == TechniqueKind::D3D10) applyToPass(assignment, pass, states);
+    return refuse(2003, assignment.name, fmt::format("'{}' in a Direct3D 10 technique", name),
+                  "use SetDepthStencilState, SetBlendState, SetRasterizerState");
 }
 
 /// SetVertexShader(...), SetBlendState(object, factor, mask), ...
@@ -207,8 +180,12 @@ bool Parser::setStatement(const Technique& technique, Pass& pass, States& states
         Token stageName = name;
         stageName.text = name.text.substr(3);
         if (!shaderStatement(pass, stageName)) return false;
-    } else if (stage == "DepthStencilState" || stage == "BlendState" || stage == "RasterizerState") {
+    } else if (isStateType(stage)) {
         if (!setState(technique, stage, states)) return false;
+    } else if (stage == "RenderTargets") {
+        if (!refuse(2021, name, "targets of Direct3D 11's effects are not set", "use a script: RenderColorTarget0=...")) return false;
+        --at_;
+        return skipBalanced() && expect(';', "after the call");
     } else {
         static const std::array<std::string, 7> kNames{"SetVertexShader",      "SetPixelShader", "SetGeometryShader", "SetComputeShader",
                                                        "SetDepthStencilState", "SetBlendState",  "SetRasterizerState"};
@@ -220,15 +197,16 @@ bool Parser::setStatement(const Technique& technique, Pass& pass, States& states
 bool Parser::setState(const Technique& technique, const std::string& type, States& states) {
     if (technique.kind == TechniqueKind::D3D9)
         fail(2003, peek(), fmt::format("Set{} in a Direct3D 9 technique", type), "write the states themselves, or technique11");
-    Token name;
-    if (!expectName(name, fmt::format("a {}", type))) return false;
-    const auto object = stateObjects_.find(name.text);
-    const bool null = equalsIgnoreCase(name.text, "NULL");
+    const Token at = peek();
+    const std::optional<std::string> name = objectName(fmt::format("a {}", type));
+    if (!name) return false;
+    const auto object = stateObjects_.find(*name);
+    const bool null = equalsIgnoreCase(*name, "NULL");
     if (!null && (object == stateObjects_.end() || object->second.type != type)) {
         std::vector<std::string> names;
         for (const auto& [other, state] : stateObjects_)
             if (state.type == type) names.push_back(other);
-        return fail(2019, name, fmt::format("unknown {} '{}'", type, name.text), didYouMean(name.text, names));
+        return fail(2019, at, fmt::format("unknown {} '{}'", type, *name), didYouMean(*name, names));
     }
     States built = null ? States{.pipeline = direct3D10Defaults()} : object->second.states;
     if (type == "DepthStencilState") copyDepthStencil(built.pipeline, states.pipeline);
@@ -250,8 +228,8 @@ bool Parser::setStateArguments(const std::string& type, PipelineState& state) {
         numbers.insert(numbers.end(), value->numbers.begin(), value->numbers.end());
     }
     if (numbers.empty()) return true;
-    if (type == "DepthStencilState" && numbers.size() == 1 && numbers[0] >= 0 && numbers[0] <= 255) {
-        state.stencilReference = static_cast<unsigned>(numbers[0]);
+    if (type == "DepthStencilState" && numbers.size() == 1 && (lenient_ || (numbers[0] >= 0 && numbers[0] <= 255))) {
+        state.stencilReference = static_cast<unsigned>(static_cast<std::int64_t>(std::clamp(numbers[0], 0.0, kLargestWord))) & 255u;
         return true;
     }
     if (type == "BlendState" && numbers.size() >= 4 && numbers.size() <= 5) {

@@ -1,5 +1,7 @@
 #include "host/effect/types.h"
 
+#include "host/support/text.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -95,6 +97,20 @@ bool readDimensions(std::string_view text, Type& type) {
 
 } // namespace
 
+namespace {
+
+/// Microsoft's compiler takes the names of effect types in any case: STRING, Sampler2D, Matrix.
+std::optional<Type> inAnyCase(std::string_view name) {
+    for (const auto& [text, base] : kObjects)
+        if (equalsIgnoreCase(text, name)) return Type{.base = base, .name = std::string(text)};
+    if (equalsIgnoreCase(name, "dword")) return Type{.base = BaseType::Uint, .name = "dword"};
+    if (equalsIgnoreCase(name, "vector")) return Type{.columns = 4, .name = "vector"};
+    if (equalsIgnoreCase(name, "matrix")) return Type{.rows = 4, .columns = 4, .name = "matrix"};
+    return std::nullopt;
+}
+
+} // namespace
+
 std::optional<Type> builtInType(std::string_view name) {
     for (const auto& [text, base] : kObjects)
         if (text == name) return Type{.base = base, .name = std::string(name)};
@@ -105,7 +121,7 @@ std::optional<Type> builtInType(std::string_view name) {
         Type type{.base = base, .name = std::string(name)};
         if (name.starts_with(text) && readDimensions(name.substr(text.size()), type)) return type;
     }
-    return std::nullopt;
+    return inAnyCase(name);
 }
 
 int samplerDimension(std::string_view name) {

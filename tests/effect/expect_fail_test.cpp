@@ -33,7 +33,8 @@ std::string firstLine(const fs::path& file) {
 }
 
 std::string firstMessage(const fs::path& file) {
-    const Result<Effect> effect = loadEffect(file);
+    const bool lenient = file.stem().string().ends_with("_lenient");
+    const Result<Effect> effect = loadEffect(file, {.lenient = lenient});
     if (!effect) return format(effect.error().diagnostics[0]);
     if (!effect->warnings.empty()) return format(effect->warnings[0]);
     if (const std::optional<Diagnostic> intrinsic = direct3D9Intrinsic(*effect)) return format(*intrinsic);

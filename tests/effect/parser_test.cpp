@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Declarations, what_belongs_to_the_shader_is_no_parameter) {
     const Effect effect =
         loaded("struct S { float a; }; static float gS = 1; static const float kK[2] = {1, 2}; groupshared float gG;\n"
-               "namespace N { float gN; } template <typename T> T f(T x) { return x; } S gStruct; RWTexture2D<float4> gOut;\n"
+               "namespace N { float gN; } template <typename T> T f(T x) { return x; } RWTexture2D<float4> gOut;\n"
                "float h(float x) { return x < 1 ? 2 : 3; } [numthreads(8, 8, 1)] void C(uint3 i : SV_DispatchThreadID) {}\n"
                "typedef float Real; using Alias = float; enum E { A, B }; float forward(float x);");
     EXPECT_TRUE(effect.parameters.empty()) << effect.parameters[0].name;

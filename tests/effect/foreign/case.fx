@@ -1,0 +1,1 @@
+#include "INC\Common.FXH"

@@ -29,7 +29,8 @@ std::vector<Variant> variantsOf(const std::filesystem::path& file, const CheckOp
     if (!options.allSettings) return options.variants;
     std::vector<Variant> all;
     for (const Variant& variant : options.variants)
-        for (Variant setting : settingVariants(file, {.defines = variant.defines, .includeFolders = options.includeFolders, .lenient = true})) {
+        for (Variant setting :
+             settingVariants(file, {.defines = variant.defines, .includeFolders = options.includeFolders, .lenient = true})) {
             setting.name = variant.name.empty() ? setting.name : variant.name + " " + setting.name;
             all.push_back(std::move(setting));
         }

@@ -132,7 +132,8 @@ void printSize(const Job& job) {
     if (job.scene.meshes.size() != 1) return;
     const Bounds& bounds = job.scene.meshes.front().bounds;
     const glm::vec3 size = bounds.maximum - bounds.minimum;
-    fmt::print("the mesh is {:.3g} x {:.3g} x {:.3g} mm; another size: --unit-mm X\n", size.x, size.y, size.z);
+    fmt::print("the mesh is {:.3g} x {:.3g} x {:.3g} mm (another size: --unit-mm X; it lies down: --up z; it shows its back: --turn 180)\n",
+               size.x, size.y, size.z);
 }
 
 void printReport(const Job& job, const gpu::Device& device, const RunResult& result, const std::vector<fs::path>& files) {

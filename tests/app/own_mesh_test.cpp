@@ -343,7 +343,7 @@ TEST(OwnMesh, its_size_is_said) {
     const std::string mesh = write("sized.obj", "v 0 0 0\nv 60 0 0\nv 0 90 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     const Ran ran = tegument::test::tegument(
         {"render", "effects/Specular.fx", "--mesh", mesh, "--unit-mm", "2", "--size", "32", "-o", (scratch() / "sized.png").string()});
-    EXPECT_NE(ran.out.find("the mesh is 120 x 180 x 80 mm; another size: --unit-mm"), std::string::npos) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("the mesh is 120 x 180 x 80 mm (another size: --unit-mm"), std::string::npos) << ran.out << ran.err;
     const Ran ours = tegument::test::tegument(
         {"render", "effects/Specular.fx", "-w", ballWorkspace(), "--size", "32", "-o", (scratch() / "sized.png").string()});
     EXPECT_EQ(ours.out.find("the mesh is"), std::string::npos) << "a workspace knows its mesh";

@@ -63,7 +63,7 @@ Result<Compiler> chosenCompiler(const std::string& name) {
 void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
-    command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .ply, .obj); default: the workspace's");
+    command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .obj, .ply, .stl, .off); default: the workspace's");
     command.add_option(
         "-w,--workspace", options.scene.workspace,
         "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "
@@ -78,6 +78,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
             "--up", [&options](const std::string& axis) { options.scene.up = axis == "z" ? UpAxis::Z : UpAxis::Y; },
             "Which axis of --mesh points up: y or z; default: z of STL files, else y")
         ->transform(oneOf({"y", "z"}));
+    command.add_option(
+        "--turn", options.scene.turn,
+        "Degrees by which the scene is turned, counter-clockwise seen from above; camera and light stay: 180 shows the back");
     command.add_option("-p,--preset", options.preset,
                        "Named values of parameters, such as oily: those of NAME.presets.json beside NAME.fx");
     repeatable(

@@ -75,9 +75,14 @@ Result<void> checkFiles(const Arguments& arguments) {
     return canWrite(arguments.output);
 }
 
-void tellWhatWasWritten(const Arguments& arguments) {
+/// Links are made for skin of a head's size: where texels are wider than light spreads, red gets lost.
+constexpr double kLargestHead = 250; // mm, of the ball round it
+
+void tellWhatWasWritten(const Arguments& arguments, double radius) {
     if (!arguments.dryRun) fmt::print("wrote {}\n", arguments.output);
     if (!arguments.report.empty()) fmt::print("wrote {}\n", arguments.report);
+    if (arguments.options.unwrap && !arguments.dryRun && radius < kLargestHead)
+        fmt::print("skin without seams between its charts: tegument render Pyramid -t PyramidLinked --mesh {}\n", arguments.output);
 }
 
 int run(Arguments& arguments) {
@@ -99,7 +104,7 @@ int run(Arguments& arguments) {
         print(reportOf(arguments, prepared->report));
     } else {
         printReport(prepared->report);
-        tellWhatWasWritten(arguments);
+        tellWhatWasWritten(arguments, prepared->report.centring.radius);
     }
     return 0;
 }

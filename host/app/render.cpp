@@ -127,11 +127,21 @@ std::vector<std::vector<std::string>> timeRows(const RunResult& result) {
     return rows;
 }
 
+/// A wrong unit shows in no picture, but in how soft skin looks and how long fur.
+void printSize(const Job& job) {
+    if (job.scene.meshes.size() != 1) return;
+    const Bounds& bounds = job.scene.meshes.front().bounds;
+    const glm::vec3 size = bounds.maximum - bounds.minimum;
+    fmt::print("the mesh is {:.3g} x {:.3g} x {:.3g} mm (another size: --unit-mm X; it lies down: --up z; it shows its back: --turn 180)\n",
+               size.x, size.y, size.z);
+}
+
 void printReport(const Job& job, const gpu::Device& device, const RunResult& result, const std::vector<fs::path>& files) {
     fmt::print("{} {}, {}x{}, {}\n{} ({}){}\n\n{}", job.effect.file.filename().string(), result.technique, job.run.width, job.run.height,
                compilerName(job.run.compiler), device.info().name, device.info().driver,
                device.info().cpu ? ", a software device: times are good as ratios only" : "", table({"pass", "ms"}, timeRows(result)));
     fmt::print("\n{} targets, {:.1f} MiB\n", result.targets.size(), static_cast<double>(result.bytes) / (1024.0 * 1024.0));
+    if (job.scene.isOwn) printSize(job);
     if (!job.scene.objects.empty()) fmt::print("{} objects, {} meshes\n", job.scene.objects.size(), job.scene.meshes.size());
     if (const auto found = result.image.metadata.find("attribution"); found != result.image.metadata.end())
         fmt::print("mesh: {}\n", found->second);

@@ -1,9 +1,11 @@
 #include "host/app/scene.h"
 
+#include "host/run/scene_bounds.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -49,17 +51,24 @@ UpAxis upOf(const SceneOptions& options) {
     return options.up.value_or(toLower(fs::path(options.mesh).extension().string()) == ".stl" ? UpAxis::Z : UpAxis::Y);
 }
 
+/// Turned counter-clockwise seen from above, y up.
+glm::vec3 aboutVertical(const glm::vec3& v, double degrees) {
+    const auto angle = static_cast<float>(glm::radians(degrees));
+    return {std::cos(angle) * v.x + std::sin(angle) * v.z, v.y, std::cos(angle) * v.z - std::sin(angle) * v.x};
+}
+
 /// Seen from the right and a little above, with the usual light turned to the mesh's up.
 void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
     constexpr glm::vec3 kDirection(0.38F, 0.2F, 0.9F);
     constexpr float kFov = 25;
     const UpAxis up = upOf(options);
-    workspace.camera = (options.turns ? frameTurningMesh : frameMesh)(mesh, kDirection, up, kFov, options.aspect);
+    const auto turned = [&](const glm::vec3& v) { return aboutVertical(v, -options.turn); };
+    workspace.camera = (options.turns ? frameTurningMesh : frameMesh)(mesh, turned(kDirection), up, kFov, options.aspect);
     workspace.cameraRelative = false;
     if (!workspace.lightRelative) workspace.light = Workspace{}.light; // it was placed for another mesh
     workspace.lightRelative = true;
-    workspace.light.position = alongUp(up, workspace.light.position);
-    if (workspace.light.direction) workspace.light.direction = alongUp(up, *workspace.light.direction);
+    workspace.light.position = alongUp(up, turned(workspace.light.position));
+    if (workspace.light.direction) workspace.light.direction = alongUp(up, turned(*workspace.light.direction));
     if (up == UpAxis::Z) workspace.parameters.insert({"gFurDown", {0, 0, -1}});
 }
 
@@ -100,12 +109,20 @@ Result<void> loadObjects(Scene& scene) {
     return {};
 }
 
+/// A scene that was not framed, as `frame` does with those that are.
+void turn(double degrees, Scene& scene) {
+    if (degrees == 0) return;
+    const SessionScene seen = sessionScene(scene);
+    const glm::dvec3 pivot(run::boundsOf(seen).centre);
+    scene.workspace = turnedScene(run::inWorld(scene.workspace, seen), pivot, glm::radians(degrees));
+}
+
 } // namespace
 
 Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     auto workspace = chooseWorkspace(options, needsMesh);
     if (!workspace) return workspace.error();
-    Scene scene{.workspace = std::move(*workspace), .meshes = {}, .objects = {}};
+    Scene scene{.workspace = std::move(*workspace), .meshes = {}, .objects = {}, .isOwn = !options.mesh.empty()};
     if (!needsMesh) return scene;
     if (!scene.workspace.objects.empty()) {
         if (!options.mesh.empty() || options.unitMm)
@@ -113,6 +130,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
                               fmt::format("{} has {} objects: which of them is meant?", options.workspace, scene.workspace.objects.size()),
                               "leave --mesh and --unit-mm out, or give a workspace of one mesh");
         if (const auto loaded = loadObjects(scene); !loaded) return loaded.error();
+        turn(options.turn, scene);
         return scene;
     }
     auto mesh = chooseMesh(options, scene.workspace);
@@ -120,6 +138,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     if (isFramed(options)) frame(options, *mesh, scene.workspace);
     adoptMesh(options, *mesh, scene.workspace);
     scene.meshes.push_back(std::move(*mesh));
+    if (!isFramed(options)) turn(options.turn, scene);
     return scene;
 }
 

@@ -19,8 +19,9 @@ struct SceneOptions {
     std::optional<double> unitMm;
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
-    double aspect = 1;        // of the picture
-    bool turns = false;       // a mesh of one's own is framed so that it can turn
+    double turn = 0;    // degrees that the scene is turned by, counter-clockwise seen from above; camera and light stay for the viewer
+    double aspect = 1;  // of the picture
+    bool turns = false; // a mesh of one's own is framed so that it can turn
 };
 
 /// `workspace.objects` empty: one mesh, or none.
@@ -28,6 +29,7 @@ struct Scene {
     Workspace workspace;
     std::deque<Mesh> meshes; // each file once, however many objects have it
     std::vector<RunObject> objects;
+    bool isOwn = false; // the mesh is the user's, not the workspace's
 };
 
 /// Without `needsMesh` none is read, nor need it exist. TG8014 none was given, TG8017 --mesh or --unit-mm for a scene of several objects.

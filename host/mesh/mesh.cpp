@@ -67,13 +67,13 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
         return meshfile::notFinite(source.whole(), "a texture coordinate is not finite");
     const UvReport report = examineUvs(mesh);
     if (report.overlapping > options.overlapWarning)
-        meshfile::warn(mesh, 5320, source.whole(),
-                       fmt::format("{:.1f} % of the UV area is used by more than one triangle", 100 * report.overlapping),
-                       "light that is gathered in texture space will mix there: unwrap the mesh without overlap");
+        meshfile::warn(
+            mesh, 5320, source.whole(), fmt::format("{:.1f} % of the UV area is used by more than one triangle", 100 * report.overlapping),
+            "light that is gathered in texture space will mix there; tegument prep MESH --unwrap -o NEW.glb makes charts without overlap");
     if (report.outside > options.overlapWarning)
         meshfile::warn(mesh, 5321, source.whole(),
                        fmt::format("{:.1f} % of the UV area lies outside the unit square", 100 * report.outside),
-                       "it is not lit in texture space: move the charts into the square");
+                       "it is not lit in texture space: move the charts into the square, or tegument prep MESH --unwrap -o NEW.glb");
     return std::nullopt;
 }
 

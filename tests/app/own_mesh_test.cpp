@@ -293,3 +293,73 @@ TEST(OwnMesh, is_told_of_a_generator_that_does_not_exist) {
     for (const char* expected : {"TG4054", "moss", "fur roots", "gSkinMap"})
         EXPECT_NE(ran.err.find(expected), std::string::npos) << expected << " in " << ran.err;
 }
+
+TEST(OwnMesh, is_turned_by_so_many_degrees_and_lit_from_where_it_was) {
+    const std::string mesh = write(
+        "lopsided.obj", "v 0 0 0\nv 60 0 0\nv 0 90 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"); // from no side as from another
+    const auto drawn = [&](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"effects/Specular.fx", "--mesh", mesh};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Drawn result = draw(name, arguments);
+        EXPECT_EQ(result.ran.code, 0) << result.ran.err;
+        return result.image;
+    };
+    const Image front = drawn("front", {});
+    EXPECT_LT(different(front, drawn("whole", {"--turn", "360"})), 0.001) << "a whole turn: the same, but for pixels at outlines";
+    const Covered seen = covered(front), behind = covered(drawn("back", {"--turn", "180"}));
+    EXPECT_GT(std::abs(seen.count - behind.count), seen.count / 50) << "the back has another outline";
+    EXPECT_LT(different(drawn("right", {"--turn", "90"}), drawn("left", {"--turn", "-270"})), 0.001);
+    // The turntable's second picture of four shows the same side: its camera stands farther off, for all sides, and so the mesh is smaller.
+    const Ran turning = tegument::test::tegument({"render", "effects/Specular.fx", "--mesh", mesh, "--size", "160", "--turntable", "4",
+                                                  "--turn", "90", "-o", (scratch() / "turning.exr").string()});
+    ASSERT_EQ(turning.code, 0) << turning.err;
+    ASSERT_EQ(tegument::test::tegument({"render", "effects/Specular.fx", "--mesh", mesh, "--size", "160", "--turntable", "4", "-o",
+                                        (scratch() / "still.exr").string()})
+                  .code,
+              0);
+    const auto first = tegument::loadImage(scratch() / "turning-001.exr");
+    const auto second = tegument::loadImage(scratch() / "still-002.exr");
+    ASSERT_TRUE(first && second);
+    EXPECT_LT(different(*first, *second), 0.01) << "to begin at 90 degrees is to come there";
+}
+
+TEST(OwnMesh, of_a_workspace_is_turned_likewise) {
+    const auto drawn = [&](const std::string& name, const std::string& degrees) {
+        return draw(name, {"effects/Specular.fx", "-w", ballWorkspace(), "--turn", degrees}).image;
+    };
+    const Image still = drawn("ball0", "0");
+    ASSERT_FALSE(still.pixels.empty());
+    const auto apart = [&](const Image& image) {
+        double sum = 0;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            sum += static_cast<double>(std::abs(image.pixels[i] - still.pixels.at(i)));
+        return sum / static_cast<double>(image.pixels.size());
+    };
+    EXPECT_LT(apart(drawn("ball180", "180")), 1e-5) << "its bumps come twice in a turn";
+    EXPECT_GT(apart(drawn("ball90", "90")), 1e-4) << "and are elsewhere after a quarter";
+}
+
+TEST(OwnMesh, its_size_is_said) {
+    const std::string mesh = write("sized.obj", "v 0 0 0\nv 60 0 0\nv 0 90 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const Ran ran = tegument::test::tegument(
+        {"render", "effects/Specular.fx", "--mesh", mesh, "--unit-mm", "2", "--size", "32", "-o", (scratch() / "sized.png").string()});
+    EXPECT_NE(ran.out.find("the mesh is 120 x 180 x 80 mm (another size: --unit-mm"), std::string::npos) << ran.out << ran.err;
+    const Ran ours = tegument::test::tegument(
+        {"render", "effects/Specular.fx", "-w", ballWorkspace(), "--size", "32", "-o", (scratch() / "sized.png").string()});
+    EXPECT_EQ(ours.out.find("the mesh is"), std::string::npos) << "a workspace knows its mesh";
+}
+
+TEST(OwnMesh, that_got_charts_is_shown_the_technique_without_seams_where_that_is_right) {
+#ifdef TEGUMENT_WITHOUT_XATLAS
+    GTEST_SKIP() << "built without xatlas: ./bootstrap build brings it";
+#endif
+    const std::string mesh = write("charted.obj", "v 0 0 0\nv 60 0 0\nv 0 90 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const std::string charted = (scratch() / "named.glb").string();
+    const auto isNamed = [&](const std::string& unit) {
+        const Ran ran = tegument::test::tegument({"prep", mesh, "--unwrap", "--unit-mm", unit, "-o", charted});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return ran.out.find("PyramidLinked --mesh " + charted) != std::string::npos;
+    };
+    EXPECT_TRUE(isNamed("1"));
+    EXPECT_FALSE(isNamed("50")) << "of several metres: its texels are wider than light spreads";
+}

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 TEST(OwnPresets, lie_within_the_ranges_and_differ_from_the_defaults) {
-    for (const char* name : {"effects/Main.fx", "effects/Fur.fx", "effects/FurRoots.fx"}) {
+    for (const char* name : {"effects/Main.fx", "effects/Pyramid.fx", "effects/Fur.fx", "effects/FurRoots.fx"}) {
         const auto effect = tegument::loadEffect(name);
         const auto presets = tegument::loadPresets(name);
         ASSERT_TRUE(effect && presets) << name;

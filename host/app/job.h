@@ -16,7 +16,7 @@ struct JobOptions {
     std::string preset; // of the effect; empty: none
     std::vector<std::string> sets;
     std::string size = "1024x1024";
-    int samples = 0; // a pixel; 0: kUsualSamples, or one where the technique cannot have several
+    int samples = 0;               // a pixel; 0: kUsualSamples, or one where the technique cannot have several
     std::string picture = "float"; // the caller's colour target: float or half
     std::string compiler;
     std::string device;

@@ -31,7 +31,7 @@ struct RunOptions {
     int height = 1024;
     int samples = 1; // of a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean. The effect's own targets have one
     bool samplesAreAsked = true; // false: a technique that cannot have several (TG4039) is drawn with one
-    bool halfPicture = false;        // the caller's colour target is RGBA16F, as most engines have it; otherwise RGBA32F
+    bool halfPicture = false;    // the caller's colour target is RGBA16F, as most engines have it; otherwise RGBA32F
     Compiler compiler = Compiler::Dxc;
     std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
     std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder

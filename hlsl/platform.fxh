@@ -71,19 +71,22 @@
 // Layers drawn over one another: SM4 draws them as instances of one draw (pass annotation Instances), Direct3D 9 in a loop of the script
 // whose index it writes into a parameter. TG_LAYER_INPUT declares a vertex shader's input, TG_LAYER_INDEX(looped) is the layer, counted
 // from 0. TG_PIXEL_INPUT declares the input of a pixel shader that asks where on the target its pixel is, TG_PIXEL_CENTRE(name) is its
-// centre, in pixels: Direct3D 9 has that in a register of its own.
+// centre, in pixels: Direct3D 9 has that in a register of its own. TG_LEAVES_EARLY: whether long pixel shaders ask early whether the pixel
+// is theirs; a branch more takes slots that shader model 3 does not have.
 #ifndef TEGUMENT_HLSL_3
 #define TG_LAYER_INPUT(type, name) type name, uint tgInstance : SV_InstanceID
 #define TG_LAYER_INDEX(looped) ((float)tgInstance)
 #define TG_LAYER_SCRIPT(count, index, passName) "Pass=" passName ";"
 #define TG_PIXEL_INPUT(type, name) type name
 #define TG_PIXEL_CENTRE(name) ((name).position.xy)
+#define TG_LEAVES_EARLY true
 #else
 #define TG_LAYER_INPUT(type, name) type name
 #define TG_LAYER_INDEX(looped) (looped)
 #define TG_LAYER_SCRIPT(count, index, passName) "LoopByCount=" count "; LoopGetIndex=" index "; Pass=" passName "; LoopEnd;"
 #define TG_PIXEL_INPUT(type, name) type name, float2 tgPixel : VPOS
 #define TG_PIXEL_CENTRE(name) (tgPixel + 0.5)
+#define TG_LEAVES_EARLY false
 #endif
 
 // Full state sets, one per pass: Direct3D 9 keeps what the pass before has set. Front faces are counter-clockwise (docs/conventions.md).

@@ -68,22 +68,6 @@ float2 shellSides(float3 v)
     return float2(clamp(min(sides.x, sides.y), 0.01 * longer, longer), longer);
 }
 
-// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the
-// printed settings they keep their own. A curl moves the place, but neighbouring pixels' alike.
-float4 cubeTexel(float3 place, float3 plain, float shrink)
-{
-    if (kTgCorrected)
-        return texCUBEgrad(gFurCube, place, ddx(plain) * shrink, ddy(plain) * shrink);
-    return texCUBEbias(gFurCube, float4(place, log2(shrink)));
-}
-
-float4 sphereTexel(float2 place, float2 plain, float shrink)
-{
-    if (kTgCorrected)
-        return tex2Dgrad(gFurSphere, place, ddx(plain) * shrink, ddy(plain) * shrink);
-    return tex2Dbias(gFurSphere, float4(place, 0.0, log2(shrink)));
-}
-
 // The map is looked up finer than isotropic filters do it, by a pixel's shorter side: along the longer one layer upon layer is looked up
 // anyway.
 float shellShrink(float2 sides)
@@ -91,16 +75,38 @@ float shellShrink(float2 sides)
     return gFurDeviation > 0.0 ? max(sides.x / max(sides.y, 1e-20), 0.01) : 1.0;
 }
 
-// texel: of a fur map, colour and coverage (or height) of its strands. Only what is drawn is lit.
-float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
+// What neighbouring pixels tell of this one; found before any of them may leave.
+struct ShellPixel
 {
-    float variance = tgFurHeightVariance(gFurDeviation, gFurGrain, kFurKernel * sides.x, texel.a);
+    float2 sides;
+    float slope; // of shellSlope
+    float left;  // below 0: it belongs to the other round
+};
+
+ShellPixel shellPixel(FurVarying input, float2 pixel, float3 plain)
+{
+    ShellPixel own;
+    own.sides = shellSides(plain);
+    own.slope = shellSlope(input, own.sides.y);
+    own.left = furInRound(shellNearness(input), pixel, furRound(input));
+    return own;
+}
+
+// Whether the map has to be looked up. In the printed settings look-ups take their level from neighbouring pixels: no pixel may leave before.
+bool shellAsked(ShellPixel own)
+{
+    return !kTgCorrected || !TG_LEAVES_EARLY || own.left >= 0.0;
+}
+
+// texel: of a fur map, colour and coverage (or height) of its strands. Only what is drawn is lit; left: below 0 what is not.
+float4 shell(FurVarying input, ShellPixel own, float4 texel, out float left)
+{
+    float variance = tgFurHeightVariance(gFurDeviation, gFurGrain, kFurKernel * own.sides.x, texel.a);
     float afar = tgFurAfar(variance, gFurSoftness) * gFurTaper * (1.0 - gFurOuterFirst);
-    float mean = tgFurMeanCoverage(texel.a, furHeights(input), variance, gFurSoftness, shellSlope(input, sides.y));
+    float mean = tgFurMeanCoverage(texel.a, furHeights(input), variance, gFurSoftness, own.slope);
     float coverage = tgFurCoverage(texel.a, furHeight(input), gFurTaper, gFurSoftness);
     float tested = lerp(coverage - max(gFurAlphaTest, gFurOuterFirst * 0.5), mean - kFurFaint, afar);
-    float left = furInRound(shellNearness(input), pixel, furRound(input)) < 0.0 ? -1.0 : tested;
-    clip(left);
+    left = own.left < 0.0 ? -1.0 : tested;
     float drawn = lerp(tgFurLayerCoverage(coverage, gFurLayers), mean, afar);
     float4 color = float4(0.0, 0.0, 0.0, max(drawn, gFurOuterFirst));
     float3 albedo = furAlbedo(input) * texel.rgb;
@@ -109,17 +115,51 @@ float4 shell(FurVarying input, float2 pixel, float2 sides, float4 texel)
     return color;
 }
 
+// Of several samples, look-ups by centroid places have derivatives of their own (fur_coat.fxh): the plain ones' are given to them. In the
+// printed settings they keep their own. A curl moves the place, but neighbouring pixels' alike.
 float4 cubeShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
-    float2 sides = shellSides(plain);
-    return shell(input, pixel, sides, cubeTexel(tgFurCurled(v, furHeight(input), gFurCurl), plain, shellShrink(sides)));
+    ShellPixel own = shellPixel(input, pixel, plain);
+    float3 across = ddx(plain);
+    float3 down = ddy(plain);
+    float shrink = shellShrink(own.sides);
+    float3 place = tgFurCurled(v, furHeight(input), gFurCurl);
+    float left = -1.0;
+    float4 color = 0.0;
+    [branch] if (shellAsked(own))
+    {
+        float4 texel = 0.0;
+        if (kTgCorrected)
+            texel = texCUBEgrad(gFurCube, place, across * shrink, down * shrink);
+        else
+            texel = texCUBEbias(gFurCube, float4(place, log2(shrink)));
+        color = shell(input, own, texel, left);
+    }
+    clip(left);
+    return color;
 }
 
 float4 sphereShell(FurVarying input, float2 pixel, float3 v, float3 plain)
 {
-    float2 sides = shellSides(plain);
+    ShellPixel own = shellPixel(input, pixel, plain);
+    float2 round = tgFurSphereCoordinate(plain);
+    float2 across = ddx(round);
+    float2 down = ddy(round);
+    float shrink = shellShrink(own.sides);
     float2 place = tgFurSphereCoordinate(tgFurCurled(v, furHeight(input), gFurCurl));
-    return shell(input, pixel, sides, sphereTexel(place, tgFurSphereCoordinate(plain), shellShrink(sides)));
+    float left = -1.0;
+    float4 color = 0.0;
+    [branch] if (shellAsked(own))
+    {
+        float4 texel = 0.0;
+        if (kTgCorrected)
+            texel = tex2Dgrad(gFurSphere, place, across * shrink, down * shrink);
+        else
+            texel = tex2Dbias(gFurSphere, float4(place, 0.0, log2(shrink)));
+        color = shell(input, own, texel, left);
+    }
+    clip(left);
+    return color;
 }
 
 float4 CubePositionPS(TG_PIXEL_INPUT(FurVarying, input)) : SV_Target0

@@ -158,12 +158,13 @@ struct Piece {
     FurJoint from;
     FurJoint to;
     std::uint32_t strand = 0;
+    bool round = false;
 
-    /// Where a ray from outside enters: points that are, in the plane through them parallel to the skin, no further from the axis than the
-    /// radius there. |e0 + t e1| = r0 + t r1, and between the ends.
+    /// Where a ray from outside enters: points that are, in the plane through them parallel to the skin, or across the axis, no further
+    /// from it than the radius there. |e0 + t e1| = r0 + t r1, and between the ends.
     [[nodiscard]] double enter(const glm::dvec3& origin, const glm::dvec3& direction, double& part) const {
-        const glm::dvec3 up = unit(from.normal + to.normal);
         const glm::dvec3 axis = to.position - from.position;
+        const glm::dvec3 up = round ? unit(axis) : unit(from.normal + to.normal);
         const double rise = glm::dot(axis, up);
         if (!(rise > 0)) return kFar;
         const double s0 = glm::dot(origin - from.position, up) / rise;
@@ -211,7 +212,7 @@ struct FurExact::State {
         forEachInParallel(strands.size(), [&](std::size_t i) { axes[i] = axisOf(skin, shape, strands[i], count); });
         for (std::uint32_t i = 0; i < axes.size(); ++i)
             for (std::size_t k = 1; k < axes[i].size(); ++k)
-                pieces.push_back({.from = axes[i][k - 1], .to = axes[i][k], .strand = i});
+                pieces.push_back({.from = axes[i][k - 1], .to = axes[i][k], .strand = i, .round = shape.round});
     }
 
     void commit() {

@@ -12,16 +12,16 @@ namespace tegument::reference {
 
 /// What strands of a coat have in common.
 struct FurStrandShape {
-    double spacing = 1;    // mean distance of two strands: the unit of the five lengths below
-    double thickness = 1;  // of the coat
-    double scatter = 0;    // how far tips stray, each to its own side
-    double curls = 0;      // radius of the turns at the tip
-    double turns = 0;      // from root to tip of the longest strand
-    double tufts = 0;      // how far tips stray together
-    double tuftSize = 1;   // of the waves by which they do
-    glm::dvec3 origin{0};  // of those waves
-    glm::dvec3 lean{0};    // of all tips, share of the coat
-    bool straight = false; // nothing of this bends strands
+    double spacing = 1;   // mean distance of two strands: the unit of the five lengths below
+    double thickness = 1; // of the coat
+    double scatter = 0;   // how far tips stray, each to its own side
+    double curls = 0;     // radius of the turns at the tip
+    double turns = 0;     // from root to tip of the longest strand
+    double tufts = 0;     // how far tips stray together
+    double tuftSize = 1;  // of the waves by which they do
+    glm::dvec3 origin{0}; // of those waves
+    glm::dvec3 lean{0};   // of all tips, share of the coat
+    bool round = false;   // sections across the axis are circles, as of strands that are ribbons; else those parallel to the skin
 };
 
 /// A strand as it is given.
@@ -45,7 +45,7 @@ struct OnSkin {
 [[nodiscard]] std::optional<OnSkin> nearestSkin(const RayScene& skin, const glm::dvec3& point, double radius,
                                                 const glm::dvec3& facing = glm::dvec3(0));
 
-/// A place of a strand's axis. The strand there is a disc around it, parallel to the skin.
+/// A place of a strand's axis. The strand there is a disc around it, parallel to the skin or across the axis.
 struct FurJoint {
     glm::dvec3 position{0};
     glm::dvec3 normal{0}; // of the skin below

@@ -149,7 +149,7 @@ double mostApart(double share, const VerifyOptions& options) {
     return std::min(1.0, share * 256 / options.mapSize);
 }
 
-Result<Image> renderStrands(const Context& context, const StrandsScene& scene) {
+Result<Image> renderStrands(const Context& context, const StrandsScene& scene, const StrandsBy& by) {
     Workspace workspace = scene.scene.workspace;
     const RootFile file;
     if (!scene.roots.pixels.empty()) {
@@ -157,11 +157,11 @@ Result<Image> renderStrands(const Context& context, const StrandsScene& scene) {
         workspace.textures["gFurRootsMap"] = file.path();
     }
     const int size = context.options.pictureSize;
-    const auto run = render(context, {.effect = "FurRoots.fx",
-                                      .technique = scene.technique,
+    const auto run = render(context, {.effect = by.effect,
+                                      .technique = by.technique.empty() ? scene.technique : by.technique,
                                       .width = size,
                                       .height = size,
-                                      .mesh = &scene.scene.mesh,
+                                      .mesh = by.mesh ? by.mesh : &scene.scene.mesh,
                                       .workspace = workspace,
                                       .dump = {},
                                       .parameters = parametersOf(scene),

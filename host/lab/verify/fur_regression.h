@@ -17,8 +17,13 @@ struct SweptPicture {
 /// `grid`: pixels to which the device moves corners before it interpolates (corner_grid.h).
 [[nodiscard]] SweptPicture drawSwept(const StrandsScene& scene, const VerifyOptions& options, double grid);
 
-/// The scene by the effect.
-[[nodiscard]] Result<Image> renderStrands(const Context& context, const StrandsScene& scene);
+/// The scene by the effect; `mesh`: with ribbons, for effects that draw them.
+struct StrandsBy {
+    std::string effect = "FurRoots.fx";
+    std::string technique; // empty: the scene's
+    const Mesh* mesh = nullptr;
+};
+[[nodiscard]] Result<Image> renderStrands(const Context& context, const StrandsScene& scene, const StrandsBy& by = {});
 
 /// The share of pixels near where light is cut off grows with the texels of the shadow map: `share` of those at 256 along a side.
 [[nodiscard]] double mostApart(double share, const VerifyOptions& options);

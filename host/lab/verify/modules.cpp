@@ -29,6 +29,7 @@ constexpr std::array kModules = {
     Module{"Main", verify::verifyMain},
     Module{"Fur", verify::verifyFur},
     Module{"FurRoots", verify::verifyFurRoots},
+    Module{"FurCoat", verify::verifyFurCoat},
 };
 
 std::vector<std::string> names() {

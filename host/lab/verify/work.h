@@ -85,6 +85,7 @@ inline constexpr const char* kShadowApart = "within 3 texels of the shadow map f
 [[nodiscard]] Result<ModuleReport> verifyMain(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFur(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFurRoots(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyFurCoat(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyBeckmann(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyEnergyAttenuation(const Context& context);
 

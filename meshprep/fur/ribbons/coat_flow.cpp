@@ -24,6 +24,10 @@ constexpr float kThin = 0.10F;  // shares of the radius: thinner parts have shor
 constexpr float kThick = 0.38F; // thicker ones long
 constexpr float kSharp = 9.0F;  // curvature, 1 / radii: of a nose
 constexpr float kRound = 3.0F;  // of a head
+// Where a body of its own comb has its head: shares of its length from the front, of its height from below, between which the head begins.
+constexpr glm::vec2 kHeadEnds{0.25F, 0.5F};
+constexpr glm::vec2 kHeadBegins{0.35F, 0.55F};
+constexpr float kFace = 0.35F; // how steeply the comb rises there
 
 float smoothstep(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
@@ -163,6 +167,28 @@ std::vector<float> shortnessOf(const RootedMesh& rooted, const Samples& samples,
     return smoothed(samples, std::move(values));
 }
 
+/// The comb at each place. On the head a coat runs from the nose up and back, where the body's runs back and down: its source lies at the
+/// nose then, and not on the forehead, which looks against the body's comb.
+std::vector<glm::vec3> combsOfBody(std::span<const glm::vec3> places, const glm::vec3& comb, const glm::vec3& up) {
+    const glm::vec3 back = comb - up * glm::dot(comb, up);
+    std::vector<glm::vec3> combs(places.size(), comb);
+    if (!(glm::length(back) > 0.5F) || places.empty()) return combs; // as round as high: it has no head
+    const glm::vec3 axis = glm::normalize(back);
+    glm::vec2 low(glm::dot(places.front(), axis), glm::dot(places.front(), up));
+    glm::vec2 high = low;
+    for (const glm::vec3& place : places) {
+        const glm::vec2 at(glm::dot(place, axis), glm::dot(place, up));
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const glm::vec2 at = (glm::vec2(glm::dot(places[i], axis), glm::dot(places[i], up)) - low) / glm::max(high - low, 1e-6F);
+        const float head = (1 - smoothstep(kHeadEnds.x, kHeadEnds.y, at.x)) * smoothstep(kHeadBegins.x, kHeadBegins.y, at.y);
+        combs[i] = glm::normalize(glm::mix(comb, axis + kFace * up, head));
+    }
+    return combs;
+}
+
 } // namespace
 
 glm::dvec3 combOfShape(std::span<const glm::vec3> positions, const glm::dvec3& down) {
@@ -196,11 +222,14 @@ CoatFlow flowOfCoat(const RootedMesh& rooted, const FlowOptions& options, unsign
     std::vector<glm::vec3> places;
     for (std::size_t i = 0; i < samples.count(); ++i)
         places.push_back(samples.position(i));
-    flow.comb = options.comb && glm::length(*options.comb) > 0 ? glm::normalize(*options.comb) : combOfShape(places, options.down);
+    const bool asked = options.comb && glm::length(*options.comb) > 0;
+    flow.comb = asked ? glm::normalize(*options.comb) : combOfShape(places, options.down);
+    const std::vector<glm::vec3> combs = asked ? std::vector(places.size(), glm::vec3(flow.comb))
+                                               : combsOfBody(places, glm::vec3(flow.comb), glm::vec3(-glm::normalize(options.down)));
 
     std::vector<glm::vec3> told(samples.count());
     for (std::size_t i = 0; i < told.size(); ++i)
-        told[i] = options.told.empty() ? across(glm::vec3(flow.comb), samples.normal(i)) : options.told[samples.root(i)];
+        told[i] = options.told.empty() ? across(combs[i], samples.normal(i)) : options.told[samples.root(i)];
     const std::vector<glm::vec3> field = options.told.empty() ? directions(samples, told) : std::vector<glm::vec3>{};
     const std::vector<float> values = options.thickness ? shortnessOf(rooted, samples, threads) : std::vector<float>(samples.count(), 0.0F);
 

@@ -19,7 +19,7 @@ struct FlowOptions {
 struct CoatFlow {
     std::vector<glm::vec3> direction; // of each root: perpendicular to its normal, at most 1 long; short where the coat parts or meets
     std::vector<float> shortness;     // of each root: 0 a body's long fur, 1 that of ears, paws and noses
-    glm::dvec3 comb{0};               // unit, mesh space: what the field follows
+    glm::dvec3 comb{0};               // unit, mesh space: what the field follows; one from the shape turns up on the head
 };
 
 /// `rooted`: in the order of a curve through space, so that every n-th is spread over the mesh. `mesh`: what thickness is measured on.

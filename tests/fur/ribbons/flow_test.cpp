@@ -120,6 +120,49 @@ TEST(Flow, runs_from_the_higher_end_to_the_lower_and_down) {
     EXPECT_NEAR(comb.z, 0, 0.02);
 }
 
+/// A long body with a ball as its head, high at its front, which is -x.
+Mesh animal() {
+    Mesh mesh = stretched(ball(50), {2.4F, 1, 1});
+    Mesh head = ball(30);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (std::size_t i = 0; i < head.positions.size(); ++i) {
+        mesh.positions.push_back(head.positions[i] + glm::vec3(-120, 60, 0));
+        mesh.normals.push_back(head.normals[i]);
+    }
+    for (const std::uint32_t index : head.indices)
+        mesh.indices.push_back(first + index);
+    mesh.tangents.clear();
+    mesh.uvs.clear();
+    mesh.parts = {{.name = "animal", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
+    computeBounds(mesh);
+    return mesh;
+}
+
+TEST(Flow, begins_at_the_nose_and_not_on_the_forehead) {
+    const Rooted on(animal());
+    const CoatFlow flow = flowOfCoat(on.rooted, {});
+    ASSERT_GT(flow.comb.x, 0.5);
+    ASSERT_LT(flow.comb.y, -0.3);
+    glm::vec3 face(0), flank(0);
+    for (std::size_t i = 0; i < flow.direction.size(); ++i) {
+        const RootedPlace& root = on.rooted.roots[i];
+        const bool head = root.position.y > 0.35F && root.position.x < -0.5F;
+        if (head && glm::dot(root.normal, glm::normalize(glm::vec3(-1, 0.5F, 0))) > 0.9F) face += flow.direction[i]; // the forehead
+        if (!head && std::abs(root.normal.z) > 0.9F && root.position.x > 0) flank += flow.direction[i];
+    }
+    EXPECT_GT(face.y, 0) << "up over the forehead";
+    EXPECT_GT(face.x, 0);
+    EXPECT_LT(flank.y, 0) << "and down the flanks";
+    EXPECT_GT(flank.x, 0);
+
+    const CoatFlow asked = flowOfCoat(on.rooted, {.comb = flow.comb});
+    glm::vec3 combed(0);
+    for (std::size_t i = 0; i < asked.direction.size(); ++i)
+        if (on.rooted.roots[i].position.y > 0.35F && glm::dot(on.rooted.roots[i].normal, glm::normalize(glm::vec3(-1, 0.5F, 0))) > 0.9F)
+            combed += asked.direction[i];
+    EXPECT_LT(combed.y, face.y) << "who asks for a comb gets it everywhere";
+}
+
 TEST(Flow, of_what_is_round_seen_from_above_is_down) {
     const Mesh mesh = stretched(ball(50), {1, 2, 1});
     const glm::dvec3 comb = combOfShape(mesh.positions, {0, -1, 0});

@@ -82,6 +82,15 @@ struct ShaderReference {
     SourcePosition at;
 };
 
+/// `RWTexture2D<float4> gBaseStore`: what compute shaders write.
+struct StorageTexture {
+    std::string name;
+    /// The colour target behind it: annotation Stores, where "" is the application's own; else by our convention gXMap, of gXStore.
+    std::optional<std::string> target;
+    Annotations annotations;
+    SourcePosition at;
+};
+
 struct Pass {
     std::string name;
     Annotations annotations;
@@ -128,6 +137,7 @@ struct Effect {
     std::filesystem::path file;
     std::vector<Parameter> parameters; // numeric, string and texture, in file order
     std::vector<Sampler> samplers;
+    std::vector<StorageTexture> storages;
     std::vector<Technique> techniques;
     std::optional<StandardsGlobal> standardsGlobal;
     std::optional<EffectSettings> settings;
@@ -142,9 +152,10 @@ struct Effect {
     std::vector<std::filesystem::path> includeFolders;        // likewise
     std::vector<Diagnostic> warnings;
 
-    [[nodiscard]] const Parameter* findParameter(std::string_view name) const; // exact
-    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;     // exact
-    [[nodiscard]] const Technique* findTechnique(std::string_view name) const; // ignores case
+    [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact
+    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;        // exact
+    [[nodiscard]] const StorageTexture* findStorage(std::string_view name) const; // exact
+    [[nodiscard]] const Technique* findTechnique(std::string_view name) const;    // ignores case
     /// The technique that the global script names, else the first one; null when there is none.
     [[nodiscard]] const Technique* defaultTechnique() const;
 };

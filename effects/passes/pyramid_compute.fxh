@@ -3,9 +3,9 @@
 #ifndef TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 #define TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 
-#ifdef TEGUMENT_COMPUTE
 float4x4 gViewProjectionInverse : VIEWPROJECTIONINVERSE < string UIWidget = "None"; >;
 
+#ifdef TEGUMENT_COMPUTE
 // u, v, distance from the eye in world units, step of u and v from pixel to pixel; 0: nothing is seen.
 Texture2D gPlaceMap : RENDERCOLORTARGET < PICTURE_TARGET("A32B32G32R32F") >;
 Texture2D gPlaceDepthMap : RENDERDEPTHSTENCILTARGET < PICTURE_DEPTH >;
@@ -45,6 +45,18 @@ void name##CS(uint3 thread : SV_DispatchThreadID) \
     store[thread.xy] = name##PS(texelAt(thread, size)); \
 }
 
+// The same where a chart is near; 16 texels of the base from any, nothing reads a level.
+#define PYRAMID_CHARTS_CS(name, store, size) \
+[numthreads(8, 8, 1)] \
+void name##CS(uint3 thread : SV_DispatchThreadID) \
+{ \
+    QuadVarying input = texelAt(thread, size); \
+    float4 light = 0.0; \
+    [branch] if (tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).w > 0.5) \
+        light = name##PS(input); \
+    store[thread.xy] = light; \
+}
+
 // Texels that no chart covers have nothing to light.
 [numthreads(8, 8, 1)]
 void EntryCS(uint3 thread : SV_DispatchThreadID)
@@ -66,22 +78,22 @@ PYRAMID_CS(LinkedLight6, gLight6Store, kPyramidSize6)
 PYRAMID_CS(LinkedLight5, gLight5Store, kPyramidSize5)
 PYRAMID_CS(LinkedLight4, gLight4Store, kPyramidSize4)
 PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
-PYRAMID_CS(LinkedLight2, gLight2Store, kPyramidSize2)
-PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
-PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
+PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
 #if TEGUMENT_MAP_SIZE >= 2048
 PYRAMID_CS(FineTop, gLight3Store, kPyramidSize3)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight3Map")
 #elif TEGUMENT_MAP_SIZE >= 1024
-PYRAMID_CS(FineTop, gLight2Store, kPyramidSize2)
+PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map")
 #else
-PYRAMID_CS(FineTop, gLight2Store, kPyramidSize2)
+PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
 #if TEGUMENT_MAP_SIZE >= 512
-PYRAMID_CS(FineLight, gLight1Store, kPyramidSize1)
+PYRAMID_CHARTS_CS(FineLight, gLight1Store, kPyramidSize1)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight1Map")
 #else
-PYRAMID_CS(FineLight, gLight0Store, kPyramidSize0)
+PYRAMID_CHARTS_CS(FineLight, gLight0Store, kPyramidSize0)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight0Map")
 #endif
 #endif

@@ -304,36 +304,36 @@ ID3D11ShaderResourceView* Direct3D11::resource(const std::string& name) {
     return texture->second.get();
 }
 
+void setConstants(Stage stage, UINT slot, ID3D11Buffer* buffer) {
+    if (stage == Stage::Vertex) context()->VSSetConstantBuffers(slot, 1, &buffer);
+    if (stage == Stage::Pixel) context()->PSSetConstantBuffers(slot, 1, &buffer);
+    if (stage == Stage::Compute) context()->CSSetConstantBuffers(slot, 1, &buffer);
+}
+
+void setResource(Stage stage, UINT slot, ID3D11ShaderResourceView* view) {
+    if (stage == Stage::Vertex) context()->VSSetShaderResources(slot, 1, &view);
+    if (stage == Stage::Pixel) context()->PSSetShaderResources(slot, 1, &view);
+    if (stage == Stage::Compute) context()->CSSetShaderResources(slot, 1, &view);
+}
+
+void setSampler(Stage stage, UINT slot, ID3D11SamplerState* sampler) {
+    if (stage == Stage::Vertex) context()->VSSetSamplers(slot, 1, &sampler);
+    if (stage == Stage::Pixel) context()->PSSetSamplers(slot, 1, &sampler);
+    if (stage == Stage::Compute) context()->CSSetSamplers(slot, 1, &sampler);
+}
+
 void Direct3D11::bindStage(const Code& code, Stage stage) {
     D3D11_SHADER_DESC shader{};
     must(code.reflection->GetDesc(&shader), "GetDesc of a shader");
-    const auto set = [stage](auto vertex, auto pixel, auto compute, UINT slot, auto* object) {
-        auto* const bind = stage == Stage::Vertex ? vertex : stage == Stage::Pixel ? pixel : compute;
-        bind(slot, object);
-    };
     for (UINT i = 0; i < shader.BoundResources; ++i) {
         D3D11_SHADER_INPUT_BIND_DESC input{};
         must(code.reflection->GetResourceBindingDesc(i, &input), "GetResourceBindingDesc");
-        if (input.Type == D3D_SIT_CBUFFER) {
-            const Com<ID3D11Buffer> buffer = constants(code.reflection->GetConstantBufferByName(input.Name));
-            using Bind = void (*)(UINT, ID3D11Buffer*);
-            set(static_cast<Bind>([](UINT at, ID3D11Buffer* one) { context()->VSSetConstantBuffers(at, 1, &one); }),
-                static_cast<Bind>([](UINT at, ID3D11Buffer* one) { context()->PSSetConstantBuffers(at, 1, &one); }),
-                static_cast<Bind>([](UINT at, ID3D11Buffer* one) { context()->CSSetConstantBuffers(at, 1, &one); }), input.BindPoint,
-                buffer.get());
-        } else if (input.Type == D3D_SIT_TEXTURE) {
-            using Bind = void (*)(UINT, ID3D11ShaderResourceView*);
-            set(static_cast<Bind>([](UINT at, ID3D11ShaderResourceView* one) { context()->VSSetShaderResources(at, 1, &one); }),
-                static_cast<Bind>([](UINT at, ID3D11ShaderResourceView* one) { context()->PSSetShaderResources(at, 1, &one); }),
-                static_cast<Bind>([](UINT at, ID3D11ShaderResourceView* one) { context()->CSSetShaderResources(at, 1, &one); }),
-                input.BindPoint, resource(input.Name));
-        } else if (input.Type == D3D_SIT_SAMPLER) {
-            using Bind = void (*)(UINT, ID3D11SamplerState*);
-            set(static_cast<Bind>([](UINT at, ID3D11SamplerState* one) { context()->VSSetSamplers(at, 1, &one); }),
-                static_cast<Bind>([](UINT at, ID3D11SamplerState* one) { context()->PSSetSamplers(at, 1, &one); }),
-                static_cast<Bind>([](UINT at, ID3D11SamplerState* one) { context()->CSSetSamplers(at, 1, &one); }), input.BindPoint,
-                samplers_.at(input.Name).get());
-        }
+        if (input.Type == D3D_SIT_CBUFFER)
+            setConstants(stage, input.BindPoint, constants(code.reflection->GetConstantBufferByName(input.Name)).get());
+        else if (input.Type == D3D_SIT_TEXTURE)
+            setResource(stage, input.BindPoint, resource(input.Name));
+        else if (input.Type == D3D_SIT_SAMPLER)
+            setSampler(stage, input.BindPoint, samplers_.at(input.Name).get());
     }
 }
 

@@ -31,6 +31,11 @@ int shadersOf(const Pass& pass) {
            static_cast<int>(pass.geometryShader.has_value()) + static_cast<int>(pass.computeShader.has_value());
 }
 
+/// Compute shaders are Direct3D 11's: the dialect hides such a technique from the others.
+bool computes(const Technique& technique) {
+    return std::ranges::any_of(technique.passes, [](const Pass& pass) { return pass.computeShader.has_value(); });
+}
+
 Expected expectedIn(const Work& work, Target target) {
     Expected expected;
     for (const Technique* technique : techniquesIn(work, target)) {
@@ -195,7 +200,9 @@ std::vector<const Technique*> techniquesIn(const Work& work, Target target) {
         const bool nine = technique.kind == TechniqueKind::D3D9;
         const bool ten = technique.kind == TechniqueKind::D3D10;
         // Files that do not distinguish targets keep only the techniques that are written for the target.
-        const bool exists = work.dialect || (target == Target::Fx2 ? nine : target == Target::Fx4 ? ten : !nine);
+        const bool exists = (work.dialect && (target == Target::Fx5 || !computes(technique))) || (target == Target::Fx2   ? nine
+                                                                                                  : target == Target::Fx4 ? ten
+                                                                                                                          : !nine);
         if (exists) found.push_back(&technique);
     }
     return found;

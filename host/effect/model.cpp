@@ -74,6 +74,10 @@ const Sampler* Effect::findSampler(std::string_view name) const {
     return findExact(samplers, name);
 }
 
+const StorageTexture* Effect::findStorage(std::string_view name) const {
+    return findExact(storages, name);
+}
+
 const Technique* Effect::findTechnique(std::string_view name) const {
     return findIgnoringCase(techniques, name);
 }

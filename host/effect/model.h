@@ -100,6 +100,15 @@ struct AlphaTest {
     bool operator==(const AlphaTest&) const = default;
 };
 
+/// `RWTexture2D<float4> gBaseStore`: what compute shaders write.
+struct StorageTexture {
+    std::string name;
+    /// The colour target behind it: annotation Stores, where "" is the application's own; else by our convention gXMap, of gXStore.
+    std::optional<std::string> target;
+    Annotations annotations;
+    SourcePosition at;
+};
+
 struct Pass {
     std::string name;
     Annotations annotations;
@@ -152,6 +161,7 @@ struct Effect {
     std::filesystem::path file;
     std::vector<Parameter> parameters; // numeric, string and texture, in file order
     std::vector<Sampler> samplers;
+    std::vector<StorageTexture> storages;
     std::vector<Technique> techniques;
     std::optional<StandardsGlobal> standardsGlobal;
     std::optional<EffectSettings> settings;
@@ -167,9 +177,10 @@ struct Effect {
     std::vector<Diagnostic> warnings;
     bool ownDialect = false; // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
-    [[nodiscard]] const Parameter* findParameter(std::string_view name) const; // exact
-    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;     // exact
-    [[nodiscard]] const Technique* findTechnique(std::string_view name) const; // ignores case
+    [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact
+    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;        // exact
+    [[nodiscard]] const StorageTexture* findStorage(std::string_view name) const; // exact
+    [[nodiscard]] const Technique* findTechnique(std::string_view name) const;    // ignores case
     /// The technique that the global script names, else the first one; null when there is none.
     [[nodiscard]] const Technique* defaultTechnique() const;
 };

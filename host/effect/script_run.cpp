@@ -12,6 +12,11 @@ Error failure(int code, const SourcePosition& at, std::string text, std::string 
     return inputError(code, at, std::move(text), std::move(hint));
 }
 
+/// What a pass without script does.
+DrawKind usual(const Pass& pass) {
+    return pass.computeShader ? DrawKind::Compute : DrawKind::Geometry;
+}
+
 class Interpreter {
 public:
     Interpreter(const Effect& effect, ScriptSink& sink) : effect_(effect), sink_(sink) {}
@@ -86,7 +91,7 @@ private:
         const ScriptState caller = state_;
         pass_ = &pass;
         if (Result<void> begun = sink_.beginPass(technique, pass); !begun) return begun;
-        Result<void> done = pass.script.given ? runCommands(pass.script, technique, caller) : sink_.draw(pass, DrawKind::Geometry, state_);
+        Result<void> done = pass.script.given ? runCommands(pass.script, technique, caller) : sink_.draw(pass, usual(pass), state_);
         if (!done) return done;
         if (Result<void> ended = sink_.endPass(pass); !ended) return ended;
         pass_ = nullptr;
@@ -157,9 +162,10 @@ private:
         case CommandKind::Clear: return clear(*name, command.index);
         case CommandKind::Draw:
             return sink_.draw(*pass_,
-                              *name == "Geometry" ? DrawKind::Geometry
-                              : *name == "Buffer" ? DrawKind::Buffer
-                                                  : DrawKind::Scene,
+                              *name == "Geometry"  ? DrawKind::Geometry
+                              : *name == "Buffer"  ? DrawKind::Buffer
+                              : *name == "Compute" ? DrawKind::Compute
+                                                   : DrawKind::Scene,
                               state_);
         case CommandKind::ScriptExternal: return external();
         default: return {};

@@ -55,9 +55,14 @@ public:
     }
 
     Result<void> draw(const Pass& pass, DrawKind kind, const ScriptState& state) override {
-        DrawStep step{
-            .technique = technique_, .pass = &pass, .kind = kind, .colors = colorNames(state.targets), .depth = {}, .written = written_};
-        if (state.targets.depth) step.depth = depthName(*state.targets.depth);
+        const bool computes = kind == DrawKind::Compute;
+        DrawStep step{.technique = technique_,
+                      .pass = &pass,
+                      .kind = kind,
+                      .colors = computes ? std::vector<std::optional<std::string>>() : colorNames(state.targets),
+                      .depth = {},
+                      .written = written_};
+        if (state.targets.depth && !computes) step.depth = depthName(*state.targets.depth);
         plan_.steps.emplace_back(std::move(step));
         return failure_ ? Result<void>(*failure_) : Result<void>();
     }

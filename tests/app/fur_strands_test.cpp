@@ -121,6 +121,31 @@ TEST(FurStrands, that_a_pass_is_not_given_would_not_have_been_drawn) {
         }
 }
 
+TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
+    const auto at = [](const char* wind, const char* time) {
+        const fs::path picture = scratch() / "wind.exr";
+        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "--samples", "1", "--set", std::string("gCoatWind=") + wind, "--set",
+                                 "gCoatGusts=0.5,0.5,0.8", "--set", std::string("gTime=") + time})
+                      .code,
+                  0);
+        return pixels(picture);
+    };
+    const auto apart = [](const std::vector<float>& a, const std::vector<float>& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            sum += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+        return sum;
+    };
+    const auto still = at("0,0,0", "0");
+    EXPECT_EQ(still, at("0,0,0", "0.7"));
+    const auto blown = at("0.4,0,0.1", "0.25");
+    EXPECT_GT(apart(blown, still), 0);
+    const double swayed = apart(blown, at("0.4,0,0.1", "1.25"));
+    EXPECT_GT(swayed, 0);
+    // Half a gust a second: after two seconds all is as before, but for the rounding of the phase, which turns single pixels.
+    EXPECT_LT(apart(blown, at("0.4,0,0.1", "2.25")), 0.05 * swayed);
+}
+
 TEST(FurStrands, find_their_roots_beside_their_file_and_refuse_others) {
     const fs::path file = scratch() / "beside.glb";
     ASSERT_EQ(strands(file).code, 0);

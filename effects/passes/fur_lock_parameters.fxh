@@ -43,6 +43,8 @@ float3 gCoatRim < UI_COLOUR("Rim light") > = { 0.22, 0.235, 0.26 };
 float gCoatShine < UI_SLIDER("Shine", 0.0, 1.0, 0.01) string UIHelp = "highlight of the surface of strands"; > = 0.07;
 float gCoatSheen < UI_SLIDER("Sheen", 0.0, 1.0, 0.01) string UIHelp = "coloured highlight from inside strands"; > = 0.25;
 
+float gCoatSegments < UI_SLIDER("Segments", 2.0, 15.0, 1.0) string Generator = "fur strands segments";
+    string UIHelp = "of a strand, where strands are grown for the mesh; a lock's have half of them: more for curls"; > = 6.0;
 float gCoatUndercoat < UI_SLIDER("Undercoat", 0.0, 1.0, 0.01)
     string UIHelp = "height of the opaque layer below, shares of the coat"; > = 0.1;
 float gCoatVariation < UI_SLIDER("Variation", 0.0, 1.0, 0.01)

@@ -92,6 +92,17 @@ TEST(FurStrands, grow_on_any_mesh_in_one_command_and_as_from_a_file) {
     ASSERT_EQ(tegument::test::tegument({"fur", "strands", ballMesh(), "-o", file.string(), "--roots", roots.string()}).code, 0);
     ASSERT_EQ(draw(scratch() / "file.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
     EXPECT_EQ(pixels(own), pixels(scratch() / "file.png"));
+
+    const fs::path fine = scratch() / "fine.glb";
+    ASSERT_EQ(
+        tegument::test::tegument({"fur", "strands", ballMesh(), "-o", fine.string(), "--roots", roots.string(), "--segments", "12"}).code,
+        0);
+    ASSERT_EQ(draw(scratch() / "fine.png", {"--mesh", fine.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
+    ASSERT_EQ(draw(scratch() / "asked.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=12"}).code, 0);
+    EXPECT_EQ(pixels(scratch() / "fine.png"), pixels(scratch() / "asked.png"));
+    EXPECT_NE(pixels(scratch() / "fine.png"), pixels(own));
+    const Ran none = draw(scratch() / "none.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=0"});
+    EXPECT_NE(none.err.find("TG7103"), std::string::npos) << none.err;
 }
 
 TEST(FurStrands, that_a_pass_is_not_given_would_not_have_been_drawn) {

@@ -1,5 +1,6 @@
 #include "host/app/scene.h"
 
+#include "host/app/foreign.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -65,6 +66,7 @@ void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) 
 
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
+    if (path.empty() && options.foreign) return ball();
     if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
     MeshOptions load = meshOptions(workspace);
     if (options.unitMm) load.unitMm = options.unitMm;
@@ -119,6 +121,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     if (!mesh) return mesh.error();
     if (isFramed(options)) frame(options, *mesh, scene.workspace);
     adoptMesh(options, *mesh, scene.workspace);
+    if (options.foreign && options.workspace.empty() && mesh->bounds.radius > 0) scene.workspace.worldUnitMm = mesh->bounds.radius;
     scene.meshes.push_back(std::move(*mesh));
     return scene;
 }

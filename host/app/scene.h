@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
     double aspect = 1;        // of the picture
+    bool foreign = false;     // the effect is another host's: without a mesh it is shown on a ball, and its world is about as large
     bool turns = false;       // a mesh of one's own is framed so that it can turn
 };
 

@@ -83,6 +83,7 @@ private:
         if (pass.name.empty()) pass.name = fmt::format("{}", index);
         const bool later = technique.kind != TechniqueKind::D3D9;
         const bool depthOnly = later && !pass.pixelShader && pass.vertexShader;
+        drawAtAll(pass);
         const bool quad = coversTarget(pass);
         place(pass, quad);
         std::vector<Port> written;
@@ -106,7 +107,7 @@ private:
     /// A pass whose vertex shader knows no matrix gets the corners of the target as they are.
     [[nodiscard]] bool coversTarget(const Pass& pass) const {
         if (!drawsGeometry(pass)) return true;
-        if (pass.vertexShader) return !pass.script.given && !rewriter_.readsMatrix(*pass.vertexShader);
+        if (pass.vertexShader) return !rewriter_.readsMatrix(*pass.vertexShader);
         const auto& global = adoption_.effect.standardsGlobal;
         return global && (global->scriptClass == "scene" || global->scriptOrder == "postprocess");
     }
@@ -120,9 +121,20 @@ private:
         pass.state.cull = CullMode::None;
         // Nothing lies in front of what covers the target, and the caller's depth may have another size.
         if (!pass.state.stencilTest && pass.state.depthCompare != CompareOp::Equal) pass.state.depthTest = pass.state.depthWrite = false;
-        if (pass.script.given) return;
+        for (Command& command : pass.script.commands)
+            if (command.kind == CommandKind::Draw) command.options = {"Buffer"};
+        if (!pass.script.given) addDraw(pass, "Buffer");
+    }
+
+    static void addDraw(Pass& pass, const char* what) {
         pass.script.given = true;
-        pass.script.commands.push_back({.kind = CommandKind::Draw, .options = {"Buffer"}, .at = pass.at});
+        pass.script.commands.push_back({.kind = CommandKind::Draw, .options = {what}, .at = pass.at});
+    }
+
+    /// RenderMonkey's scripts set targets and never say Draw: its passes draw all the same.
+    static void drawAtAll(Pass& pass) {
+        const auto draws = [](const Command& command) { return command.kind == CommandKind::Draw; };
+        if (pass.script.given && std::ranges::none_of(pass.script.commands, draws)) addDraw(pass, "Geometry");
     }
 
     void refuse(ShaderReference& shader, int code, std::string text) {

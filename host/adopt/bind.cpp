@@ -128,6 +128,7 @@ bool isVector(const Type& type, int least) {
 Numbers filled(const Type& type, const Numbers& value) {
     const auto count = static_cast<std::size_t>(type.scalarCount());
     const auto columns = static_cast<std::size_t>(type.columns);
+    if (value.size() == count) return value;
     Numbers numbers(count);
     for (std::size_t i = 0; i < count; ++i)
         numbers[i] = value[std::min(i % columns, value.size() - 1)];
@@ -241,13 +242,29 @@ private:
         return semantic(*name);
     }
 
+    /// Several lights: a key light from above left, a fill light from the right, a rim light from behind.
+    [[nodiscard]] std::optional<Meaning> lights(double length, double sign) const {
+        if (!isFloat() || isMatrix(parameter_.type) || parameter_.type.columns < 3 || parameter_.type.elements == 0) return std::nullopt;
+        constexpr std::array<std::array<double, 3>, 3> kDirections{{{-0.27, 0.53, 0.8}, {0.8, 0.2, 0.56}, {0.1, 0.6, -0.79}}};
+        Numbers numbers;
+        for (int i = 0; i < parameter_.type.elements; ++i)
+            for (int c = 0; c < parameter_.type.columns; ++c)
+                numbers.push_back(c == 3 ? (length > 1 ? 1 : 0)
+                                         : kDirections[static_cast<std::size_t>(i) % kDirections.size()][static_cast<std::size_t>(c)] *
+                                               length * sign);
+        return constant(std::move(numbers), length > 1 ? "places of key, fill and rim light" : "key, fill and rim light");
+    }
+
     [[nodiscard]] std::optional<Meaning> position(bool light) const {
+        constexpr double kAway = 7.5; // radii of the mesh, as far as the usual light
+        if (light && parameter_.type.elements > 0) return lights(kAway, 1);
         if (!isFloat() || !isVector(parameter_.type, 3)) return std::nullopt;
         return light ? semantic("POSITION", "PointLight0") : semantic("CAMERAPOSITION");
     }
 
     /// DXSAS's DIRECTION is the one in which light goes; by name the code tells.
     [[nodiscard]] std::optional<Meaning> lightDirection(bool travels) const {
+        if (parameter_.type.elements > 0) return lights(1, travels ? -1 : 1);
         if (!isFloat() || !isVector(parameter_.type, 3)) return std::nullopt;
         return semantic(travels ? "LIGHTDIRECTION" : "TOLIGHT");
     }

@@ -141,7 +141,11 @@ private:
     }
 
     void other() {
-        Words words = until({";", "}"});
+        Words words = until({";", "}", "{"});
+        if (peek().is("{")) { // a method's body: what follows is a declaration of its own
+            const Words inside = bracket();
+            words.insert(words.end(), inside.begin(), inside.end());
+        }
         if (peek().is(";")) words.push_back(take());
         add({}, Other{.name = {}, .words = std::move(words)});
     }

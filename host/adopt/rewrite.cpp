@@ -33,7 +33,7 @@ WrapperJob Rewriter::job(const ShaderReference& shader, bool vertex, std::string
 
 std::string Rewriter::source(const ShaderReference* shader, const Wrapper& wrapper) const {
     Printer printer(code_.files);
-    printer.own(prelude());
+    printer.own("#line 1 \"tegument\"\n" + prelude());
     for (const std::string& pragma : code_.pragmas)
         printer.own(pragma);
     if (shader) {

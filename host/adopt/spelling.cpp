@@ -73,6 +73,9 @@ constexpr std::array<std::string_view, 53> kReserved{"line",
 constexpr std::array<std::string_view, 12> kModifierWords{"linear", "centroid", "precise", "noperspective", "sample", "point",
                                                           "line",   "triangle", "export",  "snorm",         "unorm",  "signed"};
 
+/// Words of Direct3D 11's own language: names in older effects only.
+constexpr std::array<std::string_view, 7> kNewWords{"class", "interface", "namespace", "using", "template", "this", "enum"};
+
 /// Functions that Direct3D 9's hardware computes otherwise.
 constexpr std::array<std::string_view, 6> kArithmetic{"pow", "normalize", "sqrt", "rsqrt", "log", "log2"};
 
@@ -185,7 +188,8 @@ Words Spelling::respelt(const Words& words) const {
         const bool calls = i + 1 < words.size() && words[i + 1].is("(");
         const bool beforeName = i + 1 < words.size() && words[i + 1].isName();
         if (named && isReserved(word.text)) {
-            if (!(contains(kModifierWords, word.text) && beforeName)) word.text += '_';
+            const bool keyword = (contains(kModifierWords, word.text) && beforeName) || (!legacy && contains(kNewWords, word.text));
+            if (!keyword) word.text += '_';
         } else if (named && !member && renamed && renamed->contains(word.text)) {
             word.text = renamed->at(word.text);
         } else if (named && calls && code->byName.find(word.text) == code->byName.end()) {

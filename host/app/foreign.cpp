@@ -41,7 +41,7 @@ Mesh ball() {
             const float polar = v * std::numbers::pi_v<float>;
             const float around = u * 2 * std::numbers::pi_v<float>;
             const glm::vec3 normal(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
-            mesh.positions.push_back(normal * kRadius);
+            mesh.positions.push_back(normal);
             mesh.normals.push_back(normal);
             mesh.tangents.emplace_back(std::cos(around), 0.0F, -std::sin(around), 1.0F);
             mesh.uvs.emplace_back(u, v);

@@ -15,7 +15,7 @@ namespace tegument::app {
 /// --bind NAME=RULE. TG8011 no '='.
 [[nodiscard]] Result<std::map<std::string, std::string>> bindRules(const std::vector<std::string>& given);
 
-/// A ball of 1 m radius with texture coordinates and tangents: foreign effects expect objects of about one unit.
+/// A ball of radius 1 with texture coordinates and tangents: foreign effects expect objects of about one unit.
 [[nodiscard]] Mesh ball();
 
 /// One line for each parameter: what it got, and why.

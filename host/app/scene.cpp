@@ -76,6 +76,14 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
 }
 
+/// Foreign effects expect about that, round the origin; many know no WORLD.
+void toUnitSize(Mesh& mesh) {
+    if (!(mesh.bounds.radius > 0)) return;
+    for (glm::vec3& position : mesh.positions)
+        position = (position - mesh.bounds.centre) / mesh.bounds.radius;
+    computeBounds(mesh);
+}
+
 /// The workspace as it would have to be to say the same without the command line.
 void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
     std::error_code none;
@@ -119,9 +127,13 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     }
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
+    if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
     if (isFramed(options)) frame(options, *mesh, scene.workspace);
+    if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
+        scene.workspace.camera.nearPlane = 0.1F;
+        scene.workspace.camera.farPlane = 100;
+    }
     adoptMesh(options, *mesh, scene.workspace);
-    if (options.foreign && options.workspace.empty() && mesh->bounds.radius > 0) scene.workspace.worldUnitMm = mesh->bounds.radius;
     scene.meshes.push_back(std::move(*mesh));
     return scene;
 }

@@ -10,7 +10,7 @@ Out mainPS(float2 uv : TEXCOORD0, float4 place : VPOS, float face : VFACE)
     o.c = face > 0 ? float4(uv * stripes, 0.5, 1) : float4(1, 0, 1, 1);
     o.c.b += saturate(w.x);
     o.second = 0;
-    o.d = 0.25;
+    o.d = saturate(0.5 + uv.x * 0.25);
     return o;
 }
-technique T { pass P { CullMode = NONE; VertexShader = compile vs_3_0 mainVS(); PixelShader = compile ps_3_0 mainPS(); } }
+technique T { pass P { CullMode = CCW; VertexShader = compile vs_3_0 mainVS(); PixelShader = compile ps_3_0 mainPS(); } }

@@ -46,18 +46,25 @@ bool drawsGeometry(const Pass& pass) {
     });
 }
 
-/// A call of what no later compiler has.
-std::optional<std::string> goneIntrinsic(const std::string& code) {
-    if (code.find("noise") == std::string::npos) return std::nullopt;
+/// What no later compiler has: a call of `noise`, and objects of effects inside functions, which DXC does not survive.
+std::optional<std::string> goneWord(const std::string& code) {
     Sources sources;
     const LexResult lexed = lex(sources, sources.add("code", std::make_shared<const std::string>(code)));
+    bool ownNoise = false;
+    std::optional<std::string> gone;
     for (std::size_t i = 1; i + 1 < lexed.tokens.size(); ++i) {
-        if (!lexed.tokens[i].is("noise") || !lexed.tokens[i + 1].is('(')) continue;
+        const Token& token = lexed.tokens[i];
+        if (token.kind != TokenKind::Word) continue;
         const Token& before = lexed.tokens[i - 1];
-        if (before.kind == TokenKind::Word && !before.is("return")) return std::nullopt; // its own function
-        return "noise";
+        const Token& next = lexed.tokens[i + 1];
+        if (token.is("noise") && next.is('(')) {
+            ownNoise = ownNoise || (before.kind == TokenKind::Word && !before.is("return"));
+            if (!ownNoise) gone = "calls 'noise': a Direct3D 9 intrinsic, not in shader model 4";
+        }
+        if (next.kind == TokenKind::Word && isEffectType(token.text) && !before.is('.'))
+            return fmt::format("declares a {}, which is no type of a shader", token.text);
     }
-    return std::nullopt;
+    return gone;
 }
 
 class Adopter {
@@ -71,6 +78,9 @@ public:
         for (Technique& technique : effect.techniques)
             for (std::size_t i = 0; i < technique.passes.size(); ++i)
                 pass(technique, technique.passes[i], i);
+        const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
+        if (std::ranges::any_of(effect.techniques, [&](const Technique& t) { return std::ranges::any_of(t.script.commands, external); }))
+            addScene();
         if (plain_) addPlainMatrix();
         bind();
         return std::move(adoption_);
@@ -153,8 +163,8 @@ private:
             return std::nullopt;
         }
         shader.code = rewriter_.source(&shader, *made);
-        if (const auto gone = goneIntrinsic(shader.code)) {
-            refuse(shader, 3405, fmt::format("{} calls '{}': a Direct3D 9 intrinsic, not in shader model 4", shader.entry, *gone));
+        if (const auto gone = goneWord(shader.code)) {
+            refuse(shader, 3405, fmt::format("{} {}", shader.entry, *gone));
             shader.code.clear();
             return std::nullopt;
         }
@@ -182,6 +192,26 @@ private:
         shader.code = rewriter_.source(nullptr, plainPixelShader("tg_pixel", written, pass));
         pass.pixelShader = std::move(shader);
         note(adoption_, pass.at, fmt::format("pass {} has no pixel shader: it shows {}", pass.name, coloured ? "COLOR0" : "white"));
+    }
+
+    /// What a scene effect works on: the mesh in squares, with light from above.
+    void addScene() {
+        constexpr const char* kPixel = "void tg_pixel(float4 n : NORMAL0, float4 uv : TEXCOORD0, out float4 o : SV_Target0) {\n"
+                                       " float2 s = floor(uv.xy * float2(16, 8)); float odd = fmod(s.x + s.y, 2);\n"
+                                       " float l = 0.3 + 0.7 * saturate(dot(tg_normalize(n.xyz), float3(-0.27, 0.53, 0.8)));\n"
+                                       " o = float4(lerp(float3(0.55, 0.5, 0.45), float3(0.85, 0.8, 0.75), odd) * l, 1);\n}\n";
+        Pass pass{.name = kSceneTechnique};
+        ShaderReference vertex{.entry = "tg_vertex", .profile = "vs_3_0", .original = "none"};
+        vertex.code = rewriter_.source(nullptr, plainVertexShader("tg_vertex", {{"NORMAL0"}, {"TEXCOORD0"}}, false));
+        ShaderReference pixel{.entry = "tg_pixel", .profile = "ps_3_0", .original = "none"};
+        pixel.code = rewriter_.source(nullptr, Wrapper{.text = kPixel});
+        pass.vertexShader = std::move(vertex);
+        pass.pixelShader = std::move(pixel);
+        pass.state.frontCounterClockwise = true;
+        Technique scene{.name = kSceneTechnique};
+        scene.passes.push_back(std::move(pass));
+        adoption_.effect.techniques.push_back(std::move(scene));
+        plain_ = true;
     }
 
     void addPlainMatrix() {

@@ -16,6 +16,9 @@ struct ParameterBinding {
     std::string rule;   // "semantic", "name", "SasBindAddress", "Object", "--bind", "its default", "nothing: zero"
 };
 
+/// The technique that adopted() adds where a script asks for what lies below the effect (ScriptExternal): the mesh, plainly lit.
+inline constexpr const char* kSceneTechnique = "<scene>";
+
 struct AdoptOptions {
     std::map<std::string, std::string> bind; // --bind: parameter name -> a semantic of this host, "default" or "zero"
     std::string technique;                   // whose bindings are reported; empty: the effect's default

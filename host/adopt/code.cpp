@@ -263,7 +263,7 @@ private:
         return declarators(modifiers, {name}, {});
     }
 
-    /// A method leaves a member without a name.
+    /// A method leaves a member without a name, and so does what is not understood.
     static std::vector<Variable> members(Words block) {
         CodeParser inside({.words = {block.begin() + 1, block.end() - (block.size() > 1 ? 1 : 0)}, .files = {}, .pragmas = {}});
         std::vector<Variable> list;
@@ -274,7 +274,7 @@ private:
             const Words type = inside.type();
             do {
                 Variable member{.modifiers = modifiers, .type = type, .name = inside.take()};
-                if (inside.peek().is("(") || type.empty()) {
+                if (inside.peek().is("(") || type.empty() || !member.name.isName()) {
                     list.push_back({.type = {Word{}}});
                     inside.until({";", "}"});
                     break;

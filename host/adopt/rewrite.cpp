@@ -31,6 +31,19 @@ WrapperJob Rewriter::job(const ShaderReference& shader, bool vertex, std::string
     return {.code = code_, .uses = uses_, .shader = shader, .vertex = vertex, .name = std::move(name), .renamed = renamed_};
 }
 
+/// The function, and the names that the pass hands to it.
+std::vector<std::string> Rewriter::rootsOf(const ShaderReference& shader) {
+    std::vector<std::string> roots{shader.entry};
+    Sources sources;
+    std::string arguments;
+    for (const std::string& argument : shader.arguments)
+        arguments += argument + " ; ";
+    const LexResult lexed = lex(sources, sources.add("arguments", std::make_shared<const std::string>(arguments)));
+    for (const Token& token : lexed.tokens)
+        if (token.kind == TokenKind::Word) roots.emplace_back(token.text);
+    return roots;
+}
+
 std::string Rewriter::source(const ShaderReference* shader, const Wrapper& wrapper) const {
     Printer printer(code_.files);
     printer.own("#line 1 \"tegument\"\n" + prelude());
@@ -38,28 +51,27 @@ std::string Rewriter::source(const ShaderReference* shader, const Wrapper& wrapp
         printer.own(pragma);
     if (shader) {
         const Spelling spelling{.code = &code_, .legacy = profileOf(shader->profile).direct3D9(), .renamed = &renamed_};
-        std::vector<std::string> roots{shader->entry};
-        Sources sources;
-        std::string arguments;
-        for (const std::string& argument : shader->arguments)
-            arguments += argument + " ; ";
-        const LexResult lexed = lex(sources, sources.add("arguments", std::make_shared<const std::string>(arguments)));
-        for (const Token& token : lexed.tokens)
-            if (token.kind == TokenKind::Word) roots.emplace_back(token.text);
         std::set<std::string> textures;
-        for (const std::size_t item : reachable(code_, std::move(roots)))
+        for (const std::size_t item : reachable(code_, rootsOf(*shader)))
             print(printer, spelling, item, textures);
     }
-    // In one line of the author's: what is wrong with it is wrong where he names the shader.
+    // In one line of the author's: what is wrong with it is wrong where he names the shader, or, without arguments, where he writes it, so
+    // that passes share it.
     std::string text = wrapper.text;
     std::ranges::replace(text, '\n', ' ');
-    if (shader && shader->at.line > 0) text = fmt::format("#line {} \"{}\"\n{}", shader->at.line, shader->at.file, text);
+    const auto functions = shader ? code_.functions(shader->entry) : std::vector<const Function*>();
+    if (!functions.empty() && shader->arguments.empty()) {
+        const Word& name = functions.back()->name;
+        text = fmt::format("#line {} \"{}\"\n{}", name.line, code_.files[static_cast<std::size_t>(name.file)], text);
+    } else if (shader && shader->at.line > 0) {
+        text = fmt::format("#line {} \"{}\"\n{}", shader->at.line, shader->at.file, text);
+    }
     printer.own(text);
     return printer.take();
 }
 
 bool Rewriter::readsMatrix(const ShaderReference& shader) const {
-    for (const std::size_t index : reachable(code_, {shader.entry})) {
+    for (const std::size_t index : reachable(code_, rootsOf(shader))) {
         const auto isMatrix = [](const Variable& variable) {
             const auto shape = shapeOf(variable.type);
             return shape && shape->matrix && !variable.has("static");

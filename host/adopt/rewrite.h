@@ -40,6 +40,7 @@ public:
     [[nodiscard]] bool readsMatrix(const ShaderReference& shader) const;
 
 private:
+    [[nodiscard]] static std::vector<std::string> rootsOf(const ShaderReference& shader);
     void planSamplers(Effect& effect);
     void planSampler(Effect& effect, const Variable& variable, const std::string& name);
     std::string textureFor(Effect& effect, const Sampler* sampler, const std::string& name, const std::string& kind,

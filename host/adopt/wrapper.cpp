@@ -194,7 +194,7 @@ private:
         const std::string key = fmt::format("{}{}", leaf.semantic, leaf.index);
         const std::string cast = fmt::format("({})", typeText(leaf.shape.scalar, leaf.shape.columns));
         if (!job_.vertex && receiveSystem(leaf, cast)) return;
-        if (isSystem(leaf.semantic)) {
+        if (isSystem(leaf.semantic) && !(job_.vertex && leaf.semantic == "SV_POSITION")) {
             const auto name = declareInput(leaf.type, leaf.semantic);
             ++systems_;
             return assign(leaf, name);

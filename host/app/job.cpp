@@ -36,6 +36,8 @@ bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshF
     const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, drawsGeometry); };
     if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
     const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
+    const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
+    if (chosen && effect.adopted && std::ranges::any_of(chosen->script.commands, external)) return true;
     return chosen && draws(*chosen);
 }
 

@@ -46,8 +46,21 @@ bool drawsGeometry(const Pass& pass) {
     });
 }
 
-/// What no later compiler has: a call of `noise`, and objects of effects inside functions, which DXC does not survive.
-std::optional<std::string> goneWord(const std::string& code) {
+/// `Word name[`: whether the first word can be a type, or is none of a declaration.
+bool mayDeclareArray(std::string_view word, const Code& code) {
+    for (const std::string_view other :
+         {"return", "else", "do", "case", "const", "static", "precise", "in", "out", "inout", "unsigned", "struct", "uniform", "row_major",
+          "column_major", "groupshared", "nointerpolation", "linear", "centroid"})
+        if (word == other) return true;
+    for (const std::string_view family :
+         {"Texture", "texture", "Sampler", "sampler", "tg_", "Buffer", "RW", "Structured", "ByteAddress", "TG_"})
+        if (word.starts_with(family)) return true;
+    return code.byName.find(word) != code.byName.end() || shapeOf({Word{.text = std::string(word), .kind = TokenKind::Word}}) ||
+           isReserved(word);
+}
+
+/// What no later compiler has: a call of `noise`, and objects of effects inside functions; DXC does not survive arrays of an unknown type.
+std::optional<std::string> goneWord(const std::string& code, const Code& known) {
     Sources sources;
     const LexResult lexed = lex(sources, sources.add("code", std::make_shared<const std::string>(code)));
     bool ownNoise = false;
@@ -63,6 +76,8 @@ std::optional<std::string> goneWord(const std::string& code) {
         }
         if (next.kind == TokenKind::Word && isEffectType(token.text) && !before.is('.'))
             return fmt::format("declares a {}, which is no type of a shader", token.text);
+        const bool array = next.kind == TokenKind::Word && i + 2 < lexed.tokens.size() && lexed.tokens[i + 2].is('[');
+        if (array && !mayDeclareArray(token.text, known)) return fmt::format("declares an array of the unknown type '{}'", token.text);
     }
     return gone;
 }
@@ -97,21 +112,23 @@ private:
         const bool quad = coversTarget(pass);
         place(pass, quad);
         std::vector<Port> written;
+        const bool known = !pass.vertexShader || takeVertex(pass, written);
         std::optional<Wrapper> pixel;
-        if (pass.vertexShader) {
-            auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass);
-            if (!made) return;
-            written = made->outputs;
-            for (const std::string& text : made->standIns)
-                said_.insert({pass.vertexShader->at.line, text}).second ? note(adoption_, pass.vertexShader->at, text) : void();
-            if (!made->writesPosition) refuse(*pass.vertexShader, 3403, fmt::format("{} writes no position", pass.vertexShader->original));
-        }
-        if (pass.pixelShader) {
-            pixel = wrapperOf(*pass.pixelShader, false, pass.vertexShader ? &written : nullptr, pass);
-            if (!pixel) return;
-        }
+        if (pass.pixelShader) pixel = wrapperOf(*pass.pixelShader, false, pass.vertexShader && known ? &written : nullptr, pass);
+        if (!known || (pass.pixelShader && !pixel)) return;
         if (!pass.vertexShader) standInVertex(pass, pixel, quad);
         if (!pass.pixelShader && !depthOnly) standInPixel(pass, written);
+    }
+
+    /// False: its shader says why.
+    bool takeVertex(Pass& pass, std::vector<Port>& written) {
+        auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass);
+        if (!made) return false;
+        written = made->outputs;
+        for (const std::string& text : made->standIns)
+            said_.insert({pass.vertexShader->at.line, text}).second ? note(adoption_, pass.vertexShader->at, text) : void();
+        if (!made->writesPosition) refuse(*pass.vertexShader, 3403, fmt::format("{} writes no position", pass.vertexShader->original));
+        return true;
     }
 
     /// A pass whose vertex shader knows no matrix gets the corners of the target as they are.
@@ -163,7 +180,7 @@ private:
             return std::nullopt;
         }
         shader.code = rewriter_.source(&shader, *made);
-        if (const auto gone = goneWord(shader.code)) {
+        if (const auto gone = goneWord(shader.code, rewriter_.code())) {
             refuse(shader, 3405, fmt::format("{} {}", shader.entry, *gone));
             shader.code.clear();
             return std::nullopt;

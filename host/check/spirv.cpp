@@ -31,6 +31,7 @@ void compileAll(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
             continue;
         }
         const bool respelt = !entry.code.empty();
+        if (work.respelt && !respelt && direct3D9Intrinsic(work.effect())) continue; // of a pass that another shader of it spoils
         auto shader = compileShader({.code = respelt ? entry.code : work.effect().code,
                                      .file = work.file.string(),
                                      .entry = respelt ? entry.symbol : entry.name,

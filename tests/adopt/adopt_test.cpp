@@ -85,6 +85,15 @@ TEST(ForeignMessages, say_what_no_later_model_has) {
     EXPECT_NE(obstacle->text.find("not in shader model 4"), std::string::npos);
 }
 
+TEST(ForeignMessages, refuse_what_dxc_does_not_survive) {
+    for (const std::string body : {"VertexShader v[2] = 1; return 1;", "Nothing v[2] = 1; return 1;"}) {
+        const Effect effect = adopted(foreign("float4 PS() : COLOR { " + body + " }\n" + kRest)).effect;
+        ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle) << body;
+        EXPECT_EQ(effect.techniques[0].passes[0].pixelShader->obstacle->code, 3405);
+        EXPECT_FALSE(effect.techniques[0].passes[0].vertexShader->obstacle) << "the other stage is respelt all the same";
+    }
+}
+
 TEST(ForeignMessages, name_a_function_that_is_only_declared) {
     const Effect effect = adopted(foreign("float4 PS() : COLOR;\n" + kRest)).effect;
     ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle);

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <filesystem>
+
 namespace tegument::test {
 namespace {
 
@@ -14,7 +17,7 @@ TEST(Survey, draws_every_effect_written_in_the_manner_of_another_host) {
     const Ran ran = tegument({"survey", "tests/adopt/effects", "--size", "64", "--target", "none", "--json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const Json report = Json::parse(ran.out);
-    EXPECT_GE(report["files"].size(), 30U);
+    EXPECT_GE(report["files"].size(), 50U);
     for (const Json& file : report["files"]) {
         EXPECT_EQ(file["read"], "read") << file.dump(1);
         EXPECT_EQ(file["drawn"], "drawn") << file.dump(1);
@@ -27,6 +30,14 @@ TEST(Survey, counts_what_is_refused_by_its_code) {
     const Ran ran = tegument({"survey", folder.substr(0, folder.rfind('/')), "--size", "16"});
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_NE(ran.out.find("refused: TG2001"), std::string::npos) << ran.out;
+}
+
+TEST(Survey, has_an_example_for_continuous_integration_that_runs) {
+    const std::string run = std::string("TEGUMENT=") + TEGUMENT_PROGRAM + " sh docs/samples/ci/check-effects.sh ";
+    EXPECT_EQ(std::system((run + "tests/adopt/effects >/dev/null 2>&1").c_str()), 0);
+    std::filesystem::create_directories(scratch() / "ci");
+    write("ci/bad.fx", "technique T { pass P { NoSuchState = 1; } }");
+    EXPECT_NE(std::system((run + (scratch() / "ci").string() + " >/dev/null 2>&1").c_str()), 0);
 }
 
 std::string flat(const std::string& name, const std::string& colour) {

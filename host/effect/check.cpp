@@ -108,14 +108,15 @@ private:
     }
 
     template <class T>
-    void uniqueNames(const std::vector<T>& list, std::string_view what) {
+    void uniqueNames(const std::vector<T>& list, std::string_view what, bool soft = false) {
         std::map<std::string, const T*> seen;
         for (const T& item : list) {
             if (item.name.empty()) continue;
             const auto [first, isNew] = seen.emplace(item.name, &item);
-            if (!isNew)
-                fail(2015, item.at, fmt::format("{} '{}' is declared twice", what, item.name),
-                     fmt::format("the first is in line {}", first->second->at.line));
+            if (isNew) continue;
+            std::string text = fmt::format("{} '{}' is declared twice", what, item.name);
+            std::string hint = fmt::format("the first is in line {}", first->second->at.line);
+            soft ? refuse(2015, item.at, std::move(text), std::move(hint)) : fail(2015, item.at, std::move(text), std::move(hint));
         }
     }
 
@@ -249,7 +250,7 @@ private:
 
     void technique(Technique& technique) {
         annotations(technique.annotations);
-        uniqueNames(technique.passes, "pass");
+        uniqueNames(technique.passes, "pass", true);
         technique.script = script(technique.annotations, ScriptLevel::Technique, &technique);
         for (Pass& pass : technique.passes) {
             annotations(pass.annotations);

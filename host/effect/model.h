@@ -90,6 +90,9 @@ struct ShaderReference {
     std::string profile;
     std::vector<std::string> arguments; // for `uniform` parameters, as written
     SourcePosition at;
+    std::string code;                             // a source of its own; empty: the effect's
+    std::string original;                         // what the author calls the entry point, where that is another name
+    std::shared_ptr<const Diagnostic> obstacle{}; // why it has no source
 };
 
 /// `AlphaTestEnable`, `AlphaFunc`, `AlphaRef`: no later Direct3D has them.
@@ -175,6 +178,7 @@ struct Effect {
     std::vector<std::pair<std::string, std::string>> defines; // as given at load
     std::vector<std::filesystem::path> includeFolders;        // likewise
     std::vector<Diagnostic> warnings;
+    bool adopted = false;    // host/adopt has put it into this host's spelling: its colours are those of a display, not radiance
     bool ownDialect = false; // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact

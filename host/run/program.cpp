@@ -12,11 +12,16 @@ namespace tegument::run {
 namespace {
 
 Result<void> checkStages(const Pass& pass) {
+    if (pass.hullShader || pass.domainShader)
+        return inputError(4003, pass.at, fmt::format("pass {} has a hull or a domain shader", pass.name),
+                          "this host runs vertex and pixel shaders");
     if (pass.geometryShader)
         return inputError(4003, pass.geometryShader->at, fmt::format("pass {} has a geometry shader", pass.name),
                           "this host runs vertex, pixel and compute shaders");
     if (!pass.vertexShader && !pass.computeShader)
         return inputError(4002, pass.at, fmt::format("pass {} has no vertex shader", pass.name), "every pass that draws needs one");
+    for (const auto* stage : {&pass.vertexShader, &pass.pixelShader})
+        if (*stage && (*stage)->obstacle) return Error{Blame::Input, {*(*stage)->obstacle}};
     for (const auto* stage : {&pass.vertexShader, &pass.pixelShader, &pass.computeShader})
         if (*stage && !(*stage)->arguments.empty())
             return inputError(4003, (*stage)->at, fmt::format("{} of pass {} is compiled with arguments", (*stage)->entry, pass.name),
@@ -25,8 +30,14 @@ Result<void> checkStages(const Pass& pass) {
 }
 
 Result<Shader> compileStage(const Effect& effect, const ShaderReference& reference, Stage stage, Compiler compiler) {
-    const ShaderRequest request{
-        .code = effect.code, .file = effect.file.string(), .entry = reference.entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    const bool own = !reference.code.empty();
+    const ShaderRequest request{.code = own ? reference.code : effect.code,
+                                .file = effect.file.string(),
+                                .entry = reference.entry,
+                                .stage = stage,
+                                .defines = {},
+                                .includeFolders = {},
+                                .language2018 = own};
     return compileShader(request, compiler);
 }
 

@@ -41,6 +41,7 @@ std::string cacheKey(const ShaderRequest& request, Compiler compiler) {
     }
     for (const auto& folder : request.includeFolders)
         add(folder.string());
+    if (request.language2018) add("2018");
     add(request.code);
     return contentHash(text);
 }

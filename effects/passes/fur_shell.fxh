@@ -92,7 +92,8 @@ ShellPixel shellPixel(FurVarying input, float2 pixel, float3 plain)
     return own;
 }
 
-// Whether the map has to be looked up. In the printed settings look-ups take their level from neighbouring pixels: no pixel may leave before.
+// Whether the map has to be looked up. In the printed settings look-ups take their level from neighbouring pixels: no pixel may leave
+// before.
 bool shellAsked(ShellPixel own)
 {
     return !kTgCorrected || !TG_LEAVES_EARLY || own.left >= 0.0;

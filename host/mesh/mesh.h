@@ -32,8 +32,8 @@ struct MeshPart {
     std::vector<MeshCluster> clusters{}; // in order, without gaps; or none
 };
 
-/// The part whose triangles are ribbons of fur (docs/strands.md). Their vertices stand on their roots, so that whoever does not bend them
-/// draws nothing; their texture coordinates are none.
+/// The part whose triangles are ribbons of fur (docs/design/strands.md). Their vertices stand on their roots, so that whoever does not bend
+/// them draws nothing; their texture coordinates are none.
 inline constexpr const char* kStrandsPart = "strands";
 /// The same ribbons, of fewer segments: for what is short or far.
 inline constexpr const char* kUnderfurPart = "underfur";

@@ -16,9 +16,9 @@ GUARDED = "// Purpose.\n#ifndef TEGUMENT_SCATTER_BLUR_FXH\n#define TEGUMENT_SCAT
 
 
 def table(*codes, **more):
-    """The file of a table of one page with these codes."""
+    """The file of a table of one area with these codes."""
     rows = [{"code": code, "meaning": "meaning", "do": "what to do", **more} for code in codes]
-    return {diagnostics.TABLE: json.dumps([{"file": "a.md", "title": "A", "sections": [{"title": "", "text": "", "codes": rows}]}])}
+    return {diagnostics.TABLE: json.dumps([{"title": "A", "sections": [{"title": "", "text": "", "codes": rows}]}])}
 
 
 def run(check, tree):
@@ -115,12 +115,17 @@ class Checks(unittest.TestCase):
         self.finds(check, {**table(5001, untested="needs a broken disk"), **named}, "TG5001 is tested")
 
     def test_a_page_of_codes_that_is_not_made_from_the_table_is_found(self):
-        check = "diagnostic_pages_are_made_from_their_table"
-        page = diagnostics.markdown(json.loads(table(5001)[diagnostics.TABLE])[0])
-        self.assertIn("| TG5001 | meaning | what to do |\n", page)
-        self.accepts(check, {**table(5001), "docs/diagnostics/a.md": page})
-        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page.replace("meaning |", "sense |")}, "a.md: python3")
-        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page, "docs/diagnostics/b.md": ""}, "b.md: not in")
+        check = "the_page_of_diagnostics_is_made_from_its_table"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, diagnostics.TABLE)
+            path.parent.mkdir()
+            path.write_text(table(5001)[diagnostics.TABLE], encoding="utf-8")
+            page = diagnostics.markdown(pathlib.Path(folder))
+        self.assertIn("## A\n\n| code | meaning | what to do |\n|---|---|---|\n| TG5001 | meaning | what to do |\n", page)
+        self.accepts(check, {**table(5001), diagnostics.PAGE: page})
+        self.finds(check, {**table(5001), diagnostics.PAGE: page.replace("meaning |", "sense |")}, "diagnostics.md: python3")
+        self.finds(check, table(5001), "diagnostics.md: python3")
+        self.finds(check, {diagnostics.PAGE: page}, "diagnostics.md: python3")
 
     def test_a_test_that_may_hide_a_failure_is_found(self):
         check = "tests_are_registered_where_no_failure_is_lost"

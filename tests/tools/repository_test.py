@@ -229,6 +229,24 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"docs/a.md": "[b](b.md#part) [c](https://example.com) [d](#here)", "docs/b.md": ""})
         self.finds(check, {"docs/a.md": "[b](b.md)"}, "docs/a.md:1: b.md")
 
+    def test_a_page_or_a_word_too_many_for_users_is_found(self):
+        check = "user_pages_are_few_and_short"
+        pages = {f"docs/{number}.md": "word\n" for number in range(24)}  # and README.md
+        self.accepts(check, {**pages, "docs/design/more.md": "word " * 50000})
+        self.finds(check, {**pages, "docs/samples/README.md": ""}, "docs: 26 pages outside docs/design, at most 25")
+        words = 40000 - len("What belongs here.".split())
+        self.accepts(check, {"docs/a.md": "word " * words})
+        self.finds(check, {"docs/a.md": "word " * (words + 1)}, "docs: 40001 words outside docs/design, at most 40000; the longest page is docs/a.md, 39998")
+
+    def test_a_page_that_no_front_lists_is_found(self):
+        check = "every_page_is_listed_where_its_readers_begin"
+        listed = {"docs/README.md": "[a](a.md#part)", "docs/a.md": "", "docs/design/README.md": "[b](b.md), [c](c/c.md)",
+                  "docs/design/b.md": "", "docs/design/c/c.md": ""}
+        self.accepts(check, listed)
+        self.finds(check, {**listed, "docs/x.md": ""}, "docs/README.md: does not list docs/x.md")
+        self.finds(check, {**listed, "docs/design/c/x.md": ""}, "docs/design/README.md: does not list docs/design/c/x.md")
+        self.finds(check, {**listed, "docs/README.md": "[a](a.md)" + "\n" * 51}, "docs/README.md: more than 50 lines")
+
     def test_only_tests_may_name_the_shared_folder(self):
         check = "nothing_but_tests_reads_the_shared_folder"
         folder = "../" + "shared/data"

@@ -13,7 +13,7 @@ namespace tegument::reference {
 namespace {
 
 constexpr std::array<int, 4> kSamples = {7, 11, 17, 25};
-constexpr double kPixel = 0.25; // mm, as docs/design/skin-accuracy.md counts
+constexpr double kPixel = 0.25; // mm, as docs/design/skin-error.md counts
 
 glm::dvec3 sumOf(const Kernel& kernel) {
     glm::dvec3 sum(0);

@@ -135,7 +135,7 @@ Result<ModuleReport> verifyEnergyAttenuation(const Context& context) {
         .why = "1024 terms summed in 32-bit floats; at m < 0.02 the lobe falls between nodes and PH amplifies the rounding of N.H"};
     const auto compared = compare(report, context, {"gEnergyAttenuationMap", table, exact, {}}, corrected ? quadrature : rounding);
     if (!compared) return compared.error();
-    if (corrected) // the printed table is pi times an albedo: docs/design/skin-accuracy.md
+    if (corrected) // the printed table is pi times an albedo: docs/design/skin-error.md
         addMetric(report, context, "white furnace: largest reflectance of both layers, rho_s = 1", largestReflectance(table), 1,
                   "no more comes out than went in");
     return report;

@@ -79,7 +79,7 @@ struct MeshOptions {
     double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
 };
 
-/// glb/gltf, PLY, OBJ by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
+/// glb/gltf, PLY, OBJ, STL, OFF by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
 [[nodiscard]] Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options = {});
 
 /// What one unit of a file is likely to be, in mm, where the unit that it was read with makes it smaller than 10 mm or larger than 20 m.

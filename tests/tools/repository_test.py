@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 
+import commands_test
 import diagnostics
 
 PROGRAM = pathlib.Path(__file__).with_name("repository.py")
@@ -261,6 +262,36 @@ class Checks(unittest.TestCase):
         self.finds(check, {**script, "docs/dependencies.md": page.replace("| apt | `g++` |\n", "")}, "bootstrap installs g++")
         self.finds(check, {**script, "docs/dependencies.md": page + "\n| apt | `git` |"}, "lists git")
         self.finds(check, {**script, "docs/dependencies.md": page.replace("a==1.2", "a")}, "bootstrap pins a==1.2")
+
+
+class OneProgram(commands_test.Program):
+    """Has the commands render and `fur roots`, one effect and one workspace."""
+
+    def output(self, *arguments):
+        return {
+            ("render", "--help"): "  -t,--technique TEXT\n  -p,--preset TEXT\n  -s,--set TEXT ...\n  -w,--workspace TEXT\n",
+            ("fur", "--help"): "Subcommands:\n  roots                       Place roots\n",
+            ("fur", "roots", "--help"): "  --lean FLOAT=0              How far tips lean\n",
+            ("list", "--json"): '{"effects": [{"name": "Skin", "techniques": ["Fast"], "presets": ["dry"]}], "workspaces": [{"name": "front"}]}',
+            ("info", "Skin", "--json"): '{"parameters": [{"name": "gMix"}]}',
+        }.get(arguments, "")
+
+
+class Commands(unittest.TestCase):
+    def test_a_line_is_read_up_to_its_prose(self):
+        page = "    tegument render Skin -o a.png    and look\n    tegument view Skin # h: help\n  tegument prose\n    build/release/tegument list\n"
+        self.assertEqual(list(commands_test.commands_of(page)), [(1, "render Skin -o a.png"), (2, "view Skin"), (4, "list")])
+
+    def test_what_the_program_has_not_is_found(self):
+        program = OneProgram("")
+        for right in ("render Skin -t Fast -p dry -w front --set gMix=1", "render mine/Other.fx -t Any -w my.json", "fur roots a.glb --lean 0.5",
+                      "render [EFFECT] [--technique T] | --set"):
+            self.assertEqual(list(commands_test.faults(program, right)), [], right)
+        for wrong, fault in (("draw Skin", "no command draw"), ("render Skin --sett gMix=1", "has no option --sett"), ("fur roots a.glb --comb 1", "fur roots has no option --comb"),
+                             ("render effects/Skin.fx -t Slow", "has no technique Slow"), ("render Skin --preset oily", "has no preset oily"),
+                             ("render Skin -w back", "no workspace back"), ("render Skin -s gMax=1", "has no parameter gMax"),
+                             ("render [EFFECT] [--tecnique T]", "has no option --tecnique")):
+            self.assertIn(fault, "".join(commands_test.faults(program, wrong)), wrong)
 
 
 if __name__ == "__main__":

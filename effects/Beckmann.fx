@@ -1,5 +1,5 @@
 // Beckmann: precomputes 0.5 PH^0.1 (x = N.H, y = roughness m) for engines that prefer a look-up to an exponential, and shows it.
-// Error of the texture against the formula: docs/modules/Beckmann.md.
+// Error of the texture against the formula: docs/design/modules/Beckmann.md.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"

@@ -1,6 +1,6 @@
 // FurCoat: fur as strands, each a ribbon that faces the eye. Techniques Strands and StrandsSoft draw the very strands of FurRoots'
 // technique Roots; Coat and CoatSoft a coat of locks, with underfur, guard hairs and a deep shadow. The mesh has the parts "strands" and
-// "underfur": tegument fur strands makes them (docs/modules/FurCoat.md).
+// "underfur": tegument fur strands makes them (docs/design/modules/FurCoat.md).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"

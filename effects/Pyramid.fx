@@ -1,7 +1,7 @@
 // Pyramid: human skin by a pyramid of B-splines in texture space instead of a cascade of convolutions. Light enters in one full-screen pass
 // over an atlas of the mesh, is reduced a few times, and comes back from the levels, weighed so that they make the diffusion profile; what
 // is narrower than a texel is left to the pixel. Techniques: Pyramid, for one chart; PyramidLinked, where the widest Gaussians come along
-// precomputed links in space, across seams, folds and through thin parts (docs/modules/Pyramid.md).
+// precomputed links in space, across seams, folds and through thin parts (docs/design/modules/Pyramid.md).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"

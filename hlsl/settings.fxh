@@ -90,7 +90,7 @@ static const bool kTgCullFrustum = TEGUMENT_CULL_FRUSTUM == 1;
 static const bool kTgCullBackFaces = TEGUMENT_CULL_BACK_FACES == 1;
 static const bool kTgCullBlack = TEGUMENT_CULL_BLACK == 1;
 
-// Peers (docs/peers.md).
+// Peers (docs/design/peers.md).
 static const bool kTgPeersAsPrinted = TEGUMENT_PEERS_AS_PRINTED == 1;
 
 // What is printed takes the place of what is right file by file, under the same names: the guard of every file that is not to be read is

@@ -24,7 +24,7 @@
 //   declare such an argument as TG_SAMPLER2D_PARAM(name) and hand it on as TG_SAMPLER2D_ARG(name). Shadow maps and maps of light are read
 // by POINT, CLAMP.
 //
-// SKIN, IN PASSES (docs/modules of the project has the formulas)
+// SKIN, IN PASSES (docs/design/modules of the project has the formulas)
 //   1 light's view      tgShadowDepth, with uv: a translucent shadow map (depth, u, v, 1), 32 bits, cleared to 0
 //   2 once for a mesh   tgStretchEncode(ddx(mm), ddy(mm), size) drawn at tgUnwrapPosition(uv, 0): texels per mm. Once:
 // tgEnergyTexel(tgEnergyDirectionalAlbedo)

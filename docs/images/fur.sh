@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/modules/Fur.md: docs/images/fur.sh [SIZE]. Needs ./bootstrap demo; for the Dragon and the coarse meshes the Stanford
+# Makes the pictures of docs/design/modules/Fur.md: docs/images/fur.sh [SIZE]. Needs ./bootstrap demo; for the Dragon and the coarse meshes the Stanford
 # scans of docs/meshprep.md, where its tests look for them. Pictures and meshes in between go to out/fur_pictures/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

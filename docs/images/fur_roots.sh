@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/modules/FurRoots.md: docs/images/fur_roots.sh [SIZE]. Needs ./bootstrap demo, the Stanford scans where the tests of
+# Makes the pictures of docs/design/modules/FurRoots.md: docs/images/fur_roots.sh [SIZE]. Needs ./bootstrap demo, the Stanford scans where the tests of
 # docs/meshprep.md look for them ($TEGUMENT_DATA, the Dragon in the cache) and Python 3. What lies in between goes to out/fur_roots/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

@@ -1,5 +1,5 @@
 // Where every pass that draws the mesh takes its vertices from. An engine that skins, morphs or instances defines the hook before it
-// includes the effect (docs/engine.md); without it a vertex is drawn as it is stored.
+// includes the effect (docs/your-engine.md); without it a vertex is drawn as it is stored.
 //   TEGUMENT_VERTEX_STREAMS             what its vertices hold besides: members of a struct, with semantics
 //   TEGUMENT_VERTEX_HOOK(rest, input)   TgMeshInput: the vertex to draw, in the space that gWorld leads out of. rest: TgMeshInput, as
 // stored;

@@ -1,5 +1,5 @@
 // Burley: normalised diffusion gathered over a disc of the picture with importance sampling, after Golubev 2018, as a peer of Main.fx
-// (docs/peers.md). Techniques Burley20, 40 and 80, by the number of samples. TEGUMENT_PEERS_AS_PRINTED chooses between the published
+// (docs/design/peers.md). Techniques Burley20, 40 and 80, by the number of samples. TEGUMENT_PEERS_AS_PRINTED chooses between the published
 // weights on a disc that faces the eye and weights over area on one that lies in the surface.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"

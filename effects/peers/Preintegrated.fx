@@ -1,6 +1,6 @@
-// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx (docs/peers.md).
-// Technique Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too. TEGUMENT_PEERS_AS_PRINTED
-// chooses between the printed listing and FaceWorks' one-dimensional integral.
+// Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx
+// (docs/design/peers.md). Technique Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too.
+// TEGUMENT_PEERS_AS_PRINTED chooses between the printed listing and FaceWorks' one-dimensional integral.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"

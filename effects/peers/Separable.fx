@@ -1,6 +1,6 @@
-// Separable: separable screen-space subsurface scattering after Jimenez et al. 2015, as a peer of Main.fx (docs/peers.md). Techniques
-// Separable7, 11, 17 and 25, by the number of samples along each axis. TEGUMENT_PEERS_AS_PRINTED chooses between the authors' kernel and
-// one of the six Gaussians.
+// Separable: separable screen-space subsurface scattering after Jimenez et al. 2015, as a peer of Main.fx (docs/design/peers.md).
+// Techniques Separable7, 11, 17 and 25, by the number of samples along each axis. TEGUMENT_PEERS_AS_PRINTED chooses between the authors'
+// kernel and one of the six Gaussians.
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"

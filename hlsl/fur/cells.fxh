@@ -1,6 +1,6 @@
-// Strands without data (docs/fur-layers.md): space is a lattice of cubes, each holds one point at a random place, and a point grows a
-// strand where a surface passes nearer than rho. A cut through the lattice meets 2 rho / cell^3 points per area whatever its direction, so
-// strands stand in proportion to area without texture coordinates, seams or preparation.
+// Strands without data (docs/design/fur-layers.md): space is a lattice of cubes, each holds one point at a random place, and a point grows
+// a strand where a surface passes nearer than rho. A cut through the lattice meets 2 rho / cell^3 points per area whatever its direction,
+// so strands stand in proportion to area without texture coordinates, seams or preparation.
 //   The random numbers are residues modulo a prime, whole numbers below 2^22 throughout: floats hold them exactly, and every target makes
 //   the same strands.
 #ifndef TEGUMENT_FUR_CELLS_FXH

@@ -1,5 +1,6 @@
-// Strands as ribbons: flat bands along a strand's axis that face the eye (`tegument fur strands` writes them, docs/strands.md). A vertex
-// stands on its root; the vertex shader takes it to its place on the strand, and the pixel shader needs only its distance from the axis.
+// Strands as ribbons: flat bands along a strand's axis that face the eye (`tegument fur strands` writes them, docs/design/strands.md). A
+// vertex stands on its root; the vertex shader takes it to its place on the strand, and the pixel shader needs only its distance from the
+// axis.
 #ifndef TEGUMENT_FUR_RIBBONS_FXH
 #define TEGUMENT_FUR_RIBBONS_FXH
 

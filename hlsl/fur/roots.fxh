@@ -1,5 +1,5 @@
-// Roots in a texture (`tegument fur roots` writes it, docs/fur.md "Roots"): RGBA32F, kTgFurRootsWidth texels wide, addressed by whole
-// numbers. A grid of bricks of cells leads from a place to the list of the roots near it; 0 means none.
+// Roots in a texture (`tegument fur roots` writes it, docs/design/fur.md "Roots"): RGBA32F, kTgFurRootsWidth texels wide, addressed by
+// whole numbers. A grid of bricks of cells leads from a place to the list of the roots near it; 0 means none.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
 #endif

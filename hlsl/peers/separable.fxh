@@ -1,7 +1,7 @@
 // Separable screen-space subsurface scattering (Jimenez, Zsolnai, Jarabo, Freude, Auzinger, Wu, von der Pahlen, Wimmer and Gutierrez,
 // 2015): one kernel with a weight for each colour, along x and then along y of the picture.
-// unit = mm for each unit of the kernel's offsets. Kernels are symmetric; only the centre and one side are kept. docs/peers.md derives
-// them.
+// unit = mm for each unit of the kernel's offsets. Kernels are symmetric; only the centre and one side are kept. docs/design/peers.md
+// derives them.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
 #endif

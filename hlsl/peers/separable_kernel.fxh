@@ -1,4 +1,5 @@
-// The kernel of separable scattering, laid along the surface. unit = mm for each unit of the kernel's offsets. docs/peers.md derives it.
+// The kernel of separable scattering, laid along the surface. unit = mm for each unit of the kernel's offsets. docs/design/peers.md
+// derives it.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"
 #endif

@@ -1,6 +1,7 @@
 // One direction of one Gaussian of the cascade, exactly as wide as it should be: what the light has been blurred by before is counted, and
-// the spacing of the taps is the one for which they, interpolated between texels, have the wanted variance (docs/modules/Convolution.md).
-// Units: sigma in mm, density = texels per mm, variances and spacings in texels. `axis` = one texel along U or V, in uv.
+// the spacing of the taps is the one for which they, interpolated between texels, have the wanted variance
+// (docs/design/modules/Convolution.md). Units: sigma in mm, density = texels per mm, variances and spacings in texels. `axis` = one texel
+// along U or V, in uv.
 #ifndef TEGUMENT_PLATFORM_FXH
 #include "../platform.fxh"
 #endif

@@ -1,6 +1,6 @@
 // The diffusion profile on a ladder: what each level of a pyramid, and one Gaussian evaluated at each pixel, must weigh for their sum to be
 // the profile. Each of its Gaussians is interpolated between the four steps around it, in the logarithm of the variance (Lagrange), so that
-// the weights sum to 1 exactly, change continuously with the density of texels, and follow any profile (docs/modules/Ladder.md).
+// the weights sum to 1 exactly, change continuously with the density of texels, and follow any profile (docs/design/modules/Ladder.md).
 // Level l of a pyramid of quadratic B-splines is a Gaussian of (4^l - 1) / 2 texels^2 of the base, besides what is present before it and
 // after it. Units: variance in mm^2, density in texels^2 of the base per mm^2. Step 0: the pixel's own Gaussian; step s: level s - 1.
 #ifndef TEGUMENT_SCATTER_LADDER_FXH

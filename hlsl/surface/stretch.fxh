@@ -1,5 +1,5 @@
 // How much of the map one millimetre of the surface covers (d'Eon and Luebke 2007, "Accounting for Stretching"; seed equations 25 to 27).
-// Units: uv per mm along U and V; encoded as docs/modules/Stretch.md says. Alpha of a Stretch map is 1 outside the charts, 0 inside.
+// Units: uv per mm along U and V; encoded as docs/design/modules/Stretch.md says. Alpha of a Stretch map is 1 outside the charts, 0 inside.
 #ifndef TEGUMENT_SETTINGS_FXH
 #include "../settings.fxh"
 #endif

@@ -231,7 +231,7 @@ int several(const TextureArguments& arguments) {
 
 void addTexture(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<TextureArguments>();
-    CLI::App* command = fur.add_subcommand("texture", "Make fur as a texture, a sphere map and a cube map (docs/fur.md)");
+    CLI::App* command = fur.add_subcommand("texture", "Make fur as a texture, a sphere map and a cube map (docs/design/fur.md)");
     command->add_option("-o,--output", arguments->output, "Folder to write to")->capture_default_str();
     command->add_option("--size", arguments->size, "Side of the texture and of the sphere map; the cube map takes as many texels")
         ->check(CLI::Range(16, 8192))

@@ -1,4 +1,4 @@
-// tegument fur roots: roots on a mesh, evenly by area, as one float texture (docs/fur.md, "Roots").
+// tegument fur roots: roots on a mesh, evenly by area, as one float texture (docs/design/fur.md, "Roots").
 
 #include "host/app/fur_roots.h"
 
@@ -238,7 +238,7 @@ void addRootOptions(CLI::App& command, RootArguments& arguments) {
 
 void addFurRoots(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<RootArguments>();
-    CLI::App* command = fur.add_subcommand("roots", "Place roots of fur on a mesh, evenly by area, as a texture (docs/fur.md)");
+    CLI::App* command = fur.add_subcommand("roots", "Place roots of fur on a mesh, evenly by area, as a texture (docs/design/fur.md)");
     command->add_option("mesh", arguments->input, "Mesh, as the effect will draw it")->required();
     command->add_option("-o,--output", arguments->output, "DDS to write; a JSON file of the same name says what is in it")
         ->capture_default_str();

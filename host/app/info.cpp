@@ -177,8 +177,8 @@ std::vector<const Pass*> passesRun(const Effect& effect, const Technique& techni
     return ran ? counter.passes : std::vector<const Pass*>();
 }
 
-/// Passes as docs/passes.md counts them: those that the script runs with its switches on. Declared may be more, for other values; run by
-/// default may be fewer.
+/// Passes as docs/design/passes.md counts them: those that the script runs with its switches on. Declared may be more, for other values;
+/// run by default may be fewer.
 struct PassCount {
     std::vector<const Pass*> counted;
     std::size_t byDefault = 0;

@@ -101,7 +101,7 @@ int prepHuman(const HumanArguments& arguments) {
 void addPrepHuman(CLI::App& command, Action& action) {
     auto arguments = std::make_shared<HumanArguments>();
     CLI::App* human =
-        command.add_subcommand("human", "Make the default head from the MakeHuman base body, once, in the cache (docs/human.md)");
+        command.add_subcommand("human", "Make the default head from the MakeHuman base body, once, in the cache (docs/design/human.md)");
     human->add_option("--source", arguments->source, "Folder with base.obj and textures/; default: what ./bootstrap fetched");
     human->add_option("-o,--output", arguments->output, "Folder to write to; default: the cache, where the workspaces look for it");
     human->add_option("--texture-size", arguments->mapSize, "Side of the colour and the normal map in texels")

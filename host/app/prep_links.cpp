@@ -54,8 +54,8 @@ int prepLinks(LinkArguments& arguments) {
 
 void addPrepLinks(CLI::App& command, Action& action) {
     auto arguments = std::make_shared<LinkArguments>();
-    CLI::App* links =
-        command.add_subcommand("links", "Find where the light of skin comes from, texel by texel, as a texture (docs/modules/Pyramid.md)");
+    CLI::App* links = command.add_subcommand(
+        "links", "Find where the light of skin comes from, texel by texel, as a texture (docs/design/modules/Pyramid.md)");
     links->add_option("mesh", arguments->input, "Mesh with texture coordinates, as the effect will draw it")->required();
     links->add_option("-o,--output", arguments->output, "DDS to write; a JSON file of the same name says what is in it")
         ->capture_default_str();

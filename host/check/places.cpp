@@ -22,7 +22,7 @@ struct Comparison {
 
     void differ(const std::string& what) const {
         addError(report, 3204, entry.at, fmt::format("{}: {}", entry.name, what),
-                 "fill every 16 bytes of the parameters exactly (docs/compilers.md)");
+                 "fill every 16 bytes of the parameters exactly (docs/design/compilers.md)");
     }
 };
 

@@ -96,7 +96,7 @@ void compareAll(const Work& work, TargetCheck& report) {
         if (!entry.dxc || !entry.glslang || !entry.code.empty()) continue;
         for (const std::string& difference : compareReflections(entry.dxc->reflection, entry.glslang->reflection))
             addError(report, 3201, entry.at, fmt::format("DXC (first) and glslang (second) see {} differently: {}", entry.name, difference),
-                     "fill every 16 bytes of the parameters exactly (docs/compilers.md)");
+                     "fill every 16 bytes of the parameters exactly (docs/design/compilers.md)");
     }
 }
 

@@ -33,8 +33,8 @@ struct MeshPart {
     std::optional<std::uint32_t> material{}; // of the mesh's `materials`
 };
 
-/// The part whose triangles are ribbons of fur (docs/strands.md). Their vertices stand on their roots, so that whoever does not bend them
-/// draws nothing; their texture coordinates are none.
+/// The part whose triangles are ribbons of fur (docs/design/strands.md). Their vertices stand on their roots, so that whoever does not bend
+/// them draws nothing; their texture coordinates are none.
 inline constexpr const char* kStrandsPart = "strands";
 /// The same ribbons, of fewer segments: for what is short or far.
 inline constexpr const char* kUnderfurPart = "underfur";
@@ -101,7 +101,7 @@ struct MeshOptions {
     double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
 };
 
-/// glb/gltf, PLY, OBJ by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
+/// glb/gltf, PLY, OBJ, STL, OFF by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
 [[nodiscard]] Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options = {});
 
 /// What one unit of a file is likely to be, in mm, where the unit that it was read with makes it smaller than 10 mm or larger than 20 m.

@@ -22,7 +22,8 @@ struct StrandStatistics {
 /// The index of the evenest set among those with the most strands: the least patchCv.
 [[nodiscard]] std::size_t evenest(const std::vector<StrandStatistics>& candidates);
 
-/// How the heights (alpha) of a map differ: what a shader needs where its texels are finer than pixels (docs/fur.md, "Seen from afar").
+/// How the heights (alpha) of a map differ: what a shader needs where its texels are finer than pixels (docs/design/fur.md, "Seen from
+/// afar").
 struct HeightStatistics {
     double mean = 0;
     double deviation = 0;

@@ -6,7 +6,7 @@
 
 namespace tegument {
 
-/// The largest value: 1 marks a texel without skin in the irradiance map (docs/skin.md).
+/// The largest value: 1 marks a texel without skin in the irradiance map (docs/design/skin.md).
 inline constexpr float kLargestKernelSize = 0.99f;
 
 /// Share of the technique's radius, 0 to kLargestKernelSize. Eyes and base are 0: nothing scatters there. Borders of regions are as sharp

@@ -1,5 +1,6 @@
 #pragma once
-// Skin colour from what colours skin: melanin in the epidermis, haemoglobin in the dermis (docs/human.md gives the formulas and sources).
+// Skin colour from what colours skin: melanin in the epidermis, haemoglobin in the dermis (docs/design/human.md gives the formulas and
+// sources).
 
 #include <glm/glm.hpp>
 

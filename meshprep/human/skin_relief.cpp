@@ -1,5 +1,5 @@
 // Amplitudes and spacings are chosen by eye within what profilometry reports for facial skin: furrows 0.02 to 0.1 mm deep and 0.3 to 1 mm
-// apart, pores 0.05 to 0.5 mm wide, arithmetic mean roughness of 5 to 40 micrometres (docs/human.md).
+// apart, pores 0.05 to 0.5 mm wide, arithmetic mean roughness of 5 to 40 micrometres (docs/design/human.md).
 
 #include "meshprep/human/skin_relief.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The triangles of a mesh in an order that lets the GPU reuse transformed vertices. docs/orders.md.
+// The triangles of a mesh in an order that lets the GPU reuse transformed vertices. docs/design/orders.md.
 
 #include "meshprep/order/cache.h"
 

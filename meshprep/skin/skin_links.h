@@ -1,7 +1,7 @@
 #pragma once
 // Links in space: for each texel of a map, the texels that send light to it by the widest Gaussians of the diffusion profile, found by
 // their distance in millimetres, so across seams, folds and between bodies. Near sources are small, far ones large
-// (docs/modules/Pyramid.md).
+// (docs/design/modules/Pyramid.md).
 
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The engine of docs/engine.md that skins: its file beside a copy of the effects.
+// The engine of docs/your-engine.md that skins: its file beside a copy of the effects.
 
 #include "host/support/file.h"
 
@@ -12,9 +12,9 @@
 
 namespace tegument::test {
 
-/// The first block of HLSL in docs/engine.md.
+/// The first block of HLSL in docs/your-engine.md.
 inline std::string hookExample() {
-    const auto page = readFile("docs/engine.md");
+    const auto page = readFile("docs/your-engine.md");
     const std::string fence = "```hlsl\n";
     const std::size_t from = page ? page->find(fence) : std::string::npos;
     if (from == std::string::npos) return {};

@@ -1,4 +1,4 @@
-// d3d_table: the drawings' distances as the table of docs/direct3d.md. Run it after the tests of label d3d.
+// d3d_table: the drawings' distances as the table of docs/design/direct3d.md. Run it after the tests of label d3d.
 
 #include "tests/d3d/difference.h"
 

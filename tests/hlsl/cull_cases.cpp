@@ -1,4 +1,4 @@
-// hlsl/cull against the definitions of docs/skin.md (passes 2, 3) and docs/modules/Main.md (culling).
+// hlsl/cull against the definitions of docs/design/skin.md (passes 2, 3) and docs/design/modules/Main.md (culling).
 
 #include "tests/hlsl/maps.h"
 

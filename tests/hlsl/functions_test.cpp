@@ -52,7 +52,7 @@ Result<gpu::Device>& device() {
     return made;
 }
 
-/// Rows of docs/reference.md, written where TEGUMENT_FUNCTION_TABLE says.
+/// Rows of docs/design/reference.md, written where TEGUMENT_FUNCTION_TABLE says.
 class Table : public testing::Environment {
 public:
     void add(const Call& call, const Samples& samples, const Verdict& verdict) {

@@ -139,7 +139,7 @@ std::vector<FunctionCase> shells() {
     return cases;
 }
 
-/// docs/fur.md, "Seen from afar", as its formulas stand there.
+/// docs/design/fur.md, "Seen from afar", as its formulas stand there.
 double meanCoverage(double mean, double height, double above, double variance, double softness, double slope) {
     const double scale = std::sqrt(3 * variance) / kPi;
     const double tip = mean + softness * (0.5 - std::min(0.2 / std::sqrt(softness), 1.0));

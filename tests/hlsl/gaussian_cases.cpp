@@ -1,4 +1,4 @@
-// hlsl/scatter/gaussian.fxh against the definitions of docs/modules/Convolution.md.
+// hlsl/scatter/gaussian.fxh against the definitions of docs/design/modules/Convolution.md.
 
 #include "tests/hlsl/maps.h"
 

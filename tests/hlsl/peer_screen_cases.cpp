@@ -1,4 +1,4 @@
-// hlsl/peers on the pixels of a picture: geometry, the separable kernel, Burley's disc. References: docs/peers.md,
+// hlsl/peers on the pixels of a picture: geometry, the separable kernel, Burley's disc. References: docs/design/peers.md,
 // host/lab/reference/peers.h.
 
 #include "host/lab/reference/peers.h"

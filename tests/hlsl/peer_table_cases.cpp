@@ -1,4 +1,4 @@
-// hlsl/peers/preintegrated.fxh and penumbra.fxh. References: docs/peers.md, host/lab/reference/peers.h.
+// hlsl/peers/preintegrated.fxh and penumbra.fxh. References: docs/design/peers.md, host/lab/reference/peers.h.
 
 #include "host/lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"

@@ -1,4 +1,4 @@
-// hlsl/scatter (without gaussian.fxh) against the definitions of docs/modules/Irradiance.md and docs/skin.md.
+// hlsl/scatter (without gaussian.fxh) against the definitions of docs/design/modules/Irradiance.md and docs/design/skin.md.
 
 #include "tests/hlsl/maps.h"
 

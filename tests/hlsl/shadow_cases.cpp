@@ -1,4 +1,4 @@
-// hlsl/shadow against the definitions of docs/modules/TSM.md.
+// hlsl/shadow against the definitions of docs/design/modules/TSM.md.
 
 #include "tests/hlsl/maps.h"
 

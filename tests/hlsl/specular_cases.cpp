@@ -1,4 +1,4 @@
-// hlsl/specular against host/lab/reference and the formulas of docs/modules/Beckmann.md and EnergyAttenuation.md.
+// hlsl/specular against host/lab/reference and the formulas of docs/design/modules/Beckmann.md and EnergyAttenuation.md.
 
 #include "host/lab/reference/specular.h"
 #include "tests/hlsl/function_case.h"

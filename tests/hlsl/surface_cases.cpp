@@ -1,4 +1,4 @@
-// hlsl/surface against the formulas of docs/conventions.md and docs/modules/Stretch.md.
+// hlsl/surface against the formulas of docs/conventions.md and docs/design/modules/Stretch.md.
 
 #include "tests/hlsl/function_case.h"
 

@@ -1,5 +1,5 @@
-// Table of docs/fur-layers.md, "Against exact strands": straight strands on a ball and a torus, drawn by effects/FurRoots.fx with few and
-// many layers, beside exact rays against every strand.
+// Table of docs/design/fur-layers.md, "Against exact strands": straight strands on a ball and a torus, drawn by effects/FurRoots.fx with
+// few and many layers, beside exact rays against every strand.
 
 #include "tests/measure/body_fur.h"
 #include "tests/measure/need.h"

@@ -1,5 +1,5 @@
 // What a device's rasteriser makes of effects/FurRoots.fx: pictures of `tegument verify`'s regression check beside the same in double
-// precision, with corners as they are and with corners on the device's grid (docs/reference.md, "Corners on a grid").
+// precision, with corners as they are and with corners on the device's grid (docs/design/reference.md, "Corners on a grid").
 
 #include "host/image/compare.h"
 #include "host/lab/verify/corner_grid.h"

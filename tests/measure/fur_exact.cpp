@@ -1,5 +1,5 @@
 // effects/FurRoots.fx beside exact strands in space, through the windows of `tegument verify`: what bends of strands, and how many layers,
-// are worth (docs/fur-layers.md, "Against exact strands that bend").
+// are worth (docs/design/fur-layers.md, "Against exact strands that bend").
 
 #include "host/lab/verify/fur_exact.h"
 #include "host/image/compare.h"

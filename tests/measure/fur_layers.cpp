@@ -1,5 +1,5 @@
-// Tables of docs/fur-layers.md: what layers of fur lose of a patch of strands whose picture is known, however many there are and however
-// they are spread; how many are needed; what the adaptive count chooses. --plot FILE.svg draws the errors.
+// Tables of docs/design/fur-layers.md: what layers of fur lose of a patch of strands whose picture is known, however many there are and
+// however they are spread; how many are needed; what the adaptive count chooses. --plot FILE.svg draws the errors.
 
 #include "host/lab/reference/fur_patch.h"
 
@@ -193,7 +193,7 @@ bool plot(const std::string& file) {
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Print the tables of docs/fur-layers.md");
+    CLI::App app("Print the tables of docs/design/fur-layers.md");
     std::string file;
     app.add_option("--plot", file, "Draw errors against layers into this SVG instead");
     CLI11_PARSE(app, argc, argv);

@@ -1,4 +1,4 @@
-// The tables of docs/fur-accuracy.md: what point shells lose, and what layers and pixels cost.
+// The tables of docs/design/fur-layers.md: what point shells lose, and what layers and pixels cost.
 //   fur_tables error [--layers N...] [--plot FILE.svg]
 //   fur_tables time WORKSPACE [--mesh FILE] [--cube-map FILE] [--technique NAME] [--size N] [--frames N] [--layers N...]
 // All run from the root of the source tree, which holds effects/.
@@ -260,7 +260,7 @@ void timeTable(gpu::Device& device, const Settings& settings) {
 
 int run(int argc, char** argv) {
     Settings settings;
-    CLI::App program("Tables of docs/fur-accuracy.md", "fur_tables");
+    CLI::App program("Tables of docs/design/fur-layers.md", "fur_tables");
     program.require_subcommand(1);
     const auto addLayers = [&](CLI::App* command) {
         command->add_option("--layers", settings.layers, "Numbers of layers")->delimiter(',')->check(CLI::Range(1, 4096));

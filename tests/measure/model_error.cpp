@@ -1,4 +1,4 @@
-// The tables of docs/model-error.md: diffusion profiles against simulated skin.
+// The tables of docs/design/skin-error.md: diffusion profiles against simulated skin.
 //   model_error [--photons N] [--seed N]
 
 #include "host/lab/reference/skin_profiles.h"
@@ -96,7 +96,7 @@ void errors(const SimulatedSkin& skin) {
 
 int run(int argc, char** argv) {
     Settings settings;
-    CLI::App program("Tables of docs/model-error.md", "model_error");
+    CLI::App program("Tables of docs/design/skin-error.md", "model_error");
     program.add_option("--photons", settings.photons, "For each channel and tissue")->capture_default_str();
     program.add_option("--seed", settings.seed, "Of the random numbers")->capture_default_str();
     CLI11_PARSE(program, argc, argv);

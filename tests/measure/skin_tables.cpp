@@ -1,4 +1,4 @@
-// The tables of docs/culling.md: what culling in texture space takes and saves, what the seams' repair is worth.
+// The tables of docs/design/speed-error.md: what culling in texture space takes and saves, what the seams' repair is worth.
 //   skin_tables culling|seams WORKSPACE... [--size N] [--map-size N] [--frames N]
 
 #include "host/run/run.h"
@@ -226,7 +226,7 @@ void seamTable(gpu::Device& device, const Settings& settings) {
 
 int run(int argc, char** argv) {
     Settings settings;
-    CLI::App program("Tables of docs/culling.md", "skin_tables");
+    CLI::App program("Tables of docs/design/speed-error.md", "skin_tables");
     program.require_subcommand(1);
     const auto add = [&](const char* name, const char* help) {
         CLI::App* command = program.add_subcommand(name, help);

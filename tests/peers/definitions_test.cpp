@@ -1,4 +1,4 @@
-// host/lab/reference/peers against published numbers, and the settings of docs/peers.md against the profile that they are fitted to.
+// host/lab/reference/peers against published numbers, and the settings of docs/design/peers.md against the profile that they are fitted to.
 
 #include "host/lab/reference/edge_study.h"
 #include "host/lab/reference/peers.h"
@@ -13,7 +13,7 @@ namespace tegument::reference {
 namespace {
 
 constexpr std::array<int, 4> kSamples = {7, 11, 17, 25};
-constexpr double kPixel = 0.25; // mm, as docs/skin-accuracy.md counts
+constexpr double kPixel = 0.25; // mm, as docs/design/skin-error.md counts
 
 glm::dvec3 sumOf(const Kernel& kernel) {
     glm::dvec3 sum(0);

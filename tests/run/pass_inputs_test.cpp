@@ -1,4 +1,4 @@
-// The passes of Main.fx read what Tables 5 and 6 of the source give them, and nothing else. Names are those of docs/passes.md.
+// The passes of Main.fx read what Tables 5 and 6 of the source give them, and nothing else. Names are those of docs/design/passes.md.
 
 #include "host/run/program.h"
 #include "host/support/file.h"
@@ -185,7 +185,7 @@ Names namesOf(const std::string& cell) {
 /// Cells 2, 4 and 5 of the rows `| n | pass | draws | parameters | textures | writes |` below the heading `## technique`.
 std::map<std::string, ExpectedPass> documentedPasses(const std::string& technique) {
     std::map<std::string, ExpectedPass> rows;
-    std::istringstream lines(*readFile("docs/passes.md"));
+    std::istringstream lines(*readFile("docs/design/passes.md"));
     bool here = false;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("## ")) here = line == "## " + technique;

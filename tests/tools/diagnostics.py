@@ -1,54 +1,69 @@
 #!/usr/bin/env python3
-"""The pages of docs/diagnostics, made from their table codes.json: `diagnostics.py` compares, `diagnostics.py --write` writes them.
+"""The page docs/diagnostics.md, made from the table docs/diagnostics.json: `diagnostics.py` compares, `diagnostics.py --write` writes it.
 
-A code stands in the section of a page, with its meaning, what to do, and, where no test can provoke it, the reason (`untested`).
+A code stands in a section of an area, with its meaning, what to do, and, where no test can provoke it, the reason (`untested`).
 """
 
 import json
 import pathlib
 import sys
 
-TABLE = "docs/diagnostics/codes.json"
-NOTE = "<!-- Made from codes.json by tests/tools/diagnostics.py --write. -->"
+TABLE = "docs/diagnostics.json"
+PAGE = "docs/diagnostics.md"
+HEAD = """# Diagnostics
+
+<!-- Made from diagnostics.json by tests/tools/diagnostics.py --write. -->
+
+Every message of the program has a code, `TG` and four digits. Search this page for it.
+The message itself names the place and, as a rule, what to do; the table says it again in general.
+What the exit codes mean: [the command line](command-line.md).
+"""
 
 
-def pages(root):
+def areas(root):
     path = root / TABLE
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else []
 
 
 def codes(root):
     """Every row of the table, in its order."""
-    return [row for page in pages(root) for section in page["sections"] for row in section["codes"]]
+    return [row for area in areas(root) for section in area["sections"] for row in section["codes"]]
 
 
-def markdown(page):
-    lines = [f"# {page['title']}", "", NOTE]
-    for section in page["sections"]:
-        lines += ["", f"## {section['title']}"] if section["title"] else []
-        lines += ["", section["text"]] if section["text"] else []
-        if section["codes"]:
-            lines += ["", "| code | meaning | what to do |", "|---|---|---|"]
-        lines += [f"| TG{row['code']} | {row['meaning']} | {row['do']} |" for row in section["codes"]]
-    return "\n".join(lines) + "\n"
+def section_lines(section):
+    lines = ["", f"### {section['title']}"] if section["title"] else []
+    lines += ["", section["text"]] if section["text"] else []
+    if section["codes"]:
+        lines += ["", "| code | meaning | what to do |", "|---|---|---|"]
+    return lines + [f"| TG{row['code']} | {row['meaning']} | {row['do']} |" for row in section["codes"]]
+
+
+def markdown(root):
+    lines = []
+    for area in areas(root):
+        lines += ["", f"## {area['title']}"]
+        for section in area["sections"]:
+            lines += section_lines(section)
+    return HEAD + "\n".join(lines) + "\n"
 
 
 def outdated(root):
-    """Path and text of every page that is not what the table makes of it."""
-    for page in pages(root):
-        path, text = root / "docs/diagnostics" / page["file"], markdown(page)
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            yield path, text
+    """Is the page not what the table makes of it? A tree without the table has no page."""
+    page = root / PAGE
+    if not (root / TABLE).exists():
+        return page.exists()
+    return not page.exists() or page.read_text(encoding="utf-8") != markdown(root)
 
 
 def main(arguments):
     root = pathlib.Path(__file__).resolve().parents[2]
-    found = list(outdated(root))
-    for path, text in found:
-        if arguments == ["--write"]:
-            path.write_text(text, encoding="utf-8")
-        print(path.relative_to(root))
-    return 1 if found and arguments != ["--write"] else 0
+    if not outdated(root):
+        return 0
+    print(PAGE)
+    if arguments != ["--write"]:
+        return 1
+    (root / PAGE).write_text(markdown(root), encoding="utf-8")
+    return 0
 
 
 if __name__ == "__main__":

@@ -22,6 +22,9 @@ OUTSIDE = {"build", "out", "__pycache__"}
 MAX_SOURCE_LINES = 500
 MAX_SHADER_COLUMNS = 140
 MAX_README_LINES = 30
+MAX_USER_PAGES = 25
+MAX_USER_WORDS = 40000
+MAX_FRONT_LINES = 50
 
 
 class Skip(Exception):
@@ -96,13 +99,9 @@ def every_test_that_the_conventions_name_exists(root):
                 yield f"{page}:{number}: no test {suite}.{name}"
 
 
-def diagnostic_pages_are_made_from_their_table(root):
-    for path, _ in diagnostics.outdated(root):
-        yield f"{path}: python3 tests/tools/diagnostics.py --write"
-    made = {page["file"] for page in diagnostics.pages(root)}
-    for path in files(root / "docs" / "diagnostics", PROSE):
-        if path.name not in made:
-            yield f"{path}: not in {diagnostics.TABLE}"
+def the_page_of_diagnostics_is_made_from_its_table(root):
+    if diagnostics.outdated(root):
+        yield f"{diagnostics.PAGE}: python3 tests/tools/diagnostics.py --write"
 
 
 def program_code(root):
@@ -333,6 +332,39 @@ def links_lead_somewhere(root):
             yield f"{path}:{number}: {match[1]}"
 
 
+def user_pages(root):
+    """What is for those who use Tegument: every page of docs/ but docs/design, which is for those who change it."""
+    return [path for path in files(root / "docs", PROSE) if path.relative_to(root / "docs").parts[0] != "design"]
+
+
+def user_pages_are_few_and_short(root):
+    """At most 25 pages of 40,000 words together, so that a newcomer finds the way; derivations, proofs and tables belong to docs/design."""
+    words = {path: len(text_of(path).split()) for path in user_pages(root)}
+    if len(words) > MAX_USER_PAGES:
+        yield f"docs: {len(words)} pages outside docs/design, at most {MAX_USER_PAGES}"
+    if sum(words.values()) > MAX_USER_WORDS:
+        longest = max(words, key=words.get)
+        yield f"docs: {sum(words.values())} words outside docs/design, at most {MAX_USER_WORDS}; the longest page is {longest}, {words[longest]}"
+
+
+def linked_pages(page):
+    """The pages that this one links to, by their place."""
+    links = re.findall(r"\]\(([^)#\s]+\.md)(?:#[^)]*)?\)", text_of(page))
+    return {os.path.normpath(page.parent / link) for link in links if ":" not in link}
+
+
+def every_page_is_listed_where_its_readers_begin(root):
+    """docs/README.md, one screen, lists the users' pages, docs/design/README.md the others."""
+    front, design = root / "docs" / "README.md", root / "docs" / "design" / "README.md"
+    if len(text_of(front).splitlines()) > MAX_FRONT_LINES:
+        yield f"{front}: more than {MAX_FRONT_LINES} lines"
+    users = set(user_pages(root))
+    for path in files(root / "docs", PROSE):
+        start = front if path in users else design
+        if path not in (front, design) and os.path.normpath(path) not in linked_pages(start):
+            yield f"{start}: does not list {path}"
+
+
 def names_of_the_settings_stand_in_one_place(root):
     """Programs read them from the effect; the rooms that judge the skin include what CMake makes of that line."""
     place = root / "hlsl" / "settings.fxh"
@@ -395,7 +427,7 @@ CHECKS = {
         shaders_have_lines_of_at_most_140_characters,
         no_file_names_a_registry_host_or_a_path_of_one_machine,
         nothing_is_left_unfinished,
-        diagnostic_pages_are_made_from_their_table,
+        the_page_of_diagnostics_is_made_from_its_table,
         every_diagnostic_code_is_documented,
         every_documented_code_can_be_raised,
         every_diagnostic_code_is_tested,
@@ -413,6 +445,8 @@ CHECKS = {
         includes_of_shaders_are_guarded_by_their_name,
         folders_explain_themselves_in_at_most_30_lines,
         links_lead_somewhere,
+        user_pages_are_few_and_short,
+        every_page_is_listed_where_its_readers_begin,
         every_test_that_the_conventions_name_exists,
         names_of_the_settings_stand_in_one_place,
         headers_that_need_no_gpu_include_none,

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 
+import commands_test
 import diagnostics
 
 PROGRAM = pathlib.Path(__file__).with_name("repository.py")
@@ -16,9 +17,9 @@ GUARDED = "// Purpose.\n#ifndef TEGUMENT_SCATTER_BLUR_FXH\n#define TEGUMENT_SCAT
 
 
 def table(*codes, **more):
-    """The file of a table of one page with these codes."""
+    """The file of a table of one area with these codes."""
     rows = [{"code": code, "meaning": "meaning", "do": "what to do", **more} for code in codes]
-    return {diagnostics.TABLE: json.dumps([{"file": "a.md", "title": "A", "sections": [{"title": "", "text": "", "codes": rows}]}])}
+    return {diagnostics.TABLE: json.dumps([{"title": "A", "sections": [{"title": "", "text": "", "codes": rows}]}])}
 
 
 def run(check, tree):
@@ -115,12 +116,17 @@ class Checks(unittest.TestCase):
         self.finds(check, {**table(5001, untested="needs a broken disk"), **named}, "TG5001 is tested")
 
     def test_a_page_of_codes_that_is_not_made_from_the_table_is_found(self):
-        check = "diagnostic_pages_are_made_from_their_table"
-        page = diagnostics.markdown(json.loads(table(5001)[diagnostics.TABLE])[0])
-        self.assertIn("| TG5001 | meaning | what to do |\n", page)
-        self.accepts(check, {**table(5001), "docs/diagnostics/a.md": page})
-        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page.replace("meaning |", "sense |")}, "a.md: python3")
-        self.finds(check, {**table(5001), "docs/diagnostics/a.md": page, "docs/diagnostics/b.md": ""}, "b.md: not in")
+        check = "the_page_of_diagnostics_is_made_from_its_table"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, diagnostics.TABLE)
+            path.parent.mkdir()
+            path.write_text(table(5001)[diagnostics.TABLE], encoding="utf-8")
+            page = diagnostics.markdown(pathlib.Path(folder))
+        self.assertIn("## A\n\n| code | meaning | what to do |\n|---|---|---|\n| TG5001 | meaning | what to do |\n", page)
+        self.accepts(check, {**table(5001), diagnostics.PAGE: page})
+        self.finds(check, {**table(5001), diagnostics.PAGE: page.replace("meaning |", "sense |")}, "diagnostics.md: python3")
+        self.finds(check, table(5001), "diagnostics.md: python3")
+        self.finds(check, {diagnostics.PAGE: page}, "diagnostics.md: python3")
 
     def test_a_test_that_may_hide_a_failure_is_found(self):
         check = "tests_are_registered_where_no_failure_is_lost"
@@ -224,6 +230,24 @@ class Checks(unittest.TestCase):
         self.accepts(check, {"docs/a.md": "[b](b.md#part) [c](https://example.com) [d](#here)", "docs/b.md": ""})
         self.finds(check, {"docs/a.md": "[b](b.md)"}, "docs/a.md:1: b.md")
 
+    def test_a_page_or_a_word_too_many_for_users_is_found(self):
+        check = "user_pages_are_few_and_short"
+        pages = {f"docs/{number}.md": "word\n" for number in range(24)}  # and README.md
+        self.accepts(check, {**pages, "docs/design/more.md": "word " * 50000})
+        self.finds(check, {**pages, "docs/samples/README.md": ""}, "docs: 26 pages outside docs/design, at most 25")
+        words = 40000 - len("What belongs here.".split())
+        self.accepts(check, {"docs/a.md": "word " * words})
+        self.finds(check, {"docs/a.md": "word " * (words + 1)}, "docs: 40001 words outside docs/design, at most 40000; the longest page is docs/a.md, 39998")
+
+    def test_a_page_that_no_front_lists_is_found(self):
+        check = "every_page_is_listed_where_its_readers_begin"
+        listed = {"docs/README.md": "[a](a.md#part)", "docs/a.md": "", "docs/design/README.md": "[b](b.md), [c](c/c.md)",
+                  "docs/design/b.md": "", "docs/design/c/c.md": ""}
+        self.accepts(check, listed)
+        self.finds(check, {**listed, "docs/x.md": ""}, "docs/README.md: does not list docs/x.md")
+        self.finds(check, {**listed, "docs/design/c/x.md": ""}, "docs/design/README.md: does not list docs/design/c/x.md")
+        self.finds(check, {**listed, "docs/README.md": "[a](a.md)" + "\n" * 51}, "docs/README.md: more than 50 lines")
+
     def test_only_tests_may_name_the_shared_folder(self):
         check = "nothing_but_tests_reads_the_shared_folder"
         folder = "../" + "shared/data"
@@ -238,6 +262,36 @@ class Checks(unittest.TestCase):
         self.finds(check, {**script, "docs/dependencies.md": page.replace("| apt | `g++` |\n", "")}, "bootstrap installs g++")
         self.finds(check, {**script, "docs/dependencies.md": page + "\n| apt | `git` |"}, "lists git")
         self.finds(check, {**script, "docs/dependencies.md": page.replace("a==1.2", "a")}, "bootstrap pins a==1.2")
+
+
+class OneProgram(commands_test.Program):
+    """Has the commands render and `fur roots`, one effect and one workspace."""
+
+    def output(self, *arguments):
+        return {
+            ("render", "--help"): "  -t,--technique TEXT\n  -p,--preset TEXT\n  -s,--set TEXT ...\n  -w,--workspace TEXT\n",
+            ("fur", "--help"): "Subcommands:\n  roots                       Place roots\n",
+            ("fur", "roots", "--help"): "  --lean FLOAT=0              How far tips lean\n",
+            ("list", "--json"): '{"effects": [{"name": "Skin", "techniques": ["Fast"], "presets": ["dry"]}], "workspaces": [{"name": "front"}]}',
+            ("info", "Skin", "--json"): '{"parameters": [{"name": "gMix"}]}',
+        }.get(arguments, "")
+
+
+class Commands(unittest.TestCase):
+    def test_a_line_is_read_up_to_its_prose(self):
+        page = "    tegument render Skin -o a.png    and look\n    tegument view Skin # h: help\n  tegument prose\n    build/release/tegument list\n"
+        self.assertEqual(list(commands_test.commands_of(page)), [(1, "render Skin -o a.png"), (2, "view Skin"), (4, "list")])
+
+    def test_what_the_program_has_not_is_found(self):
+        program = OneProgram("")
+        for right in ("render Skin -t Fast -p dry -w front --set gMix=1", "render mine/Other.fx -t Any -w my.json", "fur roots a.glb --lean 0.5",
+                      "render [EFFECT] [--technique T] | --set"):
+            self.assertEqual(list(commands_test.faults(program, right)), [], right)
+        for wrong, fault in (("draw Skin", "no command draw"), ("render Skin --sett gMix=1", "has no option --sett"), ("fur roots a.glb --comb 1", "fur roots has no option --comb"),
+                             ("render effects/Skin.fx -t Slow", "has no technique Slow"), ("render Skin --preset oily", "has no preset oily"),
+                             ("render Skin -w back", "no workspace back"), ("render Skin -s gMax=1", "has no parameter gMax"),
+                             ("render [EFFECT] [--tecnique T]", "has no option --tecnique")):
+            self.assertIn(fault, "".join(commands_test.faults(program, wrong)), wrong)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 // is lost.
 //   d3d9_sample EFFECTS-FOLDER MESH.bin COLOUR.png NORMAL.png [SHOT.png]       arrow keys turn; with SHOT: a frame, a reset, a frame, the
 //   end
-// MESH.bin: counts, bounding sphere, the vertex stream of docs/conventions.md, indices; docs/samples/vulkan writes it. docs/engine.md
+// MESH.bin: counts, bounding sphere, the vertex stream of docs/conventions.md, indices; docs/samples/vulkan writes it. docs/your-engine.md
 // explains what is not plain Direct3D.
 #include "effect.h"
 

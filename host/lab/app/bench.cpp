@@ -348,7 +348,7 @@ void addBench(CLI::App& program, Action& action) {
         command->add_flag("--stability", arguments->stability,
                           "Only draw every module's hard cases: values that are not finite, largest errors and their causes");
     stability->excludes(pick)->excludes(growth)->excludes(ablation);
-    command->add_option("--part", arguments->parts, "With --stability: parts of the report (docs/stability.md); default: all")
+    command->add_option("--part", arguments->parts, "With --stability: parts of the report (docs/design/stability.md); default: all")
         ->needs(stability);
     command->add_option("--module", arguments->modules, "With --stability: names of effects, Main for Main.fx; default: all")
         ->needs(stability);

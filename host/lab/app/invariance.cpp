@@ -101,7 +101,7 @@ int invariance(const InvarianceArguments& arguments) {
     if (!cells) return fail(cells.error(), arguments.json);
     if (cells->empty())
         return fail(usageError(8061, "nothing is left to hold: no technique, or no case, of these names",
-                               "tegument info EFFECT lists the techniques, docs/invariance.md the cases"),
+                               "tegument info EFFECT lists the techniques, docs/design/invariance.md the cases"),
                     arguments.json);
     const fs::path folder = arguments.output;
     const std::string json = invarianceJson(*cells);

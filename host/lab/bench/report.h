@@ -38,8 +38,8 @@ struct Table {
 /// {machine, scene, ablation: [{group, what, ms, noise, change, rel_l2}]}
 [[nodiscard]] std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine, const std::string& scene);
 
-/// The tables of docs/speed-error.md from any of these three: of a comparison one for each scene, size and machine. TG8076 when it is none
-/// of them.
+/// The tables of docs/design/speed-error.md from any of these three: of a comparison one for each scene, size and machine. TG8076 when it
+/// is none of them.
 [[nodiscard]] Result<std::string> toMarkdown(const std::string& json, const std::string& nameForMessages);
 
 } // namespace tegument::bench

@@ -1,6 +1,6 @@
 #pragma once
 // Every technique of every effect draws the same picture of the same scene, however that scene is put: in another unit, turned, mirrored,
-// its triangles in another order (docs/invariance.md).
+// its triangles in another order (docs/design/invariance.md).
 
 #include "host/gpu/gpu.h"
 #include "host/mesh/mesh.h"
@@ -53,7 +53,8 @@ struct InvarianceCell {
 [[nodiscard]] std::vector<std::string> invarianceCases();
 [[nodiscard]] std::vector<std::string> invarianceColumns();
 
-/// Cells of one column whose limits are wider than usual, with what causes the difference, measured (docs/invariance.md, "Exceptions").
+/// Cells of one column whose limits are wider than usual, with what causes the difference, measured (docs/design/invariance.md,
+/// "Exceptions").
 struct InvarianceException {
     std::string effect; // "FurRoots"
     std::string column;

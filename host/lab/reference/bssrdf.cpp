@@ -48,7 +48,7 @@ bool isSkin(const SkinScene& scene, const SurfacePoint& point) {
     return scene.colour(point).w > kSkin;
 }
 
-/// E of docs/skin.md, without a ray where the surface is turned away.
+/// E of docs/design/skin.md, without a ray where the surface is turned away.
 Irradiance enteringSkin(const SkinScene& scene) {
     return [&scene](const SurfacePoint& point) {
         if (!isSkin(scene, point)) return glm::dvec3(0);

@@ -1,6 +1,6 @@
 #pragma once
 // A surface unwrapped into a map: what is known of each texel's point, how dense the texels lie on the surface, and both blurs of
-// docs/skin.md by them.
+// docs/design/skin.md by them.
 
 #include "host/lab/reference/convolution.h"
 #include "host/lab/reference/surface.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The picture of shells as docs/fur.md defines it, in double precision: what each pixel's ray meets of every layer, in the order of
+// The picture of shells as docs/design/fur.md defines it, in double precision: what each pixel's ray meets of every layer, in the order of
 // drawing, where fur maps are looked up, how strands are lit, what is blended over what.
 
 #include "host/lab/reference/pinhole.h"

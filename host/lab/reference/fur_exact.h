@@ -1,6 +1,6 @@
 #pragma once
-// Strands as docs/fur-layers.md ("What a strand is") defines them in space, and rays against them: what effects/FurRoots.fx should show.
-// Nothing here knows layers, sweeps, or coverage to expect. Lengths in mm.
+// Strands as docs/design/fur-layers.md ("What a strand is") defines them in space, and rays against them: what effects/FurRoots.fx should
+// show. Nothing here knows layers, sweeps, or coverage to expect. Lengths in mm.
 
 #include "host/lab/reference/fur_strands.h"
 #include "host/lab/reference/surface.h"

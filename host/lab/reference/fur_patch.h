@@ -1,6 +1,6 @@
 #pragma once
 // A flat patch of fur whose picture is known exactly: rays against cones. What shells show of it is held against that
-// (docs/fur-accuracy.md). One strand stands in each cell of a unit lattice; lengths are in lattice spacings.
+// (docs/design/fur-layers.md). One strand stands in each cell of a unit lattice; lengths are in lattice spacings.
 
 #include <cstdint>
 #include <vector>

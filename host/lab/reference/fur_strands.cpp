@@ -23,7 +23,7 @@ Whole modulo(const Whole& v) {
     return (v % kPrime + kPrime) % kPrime;
 }
 
-/// One round of the random numbers of docs/modules/FurRoots.md: a linear mixture, then products.
+/// One round of the random numbers of docs/design/modules/FurRoots.md: a linear mixture, then products.
 Whole mixed(const Whole& v) {
     const Whole m = modulo(Whole(431 * v.x + 577 * v.y + 101, 797 * v.y + 281 * v.z + 389, 163 * v.z + 907 * v.x + 733));
     return modulo(Whole(m.y * m.z, m.z * m.x, m.x * m.y) + m * std::int64_t{613});

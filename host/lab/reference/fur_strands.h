@@ -1,6 +1,6 @@
 #pragma once
-// The strands of effects/FurRoots.fx near a place, as docs/modules/FurRoots.md defines them. Places and lengths in spacings, from the
-// centre of the mesh's ball.
+// The strands of effects/FurRoots.fx near a place, as docs/design/modules/FurRoots.md defines them. Places and lengths in spacings, from
+// the centre of the mesh's ball.
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_precision.hpp>

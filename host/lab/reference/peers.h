@@ -1,6 +1,6 @@
 #pragma once
-// What other people's techniques define (docs/peers.md), from their formulas: kernels, profiles, rings of skin, and their responses to the
-// edge of a shadow.
+// What other people's techniques define (docs/design/peers.md), from their formulas: kernels, profiles, rings of skin, and their responses
+// to the edge of a shadow.
 
 #include "host/lab/reference/profile.h"
 

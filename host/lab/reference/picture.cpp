@@ -97,7 +97,7 @@ glm::dvec3 GosselinPicture::diffused(const SurfacePoint& point) const {
 
 glm::dvec3 GosselinPicture::radiance(const SurfacePoint& point, const glm::dvec3& eye) const {
     const glm::dvec4 colour = light_.colour(point);
-    // As printed, material that does not scatter has the kernel size 0 and takes its light from the map too (docs/modules/Main.md).
+    // As printed, material that does not scatter has the kernel size 0 and takes its light from the map too (docs/design/modules/Main.md).
     const double scatters = settings_.shadowedReflection ? colour.w : 1;
     const glm::dvec3 diffuse = glm::mix(arriving(point), diffused(point), scatters);
     const bool lit = !settings_.shadowedReflection || light_.lit(point);

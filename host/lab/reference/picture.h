@@ -1,6 +1,6 @@
 #pragma once
-// The pictures of both techniques as docs/skin.md defines them, each part in double precision: light by rays; d'Eon and Luebke's with one
-// Gaussian of the whole width for each map and transmission by the thickness along the ray, Gosselin's with its discs.
+// The pictures of both techniques as docs/design/skin.md defines them, each part in double precision: light by rays; d'Eon and Luebke's
+// with one Gaussian of the whole width for each map and transmission by the thickness along the ray, Gosselin's with its discs.
 
 #include "host/lab/reference/chart_map.h"
 #include "host/lab/reference/profile.h"
@@ -19,7 +19,7 @@ public:
     /// where the setting stores depths.
     SkinPicture(const SkinScene& light, int mapSize, double range);
 
-    /// M of docs/skin.md: six maps weighted, and what passes through the body.
+    /// M of docs/design/skin.md: six maps weighted, and what passes through the body.
     [[nodiscard]] glm::dvec3 diffused(const SurfacePoint& point) const;
     /// Linear radiance towards the eye.
     [[nodiscard]] glm::dvec3 radiance(const SurfacePoint& point, const glm::dvec3& eye) const;
@@ -46,7 +46,7 @@ public:
     /// Maps of `mapSize` texels a side; `light` must outlive the picture.
     GosselinPicture(const SkinScene& light, int mapSize, const GosselinSettings& settings);
 
-    /// E of docs/skin.md after the last blur; where the map has nothing, the light without diffusion.
+    /// E of docs/design/skin.md after the last blur; where the map has nothing, the light without diffusion.
     [[nodiscard]] glm::dvec3 diffused(const SurfacePoint& point) const;
     /// Linear radiance towards the eye.
     [[nodiscard]] glm::dvec3 radiance(const SurfacePoint& point, const glm::dvec3& eye) const;

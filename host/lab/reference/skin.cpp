@@ -135,7 +135,7 @@ double SkinScene::diffuseShare(double cosine) const {
     const double place = std::clamp(cosine, 0.0, 1.0) * static_cast<double>(albedo_.size() - 1);
     const auto left = std::min(static_cast<std::size_t>(place), albedo_.size() - 2);
     const double albedo = std::lerp(albedo_[left], albedo_[left + 1], place - static_cast<double>(left));
-    return std::max(0.0, 1 - settings_.attenuation * albedo); // clamped: the printed table exceeds 1 (docs/skin.md)
+    return std::max(0.0, 1 - settings_.attenuation * albedo); // clamped: the printed table exceeds 1 (docs/design/skin.md)
 }
 
 glm::dvec3 SkinScene::entering(const SurfacePoint& point, bool lit) const {

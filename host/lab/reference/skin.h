@@ -1,5 +1,5 @@
 #pragma once
-// Light on skin, point by point, as docs/skin.md defines it: shadows by rays, thickness by rays, reflection evaluated, albedo by
+// Light on skin, point by point, as docs/design/skin.md defines it: shadows by rays, thickness by rays, reflection evaluated, albedo by
 // quadrature.
 
 #include "host/lab/reference/pinhole.h"

@@ -18,7 +18,7 @@ namespace tegument::bench::stability {
 
 namespace {
 
-constexpr double kSmallestRoughness = 1e-3; // docs/modules/Beckmann.md: smaller m count as this
+constexpr double kSmallestRoughness = 1e-3; // docs/design/modules/Beckmann.md: smaller m count as this
 constexpr double kUsual = 0.05;             // the smallest that the effects' sliders offer
 
 /// Where the eye and the light of one picture stand, seen from the middle of the cap: degrees from its pole.
@@ -183,7 +183,7 @@ Result<void> measureTable(const Context& context, const Table& table) {
              .cause = fmt::format("texel ({}, {}): cosine {:.4g}, m {:.4g}", worst.x, worst.y, (worst.x + 0.5) / exact.width,
                                   (worst.y + 0.5) / exact.height),
              .notFinite = notFinite(rendered).count,
-             .why = "docs/modules: a half; midpoints where the horizon cuts the lobe"});
+             .why = "docs/design/modules: a half; midpoints where the horizon cuts the lobe"});
     }
     return {};
 }

@@ -15,7 +15,7 @@ namespace tegument::bench::stability {
 namespace {
 
 constexpr int kPicture = 256;
-constexpr double kHorizon = 0.05; // N.L from which on a smooth surface counts as lit (docs/modules/ShadowMap.md)
+constexpr double kHorizon = 0.05; // N.L from which on a smooth surface counts as lit (docs/design/modules/ShadowMap.md)
 constexpr double kElevation = 45; // of the light over the floor, degrees
 
 struct Seen {

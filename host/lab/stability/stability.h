@@ -1,5 +1,5 @@
 #pragma once
-// Every module over its hard cases: values that are not finite, and the largest errors with what causes them (docs/stability.md).
+// Every module over its hard cases: values that are not finite, and the largest errors with what causes them (docs/design/stability.md).
 
 #include "host/gpu/gpu.h"
 #include "host/spirv/compile.h"
@@ -61,7 +61,7 @@ struct StabilityReport {
 /// None when the text is not what stabilityJson wrote.
 [[nodiscard]] std::optional<StabilityReport> stabilityFromJson(const std::string& text);
 
-/// The tables of docs/stability.md.
+/// The tables of docs/design/stability.md.
 [[nodiscard]] std::string stabilityMarkdown(const StabilityReport& report);
 
 } // namespace tegument::bench

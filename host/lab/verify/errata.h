@@ -1,5 +1,5 @@
 #pragma once
-// What the printed forms cost: each finding about the sources measured, as printed and as corrected (docs/skin-accuracy.md).
+// What the printed forms cost: each finding about the sources measured, as printed and as corrected (docs/design/skin-error.md).
 
 #include "host/lab/verify/verify.h"
 
@@ -36,7 +36,7 @@ struct Errata {
 /// Formulas in double precision, tables and kernels as the device draws them. `options`: device-side compiler and effects.
 [[nodiscard]] Result<Errata> measureErrata(gpu::Device& device, const VerifyOptions& options = {});
 
-/// The tables of docs/skin-accuracy.md as Markdown.
+/// The tables of docs/design/skin-error.md as Markdown.
 [[nodiscard]] std::string errataMarkdown(const Errata& errata);
 
 } // namespace tegument

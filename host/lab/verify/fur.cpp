@@ -197,7 +197,8 @@ Drawn drawReference(const View& view, const Part& part, const Maps& maps, const 
 
 Limits limitsOf(const Context& context, bool opaque) {
     if (context.options.setting != kSettingCorrected)
-        return {.relativeL2 = 0.1, .bias = 0.02, .apart = 0.5, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"};
+        return {
+            .relativeL2 = 0.1, .bias = 0.02, .apart = 0.5, .why = "false shadows of the printed comparison (docs/design/modules/TSM.md)"};
     if (opaque)
         return {.relativeL2 = 0.02,
                 .p99 = 0.02,
@@ -243,7 +244,7 @@ Result<void> comparePart(ModuleReport& report, const Context& context, const Fur
 Result<ModuleReport> verifyFur(const Context& context) {
     ModuleReport report{.module = "Fur",
                         .summary = "Every pixel against the fragments of every layer by rays, blended in order; maps looked up bilinearly, "
-                                   "shadows by rays, light by the formulas of docs/fur.md"};
+                                   "shadows by rays, light by the formulas of docs/design/fur.md"};
     Maps maps;
     if (const auto written = maps.write(); !written) return written.error();
     const FurScene torus = furTorus(context.options);

@@ -117,7 +117,7 @@ ExactPicture drawExact(const FurWindow& window, const VerifyOptions& options) {
 
 namespace {
 
-/// The printed settings throw false shadows upon the skin between strands: one comparison, no slope (docs/modules/TSM.md).
+/// The printed settings throw false shadows upon the skin between strands: one comparison, no slope (docs/design/modules/TSM.md).
 Limits limitsOf(const Context& context, const WindowLimits& window) {
     const bool corrected = context.options.setting == kSettingCorrected;
     return {.relativeL2 = corrected ? window.relativeL2 : 2.2 * window.relativeL2,

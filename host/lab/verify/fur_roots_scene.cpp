@@ -12,7 +12,7 @@ namespace tegument::verify {
 namespace {
 
 /// From technique Cellular's lattice: 2 rho = 1 point per square, of which those near the slab's faces grow shorter strands
-/// (docs/modules/FurRoots.md).
+/// (docs/design/modules/FurRoots.md).
 constexpr double kLatticeDensity = 0.875;
 constexpr double kReach = 2.5; // of a root: strands stray, a step and a pixel are wide
 

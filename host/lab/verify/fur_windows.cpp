@@ -105,13 +105,13 @@ constexpr Bends kAll{.scatter = 0.4, .curls = 0.15, .tufts = 1.5, .lean = 0.25, 
 constexpr Bends kNoTufts{.scatter = 0.4, .curls = 0.15, .lean = 0.25, .comb = 0.3};
 
 // Limits: a tenth to a seventh more than lavapipe draws with 64 or 128 pixels a side. All of it is the effect's own: one sample to a pixel
-// and edges of strands as soft as one, 0.016 to 0.037 of brightness (docs/fur-layers.md), which is 0.06 to 0.1 of the mean; and
+// and edges of strands as soft as one, 0.016 to 0.037 of brightness (docs/design/fur-layers.md), which is 0.06 to 0.1 of the mean; and
 const char* const kOnPlane = "one sample to a pixel; strands bend evenly from layer to layer, and their sections where tufts draw together";
 const char* const kOnBall = "one sample to a pixel; rays that cross several spacings are bent to the second order only";
 const char* const kOnTorus = "one sample to a pixel; strands are straight between the four layers that the view asks for";
 const char* const kOnRough = "one sample to a pixel; normals that differ from vertex to vertex make layers rougher than the skin";
 const char* const kFromAfar =
-    "one sample to a pixel at outlines; strands counted as independent, not as they stand (docs/modules/FurRoots.md)";
+    "one sample to a pixel at outlines; strands counted as independent, not as they stand (docs/design/modules/FurRoots.md)";
 
 const char* const kOnScan =
     "one sample to a pixel; normals of a scan differ from vertex to vertex; roots lean as the coat around them does, "

@@ -107,7 +107,7 @@ Result<ModuleReport> verifyStretch(const Context& context) {
         const glm::dvec3 w = seen.pixels[i]->place.weights;
         counts[i] = std::min({w.x, w.y, w.z}) > kOnAnEdge ? 1 : 0;
     }
-    constexpr double kScale = 0.1 * 1024; // docs/modules/Stretch.md
+    constexpr double kScale = 0.1 * 1024; // docs/design/modules/Stretch.md
     const Image exact = paint(seen, 3, [&](const reference::SurfacePoint& point, std::size_t) {
         const auto j = reference::jacobian(scene.mesh, point.place.triangle);
         return j ? glm::dvec4(kScale / glm::length(j->alongU), kScale / glm::length(j->alongV), 0, 0) : glm::dvec4(0);

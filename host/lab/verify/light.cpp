@@ -22,7 +22,8 @@ Limits shadowLimits(const Context& context) {
     return {.relativeL2 = 0.3,
             .bias = 0.06,
             .apart = 1,
-            .why = "one comparison with a constant tolerance: false shadows on slopes, light behind thin parts (docs/modules/TSM.md)"};
+            .why =
+                "one comparison with a constant tolerance: false shadows on slopes, light behind thin parts (docs/design/modules/TSM.md)"};
 }
 
 namespace {
@@ -72,7 +73,7 @@ Result<ModuleReport> verifySpecular(const Context& context) {
                         .largest = 0.02,
                         .bias = 5e-4,
                         .why = "graphics hardware places a look-up in the normal map with 8 bits between texels, and the lobe is steep"};
-    const Limits printed{.relativeL2 = 0.1, .bias = 0.02, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"};
+    const Limits printed{.relativeL2 = 0.1, .bias = 0.02, .why = "false shadows of the printed comparison (docs/design/modules/TSM.md)"};
     const Limits shadowed{
         .relativeL2 = 5e-3, .p99 = 5e-3, .bias = 5e-4, .apart = 0.5, .why = "as unshadowed; single points of the shadow map"};
     const bool corrected = context.options.setting == kSettingCorrected;
@@ -144,15 +145,17 @@ Result<ModuleReport> verifyIrradiance(const Context& context) {
         return glm::dvec4(truth.skin.entering(point, truth.skin.lit(point)), 1);
     });
     const bool corrected = context.options.setting == kSettingCorrected;
-    const auto compared = compare(
-        report, context, {"gIrradianceMap", rgb(drawn), exact, counts, interior(seen)},
-        corrected
-            ? Limits{.relativeL2 = 5e-3,
-                     .p99 = 1e-2,
-                     .bias = 3e-3,
-                     .apart = 0.5,
-                     .why = "a half, truncated; 8 bits of position in the look-ups of colour and normal; the albedo table"}
-            : Limits{.relativeL2 = 0.3, .bias = 0.06, .apart = 1, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"});
+    const auto compared =
+        compare(report, context, {"gIrradianceMap", rgb(drawn), exact, counts, interior(seen)},
+                corrected ? Limits{.relativeL2 = 5e-3,
+                                   .p99 = 1e-2,
+                                   .bias = 3e-3,
+                                   .apart = 0.5,
+                                   .why = "a half, truncated; 8 bits of position in the look-ups of colour and normal; the albedo table"}
+                          : Limits{.relativeL2 = 0.3,
+                                   .bias = 0.06,
+                                   .apart = 1,
+                                   .why = "false shadows of the printed comparison (docs/design/modules/TSM.md)"});
     if (!compared) return compared.error();
     noteApart(report, "gIrradianceMap", counts, covered(seen), kShadowApart);
     if (const auto thick = compareThickness(report, context, truth, seen, drawn); !thick) return thick.error();

@@ -36,9 +36,9 @@ Radiance gosselin(const Context& context, const Truth& truth) {
     return [&truth, picture](const auto& point) { return picture.radiance(point, truth.camera.eye); };
 }
 
-const char* const kApart =
-    "as for shadows (docs/reference.md), and what is lit through the body where its thickness jumps by more than 3 mm within three texels "
-    "of the map: the outline seen from the light";
+const char* const kApart = "as for shadows (docs/design/reference.md), and what is lit through the body where its thickness jumps by more "
+                           "than 3 mm within three texels "
+                           "of the map: the outline seen from the light";
 
 /// Pixels whose shadow and whose thickness the map can tell.
 std::vector<std::uint8_t> counted(const Truth& truth, const Seen& seen) {
@@ -80,8 +80,8 @@ Limits pictureLimits(const Context& context, bool fromBehind) {
         return {.relativeL2 = 0.15,
                 .bias = 0.06,
                 .apart = 1.5,
-                .why =
-                    "false shadows of the printed comparison, widths and gain of the printed kernel (docs/modules/TSM.md, Convolution.md)"};
+                .why = "false shadows of the printed comparison, widths and gain of the printed kernel (docs/design/modules/TSM.md, "
+                       "Convolution.md)"};
     if (fromBehind)
         return {.relativeL2 = 0.015,
                 .p99 = 0.15,
@@ -99,7 +99,8 @@ Limits pictureLimits(const Context& context, bool fromBehind) {
 /// Tight: without the disc's turn, its own mean or a quarter of its size the picture is 4e-3 to 7e-3 away.
 Limits gosselinLimits(const Context& context) {
     if (context.options.setting != kSettingCorrected)
-        return {.relativeL2 = 0.01, .bias = 3e-3, .apart = 0.5, .why = "false shadows of the printed comparison (docs/modules/TSM.md)"};
+        return {
+            .relativeL2 = 0.01, .bias = 3e-3, .apart = 0.5, .why = "false shadows of the printed comparison (docs/design/modules/TSM.md)"};
     return {.relativeL2 = 3e-3,
             .p99 = 0.01,
             .bias = 1e-3,
@@ -111,9 +112,10 @@ Limits gosselinLimits(const Context& context) {
 
 Result<ModuleReport> verifyMain(const Context& context) {
     ModuleReport report{.module = "Main",
-                        .summary = "Every pixel against the formula of docs/skin.md with shadows and thickness by rays, each map blurred "
-                                   "by one Gaussian of its whole width, or by the discs, reflectance and albedo evaluated; in front and "
-                                   "behind"};
+                        .summary =
+                            "Every pixel against the formula of docs/design/skin.md with shadows and thickness by rays, each map blurred "
+                            "by one Gaussian of its whole width, or by the discs, reflectance and albedo evaluated; in front and "
+                            "behind"};
     const bool corrected = context.options.setting == kSettingCorrected;
     const Limits plain =
         corrected

@@ -106,7 +106,7 @@ Result<ModuleReport> verifyBeckmann(const Context& context) {
                   "ten times a half's step, and the bend of the lobe between texels, which goes with (step / m^2)^2");
     }
     report.notes.emplace_back(
-        "cosines within half a texel of 1 are left out of the read-back: the look-up clamps there (docs/modules/Beckmann.md)");
+        "cosines within half a texel of 1 are left out of the read-back: the look-up clamps there (docs/design/modules/Beckmann.md)");
     return report;
 }
 
@@ -135,7 +135,7 @@ Result<ModuleReport> verifyEnergyAttenuation(const Context& context) {
         .why = "1024 terms summed in 32-bit floats; at m < 0.02 the lobe falls between nodes and PH amplifies the rounding of N.H"};
     const auto compared = compare(report, context, {"gEnergyAttenuationMap", table, exact, {}}, corrected ? quadrature : rounding);
     if (!compared) return compared.error();
-    if (corrected) // the printed table is pi times an albedo: docs/skin-accuracy.md
+    if (corrected) // the printed table is pi times an albedo: docs/design/skin-error.md
         addMetric(report, context, "white furnace: largest reflectance of both layers, rho_s = 1", largestReflectance(table), 1,
                   "no more comes out than went in");
     return report;

@@ -1,6 +1,6 @@
 #pragma once
 // Roots as one float texture that shaders of every target can read, Direct3D 9 included: a grid of bricks of cells, the lists of the cells,
-// the roots. docs/fur.md, "Roots", has the layout.
+// the roots. docs/design/fur.md, "Roots", has the layout.
 
 #include "host/image/image.h"
 #include "meshprep/fur/roots/roots.h"
@@ -29,7 +29,7 @@ struct RootTexture {
 /// Puts the roots into the order of their cells. TG7107 where the texture would be larger than 4096 x 4096.
 [[nodiscard]] Result<RootTexture> buildRootTexture(RootSet& set, unsigned threads = 0);
 
-/// The reader that docs/fur.md describes, in the shader's arithmetic: numbers of the roots that the cell around a point lists.
+/// The reader that docs/design/fur.md describes, in the shader's arithmetic: numbers of the roots that the cell around a point lists.
 [[nodiscard]] std::vector<std::size_t> rootsAround(const Image& image, const glm::vec3& point);
 /// Lean and density of the coat at a point, between the nodes of its brick; 0 where there is no brick.
 [[nodiscard]] glm::vec4 coatAround(const Image& image, const glm::vec3& point);

@@ -1,5 +1,5 @@
 #pragma once
-// Everything about the roots of fur on a mesh: where they stand, and how each strand is long, thick, inclined. docs/fur.md, "Roots".
+// Everything about the roots of fur on a mesh: where they stand, and how each strand is long, thick, inclined. docs/design/fur.md, "Roots".
 
 #include "meshprep/fur/roots/coat_field.h"
 #include "meshprep/fur/roots/root_maps.h"

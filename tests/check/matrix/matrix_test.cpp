@@ -55,10 +55,10 @@ TEST_F(Matrix, every_pass_of_every_effect_is_measured_against_shader_model_3) {
     }
 }
 
-/// The lines of docs/resources.md by the effect whose heading they stand under.
+/// The lines of docs/design/tables/resources.md by the effect whose heading they stand under.
 std::map<std::string, std::vector<std::string>> documentedRows() {
     std::map<std::string, std::vector<std::string>> rows;
-    const auto text = readFile("docs/resources.md");
+    const auto text = readFile("docs/design/tables/resources.md");
     std::istringstream lines(text ? *text : "");
     std::string effect;
     for (std::string line; std::getline(lines, line);) {

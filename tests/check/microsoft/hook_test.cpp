@@ -1,4 +1,4 @@
-// The example of docs/engine.md that skins the effects, by Microsoft's compiler.
+// The example of docs/your-engine.md that skins the effects, by Microsoft's compiler.
 
 #include "tests/check/hook_example.h"
 

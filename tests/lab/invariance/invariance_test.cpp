@@ -1,4 +1,4 @@
-// Every technique of every effect, found in the files: the same scene put otherwise gives the same picture (docs/invariance.md).
+// Every technique of every effect, found in the files: the same scene put otherwise gives the same picture (docs/design/invariance.md).
 
 #include "host/effect/model.h"
 #include "host/image/compare.h"

@@ -100,7 +100,7 @@ TEST(Photons, are_the_same_again_and_others_for_another_seed) {
     EXPECT_NE(first.reflected, followPhotons(tissue, {.photons = 2000, .seed = 8}).reflected);
 }
 
-/// Values of an independent simulation, confirmed by Mitsuba 3 (docs/model-error.md).
+/// Values of an independent simulation, confirmed by Mitsuba 3 (docs/design/skin-error.md).
 TEST(Photons, come_back_from_jensen_s_skin_as_published) {
     constexpr double kScattering[] = {.74, .88, 1.01};
     constexpr double kAbsorption[] = {.032, .17, .48};

@@ -1,4 +1,4 @@
-// The errata as measured have the sizes that docs/skin.md and docs/skin-accuracy.md state.
+// The errata as measured have the sizes that docs/design/skin.md and docs/design/skin-error.md state.
 
 #include "host/lab/verify/errata.h"
 #include "tests/lab/verify/fixture.h"

@@ -1,4 +1,4 @@
-// Writes the tables of docs/skin-accuracy.md: skin_accuracy > tables.md, from the repository's root.
+// Writes the tables of docs/design/skin-error.md: skin_accuracy > tables.md, from the repository's root.
 
 #include "host/lab/verify/errata.h"
 

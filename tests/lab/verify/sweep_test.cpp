@@ -168,6 +168,6 @@ TEST_F(Furnace, white_skin_is_never_brighter_than_the_light_that_falls_on_it) {
 }
 
 TEST_F(Furnace, light_through_thin_parts_adds_to_it_but_not_above_it) {
-    // The profile is taken for a transmittance: energy is added (docs/skin.md). It appears where the light does not fall.
+    // The profile is taken for a transmittance: energy is added (docs/design/skin.md). It appears where the light does not fall.
     EXPECT_LE(brightest("corrected", 1), 1 + 2e-3);
 }

@@ -15,7 +15,7 @@ namespace tegument {
 namespace {
 
 TEST(Pigment, light_skin_reflects_what_was_measured_on_light_skin) {
-    // Spectrophotometer readings of light skin at 610, 550 and 460 nm lie in these ranges (docs/human.md).
+    // Spectrophotometer readings of light skin at 610, 550 and 460 nm lie in these ranges (docs/design/human.md).
     const glm::vec3 skin = skinReflectance({});
     EXPECT_GT(skin.r, 0.48f);
     EXPECT_LT(skin.r, 0.66f);

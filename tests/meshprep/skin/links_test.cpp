@@ -27,8 +27,8 @@ void addSheet(Mesh& mesh, double side, double z, glm::dvec2 corner, double mapSi
         mesh.indices.push_back(first + index);
 }
 
-/// What is left of a Gaussian for links: receivers of this side (mm) are read by a spline (docs/modules/Pyramid.md). How wide sources are
-/// makes no difference.
+/// What is left of a Gaussian for links: receivers of this side (mm) are read by a spline (docs/design/modules/Pyramid.md). How wide
+/// sources are makes no difference.
 double lessened(double variance, double receiver) {
     return variance - 0.25 * receiver * receiver;
 }

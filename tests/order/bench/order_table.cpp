@@ -1,4 +1,4 @@
-// The tables of docs/orders.md: what each order reaches on each mesh, and its time against meshoptimizer's, all in one run.
+// The tables of docs/design/orders.md: what each order reaches on each mesh, and its time against meshoptimizer's, all in one run.
 //
 //     order_table [--seed N] [--repeat N] MESH...     MESH: sphere, terrain, sphere:N, terrain:N, or a file
 //

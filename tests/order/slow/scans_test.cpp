@@ -1,5 +1,5 @@
 // The orders' figures on scans and on generated meshes of a million triangles, against the best published program for each
-// (docs/orders.md).
+// (docs/design/orders.md).
 
 #include "meshprep/order/order.h"
 #include "tests/order/meshes.h"

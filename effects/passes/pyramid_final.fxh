@@ -47,10 +47,12 @@ float finalShadow(LitPoint p)
 {
     float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
     float depth = p.depth - planarTolerance(slope, 1.0);
+    bool plain = p.scatters < 0.5; // no level softens its shadows: its filter is some texels of the shadow map wide
+    float apart = plain ? max(kEntryTaps.x * p.footprint, kTgNarrowStep) : kTgNarrowStep;
     float lit;
-    [branch] if (p.footprint < kTgNarrowTexel)
+    [branch] if (plain || p.footprint < kTgNarrowTexel)
         lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint,
-                              kTgNarrowStep);
+                              apart);
     else
         lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, slope);
     return lit * tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));

@@ -1,11 +1,17 @@
 // Every parameter at both ends of what its slider allows: no target holds anything that is not finite. And white in, at most white out.
 
 #include "host/effect/model.h"
+#include "host/image/dds.h"
+#include "host/run/parts.h"
 #include "host/run/run.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 #include "tests/lab/verify/fixture.h"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 using namespace tegument;
 using namespace tegument::test;
@@ -51,6 +57,29 @@ std::vector<Sweep> sweepsOfEverySetting() {
 const Mesh& body() {
     static const Mesh kMesh = verificationMesh();
     return kMesh;
+}
+
+/// The same with strands, and the file of their roots.
+struct FurryBody {
+    Mesh mesh = verificationMesh();
+    std::filesystem::path roots = std::filesystem::temp_directory_path() / ("sweep_roots_" + std::to_string(::getpid()) + ".dds");
+
+    FurryBody() {
+        const auto grown = growRibbons(mesh, {.count = 400});
+        EXPECT_TRUE(grown) << format(grown.error());
+        EXPECT_TRUE(grown && writeDds(roots, {.format = DdsFormat::Rgba32F, .images = {*grown}}));
+    }
+    FurryBody(const FurryBody&) = delete;
+    FurryBody& operator=(const FurryBody&) = delete;
+    ~FurryBody() {
+        std::error_code ignored;
+        std::filesystem::remove(roots, ignored);
+    }
+};
+
+const FurryBody& furryBody() {
+    static const FurryBody kBody;
+    return kBody;
 }
 
 Workspace fromTheSide() {
@@ -141,13 +170,16 @@ TEST_P(Sliders, leave_every_target_finite_at_both_ends) {
     ASSERT_TRUE(effect) << format(effect.error());
     for (const auto& parameters : variations(endsOf(*effect), sweep.oneByOne)) {
         SCOPED_TRACE(text(parameters));
-        const auto run = runEffect(*device_, *effect, &body(), fromTheSide(),
+        const bool furry = run::drawsPart(*effect, kStrandsPart);
+        std::map<std::string, std::string> textures;
+        if (furry) textures["gFurRootsMap"] = furryBody().roots.string();
+        const auto run = runEffect(*device_, *effect, furry ? &furryBody().mesh : &body(), fromTheSide(),
                                    {.technique = sweep.technique,
                                     .width = 48,
                                     .height = 48,
                                     .compiler = defaultCompiler(),
                                     .parameters = parameters,
-                                    .textures = {},
+                                    .textures = textures,
                                     .dump = {"all"}});
         ASSERT_TRUE(run) << format(run.error());
         expectFinite(run->image, "the picture");

@@ -256,8 +256,10 @@ private:
 
     void bindTexture(Parameter& parameter, const std::set<std::string>& shown) {
         if (parameter.annotations.find("Fallback") || parameter.annotations.find("Producer")) return;
-        const std::string standIn = textureStandIn(parameter);
-        parameter.annotations.list.push_back({"Procedure", {.base = BaseType::String, .name = "string"}, standIn, parameter.at, {}});
+        const auto volume = parameter.annotations.string("Procedure");
+        const std::string standIn = volume ? "noise in two dimensions: volumes are not loaded" : textureStandIn(parameter);
+        if (!volume)
+            parameter.annotations.list.push_back({"Procedure", {.base = BaseType::String, .name = "string"}, standIn, parameter.at, {}});
         if (shown.contains(parameter.name))
             adoption_.bindings.push_back({.parameter = parameter.name, .source = standIn, .rule = "where no file is found"});
     }

@@ -13,8 +13,12 @@ namespace tegument::adopt {
 namespace {
 
 BaseType textureBase(const std::string& kind) {
-    if (kind == "3D") return BaseType::Texture3D;
-    return kind == "CUBE" ? BaseType::TextureCube : BaseType::Texture2D; // one dimension is drawn as two
+    return kind == "CUBE" ? BaseType::TextureCube : BaseType::Texture2D; // one dimension and three are drawn as two
+}
+
+/// Volumes are not loaded: noise stands in for all of them.
+Annotation volumeNote(const SourcePosition& at) {
+    return {"Procedure", {.base = BaseType::String, .name = "string"}, std::string("noise"), at, {}};
 }
 
 Parameter* find(Effect& effect, std::string_view name) {
@@ -84,6 +88,7 @@ std::string Rewriter::textureFor(Effect& effect, const Sampler* sampler, const s
     if (const Parameter* own = effect.findParameter(texture); own && !texture.empty()) {
         const auto [known, first] = textureKinds_.try_emplace(texture, kind);
         if (first) find(effect, texture)->type.base = textureBase(kind);
+        if (first && kind == "3D") find(effect, texture)->annotations.list.push_back(volumeNote(at));
         if (first || known->second == kind) return texture;
         made = *own;
         made.name = texture + "_" + kind;
@@ -93,6 +98,7 @@ std::string Rewriter::textureFor(Effect& effect, const Sampler* sampler, const s
         if (sampler) made.annotations = sampler->annotations;
     }
     textureKinds_.try_emplace(made.name, kind);
+    if (kind == "3D") made.annotations.list.push_back(volumeNote(at));
     if (!effect.findParameter(made.name)) effect.parameters.push_back(made);
     return made.name;
 }

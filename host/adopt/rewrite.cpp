@@ -140,11 +140,7 @@ Words Rewriter::arrayOf(const Variable& variable) const {
 void Rewriter::printSampler(Printer& printer, const std::string& name, std::set<std::string>& textures) const {
     const SamplerPlan& plan = samplers_.at(name);
     if (textures.insert(plan.texture).second)
-        printer.own(fmt::format("{}<float4> {};",
-                                plan.kind == "3D"     ? "Texture3D"
-                                : plan.kind == "CUBE" ? "TextureCube"
-                                                      : "Texture2D",
-                                plan.texture));
+        printer.own(fmt::format("{}<float4> {};", plan.kind == "CUBE" ? "TextureCube" : "Texture2D", plan.texture));
     printer.own(fmt::format("SamplerState {};", plan.state));
 }
 

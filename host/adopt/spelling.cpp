@@ -208,8 +208,8 @@ Words Spelling::respelt(const Words& words) const {
 }
 
 const std::string& prelude() {
-    // One dimension lives in the middle of a picture of two. The smallest normal float stands where hardware of Direct3D 9 gives no
-    // infinity.
+    // One dimension lives in the middle of a picture of two; of three, which this host does not load, each depth is a shifted one. The
+    // smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
 #define tg_pow(x, y) pow(abs(x), y)
@@ -222,9 +222,10 @@ float2 tg_normalize(float2 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
 float3 tg_normalize(float3 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
 float4 tg_normalize(float4 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
 float3 tg_encoded(float3 c) { c = saturate(c); return c < 0.0031308 ? c * 12.92 : 1.055 * pow(max(c, 1e-30), 1 / 2.4) - 0.055; }
+float2 tg_slice(float3 u) { return u.xy + u.z * float2(0.37, 0.61); }
 struct tg_s1D { Texture2D<float4> t; SamplerState s; };
 struct tg_s2D { Texture2D<float4> t; SamplerState s; };
-struct tg_s3D { Texture3D<float4> t; SamplerState s; };
+struct tg_s3D { Texture2D<float4> t; SamplerState s; };
 struct tg_sCUBE { TextureCube<float4> t; SamplerState s; };
 #define TG_FETCHES(N, D, V, W, C, P) \
 float4 N(D s, V uv) { return s.t.Sample(s.s, P(uv)); } \
@@ -237,7 +238,7 @@ float4 N##proj(D s, float4 uv) { return s.t.Sample(s.s, P(uv.C / uv.w)); }
 #define TG_FLAT(u) float2(u, 0)
 TG_FETCHES(tg_tex1D, tg_s1D, float, TG_FLAT, x, TG_LINE)
 TG_FETCHES(tg_tex2D, tg_s2D, float2, float2, xy, float2)
-TG_FETCHES(tg_tex3D, tg_s3D, float3, float3, xyz, float3)
+TG_FETCHES(tg_tex3D, tg_s3D, float3, tg_slice, xyz, tg_slice)
 TG_FETCHES(tg_texCUBE, tg_sCUBE, float3, float3, xyz, float3)
 )";
     return kText;

@@ -200,6 +200,7 @@ Corners bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCoun
         candidates.push_back([&] { return meshopt(asItCame(indices, vertexCount), entries); });
         candidates.push_back([&] { return meshoptFifo(asItCame(indices, vertexCount), entries); });
         candidates.push_back([&] { return meshoptStrip(asItCame(indices, vertexCount)); });
+        if (cache.batched()) candidates.push_back([&] { return meshoptFifo(asItCame(indices, vertexCount), cache.entries); });
         if (!cache.batched()) candidates.push_back(inOne(*whole, [entries](const Piece& p) { return meshopt(p, entries); }));
     }
     if (places.size() == 3 * vertexCount && (all || (oneMore && cache.batched())))

@@ -1,6 +1,6 @@
-// The Hausdorff distance by branch and bound: a run of triangles that lie together is no further away than one of its points and the radius
-// of the run round that point. Runs that cannot hold the greatest distance are never looked into. Nearest points come from a tree of boxes
-// in single precision, so the surfaces are brought to unit size around the origin first.
+// The Hausdorff distance by branch and bound: no point of a triangle is further away than its farthest corner and the distance to that
+// corner. Triangles that cannot hold the greatest distance are never looked into, others are cut in four. Nearest points come from a tree
+// of boxes in single precision, so the surfaces are brought to unit size around the origin first.
 
 #include "meshprep/prepare/distance.h"
 
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
 
@@ -32,6 +33,8 @@ public:
         : points_(points), triangles_(triangles),
           tree_(std::vector<glm::vec3>(points.begin(), points.end()), triangles, {.quick = true, .threads = 0}) {}
 
+    [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
+    [[nodiscard]] std::span<const std::uint32_t> corners() const { return triangles_; }
     [[nodiscard]] std::size_t size() const { return triangles_.size() / 3; }
     [[nodiscard]] Triangle triangle(std::size_t i) const {
         const std::uint32_t* t = &triangles_[3 * i];
@@ -73,16 +76,22 @@ glm::dvec3 centroid(const Triangle& t) {
     return (t[0] + t[1] + t[2]) / 3.0;
 }
 
-/// Triangles of one of both surfaces in a row, or a piece of one of them.
-struct Run {
+/// Every point of a triangle is at most this far from one of its corners: a disc of that radius holds the triangle (Jung's theorem), and
+/// the corners' squared distances from the point, weighted as the point is, are at most its square.
+double reachOf(const Triangle& t) {
+    const double longest = std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
+    return longest / std::sqrt(3.0);
+}
+
+/// A triangle, or a piece of one, whose corners' distances from the other surface are known.
+struct Piece {
     double bound = 0; // no point of it is further from the other surface
     bool second = false;
-    std::size_t first = 0;
-    std::size_t count = 0;        // 0: the piece
+    Triangle corners{};
+    std::array<double, 3> apart{};
     std::uint32_t hint = kNoHint; // a triangle of the other surface near it
-    Triangle piece{};
 
-    bool operator<(const Run& other) const { return bound < other.bound; }
+    bool operator<(const Piece& other) const { return bound < other.bound; }
 };
 
 class Greatest {
@@ -92,77 +101,120 @@ public:
     /// The bound, and what was reached. What cannot be 2 % further than that is left alone.
     std::pair<double, double> find() {
         for (const bool second : {false, true})
-            for (std::size_t first = 0; first < own(second).size(); first += kRun)
-                add({.second = second, .first = first, .count = std::min(kRun, own(second).size() - first)});
-        while (!runs_.empty() && evaluations_ < kMostEvaluations && runs_.top().bound > std::max(reached_ * kClose, kRounding)) {
-            const Run run = runs_.top();
-            runs_.pop();
-            split(run);
+            measureCorners(second);
+        for (const bool second : {false, true})
+            queueTriangles(second);
+        std::ranges::sort(whole_, std::greater<>(), &Whole::bound);
+        // so that the time stays linear; what is left then is bounded as it is
+        const std::size_t most = std::max(kLeastEvaluations, (a_.size() + b_.size()) * 3 / 4);
+        std::size_t next = 0;
+        double bound = 0;
+        while (true) {
+            const double ofWhole = next < whole_.size() ? whole_[next].bound : 0;
+            const double ofPiece = pieces_.empty() ? 0 : pieces_.top().bound;
+            bound = std::max(ofWhole, ofPiece);
+            if (bound <= std::max(reached_ * kClose, kRounding) || evaluations_ >= most) break;
+            if (ofWhole >= ofPiece) {
+                split(pieceOf(whole_[next++]));
+            } else {
+                const Piece piece = pieces_.top();
+                pieces_.pop();
+                split(piece);
+            }
         }
-        const double bound = std::max(runs_.empty() ? 0 : runs_.top().bound, reached_ * kClose);
-        return {bound + kRounding, reached_};
+        return {std::max(bound, reached_ * kClose) + kRounding, reached_};
     }
 
 private:
-    static constexpr std::size_t kRun = 256;                 // triangles at first: drawn in an order that keeps them together
-    static constexpr std::size_t kFew = 4;                   // triangles that one triangle of the other surface may span
-    static constexpr double kClose = 1.02;                   // the bound need not be nearer to the truth
-    static constexpr double kRounding = 1e-6;                // of the tree's floats, the surface being of unit size
-    static constexpr std::size_t kMostEvaluations = 400'000; // what is left then is bounded as it is
+    static constexpr double kClose = 1.02;    // the bound need not be nearer to the truth
+    static constexpr double kRounding = 1e-6; // of the tree's floats, the surface being of unit size
+    static constexpr std::size_t kLeastEvaluations = 10'000;
+
+    struct Whole {
+        double bound = 0;
+        std::uint32_t triangle = 0;
+        bool second = false;
+    };
 
     [[nodiscard]] const Surface& own(bool second) const { return second ? b_ : a_; }
     [[nodiscard]] const Surface& other(bool second) const { return second ? a_ : b_; }
 
-    template <class Visit>
-    void forCorners(const Run& run, Visit visit) const {
-        if (run.count == 0)
-            for (const glm::dvec3& corner : run.piece)
-                visit(corner);
-        for (std::size_t i = run.first; i < run.first + run.count; ++i)
-            for (const glm::dvec3& corner : own(run.second).triangle(i))
-                visit(corner);
-    }
-
-    /// The distance from one triangle is greatest at a corner.
-    [[nodiscard]] double fromOne(const Run& run, std::uint32_t triangle) const {
-        double greatest = 0;
-        forCorners(run, [&](const glm::dvec3& corner) { greatest = std::max(greatest, other(run.second).distanceTo(triangle, corner)); });
-        return std::isfinite(greatest) ? greatest : std::numeric_limits<double>::infinity();
-    }
-
-    void add(Run run) {
-        if (run.hint != kNoHint && run.count <= kFew && fromOne(run, run.hint) <= reached_ * kClose) return;
-        ++evaluations_;
-        const glm::dvec3 centre = centroid(run.count == 0 ? run.piece : own(run.second).triangle(run.first + run.count / 2));
-        const Nearest near = other(run.second).nearest(centre, run.hint);
-        if (!std::isfinite(near.distance)) return;
-        reached_ = std::max(reached_, near.distance);
-        double radius = 0;
-        forCorners(run, [&](const glm::dvec3& corner) { radius = std::max(radius, glm::distance(corner, centre)); });
-        run.hint = near.triangle;
-        run.bound = near.distance + radius;
-        if (run.bound > reached_ * kClose && run.count <= kFew) run.bound = std::min(run.bound, fromOne(run, near.triangle));
-        if (run.bound > reached_ * kClose) runs_.push(std::move(run));
-    }
-
-    void split(const Run& run) {
-        if (run.count > 1) {
-            const std::size_t parts = std::min<std::size_t>(run.count, 4);
-            for (std::size_t i = 0; i < parts; ++i) {
-                const std::size_t from = run.first + run.count * i / parts;
-                add({.second = run.second, .first = from, .count = run.first + run.count * (i + 1) / parts - from, .hint = run.hint});
-            }
-            return;
+    /// Corners that both surfaces have lie on both.
+    void measureCorners(bool second) {
+        std::vector<double>& apart = apart_[second ? 1 : 0];
+        apart.assign(a_.points().size(), -1);
+        for (const std::uint32_t corner : other(second).corners())
+            apart[corner] = 0;
+        std::uint32_t hint = kNoHint;
+        for (const std::uint32_t corner : own(second).corners()) {
+            if (apart[corner] >= 0) continue;
+            const Nearest near = other(second).nearest(a_.points()[corner], hint);
+            apart[corner] = std::isfinite(near.distance) ? near.distance : 0; // all of the other surface is without area
+            hint = std::isfinite(near.distance) ? near.triangle : kNoHint;
+            reached_ = std::max(reached_, apart[corner]);
         }
-        const Triangle t = run.count == 0 ? run.piece : own(run.second).triangle(run.first);
-        const glm::dvec3 ab = (t[0] + t[1]) / 2.0, bc = (t[1] + t[2]) / 2.0, ca = (t[2] + t[0]) / 2.0;
-        for (const Triangle& piece : {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc}, Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
-            add({.second = run.second, .first = run.first, .count = 0, .hint = run.hint, .piece = piece});
+    }
+
+    [[nodiscard]] std::array<double, 3> apartOf(bool second, std::size_t triangle) const {
+        const auto t = own(second).corners().subspan(3 * triangle, 3);
+        const std::vector<double>& apart = apart_[second ? 1 : 0];
+        return {apart[t[0]], apart[t[1]], apart[t[2]]};
+    }
+
+    void queueTriangles(bool second) {
+        for (std::size_t i = 0; i < own(second).size(); ++i) {
+            const double bound = std::ranges::max(apartOf(second, i)) + reachOf(own(second).triangle(i));
+            if (bound > std::max(reached_ * kClose, kRounding))
+                whole_.push_back({.bound = bound, .triangle = static_cast<std::uint32_t>(i), .second = second});
+        }
+    }
+
+    [[nodiscard]] Piece pieceOf(const Whole& whole) const {
+        return {.bound = whole.bound,
+                .second = whole.second,
+                .corners = own(whole.second).triangle(whole.triangle),
+                .apart = apartOf(whole.second, whole.triangle)};
+    }
+
+    /// Into four, by the middles of the sides.
+    void split(const Piece& piece) {
+        const Triangle& t = piece.corners;
+        const Triangle middles = {(t[0] + t[1]) / 2.0, (t[1] + t[2]) / 2.0, (t[2] + t[0]) / 2.0};
+        std::array<double, 3> apart{};
+        std::uint32_t hint = piece.hint;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Nearest near = other(piece.second).nearest(middles[i], hint);
+            ++evaluations_;
+            if (!std::isfinite(near.distance)) return;
+            apart[i] = near.distance;
+            hint = near.triangle;
+            reached_ = std::max(reached_, near.distance);
+        }
+        const auto& d = piece.apart;
+        queue({.second = piece.second, .corners = {t[0], middles[0], middles[2]}, .apart = {d[0], apart[0], apart[2]}, .hint = hint});
+        queue({.second = piece.second, .corners = {middles[0], t[1], middles[1]}, .apart = {apart[0], d[1], apart[1]}, .hint = hint});
+        queue({.second = piece.second, .corners = {middles[2], middles[1], t[2]}, .apart = {apart[2], apart[1], d[2]}, .hint = hint});
+        queue({.second = piece.second, .corners = middles, .apart = apart, .hint = hint});
+    }
+
+    void queue(Piece piece) {
+        const double close = std::max(reached_ * kClose, kRounding);
+        piece.bound = std::ranges::max(piece.apart) + reachOf(piece.corners);
+        if (piece.bound <= close) return;
+        double fromOne = 0; // the distance from one triangle is greatest at a corner
+        for (const glm::dvec3& corner : piece.corners) {
+            const double apart = other(piece.second).distanceTo(piece.hint, corner);
+            fromOne = apart >= fromOne ? apart : std::isnan(apart) ? std::numeric_limits<double>::infinity() : fromOne;
+        }
+        if (fromOne < piece.bound) piece.bound = fromOne;
+        if (piece.bound > close) pieces_.push(piece);
     }
 
     const Surface& a_;
     const Surface& b_;
-    std::priority_queue<Run> runs_;
+    std::array<std::vector<double>, 2> apart_; // of each point, from the other surface
+    std::vector<Whole> whole_;
+    std::priority_queue<Piece> pieces_;
     double reached_ = 0;
     std::size_t evaluations_ = 0;
 };

@@ -12,6 +12,7 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -43,10 +44,31 @@ public:
             positions_.push_back(unit[vertex]);
     }
 
-    [[nodiscard]] MeshLevel simplified(std::size_t triangles) const {
-        Indices coarse(indices_.size());
-        coarse.resize(meshopt_simplify(coarse.data(), indices_.data(), indices_.size(), &positions_[0].x, positions_.size(),
-                                       sizeof(glm::vec3), 3 * triangles, std::numeric_limits<float>::max(), 0, nullptr));
+    /// In the vertices' own numbers, as what follows.
+    [[nodiscard]] const Indices& full() const { return indices_; }
+
+    [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, unsigned options = 0) const {
+        Indices coarse(from.size());
+        coarse.resize(meshopt_simplify(coarse.data(), from.data(), from.size(), &positions_[0].x, positions_.size(), sizeof(glm::vec3),
+                                       3 * triangles, std::numeric_limits<float>::max(), options, nullptr));
+        return coarse;
+    }
+
+    /// Each part loses the same share, and keeps its borders.
+    [[nodiscard]] Indices partByPart(std::size_t triangles) const {
+        Indices coarse;
+        std::size_t first = 0;
+        for (const MeshPart& part : mesh_.parts) {
+            const auto own = std::span(indices_).subspan(first, part.indexCount);
+            first += part.indexCount;
+            const std::size_t target = part.indexCount / 3 * triangles / (indices_.size() / 3);
+            const Indices simple = simplified(own, target, meshopt_SimplifyLockBorder);
+            coarse.insert(coarse.end(), simple.begin(), simple.end());
+        }
+        return coarse;
+    }
+
+    [[nodiscard]] MeshLevel level(const Indices& coarse) const {
         std::vector<Indices> ofPart(mesh_.parts.size());
         for (std::size_t i = 0; i < coarse.size(); i += 3)
             for (std::size_t k = i; k < i + 3; ++k)
@@ -132,6 +154,29 @@ private:
 /// Beyond this the levels are made one after the other: each needs some 100 bytes per triangle meanwhile.
 constexpr std::size_t kMostInParallel = 4'000'000;
 
+/// Up to here every level is made in all ways, which takes some tenths of a second, and the one with the least error is kept.
+constexpr std::size_t kMostForChoice = 100'000;
+constexpr std::size_t kMostPartsForChoice = 256; // part by part, the time grows with parts times vertices
+
+std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, const std::vector<std::size_t>& targets) {
+    const DistanceFrom distance(mesh.positions, mesh.indices);
+    std::vector<MeshLevel> levels;
+    Indices last;
+    for (const std::size_t target : targets) {
+        std::vector<Indices> ways = {whole.simplified(whole.full(), target)};
+        if (!last.empty()) ways.push_back(whole.simplified(last, target));
+        if (mesh.parts.size() > 1 && mesh.parts.size() <= kMostPartsForChoice) ways.push_back(whole.partByPart(target));
+        std::vector<double> errors(ways.size(), std::numeric_limits<double>::infinity());
+        const std::size_t most = ways[0].empty() ? 3 * target : std::max(ways[0].size(), 3 * target);
+        forEachInParallel(ways.size(), [&](std::size_t i) {
+            if (!ways[i].empty() && ways[i].size() <= most) errors[i] = distance.to(whole.level(ways[i]).indices).greatest;
+        });
+        last = std::move(ways[static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin())]);
+        levels.push_back(whole.level(last));
+    }
+    return levels;
+}
+
 std::vector<MeshLevel> allLevels(const Mesh& mesh, const std::vector<std::size_t>& targets, LevelMethod method, std::size_t& leftOver) {
     std::vector<MeshLevel> levels(targets.size());
     if (method == LevelMethod::OpenMesh) {
@@ -142,8 +187,9 @@ std::vector<MeshLevel> allLevels(const Mesh& mesh, const std::vector<std::size_t
         return levels;
     }
     const WholeMesh whole(mesh);
+    if (mesh.indices.size() / 3 <= kMostForChoice) return bestLevels(mesh, whole, targets);
     forEachInParallel(
-        targets.size(), [&](std::size_t i) { levels[i] = whole.simplified(targets[i]); }, {},
+        targets.size(), [&](std::size_t i) { levels[i] = whole.level(whole.simplified(whole.full(), targets[i])); }, {},
         mesh.indices.size() / 3 > kMostInParallel ? 1 : 0);
     return levels;
 }

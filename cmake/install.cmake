@@ -6,7 +6,7 @@ endif()
 
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
-set(libraries tegument_options tegument_support tegument_effect tegument_spirv tegument_direct3d tegument_check tegument_emit tegument_gpu tegument_image
+set(libraries tegument_options tegument_support tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check tegument_emit tegument_gpu tegument_image
     tegument_mesh tegument_scene tegument_run)
 install(TARGETS tegument RUNTIME DESTINATION bin)
 install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
@@ -14,7 +14,7 @@ install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegume
 # What a program may include: these, and no other header of host. A repository check keeps them from including what is not installed.
 set(public_headers
     host/support/file.h host/support/layout.h host/support/result.h host/support/state.h
-    host/effect/model.h host/effect/script.h host/effect/script_run.h
+    host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
     host/spirv/compile.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
     host/mesh/mesh.h host/scene/placement.h host/scene/view.h host/scene/workspace.h

@@ -29,6 +29,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/pyramid.fxh"
 #include "passes/pyramid_links.fxh"
 #include "passes/pyramid_final.fxh"
+#include "passes/pyramid_compute.fxh"
 
 float Script : STANDARDSGLOBAL <
     STARTS_WITH("PyramidLinked") string WithoutUvs = "Main.fx, peers/Separable.fx, peers/Burley.fx, Specular.fx";
@@ -57,5 +58,16 @@ technique PyramidLinked < string Script =
     ENTRY_PASS
     LINKED_PASSES
     PYRAMID_FINAL_PASS
+}
+#endif
+#ifdef TEGUMENT_COMPUTE_TECHNIQUES
+technique PyramidCompute < string Script =
+    SHADOW_MAP_SCRIPT
+    ENTRY_SCRIPT LINKED_SCRIPT
+    PLACE_SCRIPT; >
+{
+    PLANAR_SHADOW_PASS
+    COMPUTE_PASSES
+    PLACE_PASSES
 }
 #endif

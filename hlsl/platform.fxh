@@ -89,6 +89,20 @@
 #define TG_LEAVES_EARLY false
 #endif
 
+// Compute shaders, where there are any (TEGUMENT_COMPUTE): Direct3D 11 and SPIR-V. TG_STORE2D(gXStore) is what they write of the target
+// gXMap, by texel; TG_STORE_PICTURE(gXStore) of the picture. Techniques that use them stand inside #ifdef TEGUMENT_COMPUTE_TECHNIQUES, and
+// there is one that draws the same.
+#if defined(FX_D3D11) || defined(FX_ENTRY)
+#define TEGUMENT_COMPUTE 1
+#define TG_STORE2D(name) RWTexture2D<float4> name;
+#define TG_STORE_PICTURE(name) RWTexture2D<float4> name < string Stores = ""; >;
+#ifdef FX_TECHNIQUES
+#define TEGUMENT_COMPUTE_TECHNIQUES 1
+#endif
+#else
+#define TG_STORE2D(name)
+#endif
+
 // Full state sets, one per pass: Direct3D 9 keeps what the pass before has set. Front faces are counter-clockwise (docs/conventions.md).
 //   TG_STATE_BUFFER    no depth test, both faces: full-screen quads, unwrapped meshes
 //   TG_STATE_SOLID     depth test and write, back faces culled
@@ -176,6 +190,11 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #else
 #define TG_LAYER_PASS(name, count, vs, ps, states) TG_MESH_PASS(name, vs, ps, states)
 #define TG_SEEN_LAYER_PASS(name, part, seen, count, vs, ps, states) TG_SEEN_PASS(name, part, seen, vs, ps, states)
+#endif
+#ifdef TEGUMENT_COMPUTE
+// A compute pass with a thread for each texel of the target, by its name; it writes them all.
+#define TG_COMPUTE_PASS(name, cs, target) pass name < string Script = "Draw=Compute;"; string Threads = target; bool CoversTarget = true; \
+    > { ComputeShader = compile cs_5_0 cs(); }
 #endif
 #define TG_QUAD_PASS(name, vs, ps, states) pass name < string Script = "Draw=Buffer;"; bool CoversTarget = true; \
     > { VertexShader = compile TG_VS_MODEL vs(); PixelShader = compile TG_PS_MODEL ps(); states; }

@@ -29,6 +29,12 @@ float gCoatStray < UI_SLIDER("Stray strands", 0.0, 1.0, 0.01) > = 0.2;
 float gCoatCurl < UI_SLIDER("Curl", 0.0, 1.0, 0.01) string UIHelp = "radius of a strand's turns at its tip, shares of its length"; > = 0.05;
 float gCoatTurns < UI_SLIDER("Turns", 0.0, 8.0, 0.1) string UIHelp = "root to tip"; > = 1.0;
 
+float3 gCoatWind < string UIName = "Wind";
+    string UIHelp = "how far tips are blown, or left behind by a body that moves; of the world, lengths"; > = { 0.0, 0.0, 0.0 };
+float gTime : TIME < string UIWidget = "None"; string UIHelp = "seconds"; > = 0.0;
+float3 gCoatGusts < string UIName = "Gusts";
+    string UIHelp = "share of the wind that comes and goes; in a second; in a mesh's radius"; > = { 0.5, 0.7, 0.8 };
+
 float3 gCoatSky < UI_COLOUR("Light from above") string UIHelp = "irradiance / pi, linear"; > = { 0.24, 0.28, 0.34 };
 float gCoatShadow < UI_SLIDER("Shadow", 0.0, 4.0, 0.01) string UIHelp = "of strands on strands"; > = 0.9;
 float3 gCoatGround < UI_COLOUR("Light from below") > = { 0.19, 0.15, 0.115 };
@@ -37,6 +43,8 @@ float3 gCoatRim < UI_COLOUR("Rim light") > = { 0.22, 0.235, 0.26 };
 float gCoatShine < UI_SLIDER("Shine", 0.0, 1.0, 0.01) string UIHelp = "highlight of the surface of strands"; > = 0.07;
 float gCoatSheen < UI_SLIDER("Sheen", 0.0, 1.0, 0.01) string UIHelp = "coloured highlight from inside strands"; > = 0.25;
 
+float gCoatSegments < UI_SLIDER("Segments", 2.0, 15.0, 1.0) string Generator = "fur strands segments";
+    string UIHelp = "of a strand, where strands are grown for the mesh; a lock's have half of them: more for curls"; > = 6.0;
 float gCoatUndercoat < UI_SLIDER("Undercoat", 0.0, 1.0, 0.01)
     string UIHelp = "height of the opaque layer below, shares of the coat"; > = 0.1;
 float gCoatVariation < UI_SLIDER("Variation", 0.0, 1.0, 0.01)

@@ -74,6 +74,13 @@ LockPlace lockPlace(LockStrand s, float along)
     return place;
 }
 
+// Of a strand's tip, lengths along the mesh's axes. Gusts run along x, y and z alike, each lock a little by itself.
+float3 lockBlown(LockLooks looks, VertexInput input)
+{
+    float phase = gCoatGusts.z * dot(furPlace(input) / gMeshRadius, 1.0) + 0.25 * looks.lock.x - gCoatGusts.y * gTime;
+    return strandsAxes(gCoatWind, input) * (1.0 + gCoatGusts.x * tgFurWave(phase).x);
+}
+
 // under: 1 underfur.
 LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float4 ball, float rows, float child, float under)
 {
@@ -105,8 +112,8 @@ LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float
     s.flow = flow * (1.25 * lie * rsqrt(1.0 + dot(flow, flow)));
     s.sink = 0.38 * min(lie, 1.4);
     s.clump = gCoatClump * (0.5 + 0.5 * looks.lock.x) * (1.0 - 0.5 * max(looks.guard, under));
-    float3 stray = looks.more - 0.5;
-    s.stray = (stray - s.normal * dot(stray, s.normal)) * (s.height * gCoatStray * (1.0 + under));
+    float3 stray = (looks.more - 0.5) * (gCoatStray * (1.0 + under)) + lockBlown(looks, input);
+    s.stray = (stray - s.normal * dot(stray, s.normal)) * s.height;
     float curl = gCoatCurl * s.height * (1.0 + under);
     s.side = curl * aside;
     s.across = curl * across;
@@ -130,7 +137,7 @@ LockShare lockShare(VertexInput input, float child, float strands, float pixel)
 {
     LockShare s;
     s.share = gFurShare * saturate(2.0 * gCoatRadius * gMeshRadius / (gCoatThin * pixel));
-    s.rank = (child + tgRibbonRank(input.uv.y)) / strands;
+    s.rank = (child + tgRibbonRank(input.uv.y)) * (1.0 / strands);
     s.width = saturate(kLockFade * (s.share - s.rank) / s.share) * (kLockFade / (kLockFade - 0.5)) / s.share;
     return s;
 }

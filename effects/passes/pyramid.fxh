@@ -10,10 +10,9 @@ static const float2 kEntryTaps = float2(0.75, 6.0);
 static const float kLargestDensity = 60000.0;
 
 // What a lit pass knows of a texel of the base.
-LitPoint entryPoint(float2 uv, float3 place, float3 normal)
+LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
 {
     LitPoint p;
-    float4 albedo = tex2D(gSkin, uv);
     float3 world = tgWorldPosition(place);
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
     p.albedo = albedo.rgb;
@@ -41,14 +40,19 @@ float entryShadow(LitPoint p, float density)
            tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
 }
 
-float4 EntryPS(QuadVarying input) : SV_Target0
+float4 entryLight(float2 uv, float4 albedo)
 {
-    float4 place = tex2Dlod(gAtlasPosition, float4(input.uv, 0.0, 0.0));
-    float4 normal = tex2Dlod(gAtlasNormal, float4(input.uv, 0.0, 0.0));
-    LitPoint p = entryPoint(input.uv, place.xyz, normal.xyz);
-    p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).z);
+    float4 place = tex2Dlod(gAtlasPosition, float4(uv, 0.0, 0.0));
+    float4 normal = tex2Dlod(gAtlasNormal, float4(uv, 0.0, 0.0));
+    LitPoint p = entryPoint(uv, albedo, place.xyz, normal.xyz);
+    p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z);
     float covered = place.w * normal.w;
     return float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);
+}
+
+float4 EntryPS(QuadVarying input) : SV_Target0
+{
+    return entryLight(input.uv, tex2D(gSkin, input.uv));
 }
 
 // A level by itself, weighed: alpha keeps the density, below 0 where links bring the widest Gaussians.

@@ -25,7 +25,8 @@ FinalVarying PyramidFinalVS(VertexInput stored)
     return output;
 }
 
-LitPoint finalPoint(FinalVarying input)
+// texel, colour: of the normal map and the colour map.
+LitPoint finalPoint(FinalVarying input, float3 texel, float4 colour)
 {
     SurfaceVarying surface;
     surface.position = input.position;
@@ -34,8 +35,7 @@ LitPoint finalPoint(FinalVarying input)
     surface.normal = input.normal;
     surface.tangent = input.tangent;
     surface.lightClip = mul(float4(input.world, 1.0), gLightViewProjection);
-    LitPoint p = surfacePoint(surface);
-    float4 colour = tex2D(gSkin, input.uv);
+    LitPoint p = surfacePoint(surface, texel);
     p.albedo = colour.rgb;
     p.scatters = colour.a;
     p.depth = planarDepth(surface.lightClip, input.world);
@@ -56,9 +56,8 @@ float finalShadow(LitPoint p)
     return lit * tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
 }
 
-float4 PyramidFinalPS(FinalVarying input) : SV_Target0
+float4 finalColour(FinalVarying input, LitPoint p)
 {
-    LitPoint p = finalPoint(input);
     p.shadow = finalShadow(p);
     float4 wide = tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0));
     float3 own = ladderWeight(wide.w < 0.0 ? kTgLadderSteps : 0.0, abs(wide.w));
@@ -67,6 +66,11 @@ float4 PyramidFinalPS(FinalVarying input) : SV_Target0
     float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
     return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+}
+
+float4 PyramidFinalPS(FinalVarying input) : SV_Target0
+{
+    return finalColour(input, finalPoint(input, tex2D(gNormal, input.uv).xyz, tex2D(gSkin, input.uv)));
 }
 
 #define PYRAMID_FINAL_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"

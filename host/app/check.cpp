@@ -178,10 +178,11 @@ void printProblems(const CheckReport& report) {
     }
 }
 
-/// What failed is the input's fault; what could not be asked is the machine's, unless that was accepted beforehand.
+/// What failed is the input's fault; what could not be asked is the machine's, unless that was accepted beforehand. A file of which no
+/// target was checked has not passed either.
 int exitCode(const CheckReport& report, bool skipMissing) {
     if (report.failed()) return static_cast<int>(Blame::Input);
-    return report.complete() || skipMissing ? 0 : static_cast<int>(Blame::Machine);
+    return (report.complete() && report.decided()) || skipMissing ? 0 : static_cast<int>(Blame::Machine);
 }
 
 /// In one line what the exit code says.
@@ -194,7 +195,9 @@ void printSum(const CheckReport& report, bool skipMissing) {
     };
     fmt::print("{} passed, {} failed, {} not applicable, {} not checked\n", count(Verdict::Passed), count(Verdict::Failed),
                count(Verdict::NotApplicable), count(Verdict::NotChecked));
-    if (exitCode(report, skipMissing) == static_cast<int>(Blame::Machine))
+    for (const FileReport& file : report.files)
+        if (!file.decided() && !file.failed()) fmt::print(stderr, "{}: no target has a verdict: nothing of it was checked\n", title(file));
+    if (exitCode(report, skipMissing) == static_cast<int>(Blame::Machine) && !report.complete())
         fmt::print(stderr, "not checked is not passed: install what is missing, or accept it with --skip-missing\n");
 }
 
@@ -234,6 +237,7 @@ void printJson(const CheckReport& report, const CheckArguments& arguments, const
     Json json{{"passed", exitCode(report, arguments.skipMissing) == 0},
               {"failed", report.failed()},
               {"complete", report.complete()},
+              {"decided", report.decided()},
               {"files", Json::array()}};
     for (const FileReport& file : report.files)
         json["files"].push_back(fileJson(file));
@@ -304,7 +308,7 @@ void addCheck(CLI::App& program, Action& action) {
                 "passed          the target's own compiler takes the file\n"
                 "not applicable  the file has nothing for this target\n"
                 "not checked     this machine lacks the target's tool; the message says what brings it\n"
-                "Exit code 1 when any target failed, else 3 when any was not checked.");
+                "Exit code 1 when any target failed, else 3 when any was not checked, or when a file has no verdict at all.");
     command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 

@@ -22,6 +22,7 @@ void addInfo(CLI::App& program, Action& action);
 void addList(CLI::App& program, Action& action);
 void addPrep(CLI::App& program, Action& action);
 void addFur(CLI::App& program, Action& action);
+void addSurvey(CLI::App& program, Action& action);
 void addSheet(CLI::App& program, Action& action);
 void addCompare(CLI::App& program, Action& action);
 void addView(CLI::App& program, Action& action);

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -204,6 +205,19 @@ Result<fs::path> rootsFile(const Parameter& roots, const RunOptions& options, co
     return textures.make("fur roots", mesh);
 }
 
+/// Of ribbons that are grown here: what the parameter with the generator "fur strands segments" says.
+RibbonOptions ribbonsFor(const Effect& effect, const RunOptions& options, const Workspace& workspace) {
+    RibbonOptions ribbons;
+    for (const Parameter& parameter : effect.parameters) {
+        if (parameter.annotations.string("Generator") != "fur strands segments") continue;
+        const auto* value = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr;
+        if (const auto given = workspace.parameters.find(parameter.name); given != workspace.parameters.end()) value = &given->second;
+        if (const auto given = options.parameters.find(parameter.name); given != options.parameters.end()) value = &given->second;
+        if (value && value->size() == 1) ribbons.segments = static_cast<int>(std::lround(std::clamp(value->front(), 0.0, 1e6)));
+    }
+    return ribbons;
+}
+
 /// As a workspace's texture: for all objects that have this mesh.
 void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, const fs::path& file) {
     const std::string path = fs::absolute(file).string();
@@ -232,7 +246,7 @@ Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene&
         if (!file) return file.error();
         const auto image = loadRoots(file->string(), mesh);
         if (!image) return image.error();
-        const auto grown = addRibbons(mesh, *image);
+        const auto grown = addRibbons(mesh, *image, ribbonsFor(effect, options, workspace));
         if (!grown) return grown.error();
         nameRoots(scene, mesh, roots->name, *file); // none can be made any more for a mesh with strands
     }

@@ -7,6 +7,7 @@
 #include "host/effect/model.h"
 #include "host/effect/script_run.h"
 #include "host/emit/effect_json.h"
+#include "host/run/semantics.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,8 +26,19 @@ bool isTarget(const Parameter& parameter) {
 
 Json passJson(const Pass& pass) {
     Json json{{"name", pass.name}};
-    if (pass.vertexShader) json["vertex_shader"] = pass.vertexShader->entry;
-    if (pass.pixelShader) json["pixel_shader"] = pass.pixelShader->entry;
+    const auto add = [&](const char* stage, const std::optional<ShaderReference>& shader) {
+        if (!shader) return;
+        json[stage] = shader->entry;
+        if (!shader->arguments.empty()) json[fmt::format("{}_arguments", stage)] = shader->arguments;
+    };
+    add("vertex_shader", pass.vertexShader);
+    add("hull_shader", pass.hullShader);
+    add("domain_shader", pass.domainShader);
+    add("geometry_shader", pass.geometryShader);
+    add("pixel_shader", pass.pixelShader);
+    add("compute_shader", pass.computeShader);
+    if (pass.assemblyShaders > 0) json["assembly_shaders"] = pass.assemblyShaders;
+    if (pass.streamOutput) json["stream_output"] = true;
     json["annotations"] = toJson(pass.annotations);
     return json;
 }
@@ -69,7 +81,9 @@ std::string numbersText(const std::vector<double>& numbers) {
 }
 
 std::string defaultText(const Parameter& parameter) {
-    if (!parameter.defaultValue) return parameter.semantic.empty() ? "-" : "by semantic";
+    const auto& known = run::numericSemantics();
+    const bool bound = std::ranges::any_of(known, [&](const std::string& name) { return equalsIgnoreCase(name, parameter.semantic); });
+    if (!parameter.defaultValue) return bound ? "by semantic" : "-";
     if (const auto* text = std::get_if<std::string>(&*parameter.defaultValue)) return *text;
     return numbersText(std::get<std::vector<double>>(*parameter.defaultValue));
 }
@@ -180,6 +194,26 @@ PassCount countPasses(const Effect& effect, const Technique& technique) {
     return count;
 }
 
+std::string stageText(const std::optional<ShaderReference>& shader) {
+    if (!shader) return "-";
+    return shader->arguments.empty() ? shader->entry : fmt::format("{}({})", shader->entry, fmt::join(shader->arguments, ", "));
+}
+
+/// Vertex and pixel shader, and behind them what only some passes have.
+std::string stagesText(const Pass& pass) {
+    std::string text = fmt::format("{} / {}", stageText(pass.vertexShader), stageText(pass.pixelShader));
+    const auto add = [&](std::string_view stage, const std::optional<ShaderReference>& shader) {
+        if (shader) text += fmt::format(", {} {}", stage, stageText(shader));
+    };
+    add("hull", pass.hullShader);
+    add("domain", pass.domainShader);
+    add("geometry", pass.geometryShader);
+    add("compute", pass.computeShader);
+    if (pass.assemblyShaders > 0) text += ", assembly";
+    if (pass.streamOutput) text += ", stream output";
+    return text;
+}
+
 void printTechnique(const Effect& effect, const Technique& technique, bool all) {
     const PassCount count = countPasses(effect, technique);
     const std::size_t passes = count.counted.size();
@@ -189,8 +223,7 @@ void printTechnique(const Effect& effect, const Technique& technique, bool all) 
     fmt::print("{}\n", line);
     if (all) {
         for (const Pass& pass : technique.passes)
-            fmt::print("    {:<16} {} / {}\n", pass.name, pass.vertexShader ? pass.vertexShader->entry : "-",
-                       pass.pixelShader ? pass.pixelShader->entry : "-");
+            fmt::print("    {:<16} {}\n", pass.name, stagesText(pass));
         return;
     }
     std::vector<std::string> names;

@@ -1,6 +1,7 @@
 #include "host/app/job.h"
 
 #include "host/app/command_line.h"
+#include "host/app/foreign.h"
 #include "host/app/fur_strands.h"
 #include "host/app/fur_textures.h"
 #include "host/app/given_values.h"
@@ -35,6 +36,8 @@ bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshF
     const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, drawsGeometry); };
     if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
     const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
+    const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
+    if (chosen && effect.adopted && std::ranges::any_of(chosen->script.commands, external)) return true;
     return chosen && draws(*chosen);
 }
 
@@ -85,6 +88,8 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
                        "Named values of parameters, such as oily: those of NAME.presets.json beside NAME.fx");
     repeatable(
         command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
+    repeatable(command.add_option("--bind", options.binds,
+                                  "NAME=RULE: what a parameter of a foreign effect gets, such as WORLDVIEWPROJECTION; may be repeated"));
     command.add_option("--size", options.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square")->capture_default_str();
     command
         .add_option("--samples", options.samples,
@@ -120,7 +125,12 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     auto effect = loadEffect(*file, loadOptions(options.effect));
     if (!effect) return effect.error();
     if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();
-    Job job{.effect = std::move(*effect), .scene = {}, .run = {}};
+    const auto rules = bindRules(options.binds);
+    if (!rules) return rules.error();
+    Adoption foreign =
+        adopted(std::move(*effect), {.bind = *rules, .technique = options.technique, .width = size->first, .height = size->second});
+    Job job{.effect = std::move(foreign.effect), .scene = {}, .run = {}};
+    job.bindings = std::move(foreign.bindings);
     job.run.technique = options.technique;
     job.run.width = size->first;
     job.run.height = size->second;
@@ -139,12 +149,14 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     sceneOptions.usual = usualWorkspace(job.effect);
     sceneOptions.aspect = static_cast<double>(size->first) / size->second;
     sceneOptions.turns = turns;
+    sceneOptions.foreign = job.effect.adopted;
     auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
     if (!scene) return scene.error();
     job.scene = std::move(*scene);
     auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
     if (!warnings) return warnings.error();
-    job.warnings = std::move(*warnings);
+    job.warnings = std::move(foreign.notes);
+    job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
     setFurMapParameters(job.effect, job.run, job.scene);
     const auto say = [](const std::string& made) { fmt::print(stderr, "{}\n", made); };
     const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath

@@ -1,6 +1,7 @@
 #pragma once
 // An effect, a scene and values: what the subcommands that draw read from disk before the device is touched.
 
+#include "host/adopt/adopt.h"
 #include "host/app/effect_options.h"
 #include "host/app/scene.h"
 
@@ -15,6 +16,7 @@ struct JobOptions {
     SceneOptions scene;
     std::string preset; // of the effect; empty: none
     std::vector<std::string> sets;
+    std::vector<std::string> binds; // NAME=RULE
     std::string size = "1024x1024";
     int samples = 0;               // a pixel; 0: kUsualSamples, or one where the technique cannot have several
     std::string picture = "float"; // the caller's colour target: float or half
@@ -27,7 +29,8 @@ struct Job {
     Effect effect;
     Scene scene;
     RunOptions run;
-    std::vector<Diagnostic> warnings; // of what the workspace gives
+    std::vector<Diagnostic> warnings;         // of what the workspace gives, and what stands in for what a foreign effect lacks
+    std::vector<ParameterBinding> bindings{}; // of a foreign effect
 };
 
 /// Which technique decides whether a mesh must be there.

@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
     tegument::app::addCheck(program, action);
     tegument::app::addFlatten(program, action);
     tegument::app::addInfo(program, action);
+    tegument::app::addSurvey(program, action);
     tegument::app::addList(program, action);
     tegument::app::addPrep(program, action);
     tegument::app::addFur(program, action);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tegument::app {
 
@@ -36,6 +37,17 @@ Result<void> writeTarget(const PictureOptions& options, const fs::path& path, co
 std::string formatOf(const RunResult& result, const std::string& target) {
     const auto found = std::ranges::find(result.targets, target, &TargetReport::name);
     return found == result.targets.end() ? std::string() : found->format;
+}
+
+/// Three channels from 0 to 1: what a foreign effect leaves in alpha is not meant for looking through.
+Image opaque(const Image& image) {
+    if (image.channels < 3) return image;
+    Image result{.width = image.width, .height = image.height, .channels = 3, .pixels = {}};
+    result.metadata = image.metadata;
+    for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))
+        for (std::size_t c = 0; c < 3; ++c)
+            result.pixels.push_back(std::isfinite(image.pixels[i + c]) ? std::clamp(image.pixels[i + c], 0.0F, 1.0F) : 0.0F);
+    return result;
 }
 
 /// For looking: tone mapped, eight bits.
@@ -85,8 +97,9 @@ fs::path dumpPath(const fs::path& output, const std::string& target, const std::
 
 Result<void> writePicture(const PictureOptions& options, const fs::path& output, const Image& image) {
     if (!isDisplayed(output)) return writeTarget(options, output, image, "A32B32G32R32F");
-    return toLower(output.extension().string()) == ".png" ? writePng(output, image, PngEncoding::Display)
-                                                          : writeJpeg(output, displayed(image));
+    const bool png = toLower(output.extension().string()) == ".png";
+    if (options.displayReferred) return png ? writePng(output, opaque(image), PngEncoding::Raw) : writeJpeg(output, opaque(image));
+    return png ? writePng(output, image, PngEncoding::Display) : writeJpeg(output, displayed(image));
 }
 
 Result<std::vector<fs::path>> writePictures(const PictureOptions& options, const fs::path& output, const RunResult& result) {

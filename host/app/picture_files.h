@@ -14,6 +14,7 @@ class App;
 namespace tegument::app {
 
 struct PictureOptions {
+    bool displayReferred = false;               // of foreign effects: colours are a display's already, nothing is tone mapped
     std::string output;                         // empty: out/<effect>.png
     std::vector<std::string> formats = {"exr"}; // of dumped targets: exr, dds, png
     std::string ddsHeader = "dx10";             // or d3d9

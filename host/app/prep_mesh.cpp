@@ -9,7 +9,9 @@
 #include "host/support/text.h"
 
 #include <fmt/format.h>
+
 #include <memory>
+#include <set>
 
 namespace tegument::app {
 
@@ -25,6 +27,7 @@ struct Arguments {
     std::string up; // y or z; empty: z of STL files, else y
     std::string order = "best";
     std::string cache = "warp";
+    std::set<std::string> created; // folders
     prep::PrepOptions options;
 };
 
@@ -39,8 +42,8 @@ Json reportOf(const Arguments& arguments, const prep::PrepReport& report) {
 Result<void> write(const Arguments& arguments, const prep::Prepared& prepared) {
     if (!arguments.dryRun) {
         const auto extension = toLower(std::filesystem::path(arguments.output).extension().string());
-        const auto written =
-            extension == ".ply" ? writePly(arguments.output, prepared.mesh) : writeGlb(arguments.output, prepared.mesh, prepared.glb);
+        const auto written = extension == ".ply" ? writePly(arguments.output, prepared.mesh, prepared.glb.moved)
+                                                 : writeGlb(arguments.output, prepared.mesh, prepared.glb);
         if (!written) return written.error();
     }
     if (arguments.report.empty()) return {};
@@ -75,13 +78,43 @@ Result<void> checkFiles(const Arguments& arguments) {
     return canWrite(arguments.output);
 }
 
-/// Links are made for skin of a head's size: where texels are wider than light spreads, red gets lost.
-constexpr double kLargestHead = 250; // mm, of the ball round it
+/// What a PLY file has no place for.
+void warnOfPly(const prep::Prepared& prepared) {
+    const Mesh& mesh = prepared.mesh;
+    std::string lost;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count > 0) lost += fmt::format("{}{} {}", lost.empty() ? "" : ", ", count, what);
+    };
+    std::set<std::uint32_t> materials;
+    for (const MeshPart& part : mesh.parts)
+        if (part.material) materials.insert(*part.material);
+    add(mesh.parts.size() > 1 ? mesh.parts.size() : 0, "parts");
+    add(materials.size(), "materials");
+    add(mesh.materials.images.size(), "pictures");
+    if (lost.empty()) return;
+    warn({{.severity = Severity::Warning,
+           .code = 5331,
+           .at = {.byte = {}},
+           .text = fmt::format("a PLY file keeps none of {}", lost),
+           .hint = "write a glb to keep them",
+           .sourceLine = {}}});
+}
 
-void tellWhatWasWritten(const Arguments& arguments, double radius) {
+/// The folders that writing will create, the outermost one.
+std::string folderToMake(const std::string& path) {
+    std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::string missing;
+    for (std::error_code code; !folder.empty() && !std::filesystem::exists(folder, code); folder = folder.parent_path())
+        missing = folder.string();
+    return missing;
+}
+
+void tellWhatWasWritten(const Arguments& arguments) {
+    for (const std::string& folder : arguments.created)
+        fmt::print("created the folder {}\n", folder);
     if (!arguments.dryRun) fmt::print("wrote {}\n", arguments.output);
     if (!arguments.report.empty()) fmt::print("wrote {}\n", arguments.report);
-    if (arguments.options.unwrap && !arguments.dryRun && radius < kLargestHead)
+    if (arguments.options.unwrap && !arguments.dryRun)
         fmt::print("skin without seams between its charts: tegument render Pyramid -t PyramidLinked --mesh {}\n", arguments.output);
 }
 
@@ -99,12 +132,15 @@ int run(Arguments& arguments) {
     progress.clear();
     if (!prepared) return fail(prepared.error(), arguments.json);
     warn(prepared->report.warnings);
+    if (endingOf(arguments.output) == ".ply") warnOfPly(*prepared);
+    for (const std::string& path : {arguments.dryRun ? std::string() : arguments.output, arguments.report})
+        if (const std::string folder = folderToMake(path); !folder.empty()) arguments.created.insert(folder);
     if (const auto written = write(arguments, *prepared); !written) return fail(written.error(), arguments.json);
     if (arguments.json) {
         print(reportOf(arguments, prepared->report));
     } else {
         printReport(prepared->report);
-        tellWhatWasWritten(arguments, prepared->report.centring.radius);
+        tellWhatWasWritten(arguments);
     }
     return 0;
 }
@@ -126,8 +162,10 @@ void addReading(CLI::App& command, Arguments& arguments) {
 }
 
 void addCleaning(CLI::App& command, prep::PrepOptions& options) {
-    command.add_option("--weld-epsilon", options.same.epsilon, "Vertices at most this far apart (in mm) are at one place")
-        ->capture_default_str();
+    command.add_option(
+        "--weld-epsilon", options.same.epsilon,
+        "Vertices at most this far apart (in mm) are at one place; 0: exactly. Default: exactly, and cracks as wide as the last "
+        "digit of the file's numbers are closed");
     command.add_option("--weld-decimals", options.same.decimals,
                        "Vertices whose coordinates print alike with this many decimals are at one place");
     command.add_flag("--keep-duplicates", options.keepDuplicates, "Keep triangles that repeat another");

@@ -97,9 +97,12 @@ Json reportJson(const prep::PrepReport& report, const std::string& input, const 
     }
     json["bytes"] = sizeJson(report.bytes);
     json["bytes_seed"] = sizeJson(report.seedBytes);
-    const glm::vec3& moved = report.centring.moved;
-    json["centre"] = {
-        {"moved", {moved.x, moved.y, moved.z}}, {"radius", report.centring.radius}, {"minimal_radius", report.centring.minimalRadius}};
+    const auto list = [](const glm::dvec3& v) -> Json { return {v.x, v.y, v.z}; };
+    json["centre"] = {{"moved", list(report.centring.moved)},
+                      {"place", list(report.centring.place)},
+                      {"radius", report.centring.radius},
+                      {"minimal_radius", report.centring.minimalRadius}};
+    json["places"] = {{"joined", report.places.joined}, {"cracks", report.places.cracks}, {"crack_width_mm", report.places.crackWidth}};
     if (!report.mapping.empty()) json["mapping"] = mappingJson(report.mapping);
     if (!report.rootMapping.empty()) json["mapping_roots"] = rootMappingJson(report.rootMapping);
     json["topology"] = topologyJson(report.topology);

@@ -1,6 +1,7 @@
 // tegument render: runs an effect on a scene and writes what it drew.
 
 #include "host/app/command_line.h"
+#include "host/app/foreign.h"
 #include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
@@ -100,6 +101,10 @@ Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device&
     for (const fs::path& file : files)
         json["files"].push_back(file.string());
     if (!result.warnings.empty()) json["warnings"] = toJson(result.warnings);
+    for (const ParameterBinding& binding : job.bindings)
+        json["bindings"].push_back({{"parameter", binding.parameter}, {"got", binding.source}, {"by", binding.rule}});
+    if (job.effect.adopted)
+        if (const auto plain = plainPictureNote(result.image, job.effect.file.string())) json["picture"] = plain->text;
     if (options.job.validate) json["validation_messages"] = device.validationMessages();
     return json;
 }
@@ -198,7 +203,8 @@ int renderTurning(const RenderOptions& options, const Job& job, gpu::Device& dev
     return endOf(device);
 }
 
-int render(const RenderOptions& options) {
+int render(const RenderOptions& given) {
+    RenderOptions options = given;
     const auto output = outputPath(options.pictures, options.job.file, options.turntable > 0);
     if (!output) return fail(output.error(), options.json);
     Progress progress;
@@ -207,6 +213,7 @@ int render(const RenderOptions& options) {
     if (!job) return fail(job.error(), options.json);
     if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
     if (options.frames > 1 && options.job.samples == 0) job->run.samples = 1; // what is measured, as bench does
+    options.pictures.displayReferred = job->effect.adopted;
     job->run.frames = options.frames;
     job->run.warmUpFrames = options.frames > 1 ? 2 : 0;
     job->run.dump = options.dump;
@@ -232,6 +239,8 @@ int render(const RenderOptions& options) {
     progress.clear();
     if (!result) return fail(result.error(), options.json);
     warn(result->warnings);
+    if (job->effect.adopted)
+        if (const auto plain = plainPictureNote(result->image, job->effect.file.string())) warn({*plain});
     const auto files = writePictures(options.pictures, *output, *result);
     if (!files) return fail(files.error(), options.json);
 
@@ -239,6 +248,7 @@ int render(const RenderOptions& options) {
         print(resultJson(options, *job, *device, *result, *files));
     } else {
         printReport(*job, *device, *result, *files);
+        printBindings(job->bindings);
     }
     return endOf(*device);
 }

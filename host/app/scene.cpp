@@ -1,5 +1,6 @@
 #include "host/app/scene.h"
 
+#include "host/app/foreign.h"
 #include "host/run/scene_bounds.h"
 #include "host/support/text.h"
 
@@ -74,6 +75,7 @@ void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) 
 
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
     const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
+    if (path.empty() && options.foreign) return ball();
     if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
     MeshOptions load = meshOptions(workspace);
     if (options.unitMm) load.unitMm = options.unitMm;
@@ -81,6 +83,14 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (options.head) load.expectHead = *options.head;
     load.guessUnit = !options.mesh.empty() && !load.expectHead;
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
+}
+
+/// Foreign effects expect about that, round the origin; many know no WORLD.
+void toUnitSize(Mesh& mesh) {
+    if (!(mesh.bounds.radius > 0)) return;
+    for (glm::vec3& position : mesh.positions)
+        position = (position - mesh.bounds.centre) / mesh.bounds.radius;
+    computeBounds(mesh);
 }
 
 /// The workspace as it would have to be to say the same without the command line.
@@ -135,7 +145,12 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     }
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
+    if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
     if (isFramed(options)) frame(options, *mesh, scene.workspace);
+    if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
+        scene.workspace.camera.nearPlane = 0.1F;
+        scene.workspace.camera.farPlane = 100;
+    }
     adoptMesh(options, *mesh, scene.workspace);
     scene.meshes.push_back(std::move(*mesh));
     if (!isFramed(options)) turn(options.turn, scene);

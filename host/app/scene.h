@@ -19,9 +19,10 @@ struct SceneOptions {
     std::optional<double> unitMm;
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
-    double turn = 0;    // degrees that the scene is turned by, counter-clockwise seen from above; camera and light stay for the viewer
-    double aspect = 1;  // of the picture
-    bool turns = false; // a mesh of one's own is framed so that it can turn
+    double turn = 0;      // degrees that the scene is turned by, counter-clockwise seen from above; camera and light stay for the viewer
+    double aspect = 1;    // of the picture
+    bool foreign = false; // the effect is another host's: without a mesh it is shown on a ball, and its world is about as large
+    bool turns = false;   // a mesh of one's own is framed so that it can turn
 };
 
 /// `workspace.objects` empty: one mesh, or none.

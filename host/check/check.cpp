@@ -1,5 +1,6 @@
 #include "host/check/check.h"
 
+#include "host/adopt/adopt.h"
 #include "host/check/work.h"
 #include "host/spirv/messages.h"
 #include "host/support/file.h"
@@ -73,6 +74,15 @@ bool FileReport::failed() const {
            std::ranges::any_of(targets, [](const TargetCheck& target) { return target.verdict == Verdict::Failed; });
 }
 
+bool FileReport::decided() const {
+    return std::ranges::any_of(
+        targets, [](const TargetCheck& target) { return target.verdict == Verdict::Passed || target.verdict == Verdict::Failed; });
+}
+
+bool CheckReport::decided() const {
+    return std::ranges::all_of(files, &FileReport::decided);
+}
+
 bool CheckReport::failed() const {
     return std::ranges::any_of(files, &FileReport::failed);
 }
@@ -117,33 +127,42 @@ bool mentions(const std::filesystem::path& file, std::string_view word) {
     return text && text->find(word) != std::string::npos;
 }
 
-std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderReference>& shader, ShaderKind kind) {
+/// `respelt`: the same stage as host/adopt has it; null where the file's own words do.
+std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderReference>& shader, ShaderKind kind,
+                                    const std::optional<ShaderReference>* respelt) {
     if (!shader) return {};
-    const auto same = [&](const EntryPoint& entry) { return entry.name == shader->entry && entry.kind == kind; };
+    const std::string code = respelt != nullptr && *respelt ? (*respelt)->code : std::string();
+    const auto same = [&](const EntryPoint& entry) {
+        return entry.name == shader->entry && entry.kind == kind && entry.arguments == shader->arguments && entry.code == code;
+    };
     const auto found = std::ranges::find_if(work.report.entries, same);
     if (found != work.report.entries.end()) return static_cast<std::size_t>(found - work.report.entries.begin());
-    work.report.entries.push_back({.name = shader->entry,
-                                   .kind = kind,
-                                   .profile = shader->profile,
-                                   .at = shader->at,
-                                   .sm5 = {},
-                                   .sm5Reflection = {},
-                                   .dxc = {},
-                                   .glslang = {}});
+    EntryPoint entry{.name = shader->entry, .kind = kind, .profile = shader->profile, .at = shader->at, .arguments = shader->arguments};
+    entry.code = code;
+    if (respelt != nullptr && *respelt) {
+        entry.symbol = (*respelt)->entry;
+        entry.obstacle = (*respelt)->obstacle;
+    }
+    work.report.entries.push_back(std::move(entry));
     return work.report.entries.size() - 1;
 }
 
+void collectPass(Work& work, const Pass& pass, const Pass* respelt) {
+    const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex, respelt ? &respelt->vertexShader : nullptr);
+    const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel, respelt ? &respelt->pixelShader : nullptr);
+    const auto geometry = addEntry(work, pass.geometryShader, ShaderKind::Geometry, nullptr);
+    addEntry(work, pass.computeShader, ShaderKind::Compute, nullptr);
+    if (!vertex || !pixel || geometry || pass.hullShader || pass.domainShader) return;
+    if (std::ranges::none_of(work.pairs, [&](const StagePair& pair) { return pair.vertex == *vertex && pair.pixel == *pixel; }))
+        work.pairs.push_back({*vertex, *pixel});
+}
+
 void collectEntries(Work& work) {
-    for (const Technique& technique : work.effect().techniques)
-        for (const Pass& pass : technique.passes) {
-            const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex);
-            const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel);
-            const auto geometry = addEntry(work, pass.geometryShader, ShaderKind::Geometry);
-            addEntry(work, pass.computeShader, ShaderKind::Compute);
-            if (!vertex || !pixel || geometry) continue;
-            if (std::ranges::none_of(work.pairs, [&](const StagePair& pair) { return pair.vertex == *vertex && pair.pixel == *pixel; }))
-                work.pairs.push_back({*vertex, *pixel});
-        }
+    work.respelt = needsRespelling(work.effect());
+    const Effect respelt = work.respelt ? adopted(work.effect()).effect : Effect{};
+    for (std::size_t t = 0; t < work.effect().techniques.size(); ++t)
+        for (std::size_t p = 0; p < work.effect().techniques[t].passes.size(); ++p)
+            collectPass(work, work.effect().techniques[t].passes[p], work.respelt ? &respelt.techniques[t].passes[p] : nullptr);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,7 +88,11 @@ struct EntryPoint {
     ShaderKind kind = ShaderKind::Pixel;
     std::string profile; // as the effect writes it
     SourcePosition at;
-    std::string sm5; // the blob
+    std::vector<std::string> arguments{};         // that the pass compiles it with
+    std::string code{};                           // for DXC where the file's own words are Direct3D 9's (host/adopt); empty: the file's
+    std::string symbol{};                         // its name there
+    std::shared_ptr<const Diagnostic> obstacle{}; // why it cannot be respelt
+    std::string sm5;                              // the blob
     std::optional<Sm5Reflection> sm5Reflection;
     std::optional<Shader> dxc;
     std::optional<Shader> glslang;
@@ -105,12 +110,14 @@ struct FileReport {
     std::vector<EntryPoint> entries;        // each once, in the order of passes
 
     [[nodiscard]] bool failed() const;
+    [[nodiscard]] bool decided() const; // some target has passed or failed
 };
 
 struct CheckReport {
     std::vector<FileReport> files; // for each variant, every file
     [[nodiscard]] bool failed() const;
     [[nodiscard]] bool complete() const; // the machine has all that was asked for
+    [[nodiscard]] bool decided() const;  // of every file something has been checked
 };
 
 /// Loads each file, then:

@@ -28,7 +28,13 @@ struct Expected {
 
 int shadersOf(const Pass& pass) {
     return static_cast<int>(pass.vertexShader.has_value()) + static_cast<int>(pass.pixelShader.has_value()) +
-           static_cast<int>(pass.geometryShader.has_value()) + static_cast<int>(pass.computeShader.has_value());
+           static_cast<int>(pass.geometryShader.has_value()) + static_cast<int>(pass.computeShader.has_value()) +
+           static_cast<int>(pass.hullShader.has_value()) + static_cast<int>(pass.domainShader.has_value()) + pass.assemblyShaders;
+}
+
+/// Compute shaders are Direct3D 11's: the dialect hides such a technique from the others.
+bool computes(const Technique& technique) {
+    return std::ranges::any_of(technique.passes, [](const Pass& pass) { return pass.computeShader.has_value(); });
 }
 
 Expected expectedIn(const Work& work, Target target) {
@@ -124,7 +130,8 @@ void compareCounts(const Work& work, const MicrosoftResult& result, TargetCheck&
     };
     compare("techniques", result.techniqueCount, expected.techniques);
     if (result.passCount >= 0) compare("passes", result.passCount, expected.passes);
-    if (result.shaderCount >= 0) compare("shaders", result.shaderCount, expected.shaders);
+    // Arrays of shaders stand in the binary whether a pass uses them or not.
+    if (result.shaderCount >= 0 && work.effect().ownDialect) compare("shaders", result.shaderCount, expected.shaders);
 }
 
 void takeEffect(Work& work, MicrosoftResult& result, TargetCheck& report) {
@@ -195,7 +202,9 @@ std::vector<const Technique*> techniquesIn(const Work& work, Target target) {
         const bool nine = technique.kind == TechniqueKind::D3D9;
         const bool ten = technique.kind == TechniqueKind::D3D10;
         // Files that do not distinguish targets keep only the techniques that are written for the target.
-        const bool exists = work.dialect || (target == Target::Fx2 ? nine : target == Target::Fx4 ? ten : !nine);
+        const bool exists = (work.dialect && (target == Target::Fx5 || !computes(technique))) || (target == Target::Fx2   ? nine
+                                                                                                  : target == Target::Fx4 ? ten
+                                                                                                                          : !nine);
         if (exists) found.push_back(&technique);
     }
     return found;

@@ -43,6 +43,8 @@ private:
     std::vector<MicrosoftResult> results_;
 };
 
+constexpr int kMostSlots = 32768; // D3DMAX30SHADERINSTRUCTIONS
+
 struct PassShaders {
     const Technique* technique;
     const Pass* pass;
@@ -50,10 +52,25 @@ struct PassShaders {
     const std::optional<Sm3Usage>* pixel = nullptr;
 };
 
-void holdAgainstLimits(const ShaderReference& shader, const Sm3Usage& usage, bool vertex, TargetCheck& report) {
+/// 512 slots is what every device has, and most have 32768: foreign effects of more run where their authors ran them.
+void warnOfSlots(const ShaderReference& shader, int slots, bool vertex, TargetCheck& report) {
+    report.diagnostics.push_back({.severity = Severity::Warning,
+                                  .code = 3203,
+                                  .at = shader.at,
+                                  .text = fmt::format("{} takes {} instruction slots: {} promises 512, and devices may have up to 32768",
+                                                      shader.entry, slots, vertex ? "vs_3_0" : "ps_3_0"),
+                                  .hint = "split the pass where every device shall draw it",
+                                  .sourceLine = {}});
+}
+
+void holdAgainstLimits(const ShaderReference& shader, const Sm3Usage& usage, bool vertex, bool own, TargetCheck& report) {
     for (const Sm3Limit& limit : kSm3Limits) {
         const int most = vertex ? limit.vertex : limit.pixel;
         if (usage.*limit.used <= most) continue;
+        if (!own && limit.used == &Sm3Usage::instructionSlots && usage.instructionSlots <= kMostSlots) {
+            warnOfSlots(shader, usage.instructionSlots, vertex, report);
+            continue;
+        }
         addError(report, 3203, shader.at,
                  fmt::format("{} takes {} {}, {} has {}", shader.entry, usage.*limit.used, limit.what, vertex ? "vs_3_0" : "ps_3_0", most),
                  "split the pass, or keep this entry point out of fx_2_0");
@@ -69,7 +86,7 @@ void takeStage(const PassShaders& shaders, bool vertex, Work& work, TargetCheck&
                                .entry = shader->entry,
                                .profile = vertex ? "vs_3_0" : "ps_3_0",
                                .usage = **usage});
-    holdAgainstLimits(*shader, **usage, vertex, report);
+    holdAgainstLimits(*shader, **usage, vertex, work.effect().ownDialect, report);
 }
 
 /// Direct3D 9 joins stages by semantic; what nobody wrote is undefined there, without a word from any compiler.

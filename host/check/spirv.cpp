@@ -25,16 +25,23 @@ void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) 
 
 void compileAll(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
     for (EntryPoint& entry : work.report.entries) {
-        auto shader = compileShader({.code = work.effect().code,
+        ++report.entries;
+        if (entry.obstacle) {
+            report.diagnostics.push_back(*entry.obstacle);
+            continue;
+        }
+        const bool respelt = !entry.code.empty();
+        if (work.respelt && !respelt && direct3D9Intrinsic(work.effect())) continue; // of a pass that another shader of it spoils
+        auto shader = compileShader({.code = respelt ? entry.code : work.effect().code,
                                      .file = work.file.string(),
-                                     .entry = entry.name,
+                                     .entry = respelt ? entry.symbol : entry.name,
                                      .stage = stageOf(entry.kind),
                                      .defines = {},
-                                     .includeFolders = {}},
+                                     .includeFolders = {},
+                                     .language2018 = respelt},
                                     compiler);
         append(report.diagnostics, shader ? shader->warnings : shader.error().diagnostics);
         if (shader) entry.*slot = std::move(*shader);
-        ++report.entries;
     }
 }
 
@@ -53,11 +60,14 @@ void linkAll(const Work& work, Slot slot, TargetCheck& report) {
 }
 
 /// Why no entry point of this file can be tried; empty when they can.
-std::string obstacle(const Work& work) {
+std::string obstacle(const Work& work, Compiler compiler) {
     const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
     if (geometry != work.report.entries.end())
         return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
-    return spellingObstacle(work);
+    if (work.report.entries.empty() || !work.respelt) return spellingObstacle(work);
+    if (compiler == Compiler::Dxc) return {};
+    const std::string reason = spellingObstacle(work);
+    return reason.empty() ? "shaders are compiled with arguments or for Direct3D 9: drawn by way of DXC" : reason;
 }
 
 /// `: POSITION` compiles to an ordinary varying without a word.
@@ -69,7 +79,7 @@ void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
 }
 
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
-    if (std::string reason = obstacle(work); !reason.empty()) return leaveOut(report, std::move(reason));
+    if (std::string reason = obstacle(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
     if (!compilerAvailable(compiler)) {
         report.reason = "the DXC library is not there (./bootstrap build fetches it)";
         return;
@@ -83,7 +93,7 @@ void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) 
 
 void compareAll(const Work& work, TargetCheck& report) {
     for (const EntryPoint& entry : work.report.entries) {
-        if (!entry.dxc || !entry.glslang) continue;
+        if (!entry.dxc || !entry.glslang || !entry.code.empty()) continue;
         for (const std::string& difference : compareReflections(entry.dxc->reflection, entry.glslang->reflection))
             addError(report, 3201, entry.at, fmt::format("DXC (first) and glslang (second) see {} differently: {}", entry.name, difference),
                      "fill every 16 bytes of the parameters exactly (docs/design/compilers.md)");

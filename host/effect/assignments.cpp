@@ -13,7 +13,6 @@ namespace tegument {
 
 namespace {
 
-constexpr double kLargestWord = 4294967295.0;
 constexpr double kTargets = 8;
 constexpr double kMostIndices = 65536;
 

@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 44> kAnnotations{{
+constexpr std::array<KnownAnnotation, 48> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -62,6 +62,10 @@ constexpr std::array<KnownAnnotation, 44> kAnnotations{{
     {"Share", kText},
     {"ShareRadius", kText},
     {"ShareThinnest", kText},
+    {"Stores", kText},
+    {"Threads", kText},
+    {"Groups", kNumber, 1, 3},
+    {"GroupCount", kText},
     {"Producer", kText},
     {"ColorSpace", kText},
     {"Metadata", kText},
@@ -83,6 +87,7 @@ public:
         for (const Parameter& parameter : effect_.parameters)
             annotations(parameter.annotations);
         samplers();
+        storages();
         textureKinds();
         globalScript();
         for (Technique& technique : effect_.techniques)
@@ -103,14 +108,15 @@ private:
     }
 
     template <class T>
-    void uniqueNames(const std::vector<T>& list, std::string_view what) {
+    void uniqueNames(const std::vector<T>& list, std::string_view what, bool soft = false) {
         std::map<std::string, const T*> seen;
         for (const T& item : list) {
             if (item.name.empty()) continue;
             const auto [first, isNew] = seen.emplace(item.name, &item);
-            if (!isNew)
-                fail(2015, item.at, fmt::format("{} '{}' is declared twice", what, item.name),
-                     fmt::format("the first is in line {}", first->second->at.line));
+            if (isNew) continue;
+            std::string text = fmt::format("{} '{}' is declared twice", what, item.name);
+            std::string hint = fmt::format("the first is in line {}", first->second->at.line);
+            soft ? refuse(2015, item.at, std::move(text), std::move(hint)) : fail(2015, item.at, std::move(text), std::move(hint));
         }
     }
 
@@ -184,6 +190,23 @@ private:
         }
     }
 
+    /// RWTexture2D gBaseStore writes target gBaseMap where it names no other. Effects from elsewhere may have some that no target stands
+    /// behind.
+    void storages() {
+        constexpr std::string_view kEnding = "Store";
+        for (StorageTexture& storage : effect_.storages) {
+            annotations(storage.annotations);
+            if (auto named = storage.annotations.string("Stores")) {
+                target(*named, "RENDERCOLORTARGET", storage.annotations.find("Stores")->at);
+                storage.target = *named;
+            } else if (storage.name.ends_with(kEnding)) {
+                const std::string map = storage.name.substr(0, storage.name.size() - kEnding.size()) + "Map";
+                const Parameter* conventional = effect_.findParameter(map);
+                if (conventional != nullptr && equalsIgnoreCase(conventional->semantic, "RENDERCOLORTARGET")) storage.target = map;
+            }
+        }
+    }
+
     /// `texture t;` says nothing of its dimension: its annotation does, else the sampler that reads it.
     void textureKinds() {
         for (const Sampler& sampler : effect_.samplers) {
@@ -227,7 +250,7 @@ private:
 
     void technique(Technique& technique) {
         annotations(technique.annotations);
-        uniqueNames(technique.passes, "pass");
+        uniqueNames(technique.passes, "pass", true);
         technique.script = script(technique.annotations, ScriptLevel::Technique, &technique);
         for (Pass& pass : technique.passes) {
             annotations(pass.annotations);
@@ -235,6 +258,7 @@ private:
             for (const auto* shader : {&pass.vertexShader, &pass.pixelShader, &pass.geometryShader, &pass.computeShader})
                 if (*shader) function(**shader);
             namedNumbers(pass);
+            dispatch(pass);
         }
     }
 
@@ -245,6 +269,24 @@ private:
             if (auto* name = std::get_if<std::string>(&annotation.value);
                 name != nullptr && std::ranges::any_of(kNames, [&](const char* own) { return equalsIgnoreCase(annotation.name, own); }))
                 scalar(*name, annotation.at);
+    }
+
+    /// How many threads: names get the spelling of their declaration. A pass either draws or computes.
+    void dispatch(Pass& pass) {
+        for (Annotation& annotation : pass.annotations.list) {
+            auto* name = std::get_if<std::string>(&annotation.value);
+            if (name == nullptr) continue;
+            if (equalsIgnoreCase(annotation.name, "Threads")) target(*name, "RENDERCOLORTARGET", annotation.at);
+            if (equalsIgnoreCase(annotation.name, "GroupCount")) numeric(*name, annotation.at);
+        }
+        if (pass.computeShader && (pass.vertexShader || pass.pixelShader))
+            fail(2024, pass.at, fmt::format("pass {} has a compute shader beside one that draws", pass.name), "write two passes");
+        for (const Command& command : pass.script.commands)
+            if (command.kind == CommandKind::Draw && (command.options[0] == "Compute") != pass.computeShader.has_value())
+                fail(2024, command.at,
+                     fmt::format("pass {} has {} compute shader, and its script says Draw={}", pass.name, pass.computeShader ? "a" : "no",
+                                 command.options[0]),
+                     "Draw=Compute for a compute shader, Draw=Geometry or Draw=Buffer for the others");
     }
 
     void function(const ShaderReference& shader) {

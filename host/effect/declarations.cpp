@@ -223,6 +223,9 @@ bool Parser::declarator(Declarator d) {
     if (d.type.base == BaseType::Sampler) return samplerDeclarator(d, std::move(parameter.annotations));
     if (d.modifiers.isStatic) return staticValue(d);
     if (peek().is('=') && !defaultValue(parameter) && !skipValue()) return false;
+    if (d.type.name == "RWTexture2D")
+        result_.effect.storages.push_back(
+            {.name = std::move(parameter.name), .target = {}, .annotations = std::move(parameter.annotations), .at = parameter.at});
     if (d.type.base == BaseType::Other) return true;
     if (const auto* numbers = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr) {
         std::size_t next = 0;

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -60,6 +61,10 @@ double convertedTo(const Type& type, double value) {
 std::optional<double> Parser::number(const Token& token, bool& integral) {
     std::string_view text = token.text;
     double value = 0;
+    if (text.find(".#") != std::string_view::npos) { // 1.#INF: the largest float, so that every number stays finite
+        integral = false;
+        return std::numeric_limits<float>::max();
+    }
     const char* end = text.data() + text.size();
     std::from_chars_result read{};
     if (text.starts_with("0x") || text.starts_with("0X")) {

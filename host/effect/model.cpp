@@ -74,6 +74,10 @@ const Sampler* Effect::findSampler(std::string_view name) const {
     return findExact(samplers, name);
 }
 
+const StorageTexture* Effect::findStorage(std::string_view name) const {
+    return findExact(storages, name);
+}
+
 const Technique* Effect::findTechnique(std::string_view name) const {
     return findIgnoringCase(techniques, name);
 }
@@ -86,12 +90,61 @@ const Technique* Effect::defaultTechnique() const {
     return techniques.empty() ? nullptr : &techniques[0];
 }
 
+namespace {
+
+/// What other hosts and later Direct3Ds call a format, and the one here that holds its values.
+struct FormatAlias {
+    std::string_view name;
+    std::string_view format;
+};
+
+constexpr std::array<FormatAlias, 38> kFormatAliases{{{"a16r16g16b16f", "A16B16G16R16F"},
+                                                      {"a32r32g32b32f", "A32B32G32R32F"},
+                                                      {"a16b16g16r16", "A16B16G16R16F"},
+                                                      {"g16r16", "G16R16F"},
+                                                      {"l16", "R16F"},
+                                                      {"a2r10g10b10", "A2B10G10R10"},
+                                                      {"r8g8b8", "X8R8G8B8"},
+                                                      {"x8b8g8r8", "A8B8G8R8"},
+                                                      {"r5g6b5", "X8R8G8B8"},
+                                                      {"x1r5g5b5", "X8R8G8B8"},
+                                                      {"a1r5g5b5", "A8R8G8B8"},
+                                                      {"a4r4g4b4", "A8R8G8B8"},
+                                                      {"a8l8", "A8R8G8B8"},
+                                                      {"q8w8v8u8", "A16B16G16R16F"},
+                                                      {"d16_lockable", "D16"},
+                                                      {"d15s1", "D24S8"},
+                                                      {"d24x4s4", "D24S8"},
+                                                      {"d24fs8", "D24S8"},
+                                                      {"d32", "D32F"},
+                                                      {"r8g8b8a8_unorm", "A8B8G8R8"},
+                                                      {"r8g8b8a8_unorm_srgb", "A8B8G8R8"},
+                                                      {"b8g8r8a8_unorm", "A8R8G8B8"},
+                                                      {"b8g8r8a8_unorm_srgb", "A8R8G8B8"},
+                                                      {"r8_unorm", "L8"},
+                                                      {"r10g10b10a2_unorm", "A2B10G10R10"},
+                                                      {"r11g11b10_float", "A16B16G16R16F"},
+                                                      {"r16_float", "R16F"},
+                                                      {"r16_unorm", "R16F"},
+                                                      {"r16g16_float", "G16R16F"},
+                                                      {"r16g16_unorm", "G16R16F"},
+                                                      {"r16g16b16a16_float", "A16B16G16R16F"},
+                                                      {"r16g16b16a16_unorm", "A16B16G16R16F"},
+                                                      {"r32_float", "R32F"},
+                                                      {"r32g32_float", "G32R32F"},
+                                                      {"r32g32b32a32_float", "A32B32G32R32F"},
+                                                      {"d16_unorm", "D16"},
+                                                      {"d24_unorm_s8_uint", "D24S8"},
+                                                      {"d32_float", "D32F"}}};
+
+} // namespace
+
 std::optional<std::string> canonicalFormat(std::string_view name) {
     std::string text = toLower(name);
-    for (const std::string_view prefix : {"d3dfmt_", "fmt_"})
+    for (const std::string_view prefix : {"d3dfmt_", "fmt_", "dxgi_format_"})
         if (text.starts_with(prefix)) text.erase(0, prefix.size());
-    if (text == "a16r16g16b16f") text = "a16b16g16r16f";
-    if (text == "a32r32g32b32f") text = "a32b32g32r32f";
+    if (const auto* alias = std::ranges::find(kFormatAliases, std::string_view(text), &FormatAlias::name); alias != kFormatAliases.end())
+        return std::string(alias->format);
     for (const std::string& format : formatNames())
         if (equalsIgnoreCase(format, text)) return format;
     return std::nullopt;

@@ -90,6 +90,9 @@ struct ShaderReference {
     std::string profile;
     std::vector<std::string> arguments; // for `uniform` parameters, as written
     SourcePosition at;
+    std::string code;                             // a source of its own; empty: the effect's
+    std::string original;                         // what the author calls the entry point, where that is another name
+    std::shared_ptr<const Diagnostic> obstacle{}; // why it has no source
 };
 
 /// `AlphaTestEnable`, `AlphaFunc`, `AlphaRef`: no later Direct3D has them.
@@ -98,6 +101,15 @@ struct AlphaTest {
     CompareOp compare = CompareOp::Always;
     unsigned reference = 0; // 0 to 255
     bool operator==(const AlphaTest&) const = default;
+};
+
+/// `RWTexture2D<float4> gBaseStore`: what compute shaders write.
+struct StorageTexture {
+    std::string name;
+    /// The colour target behind it: annotation Stores, where "" is the application's own; else by our convention gXMap, of gXStore.
+    std::optional<std::string> target;
+    Annotations annotations;
+    SourcePosition at;
 };
 
 struct Pass {
@@ -152,6 +164,7 @@ struct Effect {
     std::filesystem::path file;
     std::vector<Parameter> parameters; // numeric, string and texture, in file order
     std::vector<Sampler> samplers;
+    std::vector<StorageTexture> storages;
     std::vector<Technique> techniques;
     std::optional<StandardsGlobal> standardsGlobal;
     std::optional<EffectSettings> settings;
@@ -165,11 +178,13 @@ struct Effect {
     std::vector<std::pair<std::string, std::string>> defines; // as given at load
     std::vector<std::filesystem::path> includeFolders;        // likewise
     std::vector<Diagnostic> warnings;
+    bool adopted = false;    // host/adopt has put it into this host's spelling: its colours are those of a display, not radiance
     bool ownDialect = false; // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
-    [[nodiscard]] const Parameter* findParameter(std::string_view name) const; // exact
-    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;     // exact
-    [[nodiscard]] const Technique* findTechnique(std::string_view name) const; // ignores case
+    [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact
+    [[nodiscard]] const Sampler* findSampler(std::string_view name) const;        // exact
+    [[nodiscard]] const StorageTexture* findStorage(std::string_view name) const; // exact
+    [[nodiscard]] const Technique* findTechnique(std::string_view name) const;    // ignores case
     /// The technique that the global script names, else the first one; null when there is none.
     [[nodiscard]] const Technique* defaultTechnique() const;
 };

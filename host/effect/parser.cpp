@@ -159,6 +159,11 @@ bool Parser::topLevel() {
     for (const std::string_view word : {"technique", "technique10", "technique11"})
         if (isWord(word)) return technique();
     if (isWord("fxgroup")) return group();
+    if (peek().is("shared") && (peek(1).is("cbuffer") || peek(1).is("tbuffer"))) { // of a pool of effects: here one effect is all
+        blankFrom(at_);
+        take();
+        result_.blanks.back().last = at_;
+    }
     if (isWord("cbuffer") || isWord("tbuffer")) return constantBuffer();
     if (peek().is("typedef")) return alias();
     if (isWord("stateblock") && peek(1).kind == TokenKind::Word) return stateBlockObject(at_);

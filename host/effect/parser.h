@@ -20,6 +20,8 @@
 
 namespace tegument {
 
+inline constexpr double kLargestWord = 4294967295.0; // of 32 bits: what states and masks hold
+
 struct TokenRange {
     std::size_t first = 0;
     std::size_t last = 0; // one behind

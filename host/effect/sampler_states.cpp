@@ -45,7 +45,7 @@ void setFloat(SamplerState& state, int, Numbers v) {
 
 constexpr Vocabulary kNumber{};
 
-constexpr std::array<Entry, 16> kEntries{{
+constexpr std::array<Entry, 17> kEntries{{
     {"MinFilter", kFilter9, setFilter<&SamplerState::minFilter>},
     {"MagFilter", kFilter9, setFilter<&SamplerState::magFilter>},
     {"MipFilter", kFilter9, setMipFilter},
@@ -65,6 +65,7 @@ constexpr std::array<Entry, 16> kEntries{{
     {"ComparisonFunc", kCompare, [](SamplerState& s, int, Numbers v) { s.compare = static_cast<CompareOp>(v[0] - 1); }},
     {"BorderColor", kNumber, [](SamplerState& s, int, Numbers v) { s.borderColor = colorValue(v); }},
     {"ElementIndex", kNumber, nullptr, 0, "a texture has one element"},
+    {"DMapOffset", kNumber, nullptr, 0, "there is no displacement mapping"},
 }};
 
 } // namespace

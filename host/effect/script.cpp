@@ -176,7 +176,8 @@ private:
         case ValueForm::ClearWhat:
             return clear(command, text) || bad(command, entry, text, "write Color, Color0 to Color7, Depth or Stencil");
         case ValueForm::DrawWhat:
-            return keyword(command, text, {"Geometry", "Buffer", "Scene"}) || bad(command, entry, text, "write Geometry, Buffer or Scene");
+            return keyword(command, text, {"Geometry", "Buffer", "Scene", "Compute"}) ||
+                   bad(command, entry, text, "write Geometry, Buffer, Scene or Compute");
         case ValueForm::Color:
             return keyword(command, text, {"Color"}) || (lenient_ && external(command)) || bad(command, entry, text, "write Color");
         }

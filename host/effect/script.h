@@ -20,7 +20,7 @@ enum class CommandKind {
     ClearSetDepth,
     ClearSetStencil,
     Clear,          // options[0] Color | Depth | Stencil; Color1: index 1; Color: index -1, every bound colour target, as Direct3D 9 does
-    Draw,           // options[0] Geometry | Buffer | Scene
+    Draw,           // options[0] Geometry | Buffer | Scene | Compute
     ScriptExternal, // options[0] Color
     LoopByCount,    // options[0] parameter name
     LoopEnd,

@@ -12,6 +12,11 @@ Error failure(int code, const SourcePosition& at, std::string text, std::string 
     return inputError(code, at, std::move(text), std::move(hint));
 }
 
+/// What a pass without script does.
+DrawKind usual(const Pass& pass) {
+    return pass.computeShader ? DrawKind::Compute : DrawKind::Geometry;
+}
+
 class Interpreter {
 public:
     Interpreter(const Effect& effect, ScriptSink& sink) : effect_(effect), sink_(sink) {}
@@ -86,7 +91,7 @@ private:
         const ScriptState caller = state_;
         pass_ = &pass;
         if (Result<void> begun = sink_.beginPass(technique, pass); !begun) return begun;
-        Result<void> done = pass.script.given ? runCommands(pass.script, technique, caller) : sink_.draw(pass, DrawKind::Geometry, state_);
+        Result<void> done = pass.script.given ? runCommands(pass.script, technique, caller) : sink_.draw(pass, usual(pass), state_);
         if (!done) return done;
         if (Result<void> ended = sink_.endPass(pass); !ended) return ended;
         pass_ = nullptr;
@@ -157,16 +162,18 @@ private:
         case CommandKind::Clear: return clear(*name, command.index);
         case CommandKind::Draw:
             return sink_.draw(*pass_,
-                              *name == "Geometry" ? DrawKind::Geometry
-                              : *name == "Buffer" ? DrawKind::Buffer
-                                                  : DrawKind::Scene,
+                              *name == "Geometry"  ? DrawKind::Geometry
+                              : *name == "Buffer"  ? DrawKind::Buffer
+                              : *name == "Compute" ? DrawKind::Compute
+                                                   : DrawKind::Scene,
                               state_);
         case CommandKind::ScriptExternal: return external();
         default: return {};
         }
     }
 
-    /// An empty name means the caller's target in place 0, and nothing in the others.
+    /// An empty name means the caller's target in place 0, and nothing in the others. To other hosts it is the application's own target,
+    /// whoever calls.
     Result<void> rebind(std::optional<std::string>& place, std::optional<std::string> name) {
         if (place == name) return {};
         place = std::move(name);
@@ -176,10 +183,12 @@ private:
     Result<void> bindColor(int index, const std::string& name, const ScriptState& caller) {
         std::optional<std::string>& place = state_.targets.colors[static_cast<std::size_t>(index)];
         if (!name.empty()) return rebind(place, name);
+        if (index == 0 && effect_.adopted) return rebind(place, "");
         return rebind(place, index == 0 ? caller.targets.colors[0] : std::nullopt);
     }
 
     Result<void> bindDepth(const std::string& name, const ScriptState& caller) {
+        if (name.empty() && effect_.adopted) return rebind(state_.targets.depth, "");
         return rebind(state_.targets.depth, name.empty() ? caller.targets.depth : std::optional(name));
     }
 

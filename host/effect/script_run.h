@@ -13,7 +13,7 @@
 namespace tegument {
 
 enum class ClearKind { Color, Depth, Stencil };
-enum class DrawKind { Geometry, Buffer, Scene };
+enum class DrawKind { Geometry, Buffer, Scene, Compute };
 
 /// Texture names as declared in the effect. "" is the application's own target; nullopt: nothing is bound in this place.
 struct BoundTargets {

@@ -138,6 +138,9 @@ private:
         while (continuesWord(peek(length)) || peek(length) == '.' ||
                (!hexadecimal && (peek(length) == '+' || peek(length) == '-') && (peek(length - 1) == 'e' || peek(length - 1) == 'E')))
             ++length;
+        if (peek(length) == '#' && peek(length - 1) == '.') // 1.#INF, -1.#IND
+            for (++length; std::isalpha(static_cast<unsigned char>(peek(length))) != 0;)
+                ++length;
         emit(TokenKind::Number, length);
     }
 

@@ -12,18 +12,18 @@ namespace tegument {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kModifiers{"row_major", "column_major",  "nointerpolation", "linear",  "centroid",
-                                                      "sample",    "noperspective", "const",           "uniform", "unsigned"};
+constexpr std::array<std::string_view, 10> kMemberModifiers{"row_major", "column_major",  "nointerpolation", "linear",  "centroid",
+                                                            "sample",    "noperspective", "const",           "uniform", "unsigned"};
 
-bool isModifier(const Token& token, const Token& next) {
-    return next.kind == TokenKind::Word && std::ranges::find(kModifiers, token.text) != kModifiers.end();
+bool isMemberModifier(const Token& token, const Token& next) {
+    return next.kind == TokenKind::Word && std::ranges::find(kMemberModifiers, token.text) != kMemberModifiers.end();
 }
 
 } // namespace
 
 /// `float4 a : COLOR0, b[2];`, or a method, which has no value.
 bool Parser::member(std::vector<TypeMember>& list) {
-    while (isModifier(peek(), peek(1)))
+    while (isMemberModifier(peek(), peek(1)))
         take();
     if (peek().is("struct") && peek(1).kind == TokenKind::Word) take();
     const std::optional<Type> type = this->type();

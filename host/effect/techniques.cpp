@@ -14,8 +14,6 @@ namespace tegument {
 
 namespace {
 
-constexpr double kLargestWord = 4294967295.0;
-
 TechniqueKind kindOf(std::string_view keyword) {
     if (equalsIgnoreCase(keyword, "technique11")) return TechniqueKind::D3D11;
     return equalsIgnoreCase(keyword, "technique10") ? TechniqueKind::D3D10 : TechniqueKind::D3D9;

@@ -56,14 +56,23 @@ std::string bytesOf(const Shader& shader) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+bool isGlsl(EmitKind kind) {
+    return kind == EmitKind::Glsl || kind == EmitKind::GlslEs;
+}
+
+bool computes(const Technique& technique) {
+    return std::ranges::any_of(technique.passes, [](const Pass& pass) { return pass.computeShader.has_value(); });
+}
+
 /// The reason why a kind cannot be written; empty when it can.
 std::string missingReason(const FileReport& report, EmitKind kind) {
     const auto found = std::ranges::find(report.targets, targetOf(kind), &TargetCheck::target);
     if (found == report.targets.end()) return fmt::format("{} was not asked for", targetName(targetOf(kind)));
     if (found->verdict == Verdict::NotChecked || found->verdict == Verdict::NotApplicable)
         return fmt::format("{} {}: {}", targetName(found->target), verdictName(found->verdict), found->reason);
-    const bool compute = std::ranges::any_of(report.entries, [](const EntryPoint& e) { return e.kind == ShaderKind::Compute; });
-    if (compute && (kind == EmitKind::Glsl || kind == EmitKind::GlslEs)) return "GLSL 330 and GLSL ES 300 have no compute shaders";
+    const auto& techniques = report.effect.techniques;
+    if (isGlsl(kind) && !techniques.empty() && std::ranges::all_of(techniques, computes))
+        return "GLSL 330 and GLSL ES 300 have no compute shaders";
     return {};
 }
 
@@ -88,6 +97,7 @@ Result<void> addTranslation(Products& products, LinkedShader& shader, EmitKind k
 }
 
 Result<void> addShader(Products& products, LinkedShader& shader, EmitKind kind) {
+    if (isGlsl(kind) && shader.entry->kind == ShaderKind::Compute) return {}; // its technique is not for that language
     if (isTranslation(kind)) return shader.spirv() == nullptr ? Result<void>() : addTranslation(products, shader, kind);
     if (kind == EmitKind::Sm5 && !shader.entry->sm5.empty()) addFile(products, shader, kind, shader.entry->sm5);
     if (kind == EmitKind::SpirvDxc && shader.dxc) addFile(products, shader, kind, bytesOf(*shader.dxc));
@@ -124,7 +134,7 @@ Result<void> addKind(Products& products, const FileReport& report, EmitKind kind
     }
     for (LinkedShader& shader : products.shaders)
         if (auto added = addShader(products, shader, kind); !added) return added;
-    return kind == EmitKind::Glsl || kind == EmitKind::GlslEs ? checkPrograms(products, kind) : Result<void>();
+    return isGlsl(kind) ? checkPrograms(products, kind) : Result<void>();
 }
 
 Result<void> mayReplace(const fs::path& folder) {

@@ -110,6 +110,8 @@ Json formJson(const LinkedShader& shader, EmitKind kind, const std::string& file
 
 Json shaderJson(const LinkedShader& shader) {
     Json json{{"name", shader.name}, {"entry", shader.entry->name}, {"stage", stageName(shader.entry->kind)}};
+    const Shader* compiled = shader.spirv();
+    if (shader.entry->kind == ShaderKind::Compute && compiled) json["threads"] = compiled->reflection.localSize;
     for (const auto& [kind, file] : shader.files)
         json[std::string(emitKindName(kind))] = formJson(shader, kind, file);
     return json;
@@ -145,6 +147,17 @@ Json samplersJson(const Effect& effect) {
     Json list = Json::array();
     for (const Sampler& sampler : effect.samplers)
         list.push_back({{"name", sampler.name}, {"texture", sampler.texture}, {"states", toJson(sampler.state)}});
+    return list;
+}
+
+/// What compute shaders write; target "": the application's own.
+Json storagesJson(const Effect& effect) {
+    Json list = Json::array();
+    for (const StorageTexture& storage : effect.storages) {
+        Json one{{"name", storage.name}};
+        if (storage.target) one["target"] = *storage.target;
+        list.push_back(std::move(one));
+    }
     return list;
 }
 
@@ -185,6 +198,7 @@ std::string manifest(const FileReport& report, const EmitOptions& options, const
     for (const Parameter& parameter : effect.parameters)
         json["parameters"].push_back(toJson(parameter));
     json["samplers"] = samplersJson(effect);
+    if (!effect.storages.empty()) json["storages"] = storagesJson(effect);
     json["techniques"] = techniquesJson(effect, products);
     json["shaders"] = Json::array();
     for (const LinkedShader& shader : products.shaders)

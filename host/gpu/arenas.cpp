@@ -43,7 +43,7 @@ UniformArena::Slice UniformArena::push(const DeviceState& device, std::span<cons
 
 vk::DescriptorType descriptorType(std::size_t kind) {
     constexpr std::array kTypes = {vk::DescriptorType::eUniformBuffer, vk::DescriptorType::eSampledImage, vk::DescriptorType::eSampler,
-                                   vk::DescriptorType::eStorageBuffer};
+                                   vk::DescriptorType::eStorageBuffer, vk::DescriptorType::eStorageImage};
     return kTypes.at(kind);
 }
 
@@ -58,14 +58,15 @@ void DescriptorArena::reset() {
 
 DescriptorArena::Pool DescriptorArena::makePool(const DeviceState& device, const DescriptorCounts& atLeast) {
     Pool pool;
-    std::array<vk::DescriptorPoolSize, 4> sizes;
+    std::array<vk::DescriptorPoolSize, std::tuple_size_v<DescriptorCounts>> sizes;
     for (std::size_t kind = 0; kind < sizes.size(); ++kind) {
         pool.capacity[kind] = std::max(kDescriptorsPerPool, atLeast[kind]);
         sizes[kind] = {.type = descriptorType(kind), .descriptorCount = pool.capacity[kind]};
     }
     pool.left = pool.capacity;
     pool.setsLeft = kSetsPerPool;
-    pool.pool = device.device.createDescriptorPool({.maxSets = kSetsPerPool, .poolSizeCount = 4, .pPoolSizes = sizes.data()});
+    pool.pool = device.device.createDescriptorPool(
+        {.maxSets = kSetsPerPool, .poolSizeCount = static_cast<std::uint32_t>(sizes.size()), .pPoolSizes = sizes.data()});
     return pool;
 }
 

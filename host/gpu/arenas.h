@@ -28,7 +28,7 @@ private:
 };
 
 /// How many descriptors of each BindingKind, in its order.
-using DescriptorCounts = std::array<std::uint32_t, 4>;
+using DescriptorCounts = std::array<std::uint32_t, 5>;
 [[nodiscard]] vk::DescriptorType descriptorType(std::size_t kind);
 
 /// Descriptor pools. The remaining room is counted here, so that no allocation is ever refused.

@@ -41,6 +41,11 @@ void add(RecorderState& recorder, Writes& writes, vk::DescriptorSet set, const B
         writes.images.push_back({.sampler = *std::get<const Sampler*>(resource.resource)->state->sampler});
         write.pImageInfo = &writes.images.back();
         break;
+    case BindingKind::StorageTexture:
+        writes.images.push_back({.imageView = *std::get<StoredTexture>(resource.resource).texture->state->targetView,
+                                 .imageLayout = vk::ImageLayout::eGeneral});
+        write.pImageInfo = &writes.images.back();
+        break;
     }
     writes.list.push_back(write);
 }

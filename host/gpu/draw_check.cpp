@@ -17,6 +17,7 @@ bool isNull(const BoundResource& resource) {
         bool operator()(const Texture* texture) const { return !texture || !texture->state; }
         bool operator()(const Sampler* sampler) const { return !sampler || !sampler->state; }
         bool operator()(const Buffer* buffer) const { return !buffer || !buffer->state; }
+        bool operator()(const StoredTexture& stored) const { return !stored.texture || !stored.texture->state; }
     };
     return std::visit(Visitor{}, resource.resource);
 }
@@ -36,6 +37,8 @@ Result<void> checkValue(const PipelineHandle& pipeline, const Binding& binding, 
         return wrong(6033, "was given a vertex or index buffer");
     if (binding.kind == BindingKind::Texture && std::get<Texture*>(resource.resource)->desc().samples != 1)
         return wrong(6017, "was given a multisampled texture, which must be resolved first");
+    if (binding.kind == BindingKind::StorageTexture && !std::get<StoredTexture>(resource.resource).texture->desc().storage)
+        return wrong(6033, "was given a texture that was not made to be written by dispatches");
     if (binding.kind != BindingKind::UniformBuffer) return {};
     const std::size_t size = std::get<std::span<const std::byte>>(resource.resource).size();
     const std::uint32_t limit = pipeline.device->limits.maxUniformBufferRange;
@@ -137,6 +140,25 @@ Result<Scope> checkTargets(const PipelineHandle& pipeline, const Targets& target
     if (const auto formats = checkFormats(pipeline, scope); !formats) return formats.error();
     if (const auto sizes = checkSizes(pipeline, scope); !sizes) return sizes.error();
     return scope;
+}
+
+Result<void> checkStored(const PipelineHandle& pipeline, const std::vector<BoundResource>& resources) {
+    const auto textureOf = [](const BoundResource& resource) -> const TextureState* {
+        if (const auto* stored = std::get_if<StoredTexture>(&resource.resource)) return state(stored->texture);
+        const auto* sampled = std::get_if<Texture*>(&resource.resource);
+        return sampled ? state(*sampled) : nullptr;
+    };
+    for (const BoundResource& stored : resources) {
+        if (!std::holds_alternative<StoredTexture>(stored.resource)) continue;
+        for (const BoundResource& other : resources)
+            if (&other != &stored && textureOf(other) == textureOf(stored))
+                return requestError(
+                    6034,
+                    fmt::format("pipeline '{}': '{}' is bound at set {} binding {}, and the dispatch writes it at binding {}",
+                                pipeline.name, textureOf(stored)->desc.name, other.set, other.binding, stored.binding),
+                    "write another texture and read that one in the next pass");
+    }
+    return {};
 }
 
 Result<void> checkGeometry(const PipelineHandle& pipeline, const Draw& draw) {

@@ -13,6 +13,9 @@ namespace tegument::gpu::detail {
 [[nodiscard]] Result<Scope> checkTargets(const PipelineHandle& pipeline, const Targets& targets,
                                          const std::vector<BoundResource>& resources);
 
+/// No texture that a dispatch writes is bound a second time: TG6034.
+[[nodiscard]] Result<void> checkStored(const PipelineHandle& pipeline, const std::vector<BoundResource>& resources);
+
 /// Vertices and indices: TG6039.
 [[nodiscard]] Result<void> checkGeometry(const PipelineHandle& pipeline, const Draw& draw);
 

@@ -67,6 +67,7 @@ struct TextureDesc {
     bool cube = false;         // six layers, in Direct3D's order +X -X +Y -Y +Z -Z
     bool renderTarget = false; // not with cube
     std::uint32_t samples = 1; // above 1: a render target of one mip that is cleared, drawn to and resolved, and nothing else
+    bool storage = false;      // a colour render target of one sample that dispatches write, too
 };
 
 class Texture {
@@ -138,11 +139,16 @@ struct ComputePipelineDesc {
     std::vector<Binding> bindings;
 };
 
+/// Mip 0 of a texture that a dispatch reads and writes texel by texel. Its shader names no format.
+struct StoredTexture {
+    Texture* texture = nullptr;
+};
+
 /// What a binding gets. Uniform bytes are copied when the draw is recorded.
 struct BoundResource {
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    std::variant<std::span<const std::byte>, Texture*, const Sampler*, Buffer*> resource;
+    std::variant<std::span<const std::byte>, Texture*, const Sampler*, Buffer*, StoredTexture> resource;
 };
 
 struct Targets {

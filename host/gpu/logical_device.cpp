@@ -29,6 +29,8 @@ FeatureChain wantedFeatures(const FeatureChain& present) {
         .fillModeNonSolid = has.fillModeNonSolid,
         .samplerAnisotropy = has.samplerAnisotropy,
         .shaderImageGatherExtended = has.shaderImageGatherExtended,
+        .shaderStorageImageReadWithoutFormat = has.shaderStorageImageReadWithoutFormat,
+        .shaderStorageImageWriteWithoutFormat = has.shaderStorageImageWriteWithoutFormat,
         .shaderClipDistance = has.shaderClipDistance,
         .shaderCullDistance = has.shaderCullDistance,
     };

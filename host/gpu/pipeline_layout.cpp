@@ -46,6 +46,7 @@ std::string_view kindName(BindingKind kind) {
     case BindingKind::Texture: return "texture";
     case BindingKind::Sampler: return "sampler";
     case BindingKind::StorageBuffer: return "storage buffer";
+    case BindingKind::StorageTexture: return "storage texture";
     }
     return "";
 }

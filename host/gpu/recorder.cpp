@@ -34,11 +34,14 @@ Result<void> checkDepthClear(const TextureState& texture, std::optional<float> d
 
 /// Clears first: they end the open scope, and the textures are then read.
 void useResources(RecorderState& recorder, std::span<const BoundResource* const> resources, const Use& sampled, const Use& storage) {
-    for (const BoundResource* resource : resources)
+    for (const BoundResource* resource : resources) {
         if (const auto* texture = std::get_if<Texture*>(&resource->resource)) flushClear(recorder, *(*texture)->state);
+        if (const auto* stored = std::get_if<StoredTexture>(&resource->resource)) flushClear(recorder, *stored->texture->state);
+    }
     for (const BoundResource* resource : resources) {
         if (const auto* texture = std::get_if<Texture*>(&resource->resource)) use(recorder, *(*texture)->state, sampled);
         if (const auto* buffer = std::get_if<Buffer*>(&resource->resource)) use(recorder, *(*buffer)->state, storage);
+        if (const auto* stored = std::get_if<StoredTexture>(&resource->resource)) use(recorder, *stored->texture->state, kStoredByDispatch);
     }
 }
 
@@ -155,6 +158,7 @@ Result<void> Recorder::dispatch(const Pipeline& pipeline, const std::vector<Boun
         if (auto possible = detail::checkGroups(state_.device, *pipeline.state, groups); !possible) return possible;
         const auto matched = detail::matchResources(*pipeline.state, resources);
         if (!matched) return matched.error();
+        if (auto apart = detail::checkStored(*pipeline.state, resources); !apart) return apart;
         detail::endScope(state_);
         detail::bindResources(state_, *pipeline.state, *matched);
         detail::useResources(state_, *matched, detail::kSampledByDispatch, detail::kStorageInDispatch);

@@ -40,6 +40,8 @@ Result<void> checkShape(const DeviceState& device, const TextureDesc& desc) {
     if (desc.mips > fullChain(desc))
         return requestError(
             6012, fmt::format("{} asks for {} mip levels, and {} is its full chain", described(desc), desc.mips, fullChain(desc)));
+    if (desc.storage && (!desc.renderTarget || desc.samples != 1 || isDepth(desc.format)))
+        return requestError(6012, described(desc) + " is to be written by dispatches and is no colour target of one sample");
     if (desc.samples != 1 && (!desc.renderTarget || desc.mips != 1))
         return requestError(6012, described(desc) + " is multisampled and no render target of one mip level");
     return {};
@@ -50,6 +52,7 @@ vk::ImageUsageFlags usage(const TextureDesc& desc) {
     if (desc.samples == 1) flags |= vk::ImageUsageFlagBits::eSampled;
     if (desc.renderTarget)
         flags |= isDepth(desc.format) ? vk::ImageUsageFlagBits::eDepthStencilAttachment : vk::ImageUsageFlagBits::eColorAttachment;
+    if (desc.storage) flags |= vk::ImageUsageFlagBits::eStorage;
     return flags;
 }
 

@@ -67,6 +67,12 @@ inline constexpr Use kStorageInDispatch{
     .reads = vk::AccessFlagBits2::eShaderStorageRead,
     .writes = vk::AccessFlagBits2::eShaderStorageWrite,
 };
+inline constexpr Use kStoredByDispatch{
+    .stages = vk::PipelineStageFlagBits2::eComputeShader,
+    .reads = vk::AccessFlagBits2::eShaderStorageRead,
+    .writes = vk::AccessFlagBits2::eShaderStorageWrite,
+    .layout = vk::ImageLayout::eGeneral,
+};
 inline constexpr Use kVertexInput{
     .stages = vk::PipelineStageFlagBits2::eVertexAttributeInput, .reads = vk::AccessFlagBits2::eVertexAttributeRead, .writes = {}};
 inline constexpr Use kIndexInput{.stages = vk::PipelineStageFlagBits2::eIndexInput, .reads = vk::AccessFlagBits2::eIndexRead, .writes = {}};

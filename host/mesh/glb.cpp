@@ -3,6 +3,7 @@
 #include "host/mesh/extent.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace tegument {
@@ -26,6 +27,24 @@ std::array<std::uint16_t, 3> PositionGrid::encode(const glm::vec3& position) con
     for (glm::length_t i = 0; i < 3; ++i)
         numbers[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(std::lround(scaled[i]));
     return numbers;
+}
+
+std::string gltfName(const MeshAttribute& attribute) {
+    const std::string& name = attribute.name;
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const std::string word = name.substr(0, digits);
+    if ((word == "TEXCOORD_" && attribute.components == 2 && digits < name.size()) ||
+        (word == "COLOR_" && attribute.components >= 3 && digits < name.size()))
+        return name;
+    std::string own = "_";
+    for (const char c : name)
+        own += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return own;
+}
+
+bool staysWhole(const MeshAttribute& attribute) {
+    return attribute.type == NumberType::Int8 || attribute.type == NumberType::Uint8 || attribute.type == NumberType::Int16 ||
+           attribute.type == NumberType::Uint16;
 }
 
 std::int16_t toSnorm16(float value) {

@@ -25,7 +25,13 @@ struct GlbOptions {
     VertexFormat format = VertexFormat::Float;
     bool partsOwnVertices = false; // parts use ranges of vertices that do not overlap: their indices count from the range's first one
     glm::dvec3 moved{0};           // what preparation added to every position, in mm; kept in the mesh's extras
+    glm::dvec3 place{0};           // where the positions count from, in mm: the translation of the nodes
 };
+
+/// The name that an attribute has in a glTF file: "TEXCOORD_1" and "COLOR_1" are glTF's own, others begin with an underscore.
+[[nodiscard]] std::string gltfName(const MeshAttribute& attribute);
+/// Whether glTF holds it as it is stored: 8 and 16 bits; all else becomes floats.
+[[nodiscard]] bool staysWhole(const MeshAttribute& attribute);
 
 /// As `writeGlb(path, mesh)`, which uses the defaults. Indices have 16 bits where they fit. The mesh's bounds, the levels' errors and
 /// `moved` are in the meshes' `extras.tegument`, in millimetres. An empty mesh is a glb without nodes.

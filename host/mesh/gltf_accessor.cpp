@@ -87,6 +87,11 @@ Result<GltfDocument::Run> GltfDocument::place(const GltfValue& owner, Run run) c
     return run;
 }
 
+std::size_t GltfDocument::components(std::size_t accessor) const {
+    const auto value = item("accessors", accessor);
+    return value ? componentsOf(value->text("type")) : 0;
+}
+
 /// An accessor without a buffer view is all zeros; its run has no bytes.
 Result<GltfDocument::Run> GltfDocument::describe(const GltfValue& accessor, std::size_t components) const {
     const auto count = accessor.whole("count", kMaxIndices, {});

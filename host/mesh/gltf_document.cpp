@@ -1,6 +1,7 @@
 // The glb container (glTF 2.0 specification, 4.4), the JSON, the buffers.
 
 #include "host/mesh/gltf_document.h"
+#include "host/mesh/gltf_meshopt.h"
 
 #include "host/support/file.h"
 
@@ -66,10 +67,16 @@ std::string decodePercent(std::string_view uri) {
     return text;
 }
 
-/// Extensions without which the geometry is still right.
+/// Extensions that are read, and those without which the geometry is still right.
 bool isHarmless(const std::string& extension) {
-    return extension.starts_with("KHR_materials_") || extension == "KHR_mesh_quantization" || extension == "KHR_lights_punctual" ||
-           extension == "KHR_texture_transform";
+    static constexpr std::array<std::string_view, 14> kNames = {"KHR_mesh_quantization",   "KHR_lights_punctual",
+                                                                "KHR_texture_transform",   "KHR_draco_mesh_compression",
+                                                                "EXT_meshopt_compression", "KHR_meshopt_compression",
+                                                                "EXT_mesh_gpu_instancing", "KHR_texture_basisu",
+                                                                "EXT_texture_webp",        "EXT_texture_avif",
+                                                                "MSFT_texture_dds",        "KHR_xmp_json_ld",
+                                                                "KHR_animation_pointer",   "MSFT_lod"};
+    return extension.starts_with("KHR_materials_") || std::ranges::find(kNames, extension) != kNames.end();
 }
 
 } // namespace
@@ -139,7 +146,7 @@ std::optional<Error> GltfDocument::checkExtensions() const {
         if (name.is_string() && isHarmless(name.get<std::string>())) continue;
         return unsupported(source_->whole(),
                            fmt::format("the file requires the glTF extension {}", name.dump(-1, ' ', true, Json::error_handler_t::replace)),
-                           "export it without compression");
+                           "export it without that extension");
     }
     return std::nullopt;
 }
@@ -151,6 +158,13 @@ std::optional<Error> GltfDocument::readBuffers() {
         const auto length = buffer.whole("byteLength", std::size_t{1} << 40, {});
         if (!length) return length.error();
         std::string_view bytes = glbBuffer_;
+        const GltfValue extensions = buffer["extensions"];
+        const bool fallback =
+            extensions["EXT_meshopt_compression"].has("fallback") || extensions["KHR_meshopt_compression"].has("fallback");
+        if (fallback && !buffer.has("uri")) { // stands for what is unpacked; holds nothing
+            buffers_.emplace_back();
+            continue;
+        }
         if (buffer.has("uri")) {
             auto read = resolveUri(buffer, buffer.text("uri"));
             if (!read) return read.error();
@@ -186,14 +200,29 @@ Result<GltfValue> GltfDocument::item(const char* list, std::size_t index) const 
 Result<std::string_view> GltfDocument::view(std::size_t bufferView) const {
     const auto value = item("bufferViews", bufferView);
     if (!value) return value.error();
-    const auto buffer = value->whole("buffer", buffers_.size(), {});
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if ((*value)["extensions"].has(name)) return unpacked(bufferView, (*value)["extensions"][name]);
+    return bytesOf(*value);
+}
+
+Result<std::string_view> GltfDocument::bytesOf(const GltfValue& view) const {
+    const auto buffer = view.whole("buffer", buffers_.size(), {});
     if (!buffer) return buffer.error();
     const std::string_view bytes = buffers_[*buffer];
-    const auto offset = value->whole("byteOffset", bytes.size() + 1, 0);
+    const auto offset = view.whole("byteOffset", bytes.size() + 1, 0);
     if (!offset) return offset.error();
-    const auto length = value->whole("byteLength", bytes.size() - *offset + 1, {});
+    const auto length = view.whole("byteLength", bytes.size() - *offset + 1, {});
     if (!length) return length.error();
     return bytes.substr(*offset, *length);
+}
+
+Result<std::string_view> GltfDocument::unpacked(std::size_t bufferView, const GltfValue& packed) const {
+    if (const auto known = unpacked_.find(bufferView); known != unpacked_.end()) return std::string_view(known->second);
+    const auto bytes = bytesOf(packed);
+    if (!bytes) return bytes.error();
+    auto values = unpackMeshopt(packed, *bytes);
+    if (!values) return values.error();
+    return std::string_view(unpacked_.emplace(bufferView, std::move(*values)).first->second);
 }
 
 } // namespace tegument::meshfile

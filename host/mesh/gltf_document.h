@@ -5,6 +5,7 @@
 #include "host/mesh/gltf_json.h"
 
 #include <deque>
+#include <map>
 #include <memory>
 
 namespace tegument::meshfile {
@@ -19,7 +20,9 @@ public:
     [[nodiscard]] Result<std::vector<float>> floats(std::size_t accessor, std::size_t components) const;
     /// Unsigned integers of a SCALAR accessor.
     [[nodiscard]] Result<std::vector<std::uint32_t>> indices(std::size_t accessor) const;
-    /// The bytes of a buffer view.
+    /// How many numbers an element of the accessor has, 1 to 4; 0 for matrices and accessors that do not exist.
+    [[nodiscard]] std::size_t components(std::size_t accessor) const;
+    /// The bytes of a buffer view; those of EXT_meshopt_compression unpacked.
     [[nodiscard]] Result<std::string_view> view(std::size_t bufferView) const;
     /// What a `uri` stands for: a data URI decoded, or a file beside this one.
     [[nodiscard]] Result<std::string> resolveUri(const GltfValue& owner, const std::string& uri) const;
@@ -44,6 +47,8 @@ private:
     [[nodiscard]] Result<Run> place(const GltfValue& owner, Run run) const;
     [[nodiscard]] std::optional<Error> applySparse(const GltfValue& accessor, const Run& shape, std::vector<float>& values) const;
     [[nodiscard]] Result<GltfValue> item(const char* list, std::size_t index) const;
+    [[nodiscard]] Result<std::string_view> bytesOf(const GltfValue& view) const;
+    [[nodiscard]] Result<std::string_view> unpacked(std::size_t bufferView, const GltfValue& packed) const;
 
     const Source* source_;
     Json json_;
@@ -51,6 +56,7 @@ private:
     bool hasGlbBuffer_ = false;
     std::deque<std::string> owned_; // buffers that are not part of the file
     std::vector<std::string_view> buffers_;
+    mutable std::map<std::size_t, std::string> unpacked_; // by buffer view
 };
 
 } // namespace tegument::meshfile

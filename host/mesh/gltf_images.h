@@ -16,10 +16,12 @@ public:
 
 private:
     [[nodiscard]] std::optional<Error> addTexture(const std::string& role, std::size_t texture, const GltfValue& from, Mesh& mesh);
-    [[nodiscard]] Result<Image> load(std::size_t image) const;
 
     const GltfDocument& document_;
     std::map<std::string, std::size_t> imageOfRole_;
 };
+
+/// All materials as they are, with the files of their pictures. A picture that is not there or is none is left out: TG5328, a warning.
+[[nodiscard]] MaterialSet carriedMaterials(const GltfDocument& document, Mesh& mesh);
 
 } // namespace tegument::meshfile

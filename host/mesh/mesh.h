@@ -29,7 +29,8 @@ struct MeshPart {
     std::string name;
     std::uint32_t firstIndex = 0;
     std::uint32_t indexCount = 0;
-    std::vector<MeshCluster> clusters{}; // in order, without gaps; or none
+    std::vector<MeshCluster> clusters{};     // in order, without gaps; or none
+    std::optional<std::uint32_t> material{}; // of the mesh's `materials`
 };
 
 /// The part whose triangles are ribbons of fur (docs/design/strands.md). Their vertices stand on their roots, so that whoever does not bend
@@ -54,15 +55,36 @@ struct EmbeddedTexture {
     Image image;
 };
 
+enum class NumberType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+/// What a file gives its vertices besides what an effect reads: properties of PLY, further texture coordinates and colours of glTF.
+struct MeshAttribute {
+    std::string name;                      // as in a PLY file; as glTF has it, without the underscore of names that are nobody's
+    NumberType type = NumberType::Float32; // how the file stores it
+    bool normalised = false;               // whole numbers that stand for 0 to 1, or -1 to 1
+    std::size_t components = 1;            // 1 to 4
+    std::vector<double> values;            // so many of each vertex, as they are stored
+};
+
+/// Materials as a glTF file writes them, carried through without being understood.
+struct MaterialSet {
+    std::string json;                // an object with "materials" and, where there are any, "textures", "samplers" and "images"
+    std::vector<std::string> images; // the files that "images" lists: JPEG stays JPEG
+};
+
 struct Mesh {
     std::string name;
-    std::vector<glm::vec3> positions; // mm
+    std::vector<glm::vec3> positions; // mm, counted from `origin`
     std::vector<glm::vec3> normals;   // unit
     std::vector<glm::vec4> tangents;  // unit, w = +1 or -1: bitangent = w * cross(normal, tangent) (glTF, MikkTSpace)
     std::vector<glm::vec2> uvs;       // v down (glTF); empty when the file has none
+    std::vector<glm::vec4> colors{};  // linear, alpha last; of each vertex, or none
+    std::vector<MeshAttribute> attributes{};
     std::vector<std::uint32_t> indices;
     std::vector<MeshPart> parts;
     std::vector<EmbeddedTexture> textures;
+    MaterialSet materials{}; // only where they were asked for (ReadOptions::carryMaterials): then `textures` are none
+    glm::dvec3 origin{0};    // mm: where the positions count from. Not 0 only where floats would not hold them: a survey's coordinates
     std::string attribution; // shown with every picture of it; from glTF asset.copyright
     double unitMm = 1;       // what one unit of the file was taken for
     Bounds bounds;
@@ -89,8 +111,9 @@ struct MeshOptions {
 
 /// Writes positions, normals, tangents, UVs, indices, parts, embedded textures (PNG) as one glb in metres.
 [[nodiscard]] Result<void> writeGlb(const std::filesystem::path& path, const Mesh& mesh);
-/// Writes positions, normals, UVs and triangles as binary PLY, in millimetres.
-[[nodiscard]] Result<void> writePly(const std::filesystem::path& path, const Mesh& mesh);
+/// Writes positions, normals, UVs, colours, attributes and triangles as binary PLY, in millimetres. Positions are doubles where the origin
+/// is not 0. `moved`, which preparation added to every position, becomes a comment.
+[[nodiscard]] Result<void> writePly(const std::filesystem::path& path, const Mesh& mesh, const glm::dvec3& moved = glm::dvec3(0));
 
 /// Fills `normals` (angle weighted over equal positions) when empty.
 void computeNormals(Mesh& mesh);

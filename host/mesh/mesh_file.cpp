@@ -2,6 +2,7 @@
 
 #include "host/mesh/mesh_file.h"
 
+#include "host/image/image.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -53,6 +54,11 @@ Error tooLarge(SourcePosition at) {
 
 Error outOfMemory(const std::filesystem::path& path) {
     return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()));
+}
+
+glm::vec4 linearColor(const glm::dvec4& encoded) {
+    const auto linear = [](double v) { return srgbToLinear(static_cast<float>(std::clamp(v, 0.0, 1.0))); };
+    return {linear(encoded.r), linear(encoded.g), linear(encoded.b), static_cast<float>(std::clamp(encoded.a, 0.0, 1.0))};
 }
 
 bool parseReal(std::string_view word, double& value) {

@@ -22,8 +22,9 @@ struct Source {
     const std::filesystem::path& path;
     std::string_view bytes;
     double unitMm;
-    bool dropBadFaces = false;  // faces that refer to no vertex are counted and left out; otherwise they are an error
-    bool keepNotFinite = false; // whoever reads cares for NaN and infinity; otherwise they are an error
+    bool dropBadFaces = false;   // faces that refer to no vertex are counted and left out; otherwise they are an error
+    bool keepNotFinite = false;  // whoever reads cares for NaN and infinity; otherwise they are an error
+    bool carryMaterials = false; // as ReadOptions has it
 
     [[nodiscard]] std::string name() const { return path.string(); }
     [[nodiscard]] SourcePosition atByte(std::size_t byte) const { return {.file = name(), .byte = byte}; }
@@ -36,6 +37,9 @@ struct Source {
 [[nodiscard]] Result<ObjFile> parseObj(const Source& source);
 /// The picture that the materials in use name as their colour (map_Kd). TG5326 there are several, TG5328 it cannot be read: both warnings.
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
+/// The same materials as glTF has them, with their pictures; `names`: of each part's material. What glTF cannot say is one warning
+/// (TG5331).
+void carryObjMaterials(const Source& source, const ObjFile& file, const std::vector<std::string>& names, Mesh& mesh);
 [[nodiscard]] Result<ReadMesh> readObj(const Source& source);
 [[nodiscard]] Result<ReadMesh> readStl(const Source& source);
 [[nodiscard]] Result<ReadMesh> readOff(const Source& source);
@@ -53,6 +57,9 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
 [[nodiscard]] Error tooLarge(SourcePosition at);                                               // TG5310
 [[nodiscard]] Error outOfMemory(const std::filesystem::path& path);                            // TG5311
 
+/// Chooses `mesh.origin` and fills the positions anew where floats would not hold them, and warns where even then they do not (TG5329).
+void settlePlace(const std::filesystem::path& path, ReadMesh& file);
+
 void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint = {});
 
 /// The whole word as a number, whatever the locale. Too large is infinity, too small is 0; "nan" and "inf" are numbers (and refused later
@@ -65,6 +72,9 @@ void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string
 [[nodiscard]] inline bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
+
+/// Colours of scans are those of pictures (sRGB); alpha is not encoded.
+[[nodiscard]] glm::vec4 linearColor(const glm::dvec4& encoded);
 
 /// Multiplied in double precision and rounded once.
 [[nodiscard]] inline glm::vec3 scaled(const glm::dvec3& v, double unitMm) {

@@ -41,6 +41,7 @@ public:
         if (left.starts_with("\xef\xbb\xbf")) left.remove_prefix(3);
         while (!left.empty() && !error_)
             readStatement(takeLine(left));
+        if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), glm::vec4(1));
         if (!source_.dropBadFaces) checkCorners();
         if (error_) return *error_;
         return std::move(file_);
@@ -89,7 +90,7 @@ private:
 
     /// At least `least` numbers, at most the array's size; the rest of the line is not looked at.
     template <std::size_t N>
-    std::array<double, N> numbers(std::string_view line, std::size_t least) {
+    std::array<double, N> numbers(std::string_view line, std::size_t least, std::string_view* rest = nullptr) {
         std::array<double, N> values{};
         for (std::size_t i = 0; i < N && !error_; ++i) {
             const std::string_view word = nextWord(line);
@@ -97,14 +98,28 @@ private:
             if (!parseReal(word, values[i]))
                 fail(word.empty() ? malformed(here(), fmt::format("{} numbers are needed here", least)) : notANumber(here(), word));
         }
+        if (rest) *rest = line;
         return values;
     }
 
     void readPosition(std::string_view line) {
-        const auto [x, y, z] = numbers<3>(line, 3);
+        const auto [x, y, z] = numbers<3>(line, 3, &line);
         const glm::vec3 position = scaled({x, y, z}, source_.unitMm);
         if (!source_.keepNotFinite && !isFinite(position)) fail(notFinite(here(), "a coordinate is not finite"));
         file_.positions.push_back(position);
+        file_.exact.push_back(glm::dvec3(x, y, z) * source_.unitMm);
+        if (!trim(line).empty()) readColor(line);
+    }
+
+    /// Three more numbers behind a position are its colour, as MeshLab and ZBrush write it; a single one is a weight.
+    void readColor(std::string_view line) {
+        glm::dvec4 color(1);
+        for (glm::length_t i = 0; i < 3; ++i) {
+            const std::string_view word = nextWord(line);
+            if (word.empty() || !parseReal(word, color[i]) || !std::isfinite(color[i])) return;
+        }
+        file_.colors.resize(file_.positions.size() - 1, glm::vec4(1));
+        file_.colors.push_back(linearColor(color));
     }
 
     void readUv(std::string_view line) {

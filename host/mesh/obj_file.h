@@ -41,6 +41,8 @@ struct ObjFile {
     };
 
     std::vector<glm::vec3> positions; // the file's coordinates times the unit
+    std::vector<glm::dvec3> exact;    // the same in double precision
+    std::vector<glm::vec4> colors;    // linear, of each position; none where no position has one
     std::vector<glm::dvec2> uvs;      // v up
     std::vector<glm::vec3> normals;   // of any length
     std::vector<ObjCorner> corners;

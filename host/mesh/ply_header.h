@@ -7,7 +7,7 @@
 
 namespace tegument::meshfile {
 
-enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+using PlyType = NumberType;
 
 [[nodiscard]] std::size_t byteSize(PlyType type);
 

@@ -117,7 +117,8 @@ void Polygons::add(std::span<const std::uint32_t> corners, std::vector<std::uint
         indices.insert(indices.end(), {corners[0], corners[i - 1], corners[i]});
 }
 
-std::optional<Error> Polygons::cut(const Source& source, const std::vector<glm::vec3>& positions, std::vector<std::uint32_t>& indices) {
+std::optional<Error> Polygons::cut(const Source& source, const std::vector<glm::vec3>& positions, const std::vector<glm::dvec3>& exact,
+                                   std::vector<std::uint32_t>& indices) {
     std::vector<std::uint32_t> corners;
     std::vector<glm::dvec3> points;
     for (const Fan& fan : fans_) {
@@ -127,7 +128,7 @@ std::optional<Error> Polygons::cut(const Source& source, const std::vector<glm::
             corners.push_back(first[static_cast<std::ptrdiff_t>(3 * (i - 2) + 2)]);
         points.clear();
         for (const std::uint32_t corner : corners)
-            points.emplace_back(positions[corner]);
+            points.push_back(exact.empty() ? glm::dvec3(positions[corner]) : exact[corner]);
         const std::vector<glm::dvec2> flat = flattened(points);
         if (flat.empty() || fanFits(flat)) continue; // without area nothing fits better
         if (fan.corners > kMostCorners)

@@ -12,8 +12,9 @@ public:
     /// Appends the fan of a face; nothing for fewer than three corners.
     void add(std::span<const std::uint32_t> corners, std::vector<std::uint32_t>& indices);
     /// Call when every index is known to be in range. TG5307 for a polygon too large to cut.
+    /// `exact`: the positions in double precision, or none.
     [[nodiscard]] std::optional<Error> cut(const Source& source, const std::vector<glm::vec3>& positions,
-                                           std::vector<std::uint32_t>& indices);
+                                           const std::vector<glm::dvec3>& exact, std::vector<std::uint32_t>& indices);
 
 private:
     struct Fan {

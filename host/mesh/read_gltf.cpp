@@ -1,63 +1,33 @@
 // glTF 2.0 scenes -> one mesh: the default scene's nodes with their transforms applied, every primitive a part.
 
-#include "host/mesh/gltf_document.h"
+#include "host/mesh/gltf_draco.h"
 #include "host/mesh/gltf_images.h"
-
-#include <glm/gtc/quaternion.hpp>
+#include "host/mesh/gltf_losses.h"
+#include "host/mesh/gltf_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 namespace tegument::meshfile {
 
 namespace {
 
-/// A node to visit, with the product of the transforms above it (GLM's order: column vectors, as the specification writes them).
-struct Visit {
-    std::size_t node = 0;
-    glm::dmat4 parent{1};
-};
-
-/// How positions, normals and tangents of one node are carried into the world.
-struct Carrier {
-    glm::dmat4 matrix{1};
-    glm::dmat3 linear{1};
-    glm::dmat3 normals{1};
-    bool mirrors = false;
-    bool turns = true; // false: a uniform scale leaves directions bit for bit as they are
-
-    explicit Carrier(const glm::dmat4& m) : matrix(m), linear(m) {
-        const double scale = linear[0][0];
-        turns = !(scale > 0 && linear == glm::dmat3(scale));
-        mirrors = glm::determinant(linear) < 0;
-        // cofactor matrix: the inverse transpose without its division, so it exists for flattened meshes too
-        normals = glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
-        if (mirrors) normals = -normals;
-    }
-
-    [[nodiscard]] glm::vec3 direction(const glm::dmat3& by, const glm::vec3& v) const {
-        if (!turns) return v;
-        const glm::dvec3 carried = by * glm::dvec3(v);
-        const double length = glm::length(carried);
-        return length > 0 ? glm::vec3(carried / length) : glm::vec3(0);
-    }
-};
-
-/// A mesh as one node draws it.
-struct Draw {
-    std::size_t mesh = 0;
-    std::string nodeName;
-    Carrier carrier;
-};
-
 /// The vertices of one primitive before they are carried.
 struct Attributes {
-    std::vector<float> positions, normals, tangents, uvs;
+    std::vector<float> positions, normals, tangents, uvs, colors;
+    std::size_t colorComponents = 4;
+    std::vector<MeshAttribute> others;
 };
+
+/// "TEXCOORD_1" and "COLOR_1" are kept under these names, "_name" without its underscore. Empty for what is read apart or not kept.
+std::string nameToKeep(const std::string& name) {
+    const bool numbered = (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0") || (name.starts_with("COLOR_") && name != "COLOR_0");
+    if (numbered) return name;
+    return name.size() > 1 && name.front() == '_' ? name.substr(1) : "";
+}
 
 class SceneReader {
 public:
@@ -65,9 +35,12 @@ public:
 
     Result<ReadMesh> read() {
         mesh_.attribution = document_.root()["asset"].text("copyright");
-        if (auto error = visitScene()) return *error;
-        if (auto error = checkTotal()) return *error;
-        for (const Draw& draw : draws_)
+        auto draws = drawsOf(document_, mesh_);
+        if (!draws) return draws.error();
+        draws_ = std::move(*draws);
+        exactFrom_ = draws_.empty() ? glm::dvec3(0) : glm::dvec3(draws_.front().carrier.matrix[3]);
+        moved_ = std::ranges::any_of(draws_, [](const GltfDraw& draw) { return glm::dvec3(draw.carrier.matrix[3]) != glm::dvec3(0); });
+        for (const GltfDraw& draw : draws_)
             if (auto error = readMesh(document_.root()["meshes"][draw.mesh], draw.nodeName, draw.carrier)) return *error;
         // Attributes that only some primitives have are not usable for all: normals and tangents are made anew, UVs are filled.
         if (!allNormals_) mesh_.normals.clear();
@@ -75,117 +48,22 @@ public:
         finishUvs();
         if (skipped_ > 0) warn(mesh_, 5323, source_.whole(), fmt::format("{} primitives that are points or lines are left out", skipped_));
         counts_.vertices = mesh_.positions.size();
-        return ReadMesh{.mesh = std::move(mesh_), .counts = counts_};
+        if (source_.carryMaterials) {
+            mesh_.materials = carriedMaterials(document_, mesh_);
+            warnOfLosses(document_, usedMeshes(), mesh_);
+        }
+        return ReadMesh{.mesh = std::move(mesh_), .counts = counts_, .exact = std::move(exact_), .exactFrom = exactFrom_};
     }
 
 private:
-    std::optional<Error> visitScene() {
-        const GltfValue root = document_.root();
-        const glm::dmat4 unit = glm::dmat4(glm::dmat3(source_.unitMm));
-        std::vector<Visit> stack;
-        if (const std::size_t scenes = root["scenes"].size(); scenes > 0) {
-            const auto scene = root.whole("scene", scenes, 0);
-            if (!scene) return scene.error();
-            if (auto error = pushAll(root["scenes"][*scene]["nodes"], unit, stack)) return error;
-        } else {
-            for (const std::size_t node : rootNodes())
-                stack.push_back({.node = node, .parent = unit});
-        }
-        while (!stack.empty()) {
-            const Visit visit = stack.back();
-            stack.pop_back();
-            if (auto error = visitNode(visit, stack)) return error;
-        }
-        return std::nullopt;
+    [[nodiscard]] std::vector<std::size_t> usedMeshes() const {
+        std::vector<std::size_t> meshes;
+        for (const GltfDraw& draw : draws_)
+            meshes.push_back(draw.mesh);
+        return meshes;
     }
 
-    /// In reverse, so that the stack gives them back in the file's order.
-    std::optional<Error> pushAll(const GltfValue& list, const glm::dmat4& parent, std::vector<Visit>& stack) const {
-        for (std::size_t i = list.size(); i-- > 0;) {
-            const auto node = list[i].whole(document_.root()["nodes"].size());
-            if (!node) return node.error();
-            stack.push_back({.node = *node, .parent = parent});
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::vector<std::size_t> rootNodes() const {
-        const GltfValue nodes = document_.root()["nodes"];
-        std::set<std::size_t> children;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const GltfValue list = nodes[i]["children"];
-            for (std::size_t k = 0; k < list.size(); ++k)
-                if (const auto child = list[k].whole(nodes.size())) children.insert(*child);
-        }
-        std::vector<std::size_t> roots;
-        for (std::size_t i = nodes.size(); i-- > 0;)
-            if (!children.contains(i)) roots.push_back(i);
-        return roots;
-    }
-
-    std::optional<Error> visitNode(const Visit& visit, std::vector<Visit>& stack) {
-        const GltfValue node = document_.root()["nodes"][visit.node];
-        if (!visited_.insert(visit.node).second) return node.wrong("is reached twice: nodes must form trees");
-        const auto local = localTransform(node);
-        if (!local) return local.error();
-        const glm::dmat4 world = visit.parent * *local;
-        if (auto error = pushAll(node["children"], world, stack)) return error;
-        if (!node.has("mesh")) return std::nullopt;
-        const GltfValue meshes = document_.root()["meshes"];
-        const auto index = node.whole("mesh", meshes.size(), {});
-        if (!index) return index.error();
-        if (node.has("skin"))
-            warn(mesh_, 5323, source_.whole(), node.path() + ": its skin is ignored, the mesh is read as it was modelled");
-        draws_.push_back({.mesh = *index, .nodeName = node.text("name"), .carrier = Carrier(world)});
-        return std::nullopt;
-    }
-
-    /// Held against the limit before memory is taken: a small file can draw one primitive by many nodes.
-    [[nodiscard]] std::optional<Error> checkTotal() const {
-        const GltfValue meshes = document_.root()["meshes"];
-        const GltfValue accessors = document_.root()["accessors"];
-        std::size_t total = 0;
-        for (const Draw& draw : draws_) {
-            const GltfValue primitives = meshes[draw.mesh]["primitives"];
-            std::set<std::size_t> counted;
-            for (std::size_t i = 0; i < primitives.size(); ++i) {
-                const auto accessor = primitives[i]["attributes"].whole("POSITION", accessors.size(), SIZE_MAX);
-                if (!accessor || *accessor == SIZE_MAX || !counted.insert(*accessor).second) continue; // errors are found when it is read
-                const auto count = accessors[*accessor].whole("count", kMaxVertices, 0);
-                total += count ? *count : 0;
-            }
-            if (total > kMaxVertices) return tooLarge(source_.whole());
-        }
-        return std::nullopt;
-    }
-
-    static Result<glm::dmat4> localTransform(const GltfValue& node) {
-        glm::dmat4 matrix(1);
-        if (node.has("matrix")) {
-            const auto m = node.numbers("matrix", 16, {});
-            if (!m) return m.error();
-            for (glm::length_t i = 0; i < 16; ++i)
-                matrix[i / 4][i % 4] = (*m)[static_cast<std::size_t>(i)];
-            return matrix;
-        }
-        const auto t = node.numbers("translation", 3, {0, 0, 0});
-        const auto r = node.numbers("rotation", 4, {0, 0, 0, 1});
-        const auto s = node.numbers("scale", 3, {1, 1, 1});
-        if (!t) return t.error();
-        if (!r) return r.error();
-        if (!s) return s.error();
-        const glm::dquat rotation((*r)[3], (*r)[0], (*r)[1], (*r)[2]);
-        if (rotation != glm::dquat(1, 0, 0, 0)) {
-            if (!(glm::length(rotation) > 0)) return node.wrong("has a rotation of length 0");
-            matrix = glm::mat4_cast(glm::normalize(rotation));
-        }
-        for (glm::length_t i = 0; i < 3; ++i)
-            matrix[i] *= (*s)[static_cast<std::size_t>(i)];
-        matrix[3] = glm::dvec4((*t)[0], (*t)[1], (*t)[2], 1);
-        return matrix;
-    }
-
-    std::optional<Error> readMesh(const GltfValue& mesh, const std::string& nodeName, const Carrier& carrier) {
+    std::optional<Error> readMesh(const GltfValue& mesh, const std::string& nodeName, const GltfCarrier& carrier) {
         const std::string name = mesh.text("name").empty() ? nodeName : mesh.text("name");
         if (mesh_.name.empty()) mesh_.name = name;
         vertexBase_.clear(); // shared vertices are carried once per node
@@ -195,7 +73,7 @@ private:
         return std::nullopt;
     }
 
-    std::optional<Error> readPrimitive(const GltfValue& primitive, const std::string& meshName, const Carrier& carrier) {
+    std::optional<Error> readPrimitive(const GltfValue& primitive, const std::string& meshName, const GltfCarrier& carrier) {
         const auto mode = primitive.whole("mode", 7, 4);
         if (!mode) return mode.error();
         if (*mode < 4) {
@@ -204,10 +82,11 @@ private:
         }
         const auto vertices = vertexRange(primitive, carrier);
         if (!vertices) return vertices.error();
-        auto corners = readCorners(primitive, vertices->count);
+        const bool packed = isDraco(primitive);
+        auto corners = packed ? packedCorners(primitive) : readCorners(primitive, vertices->count);
         if (!corners) return corners.error();
         const auto first = static_cast<std::uint32_t>(mesh_.indices.size());
-        addTriangles(*corners, *mode, *vertices, carrier.mirrors);
+        addTriangles(*corners, packed ? 4 : *mode, *vertices, carrier.mirrors);
         if (mesh_.indices.size() > kMaxIndices) return tooLarge(source_.whole());
         return addPart(primitive, meshName, first);
     }
@@ -218,8 +97,9 @@ private:
     };
 
     /// Primitives of one mesh that name the same accessors share their vertices.
-    Result<VertexRange> vertexRange(const GltfValue& primitive, const Carrier& carrier) {
-        const std::string key = primitive["attributes"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
+    Result<VertexRange> vertexRange(const GltfValue& primitive, const GltfCarrier& carrier) {
+        std::string key = primitive["attributes"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
+        if (isDraco(primitive)) key += primitive["extensions"].json().dump(-1, ' ', true, Json::error_handler_t::replace);
         if (const auto known = vertexBase_.find(key); known != vertexBase_.end()) return known->second;
         const auto attributes = readAttributes(primitive);
         if (!attributes) return attributes.error();
@@ -228,6 +108,43 @@ private:
         if (auto error = addVertices(*attributes, carrier, primitive)) return *error;
         vertexBase_[key] = range;
         return range;
+    }
+
+    static bool isDraco(const GltfValue& primitive) { return primitive["extensions"].has("KHR_draco_mesh_compression"); }
+
+    /// Decoded once for the attributes and the corners of a primitive.
+    Result<const DracoMesh*> draco(const GltfValue& primitive) {
+        if (dracoPath_ == primitive.path()) return &draco_;
+        auto read = readDraco(document_, primitive);
+        if (!read) return read.error();
+        draco_ = std::move(*read);
+        dracoPath_ = primitive.path();
+        return &draco_;
+    }
+
+    Result<std::vector<std::uint32_t>> packedCorners(const GltfValue& primitive) {
+        const auto mesh = draco(primitive);
+        if (!mesh) return mesh.error();
+        return (*mesh)->corners;
+    }
+
+    /// The numbers of an attribute, from its accessor or from what Draco holds. `components`: 0 takes what is there.
+    Result<DracoMesh::Values> valuesOf(const GltfValue& primitive, const std::string& name, std::size_t components) {
+        if (isDraco(primitive)) {
+            const auto mesh = draco(primitive);
+            if (!mesh) return mesh.error();
+            if (const auto found = (*mesh)->attributes.find(name); found != (*mesh)->attributes.end()) {
+                if (components != 0 && found->second.components != components)
+                    return primitive.wrong(fmt::format("has {} numbers in {}, {} are needed", found->second.components, name, components));
+                return found->second;
+            }
+        }
+        const auto index = primitive["attributes"].whole(name.c_str(), SIZE_MAX, {});
+        if (!index) return index.error();
+        const std::size_t own = components != 0 ? components : std::max<std::size_t>(document_.components(*index), 1);
+        auto numbers = document_.floats(*index, own);
+        if (!numbers) return numbers.error();
+        return DracoMesh::Values{.components = own, .numbers = std::move(*numbers)};
     }
 
     Result<Attributes> readAttributes(const GltfValue& primitive) {
@@ -240,19 +157,81 @@ private:
                                                                                                   {"TEXCOORD_0", 2, &attributes.uvs}}};
         for (const auto& [name, components, values] : wanted) {
             if (!list.has(name)) continue;
-            const auto index = list.whole(name, SIZE_MAX, {});
-            if (!index) return index.error();
-            auto read = document_.floats(*index, components);
-            if (!read) return read.error();
+            auto found = valuesOf(primitive, name, components);
+            if (!found) return found.error();
+            std::vector<float>* read = &found->numbers;
             if (read->size() / components != attributes.positions.size() / 3 && values != &attributes.positions)
                 return list.wrong(fmt::format("has {} elements of {} for {} positions", read->size() / components, name,
                                               attributes.positions.size() / 3));
             *values = std::move(*read);
         }
+        if (auto error = readRest(primitive, attributes)) return *error;
         return attributes;
     }
 
-    std::optional<Error> addVertices(const Attributes& from, const Carrier& carrier, const GltfValue& primitive) {
+    std::optional<Error> readRest(const GltfValue& primitive, Attributes& attributes) {
+        const GltfValue list = primitive["attributes"];
+        for (const auto& [name, unused] : list.json().items()) {
+            const std::string kept = nameToKeep(name);
+            if (kept.empty() && name != "COLOR_0") continue;
+            auto values = valuesOf(primitive, name, 0);
+            if (!values) return values.error();
+            if (values->numbers.size() / values->components != attributes.positions.size() / 3)
+                return list.wrong(fmt::format("has {} elements of {} for {} positions", values->numbers.size() / values->components, name,
+                                              attributes.positions.size() / 3));
+            if (name == "COLOR_0") {
+                if (values->components < 3) return list.wrong("has a COLOR_0 of fewer than three numbers");
+                attributes.colorComponents = values->components;
+                attributes.colors = std::move(values->numbers);
+            } else {
+                attributes.others.push_back(stored(primitive, name, kept, *values));
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Whole numbers of 8 and 16 bits as they lie in the file; all else as floats.
+    MeshAttribute stored(const GltfValue& primitive, const std::string& name, const std::string& kept,
+                         const DracoMesh::Values& values) const {
+        MeshAttribute attribute{.name = kept, .components = values.components, .values = {values.numbers.begin(), values.numbers.end()}};
+        const auto index = primitive["attributes"].whole(name.c_str(), document_.root()["accessors"].size(), {});
+        if (!index) return attribute;
+        const GltfValue accessor = document_.root()["accessors"][*index];
+        constexpr std::array<std::pair<NumberType, double>, 4> kWhole = {
+            {{NumberType::Int8, 127}, {NumberType::Uint8, 255}, {NumberType::Int16, 32767}, {NumberType::Uint16, 65535}}};
+        constexpr std::size_t kFirstType = 5120; // BYTE; the others follow
+        const auto type = accessor.whole("componentType", kFirstType + kWhole.size(), {});
+        if (!type || *type < kFirstType) return attribute;
+        attribute.type = kWhole[*type - kFirstType].first;
+        attribute.normalised = accessor.has("normalized") && accessor.json()["normalized"] == true;
+        for (double& value : attribute.values)
+            if (attribute.normalised) value = std::round(value * kWhole[*type - kFirstType].second);
+        return attribute;
+    }
+
+    /// What only some primitives have is white, or 0, in the others.
+    void addRest(const Attributes& from, std::size_t before, std::size_t count) {
+        if (!from.colors.empty() || !mesh_.colors.empty()) mesh_.colors.resize(before, glm::vec4(1));
+        for (std::size_t i = 0; i < from.colors.size() / from.colorComponents; ++i) {
+            const float* c = &from.colors[i * from.colorComponents];
+            mesh_.colors.emplace_back(c[0], c[1], c[2], from.colorComponents == 4 ? c[3] : 1.0f);
+        }
+        if (!mesh_.colors.empty()) mesh_.colors.resize(before + count, glm::vec4(1));
+        for (const MeshAttribute& other : from.others) {
+            auto known = std::ranges::find(mesh_.attributes, other.name, &MeshAttribute::name);
+            if (known == mesh_.attributes.end())
+                known = mesh_.attributes.insert(
+                    known,
+                    {.name = other.name, .type = other.type, .normalised = other.normalised, .components = other.components, .values = {}});
+            if (known->components != other.components || known->type != other.type) continue;
+            known->values.resize(before * known->components, 0);
+            known->values.insert(known->values.end(), other.values.begin(), other.values.end());
+        }
+        for (MeshAttribute& attribute : mesh_.attributes)
+            attribute.values.resize((before + count) * attribute.components, 0);
+    }
+
+    std::optional<Error> addVertices(const Attributes& from, const GltfCarrier& carrier, const GltfValue& primitive) {
         const std::size_t count = from.positions.size() / 3;
         allNormals_ = allNormals_ && !from.normals.empty();
         allTangents_ = allTangents_ && !from.tangents.empty();
@@ -262,14 +241,16 @@ private:
             if (!source_.keepNotFinite && !isFinite(position))
                 return notFinite(source_.whole(), fmt::format("{}: vertex {} is not finite", primitive.path(), i));
             mesh_.positions.push_back(position);
+            if (moved_) exact_.push_back(carrier.linear * glm::dvec3(local) + (glm::dvec3(carrier.matrix[3]) - exactFrom_));
             addDirections(from, i, carrier);
             mesh_.uvs.push_back(from.uvs.empty() ? glm::vec2(0) : glm::vec2(from.uvs[2 * i], from.uvs[2 * i + 1]));
         }
         withoutUvs_ += from.uvs.empty() ? count : 0;
+        addRest(from, mesh_.positions.size() - count, count);
         return std::nullopt;
     }
 
-    void addDirections(const Attributes& from, std::size_t i, const Carrier& carrier) {
+    void addDirections(const Attributes& from, std::size_t i, const GltfCarrier& carrier) {
         if (allNormals_)
             mesh_.normals.push_back(
                 carrier.direction(carrier.normals, {from.normals[3 * i], from.normals[3 * i + 1], from.normals[3 * i + 2]}));
@@ -316,16 +297,20 @@ private:
 
     std::optional<Error> addPart(const GltfValue& primitive, const std::string& meshName, std::uint32_t first) {
         std::string name = primitive["extras"].text("name");
+        std::optional<std::uint32_t> material;
         if (primitive.has("material")) {
             const GltfValue materials = document_.root()["materials"];
             const auto index = primitive.whole("material", materials.size(), {});
             if (!index) return index.error();
             if (name.empty()) name = materials[*index].text("name");
-            if (auto error = textures_.add(materials[*index], mesh_)) return error;
+            material = static_cast<std::uint32_t>(*index);
+            if (!source_.carryMaterials)
+                if (auto error = textures_.add(materials[*index], mesh_)) return error;
         }
         mesh_.parts.push_back({.name = name.empty() ? meshName : name,
                                .firstIndex = first,
                                .indexCount = static_cast<std::uint32_t>(mesh_.indices.size()) - first});
+        if (source_.carryMaterials) mesh_.parts.back().material = material;
         return readClusters(primitive["extras"]["tegument"], mesh_.parts.back());
     }
 
@@ -358,9 +343,13 @@ private:
     GltfTextures textures_;
     Mesh mesh_;
     ReadCounts counts_;
-    std::vector<Draw> draws_;
+    std::vector<GltfDraw> draws_;
     std::map<std::string, VertexRange> vertexBase_;
-    std::set<std::size_t> visited_;
+    std::vector<glm::dvec3> exact_; // positions from exactFrom_ on, where a node moves some
+    glm::dvec3 exactFrom_{0};
+    bool moved_ = false;
+    DracoMesh draco_;
+    std::string dracoPath_; // of the primitive that draco_ was read from
     std::size_t withoutUvs_ = 0;
     std::size_t skipped_ = 0;
     bool allNormals_ = true;

@@ -66,17 +66,37 @@ void dropNotFinite(ReadMesh& file) {
         if (!meshfile::isFinite(position)) position = glm::vec3(0);
 }
 
+/// Old Macintosh programs end lines with a carriage return alone: a text that knows no other becomes one of lines. Of a binary PLY only the
+/// header is text.
+void mendLines(std::string& bytes, const MeshFormat* format) {
+    if (format == formatNamed(".glb") || bytes.find('\r') == std::string::npos) return;
+    const bool ply = format == formatNamed(".ply");
+    if (format == formatNamed(".stl") && !bytes.starts_with("solid")) return;
+    std::size_t end = bytes.size();
+    if (ply && bytes.substr(0, bytes.find("end_header")).find("ascii") == std::string::npos)
+        end = std::min(bytes.find("end_header"), bytes.size() - 11) + 11; // the word and what ends its line
+    const std::string_view text = std::string_view(bytes).substr(0, end);
+    if (text.find('\n') != std::string_view::npos || text.find('\0') != std::string_view::npos) return;
+    std::replace(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(end), '\r', '\n');
+}
+
 Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& options) {
-    const Result<std::string> bytes = readFile(path);
+    Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
     const MeshFormat* format = formatOf(path, *bytes);
     if (!format) return unknownFormat(path, *bytes);
     const double unit = options.unitMm.value_or(format->unitMm);
     if (!(unit > 0 && std::isfinite(unit)))
         return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");
-    Result<ReadMesh> file = format->read(
-        {.path = path, .bytes = *bytes, .unitMm = unit, .dropBadFaces = options.dropBadFaces, .keepNotFinite = options.dropNotFinite});
+    mendLines(*bytes, format);
+    Result<ReadMesh> file = format->read({.path = path,
+                                          .bytes = *bytes,
+                                          .unitMm = unit,
+                                          .dropBadFaces = options.dropBadFaces,
+                                          .keepNotFinite = options.dropNotFinite,
+                                          .carryMaterials = options.carryMaterials});
     if (!file) return file;
+    meshfile::settlePlace(path, *file);
     file->mesh.unitMm = unit;
     if (file->mesh.name.empty()) file->mesh.name = path.stem().string();
     if (options.dropNotFinite) dropNotFinite(*file);

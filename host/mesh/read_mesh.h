@@ -11,6 +11,7 @@ struct ReadOptions {
     std::optional<double> unitMm; // as MeshOptions::unitMm
     bool dropBadFaces = false;    // leave out faces that refer to no vertex, with a count, instead of refusing the file
     bool dropNotFinite = false;   // leave out faces with a corner at NaN or infinity, with a count, instead of refusing the file
+    bool carryMaterials = false;  // keep materials and their pictures as they are in the file, instead of decoding a few of them
 };
 
 /// Counted while reading. `vertices` and `faces` are the file's own: positions or vertices, and polygons.
@@ -25,6 +26,12 @@ struct ReadCounts {
 struct ReadMesh {
     Mesh mesh; // triangles; normals and tangents as in the file (any length), or none; no bounds; degenerate triangles still there
     ReadCounts counts;
+    /// For `readMesh` itself, which empties it: positions as the file has them (mm), where it has more than floats hold, from `exactFrom`
+    /// on.
+    std::vector<glm::dvec3> exact{};
+    glm::dvec3 exactFrom{0};
+    bool floats = true;                       // the file stores its coordinates as 32-bit floats
+    std::vector<std::string> materialNames{}; // of the parts of an OBJ file
 };
 
 /// glb/gltf, PLY, OBJ, STL, OFF by content and extension. A mesh without a triangle is no error here.

@@ -15,6 +15,7 @@ namespace {
 
 struct Part {
     std::string name;
+    std::string material;
     std::vector<std::uint32_t> indices; // of vertices
     Polygons polygons;
 };
@@ -39,6 +40,7 @@ public:
             if (const auto wrong = addPart(*part)) return *wrong;
         dropIncomplete();
         addWarnings();
+        result_.floats = false;
         return std::move(result_);
     }
 
@@ -64,7 +66,8 @@ private:
         std::string name = section.group.empty() ? section.object : section.group;
         if (!section.material.empty()) name = name.empty() ? section.material : name + ":" + section.material;
         const auto [entry, isNew] = partByName_.emplace(name, parts_.size());
-        if (isNew) parts_.push_back(std::make_unique<Part>(Part{.name = name, .indices = {}, .polygons = {}}));
+        if (isNew)
+            parts_.push_back(std::make_unique<Part>(Part{.name = name, .material = section.material, .indices = {}, .polygons = {}}));
         return *parts_[entry->second];
     }
 
@@ -74,6 +77,8 @@ private:
         };
         usable_.push_back(file_.holds(corner));
         mesh().positions.push_back(at(file_.positions, corner.position));
+        result_.exact.push_back(at(file_.exact, corner.position));
+        if (!file_.colors.empty()) mesh().colors.push_back(at(file_.colors, corner.position));
         const glm::dvec2 uv = at(file_.uvs, corner.uv);
         mesh().uvs.emplace_back(uv.x, corner.uv < file_.uvs.size() ? 1 - uv.y : 0); // v up in the file, down here
         mesh().normals.push_back(at(file_.normals, corner.normal));
@@ -83,12 +88,13 @@ private:
     }
 
     [[nodiscard]] std::optional<Error> addPart(Part& part) {
-        if (auto wrong = part.polygons.cut(source_, mesh().positions, part.indices)) return wrong;
+        if (auto wrong = part.polygons.cut(source_, mesh().positions, result_.exact, part.indices)) return wrong;
         if (anyUnusable_) dropUnusable(part);
         mesh().parts.push_back({.name = part.name,
                                 .firstIndex = static_cast<std::uint32_t>(mesh().indices.size()),
                                 .indexCount = static_cast<std::uint32_t>(part.indices.size())});
         mesh().indices.insert(mesh().indices.end(), part.indices.begin(), part.indices.end());
+        result_.materialNames.push_back(part.material);
         part.indices = {};
         return std::nullopt;
     }
@@ -139,7 +145,10 @@ Result<ReadMesh> readObj(const Source& source) {
     const Result<ObjFile> file = parseObj(source);
     if (!file) return file.error();
     auto read = ObjReader(source, *file).read();
-    if (read && !read->mesh.uvs.empty()) addObjTextures(source, *file, read->mesh);
+    if (read && source.carryMaterials)
+        carryObjMaterials(source, *file, read->materialNames, read->mesh);
+    else if (read && !read->mesh.uvs.empty())
+        addObjTextures(source, *file, read->mesh);
     return read;
 }
 

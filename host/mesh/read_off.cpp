@@ -2,6 +2,7 @@
 
 #include "host/mesh/polygons.h"
 #include "host/mesh/text_words.h"
+#include "host/support/text.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +23,13 @@ public:
         for (std::size_t face = 0; face < result_.counts.faces && !words_.error(); ++face)
             readFace(face);
         if (words_.error()) return *words_.error();
+        finishColours();
         Mesh& mesh = result_.mesh;
-        if (const auto wrong = polygons_.cut(source_, mesh.positions, mesh.indices)) return *wrong;
+        result_.floats = false;
+        if (faceColours_)
+            warn(mesh, 5331, source_.whole(), "what the faces carry behind their corners (colours) is left out",
+                 "give the colours to the vertices");
+        if (const auto wrong = polygons_.cut(source_, mesh.positions, result_.exact, mesh.indices)) return *wrong;
         mesh.parts.push_back(
             {.name = source_.path.stem().string(), .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())});
         return std::move(result_);
@@ -65,15 +71,28 @@ private:
     void readVertices() {
         Mesh& mesh = result_.mesh;
         for (std::size_t i = 0; i < result_.counts.vertices && !words_.error(); ++i) {
-            mesh.positions.push_back(words_.nextPosition("a coordinate"));
+            result_.exact.push_back(words_.nextPosition("a coordinate"));
+            mesh.positions.emplace_back(result_.exact.back());
             if (normals_) mesh.normals.push_back(vector("a normal"));
-            if (colours_)
-                for (int channel = 0; channel < 4; ++channel)
-                    words_.nextNumber("a colour");
+            if (colours_) readColour();
             if (!uvs_) continue;
             const double u = words_.nextNumber("a texture coordinate");
             mesh.uvs.emplace_back(u, 1 - words_.nextNumber("a texture coordinate")); // v points up, as in OBJ
         }
+    }
+
+    /// 0 to 1; some programs write 0 to 255.
+    void readColour() {
+        glm::dvec4 colour(0);
+        for (glm::length_t channel = 0; channel < 4; ++channel)
+            colour[channel] = words_.nextNumber("a colour");
+        encoded_.push_back(colour);
+    }
+
+    void finishColours() {
+        const bool bytes = std::ranges::any_of(encoded_, [](const glm::dvec4& c) { return std::max({c.r, c.g, c.b, c.a}) > 1; });
+        for (const glm::dvec4& colour : encoded_)
+            result_.mesh.colors.push_back(linearColor(bytes ? colour / 255.0 : colour));
     }
 
     glm::vec3 vector(std::string_view what) {
@@ -95,7 +114,7 @@ private:
             if (!exists && !words_.error() && !source_.dropBadFaces)
                 words_.fail(badIndex(words_.at(), fmt::format("face {} refers to vertex {} of {}", face, index, result_.counts.vertices)));
         }
-        words_.skipLine();
+        faceColours_ |= !trim(words_.restOfLine()).empty();
         if (words_.error()) return;
         result_.counts.badFaces += !usable;
         if (!usable) return;
@@ -109,7 +128,8 @@ private:
     ReadMesh result_;
     Polygons polygons_;
     std::vector<std::uint32_t> corners_;
-    bool normals_ = false, colours_ = false, uvs_ = false;
+    std::vector<glm::dvec4> encoded_; // colours
+    bool normals_ = false, colours_ = false, uvs_ = false, faceColours_ = false;
 };
 
 } // namespace

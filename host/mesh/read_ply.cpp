@@ -13,15 +13,52 @@ namespace {
 
 /// Which property of a vertex row is what.
 struct VertexLayout {
-    std::optional<std::size_t> x, y, z, nx, ny, nz, u, v;
+    std::optional<std::size_t> x, y, z, nx, ny, nz, u, v, red, green, blue, alpha;
+    std::vector<std::size_t> others; // what the mesh carries along
+    bool lists = false;
 
     explicit VertexLayout(const PlyElement& element)
         : x(element.find({"x"})), y(element.find({"y"})), z(element.find({"z"})), nx(element.find({"nx"})), ny(element.find({"ny"})),
-          nz(element.find({"nz"})), u(element.find({"u", "s", "texture_u"})), v(element.find({"v", "t", "texture_v"})) {}
+          nz(element.find({"nz"})), u(element.find({"u", "s", "texture_u"})), v(element.find({"v", "t", "texture_v"})),
+          red(element.find({"red", "diffuse_red"})), green(element.find({"green", "diffuse_green"})),
+          blue(element.find({"blue", "diffuse_blue"})), alpha(element.find({"alpha", "diffuse_alpha"})) {
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            const bool list = element.properties[i].listCount.has_value();
+            lists |= list;
+            if (!list && !known(i)) others.push_back(i);
+        }
+    }
 
     [[nodiscard]] bool hasNormals() const { return nx && ny && nz; }
     [[nodiscard]] bool hasUvs() const { return u && v; }
+    [[nodiscard]] bool hasColors() const { return red && green && blue; }
+
+private:
+    [[nodiscard]] bool known(std::size_t i) const {
+        if (i == x || i == y || i == z) return true;
+        if (hasNormals() && (i == nx || i == ny || i == nz)) return true;
+        if (hasUvs() && (i == u || i == v)) return true;
+        return hasColors() && (i == red || i == green || i == blue || i == alpha);
+    }
 };
+
+/// What stands for 1 in a colour's type. Colours in floats are 0 to 1.
+double fullColor(NumberType type) {
+    if (type == NumberType::Uint8) return 255;
+    return type == NumberType::Uint16 ? 65535 : 1;
+}
+
+/// What stands for 1 in them is their greatest number: host/mesh/vertex_values.h.
+bool isSmall(NumberType type) {
+    return type == NumberType::Int8 || type == NumberType::Uint8 || type == NumberType::Int16 || type == NumberType::Uint16;
+}
+
+std::string namesOf(const PlyElement& element, const auto& wanted) {
+    std::string names;
+    for (const PlyProperty& property : element.properties)
+        if (wanted(property)) names += (names.empty() ? "" : ", ") + property.name;
+    return names;
+}
 
 class PlyReader {
 public:
@@ -33,13 +70,15 @@ public:
                 readVertices(element);
             else if (element.name == "face")
                 readFaces(element);
+            else if (element.name == "tristrips")
+                readStrips(element);
             else
-                values_.skip(element);
+                leaveOut(element);
             if (values_.error()) return *values_.error();
         }
         if (const auto wrong = values_.checkEnd()) return *wrong;
         if (const auto wrong = checkIndices()) return *wrong;
-        if (const auto wrong = polygons_.cut(source_, mesh().positions, mesh().indices)) return *wrong;
+        if (const auto wrong = polygons_.cut(source_, mesh().positions, result_.exact, mesh().indices)) return *wrong;
         mesh().parts.push_back(
             {.name = source_.path.stem().string(), .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh().indices.size())});
         return std::move(result_);
@@ -47,6 +86,12 @@ public:
 
 private:
     Mesh& mesh() { return result_.mesh; }
+
+    void leaveOut(const PlyElement& element) {
+        values_.skip(element);
+        if (element.count > 0)
+            warn(mesh(), 5331, source_.atLine(element.line), fmt::format("the {} elements '{}' are left out", element.count, element.name));
+    }
 
     void readVertices(const PlyElement& element) {
         const VertexLayout layout(element);
@@ -56,6 +101,16 @@ private:
         if (element.count > kMaxVertices) return values_.fail(tooLarge(source_.atLine(element.line)));
         result_.counts.vertices = element.count;
         reserve(element.count, layout); // the header's counts were held against the file's size
+        result_.floats = header_.format != PlyFormat::Ascii && element.properties[*layout.x].type == PlyType::Float32;
+        if (layout.lists)
+            warn(mesh(), 5331, source_.atLine(element.line),
+                 fmt::format("lists of vertices are left out: {}",
+                             namesOf(element, [](const PlyProperty& p) { return p.listCount.has_value(); })));
+        for (const std::size_t other : layout.others)
+            mesh().attributes.push_back({.name = element.properties[other].name,
+                                         .type = element.properties[other].type,
+                                         .normalised = isSmall(element.properties[other].type),
+                                         .values = {}});
         std::vector<double> row;
         for (std::uint64_t i = 0; i < element.count; ++i) {
             values_.nextRow(element, row);
@@ -64,9 +119,20 @@ private:
                 values_.fail(notFinite(values_.at(), fmt::format("vertex {} has a coordinate that is not finite", i)));
             if (values_.error()) return;
             mesh().positions.push_back(position);
+            if (!result_.floats) result_.exact.push_back(glm::dvec3(row[*layout.x], row[*layout.y], row[*layout.z]) * source_.unitMm);
+            keepRest(element, layout, row);
             if (layout.hasNormals()) mesh().normals.emplace_back(row[*layout.nx], row[*layout.ny], row[*layout.nz]);
             if (layout.hasUvs()) mesh().uvs.emplace_back(row[*layout.u], 1 - row[*layout.v]); // PLY's v points up, as in OBJ
         }
+    }
+
+    void keepRest(const PlyElement& element, const VertexLayout& layout, const std::vector<double>& row) {
+        for (std::size_t k = 0; k < layout.others.size(); ++k)
+            mesh().attributes[k].values.push_back(row[layout.others[k]]);
+        if (!layout.hasColors()) return;
+        const auto channel = [&](std::size_t i) { return row[i] / fullColor(element.properties[i].type); };
+        mesh().colors.push_back(
+            linearColor({channel(*layout.red), channel(*layout.green), channel(*layout.blue), layout.alpha ? channel(*layout.alpha) : 1}));
     }
 
     void reserve(std::size_t count, const VertexLayout& layout) {
@@ -80,6 +146,10 @@ private:
         if (!list || !element.properties[*list].listCount)
             return values_.fail(malformed(source_.atLine(element.line), "the faces have no list vertex_indices"));
         result_.counts.faces += element.count;
+        const std::string others = namesOf(element, [&](const PlyProperty& p) { return &p != &element.properties[*list]; });
+        if (!others.empty() && element.count > 0)
+            warn(mesh(), 5331, source_.atLine(element.line), fmt::format("what the faces carry is left out: {}", others),
+                 "give it to the vertices to keep it");
         std::vector<std::uint32_t> corners;
         for (std::uint64_t face = 0; face < element.count && !values_.error(); ++face) {
             bool usable = true;
@@ -94,6 +164,37 @@ private:
             }
             if (usable && !values_.error()) addFace(corners, face);
         }
+    }
+
+    /// Strips of triangles, each turned against the one before; -1 begins a new strip (G. Turk's own files, Stanford's archive).
+    void readStrips(const PlyElement& element) {
+        const auto list = element.find({"vertex_indices", "vertex_index"});
+        if (!list || !element.properties[*list].listCount || element.properties.size() != 1)
+            return values_.fail(malformed(source_.atLine(element.line), "the strips have no list vertex_indices, or more than that"));
+        const double end = static_cast<double>(verticesRead_ ? mesh().positions.size() : kMaxVertices);
+        const PlyType type = element.properties[*list].type;
+        for (std::uint64_t strip = 0; strip < element.count && !values_.error(); ++strip) {
+            std::vector<std::uint32_t> run;
+            for (std::size_t left = values_.nextCount(element.properties[*list]); left > 0 && !values_.error(); --left) {
+                const double index = values_.next(type);
+                if (index >= 0 && index < end)
+                    run.push_back(static_cast<std::uint32_t>(index));
+                else if (index == -1)
+                    run.clear();
+                else if (source_.dropBadFaces)
+                    run.clear(), ++result_.counts.badFaces;
+                else
+                    values_.fail(badIndex(values_.at(), badIndexText(result_.counts.faces, index)));
+                if (run.size() >= 3) addStripFace(run);
+            }
+        }
+    }
+
+    void addStripFace(const std::vector<std::uint32_t>& run) {
+        const std::size_t last = run.size() - 1;
+        std::vector<std::uint32_t> corners = {run[last - 2], run[last - 1], run[last]};
+        if (last % 2 == 1) std::swap(corners[0], corners[1]);
+        addFace(corners, result_.counts.faces++);
     }
 
     /// False for a face that refers to no vertex and is left out. Vertices may follow: then only what no vertex can have is found here.

@@ -33,8 +33,10 @@ bool isText(std::string_view bytes) {
     return bytes.substr(0, 1024).find('\0') == std::string_view::npos;
 }
 
-ReadMesh soup(std::vector<glm::vec3> positions, const Source& source) {
+ReadMesh soup(std::vector<glm::vec3> positions, const Source& source, std::vector<glm::dvec3> exact = {}) {
     ReadMesh result;
+    result.floats = exact.empty();
+    result.exact = std::move(exact);
     result.counts = {.vertices = positions.size(), .faces = positions.size() / 3};
     result.mesh.positions = std::move(positions);
     result.mesh.indices.resize(result.mesh.positions.size());
@@ -53,17 +55,24 @@ Result<ReadMesh> readBinary(const Source& source) {
     if (count > kMaxVertices / 3) return tooLarge(source.atByte(80));
     std::vector<glm::vec3> positions;
     positions.reserve(3 * count);
+    bool colours = false;
     for (std::size_t facet = 0; facet < count; ++facet) {
         const std::size_t offset = kHeaderBytes + facet * kFacetBytes;
         std::array<float, 12> values{};
         std::memcpy(values.data(), source.bytes.data() + offset, sizeof values);
+        colours |= source.bytes[offset + kFacetBytes - 2] != 0 || source.bytes[offset + kFacetBytes - 1] != 0;
         for (std::size_t i = 3; i < 12; i += 3) {
             positions.push_back(scaled({values[i], values[i + 1], values[i + 2]}, source.unitMm));
             if (!source.keepNotFinite && !isFinite(positions.back()))
                 return notFinite(source.atByte(offset + 4 * i), fmt::format("facet {} has a coordinate that is not finite", facet));
         }
     }
-    return soup(std::move(positions), source);
+    ReadMesh read = soup(std::move(positions), source);
+    if (colours)
+        warn(read.mesh, 5331, source.whole(),
+             "the two bytes that some facets carry besides are left out: programs write colours there, each in its way",
+             "export PLY or glTF to keep colours");
+    return read;
 }
 
 /// solid NAME / facet normal X Y Z / outer loop / vertex X Y Z (three) / endloop / endfacet / endsolid NAME
@@ -87,7 +96,8 @@ public:
         }
         if (words_.error()) return *words_.error();
         if (!ended_) return truncated(source_.atByte(source_.bytes.size()), "endsolid is missing");
-        return soup(std::move(positions_), source_);
+        std::vector<glm::vec3> positions(exact_.begin(), exact_.end());
+        return soup(std::move(positions), source_, std::move(exact_));
     }
 
 private:
@@ -108,11 +118,11 @@ private:
         expect("loop");
         for (int i = 0; i < 3; ++i) {
             expect("vertex");
-            positions_.push_back(words_.nextPosition("a coordinate"));
+            exact_.push_back(words_.nextPosition("a coordinate"));
         }
         expect("endloop");
         expect("endfacet");
-        if (positions_.size() > kMaxVertices) words_.fail(tooLarge(words_.at()));
+        if (exact_.size() > kMaxVertices) words_.fail(tooLarge(words_.at()));
     }
 
     void endBody(bool ended) {
@@ -122,7 +132,7 @@ private:
 
     const Source& source_;
     TextWords words_;
-    std::vector<glm::vec3> positions_;
+    std::vector<glm::dvec3> exact_;
     bool ended_ = false;
 };
 

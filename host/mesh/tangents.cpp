@@ -190,6 +190,10 @@ private:
         mesh_.normals.push_back(glm::vec3(mesh_.normals[vertex]));
         mesh_.uvs.push_back(glm::vec2(mesh_.uvs[vertex]));
         mesh_.tangents.push_back(tangent);
+        if (!mesh_.colors.empty()) mesh_.colors.push_back(glm::vec4(mesh_.colors[vertex]));
+        for (MeshAttribute& attribute : mesh_.attributes)
+            for (std::size_t c = 0; c < attribute.components; ++c)
+                attribute.values.push_back(double{attribute.values[vertex * attribute.components + c]});
     }
 
     Mesh& mesh_;

@@ -33,16 +33,23 @@ public:
         return error_ ? 0 : value;
     }
 
-    glm::vec3 nextPosition(std::string_view what) {
+    /// Times the unit, not rounded.
+    glm::dvec3 nextPosition(std::string_view what) {
         const double x = nextNumber(what);
         const double y = nextNumber(what);
         const double z = nextNumber(what);
-        const glm::vec3 position = scaled({x, y, z}, source_.unitMm);
-        if (!error_ && !source_.keepNotFinite && !isFinite(position)) fail(notFinite(at(), "a coordinate is not finite"));
+        const glm::dvec3 position = glm::dvec3(x, y, z) * source_.unitMm;
+        if (!error_ && !source_.keepNotFinite && !isFinite(glm::vec3(position))) fail(notFinite(at(), "a coordinate is not finite"));
         return position;
     }
 
     void skipLine() { offset_ = std::min(source_.bytes.find('\n', offset_), source_.bytes.size()); }
+    /// What is left of the line, taken off.
+    std::string_view restOfLine() {
+        const std::size_t from = offset_;
+        skipLine();
+        return source_.bytes.substr(from, offset_ - from);
+    }
 
     void fail(Error error) {
         if (!error_) error_ = std::move(error);

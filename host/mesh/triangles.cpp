@@ -21,6 +21,15 @@ void gatherVertices(Mesh& mesh, std::span<const std::uint32_t> from) {
     gather(mesh.normals, from);
     gather(mesh.tangents, from);
     gather(mesh.uvs, from);
+    gather(mesh.colors, from);
+    for (MeshAttribute& attribute : mesh.attributes) {
+        std::vector<double> gathered;
+        gathered.reserve(from.size() * attribute.components);
+        for (const std::uint32_t index : from)
+            for (std::size_t c = 0; c < attribute.components; ++c)
+                gathered.push_back(attribute.values[index * attribute.components + c]);
+        attribute.values = std::move(gathered);
+    }
 }
 
 std::vector<std::uint32_t> keepReferenced(Mesh& mesh) {

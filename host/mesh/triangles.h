@@ -31,6 +31,7 @@ std::size_t keepTriangles(Mesh& mesh, Keep keep) {
         if (to == first) continue;
         parts.push_back(
             {.name = part.name, .firstIndex = static_cast<std::uint32_t>(first), .indexCount = static_cast<std::uint32_t>(to - first)});
+        parts.back().material = part.material;
         if (to - first == part.indexCount) parts.back().clusters = part.clusters; // they say which triangles are theirs
     }
     const std::size_t dropped = (mesh.indices.size() - to) / 3;

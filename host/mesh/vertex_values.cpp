@@ -1,5 +1,6 @@
 #include "host/mesh/vertex_values.h"
 
+#include "host/image/image.h"
 #include "host/mesh/ply_values.h"
 #include "host/support/file.h"
 
@@ -7,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace tegument {
@@ -77,15 +79,50 @@ private:
     PlyValues values_;
 };
 
+/// What `tegument prep` has carried from a PLY file into a glb.
+Result<VertexValues> ofGltf(const Source& source, std::span<const std::string> names) {
+    auto file = readMesh(source.path, {.unitMm = source.unitMm});
+    if (!file) return file.error();
+    const Mesh& mesh = file->mesh;
+    VertexValues found{.positions = mesh.positions, .values = {}, .whole = {}};
+    constexpr std::array<std::string_view, 4> kChannels = {"red", "green", "blue", "alpha"};
+    for (const std::string& name : names) {
+        const auto known = std::ranges::find(mesh.attributes, name, &MeshAttribute::name);
+        const auto* channel = std::ranges::find(kChannels, name);
+        std::vector<double>& values = found.values.emplace_back();
+        if (known != mesh.attributes.end() && known->components == 1) {
+            values = known->values;
+            for (double& value : values)
+                value /= greatest(known->type).value_or(1);
+            found.whole.push_back(greatest(known->type).has_value());
+        } else if (channel != kChannels.end() && !mesh.colors.empty()) {
+            const auto c = static_cast<glm::length_t>(channel - kChannels.begin());
+            for (const glm::vec4& color : mesh.colors)
+                values.push_back(static_cast<double>(c < 3 ? linearToSrgb(color[c]) : color[c]));
+            found.whole.push_back(true);
+        } else {
+            PlyElement element{.name = "vertex", .line = 0, .properties = {}};
+            for (const MeshAttribute& attribute : mesh.attributes)
+                element.properties.push_back({.name = attribute.name, .type = attribute.type, .listCount = {}});
+            for (const std::string_view c : kChannels)
+                if (!mesh.colors.empty())
+                    element.properties.push_back({.name = std::string(c), .type = NumberType::Uint8, .listCount = {}});
+            return noSuchProperty(source, element, name);
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 Result<VertexValues> readVertexValues(const std::filesystem::path& path, std::span<const std::string> names, double unitMm) {
     const Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
     const Source source{.path = path, .bytes = *bytes, .unitMm = unitMm};
+    if (bytes->starts_with("glTF")) return ofGltf(source, names);
     if (!bytes->starts_with("ply"))
         return inputError(5313, source.whole(),
-                          fmt::format("only PLY files name what their vertices hold: '{}' is not found", names.front()),
+                          fmt::format("only PLY and glb files name what their vertices hold: '{}' is not found", names.front()),
                           "export the mesh as PLY, with that as a property of its vertices");
     const Result<PlyHeader> header = readPlyHeader(source);
     if (!header) return header.error();

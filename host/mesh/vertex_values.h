@@ -18,8 +18,8 @@ struct VertexValues {
     std::vector<bool> whole;                 // for each name: stored in 8 or 16 bits, the greatest of which are 1 here
 };
 
-/// From PLY, the only format read here that names its values. TG5313 for another format, and for a name that the vertices do not have: the
-/// message lists those they have. Values are not checked.
+/// From PLY and glb, the formats read here that name their values. TG5313 for another format, and for a name that the vertices do not have:
+/// the message lists those they have. Values are not checked.
 [[nodiscard]] Result<VertexValues> readVertexValues(const std::filesystem::path& path, std::span<const std::string> names, double unitMm);
 
 } // namespace tegument

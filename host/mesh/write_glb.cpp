@@ -2,6 +2,7 @@
 // multiplies by 0.001 * 1000, which is exactly 1 in double precision, so every float returns bit for bit.
 
 #include "host/mesh/glb.h"
+#include "host/mesh/materials.h"
 #include "host/support/file.h"
 
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <span>
 
 namespace tegument {
@@ -21,6 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kByte = 5120;
+constexpr int kUnsignedByte = 5121;
 constexpr int kShort = 5122;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
@@ -60,6 +64,7 @@ public:
 
     Result<std::string> write() {
         if (mesh_.indices.empty()) return container();
+        addMaterials();
         if (auto error = addTextures()) return *error;
         addVertices();
         addMesh(mesh_.indices, mesh_.parts, 0);
@@ -72,6 +77,7 @@ public:
     }
 
 private:
+    [[nodiscard]] glm::dvec3 place() const { return options_.place + mesh_.origin; }
     [[nodiscard]] bool small() const { return options_.format == VertexFormat::Unorm16; }
 
     std::size_t addView(const void* data, std::size_t size, std::optional<int> target) {
@@ -87,11 +93,66 @@ private:
     void addAttribute(Attribute attribute, std::span<const T> values, bool padded = false) {
         attribute.stride = sizeof(T);
         attribute.view = addView(values.data(), values.size_bytes(), kVertexBuffer);
-        if (padded) json_["bufferViews"].back()["byteStride"] = sizeof(T);
+        // parts with vertices of their own are accessors of one view, whose stride glTF wants to be told
+        if (padded || options_.partsOwnVertices) json_["bufferViews"].back()["byteStride"] = sizeof(T);
         attributes_.push_back(std::move(attribute));
     }
 
     void addVertices() {
+        addSurface();
+        addColors();
+        for (const MeshAttribute& attribute : mesh_.attributes)
+            addOther(attribute);
+    }
+
+    void addColors() {
+        if (mesh_.colors.empty()) return;
+        if (!small()) return addAttribute<glm::vec4>({.name = "COLOR_0", .type = "VEC4"}, mesh_.colors);
+        std::vector<std::array<std::uint16_t, 4>> colors;
+        const auto number = [](float v) {
+            return static_cast<std::uint16_t>(std::lround(std::clamp(static_cast<double>(v), 0.0, 1.0) * 65535));
+        };
+        for (const glm::vec4& c : mesh_.colors)
+            colors.push_back({number(c.r), number(c.g), number(c.b), number(c.a)});
+        addAttribute<std::array<std::uint16_t, 4>>({.name = "COLOR_0", .type = "VEC4", .componentType = kUnsignedShort, .normalized = true},
+                                                   colors);
+    }
+
+    /// Elements begin at multiples of 4 bytes.
+    template <class T>
+    void addWhole(const MeshAttribute& from, int componentType) {
+        const std::size_t stride = (from.components * sizeof(T) + 3) / 4 * 4;
+        std::string bytes(mesh_.positions.size() * stride, '\0');
+        for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
+            for (std::size_t c = 0; c < from.components; ++c) {
+                const T value = static_cast<T>(from.values[i * from.components + c]);
+                std::memcpy(&bytes[i * stride + c * sizeof(T)], &value, sizeof(T));
+            }
+        Attribute attribute = {.name = gltfName(from), .type = typeOf(from), .componentType = componentType, .normalized = from.normalised};
+        attribute.stride = stride;
+        attribute.view = addView(bytes.data(), bytes.size(), kVertexBuffer);
+        json_["bufferViews"].back()["byteStride"] = stride;
+        attributes_.push_back(std::move(attribute));
+    }
+
+    static std::string typeOf(const MeshAttribute& from) { return from.components == 1 ? "SCALAR" : fmt::format("VEC{}", from.components); }
+
+    void addOther(const MeshAttribute& from) {
+        if (staysWhole(from)) {
+            if (from.type == NumberType::Uint8) return addWhole<std::uint8_t>(from, kUnsignedByte);
+            if (from.type == NumberType::Int8) return addWhole<std::int8_t>(from, kByte);
+            if (from.type == NumberType::Uint16) return addWhole<std::uint16_t>(from, kUnsignedShort);
+            return addWhole<std::int16_t>(from, kShort);
+        }
+        const std::vector<float> values(from.values.begin(), from.values.end());
+        Attribute attribute = {.name = gltfName(from), .type = typeOf(from)};
+        attribute.stride = from.components * sizeof(float);
+        attribute.view = addView(values.data(), values.size() * sizeof(float), kVertexBuffer);
+        if (options_.partsOwnVertices) json_["bufferViews"].back()["byteStride"] = attribute.stride;
+        attributes_.push_back(std::move(attribute));
+    }
+
+    void addSurface() {
         if (small()) return addSmallVertices();
         addAttribute<glm::vec3>({.name = "POSITION", .type = "VEC3"}, mesh_.positions);
         if (!mesh_.normals.empty()) addAttribute<glm::vec3>({.name = "NORMAL", .type = "VEC3"}, mesh_.normals);
@@ -202,6 +263,7 @@ private:
             primitives.push_back({{"attributes", shared_}, {"indices", addIndices(own, range)}, {"extras", {{"name", part.name}}}});
             if (!part.clusters.empty()) primitives.back()["extras"]["tegument"]["clusters"] = clustersOf(part);
             if (!mesh_.textures.empty()) primitives.back()["material"] = 0;
+            if (part.material && *part.material < materials_) primitives.back()["material"] = *part.material;
         }
         json_["meshes"].push_back(
             {{"name", mesh_.name}, {"primitives", std::move(primitives)}, {"extras", {{"tegument", extras(errorMm)}}}});
@@ -234,7 +296,8 @@ private:
         const double scale = small() ? grid_.step * 65535 * 0.001 : 0.001;
         for (std::size_t i = 0; i < json_["meshes"].size(); ++i) {
             Json node = {{"name", i == 0 ? mesh_.name : fmt::format("{} level {}", mesh_.name, i)}, {"mesh", i}};
-            if (small()) node["translation"] = list(grid_.origin * 0.001);
+            if (small() || place() != glm::dvec3(0))
+                node["translation"] = list(((small() ? grid_.origin : glm::dvec3(0)) + place()) * 0.001);
             node["scale"] = {scale, scale, scale};
             json_["nodes"].push_back(std::move(node));
         }
@@ -245,7 +308,39 @@ private:
         json_["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = std::move(ids);
     }
 
+    /// As they came, with their pictures in the file.
+    void addMaterials() {
+        if (mesh_.materials.json.empty()) return;
+        MaterialSet set = mesh_.materials;
+        if (mesh_.uvs.empty()) dropTextures(set);
+        const Json json = Json::parse(set.json);
+        for (const auto& [list, values] : json.items()) {
+            json_[list] = values;
+            collectExtensions(values);
+        }
+        for (std::size_t i = 0; i < set.images.size(); ++i)
+            json_["images"][i]["bufferView"] = addView(set.images[i].data(), set.images[i].size(), std::nullopt);
+        materials_ = json_.contains("materials") ? json_["materials"].size() : 0;
+        for (const Json& texture : json_.contains("textures") ? json_["textures"] : Json::array())
+            if (texture.contains("extensions") && !texture.contains("source"))
+                for (const auto& [name, unused] : texture["extensions"].items())
+                    required_.insert(name);
+    }
+
+    void collectExtensions(const Json& value) {
+        if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
+            for (const auto& [name, unused] : value["extensions"].items())
+                used_.insert(name);
+        if (value.is_structured())
+            for (const Json& item : value)
+                collectExtensions(item);
+    }
+
     void addExtensions() {
+        for (const std::string& name : used_)
+            json_["extensionsUsed"].push_back(name);
+        for (const std::string& name : required_)
+            json_["extensionsRequired"].push_back(name);
         if (!options_.levels.empty()) json_["extensionsUsed"].push_back("MSFT_lod");
         if (!small()) return;
         json_["extensionsUsed"].push_back("KHR_mesh_quantization");
@@ -253,7 +348,7 @@ private:
     }
 
     std::optional<Error> addTextures() {
-        if (mesh_.textures.empty()) return std::nullopt;
+        if (mesh_.textures.empty() || materials_ > 0) return std::nullopt;
         Json material = {{"name", mesh_.name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}};
         json_["samplers"] = Json::array({Json::object()});
         for (const EmbeddedTexture& texture : mesh_.textures) {
@@ -303,6 +398,8 @@ private:
     Json shared_; // accessors of the last range of vertices
     std::vector<Attribute> attributes_;
     std::string binary_;
+    std::size_t materials_ = 0;
+    std::set<std::string> used_, required_; // extensions of the materials
 };
 
 /// The file is little-endian.

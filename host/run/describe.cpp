@@ -18,6 +18,8 @@ SessionPass describe(const FrameDraw& draw) {
     SessionPass pass{.name = draw.name, .object = draw.object, .targets = {}};
     for (const gpu::Texture* color : draw.targets.colors)
         pass.targets.push_back(callersName(color->desc().name));
+    for (const gpu::Texture* stored : draw.stored)
+        pass.targets.push_back(callersName(stored->desc().name));
     if (draw.targets.depth) pass.targets.push_back(callersName(draw.targets.depth->desc().name));
     return pass;
 }

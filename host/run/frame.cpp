@@ -1,6 +1,7 @@
 #include "host/run/frame.h"
 
 #include "host/run/constants.h"
+#include "host/run/groups.h"
 #include "host/run/part_draws.h"
 #include "host/support/text.h"
 
@@ -107,6 +108,12 @@ Result<std::vector<std::byte>> layOut(const Builder& builder, const DrawStep& st
     return bytes;
 }
 
+/// What of the targets a shader writes by this name: gatherStored() has found it.
+gpu::StoredTexture storedBy(Builder& builder, const std::string& name) {
+    const std::string& target = *builder.input.effect.findStorage(name)->target;
+    return {&builder.resources.targets.at(target.empty() ? kPicture : target)};
+}
+
 Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& shader, const Extent& viewport, FrameDraw& item) {
     const Reflection& reflection = shader.reflection;
     for (const UniformBlock* block : blocksOf(reflection)) {
@@ -120,6 +127,8 @@ Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& sha
         gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = {}};
         if (resource.kind == ResourceKind::Sampler || resource.kind == ResourceKind::CompareSampler)
             bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.kit.samplers.at(resource.name));
+        else if (resource.kind == ResourceKind::StorageImage)
+            bound.resource = storedBy(builder, resource.name);
         else
             bound.resource = builder.resources.texture(builder.prepared, resource.name);
         item.draw.resources.push_back(bound);
@@ -173,8 +182,42 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     return {};
 }
 
+Result<const gpu::Pipeline*> computePipelineFor(Builder& builder, const Pass& pass, const PassProgram& program) {
+    auto& known = builder.resources.kit.computes;
+    if (const auto found = known.find(&pass); found != known.end()) return static_cast<const gpu::Pipeline*>(&found->second);
+    auto pipeline = builder.resources.device.createPipeline(
+        gpu::ComputePipelineDesc{.name = pass.name, .shader = codeOf(*program.compute), .bindings = program.bindings});
+    if (!pipeline) return pipeline.error();
+    return static_cast<const gpu::Pipeline*>(&known.emplace(&pass, std::move(*pipeline)).first->second);
+}
+
+/// VIEWPORTPIXELSIZE is the size of the target that Threads names, else of what is written.
+Extent extentOf(const Builder& builder, const DrawStep& step, const PassProgram& program) {
+    const auto named = step.pass->annotations.string("Threads");
+    if (!named && program.use.stored.empty()) return {};
+    const auto found = builder.prepared.targets.find(named ? *named : *program.use.stored.begin());
+    return found == builder.prepared.targets.end() ? Extent{} : found->second.extent;
+}
+
+Result<void> addDispatch(Builder& builder, const DrawStep& step) {
+    const PassProgram& program = *builder.prepared.programs.at(step.pass);
+    const auto groups = groupsOf(builder.input.effect, builder.prepared, *step.pass);
+    if (!groups) return groups.error();
+    const auto pipeline = computePipelineFor(builder, *step.pass, program);
+    if (!pipeline) return pipeline.error();
+    FrameDraw item{.name = step.pass->name, .object = builder.object, .targets = {}, .draw = {}, .blocks = {}};
+    item.groups = *groups;
+    item.draw.pipeline = *pipeline;
+    for (const std::string& name : program.use.stored)
+        item.stored.push_back(&builder.resources.targets.at(name));
+    if (const auto bound = bindStage(builder, step, *program.compute, extentOf(builder, step, program), item); !bound) return bound;
+    if (item.computes()) builder.frame.items.emplace_back(std::move(item));
+    return {};
+}
+
 Result<void> addStep(Builder& builder, const Step& step) {
-    if (const auto* draw = std::get_if<DrawStep>(&step)) return addDraw(builder, *draw);
+    if (const auto* draw = std::get_if<DrawStep>(&step))
+        return draw->kind == DrawKind::Compute ? addDispatch(builder, *draw) : addDraw(builder, *draw);
     const auto* clear = std::get_if<ClearStep>(&step);
     if (clear && (builder.object == 0 || !isCallers(clear->target)))
         builder.frame.items.emplace_back(FrameClear{&builder.resources.targets.at(clear->target), *clear});
@@ -185,7 +228,7 @@ Result<void> addStep(Builder& builder, const Step& step) {
 
 bool drawsMesh(const Step& step) {
     const auto* draw = std::get_if<DrawStep>(&step);
-    return draw && draw->kind != DrawKind::Buffer;
+    return draw && draw->kind != DrawKind::Buffer && draw->kind != DrawKind::Compute;
 }
 
 Result<void> recordClear(const FrameClear& item, gpu::Recorder& recorder) {
@@ -197,7 +240,9 @@ Result<void> recordClear(const FrameClear& item, gpu::Recorder& recorder) {
 }
 
 Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder) {
-    if (const auto* draw = std::get_if<FrameDraw>(&item)) return recorder.draw(draw->targets, draw->draw);
+    if (const auto* draw = std::get_if<FrameDraw>(&item))
+        return draw->computes() ? recorder.dispatch(*draw->draw.pipeline, draw->draw.resources, draw->groups)
+                                : recorder.draw(draw->targets, draw->draw);
     if (const auto* clear = std::get_if<FrameClear>(&item)) return recordClear(*clear, recorder);
     return recorder.generateMips(*std::get<FrameMips>(item).target);
 }

@@ -4,7 +4,9 @@
 #include "host/run/part_draws.h"
 #include "host/run/resources.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -26,7 +28,11 @@ struct FrameDraw {
     std::string name;
     int object = 0;
     gpu::Targets targets;
-    gpu::Draw draw; // its spans point into `blocks`
+    gpu::Draw draw;                        // its spans point into `blocks`
+    std::array<std::uint32_t, 3> groups{}; // of a compute pass, which takes pipeline and resources from `draw`; else 0
+    std::vector<gpu::Texture*> stored;     // what that one writes
+
+    [[nodiscard]] bool computes() const { return groups[0] > 0; }
     std::vector<std::vector<std::byte>> blocks;
 };
 
@@ -62,7 +68,8 @@ struct Frame {
 };
 
 /// The scripts of all objects one after the other, the caller's targets cleared in the first only. An effect of script class "scene" runs
-/// its script once and draws all meshes where it draws geometry. TG4006 the annotation Instances asks for an impossible number.
+/// its script once and draws all meshes where it draws geometry. TG4006 the annotation Instances asks for an impossible number,
+/// TG4063 a compute pass does not say how many groups run, or asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
 /// Records the nodes before the frame, then its items, or the first `items` of them; each of their draws is a timed section with its pass's

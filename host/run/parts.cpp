@@ -73,7 +73,8 @@ glm::dvec3 eyeOf(const SceneView& scene) {
 
 bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view) {
     const glm::dvec3 toEye = view.eye - place;
-    return glm::dot(normal, toEye) > kHidden * glm::length(toEye) && !outside(view, place, view.reach);
+    const bool hidden = glm::dot(normal, toEye) <= kHidden * glm::length(toEye); // not where that is no number
+    return !hidden && !outside(view, place, view.reach);
 }
 
 bool canBeSeen(const MeshCluster& cluster, const PartView& view) {

@@ -1,5 +1,7 @@
 #include "host/run/plan.h"
 
+#include "host/adopt/adopt.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,9 +57,14 @@ public:
     }
 
     Result<void> draw(const Pass& pass, DrawKind kind, const ScriptState& state) override {
-        DrawStep step{
-            .technique = technique_, .pass = &pass, .kind = kind, .colors = colorNames(state.targets), .depth = {}, .written = written_};
-        if (state.targets.depth) step.depth = depthName(*state.targets.depth);
+        const bool computes = kind == DrawKind::Compute;
+        DrawStep step{.technique = technique_,
+                      .pass = &pass,
+                      .kind = kind,
+                      .colors = computes ? std::vector<std::optional<std::string>>() : colorNames(state.targets),
+                      .depth = {},
+                      .written = written_};
+        if (state.targets.depth && !computes) step.depth = depthName(*state.targets.depth);
         plan_.steps.emplace_back(std::move(step));
         return failure_ ? Result<void>(*failure_) : Result<void>();
     }
@@ -65,6 +72,7 @@ public:
     Result<void> endPass(const Pass&) override { return {}; }
 
     Result<void> external(const ScriptState& state) override {
+        if (effect_.adopted) return drawScene(state);
         for (const auto& name : colorNames(state.targets))
             if (name) plan_.steps.emplace_back(ClearStep{.target = *name, .what = ClearKind::Color, .color = background_});
         if (state.targets.depth) plan_.steps.emplace_back(ClearStep{.target = depthName(*state.targets.depth), .what = ClearKind::Depth});
@@ -91,6 +99,19 @@ public:
     }
 
 private:
+    /// Into what the script has cleared.
+    Result<void> drawScene(const ScriptState& state) {
+        const Technique* scene = effect_.findTechnique(kSceneTechnique);
+        if (!scene) return {};
+        DrawStep step{
+            .technique = scene, .pass = &scene->passes.front(), .kind = DrawKind::Geometry, .colors = {}, .depth = {}, .written = written_};
+        step.colors = colorNames(state.targets);
+        if (step.colors.size() > 1) step.colors.resize(1);
+        if (state.targets.depth) step.depth = depthName(*state.targets.depth);
+        plan_.steps.emplace_back(std::move(step));
+        return {};
+    }
+
     Result<Numbers> valueOf(const std::string& name) const {
         const Parameter* parameter = effect_.findParameter(name);
         if (!parameter) return Numbers{}; // the effect's own check reported it

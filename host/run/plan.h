@@ -39,7 +39,7 @@ struct ClearStep {
     bool operator==(const ClearStep&) const = default;
 };
 
-/// One execution of a pass.
+/// One execution of a pass. A compute pass has no targets: its shader says what it writes (PassUse).
 struct DrawStep {
     const Technique* technique = nullptr;
     const Pass* pass = nullptr;
@@ -74,7 +74,8 @@ struct Plan {
 
 /// What a pass really uses, known after compiling it.
 struct PassUse {
-    std::set<std::string> sampled;   // texture parameters read by either stage, targets or not
+    std::set<std::string> sampled;   // texture parameters read by any stage, targets or not
+    std::set<std::string> stored;    // targets that a compute shader writes
     std::uint32_t writtenColors = 0; // bit n: the pixel shader writes SV_Targetn
     bool discards = false;           // some pixels may be left out
 };
@@ -82,10 +83,11 @@ struct PassUse {
 /// Completes the plan with what the shaders use:
 ///  * the depth target of a pass that tests neither depth nor stencil is dropped, and so are colour targets of another size or number of
 ///    samples that the pass does not write,
-///  * TG4024 when a pass samples a target that it has bound; TG4025 when two of its targets differ in size, TG4039 in samples a pixel,
+///  * TG4024 when a pass samples a target that it has bound, or that its compute shader writes; TG4025 when two of its targets differ in
+///  size, TG4039 in samples a pixel,
 ///  * targets that the frame uses before clearing them are cleared first (0, depth 1), so that a frame never depends on the one before;
 ///    warning TG4026 when the first use is sampling. Not so where the first use overwrites every pixel: a full-screen pass with the
-///    annotation `bool CoversTarget = true` that neither tests, blends, masks nor discards,
+///    annotation `bool CoversTarget = true` that neither tests, blends, masks nor discards, or a compute pass with it,
 ///  * mip chains are made before they are sampled.
 struct TargetShape {
     std::uint32_t width = 0;

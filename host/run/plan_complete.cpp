@@ -31,6 +31,11 @@ bool overwrites(const DrawStep& draw, const PassUse& use, std::size_t slot) {
            !pass.state.scissorTest;
 }
 
+bool coversStored(const Pass& pass) {
+    const auto covers = pass.annotations.numbers("CoversTarget");
+    return covers && covers->front() != 0;
+}
+
 bool fit(const TargetShape& a, const TargetShape& b) {
     return a.width == b.width && a.height == b.height && a.samples == b.samples;
 }
@@ -85,6 +90,7 @@ Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
 Result<void> refuseFeedback(const DrawStep& draw, const PassUse& use) {
     std::vector<std::optional<std::string>> bound = draw.colors;
     bound.push_back(draw.depth);
+    bound.insert(bound.end(), use.stored.begin(), use.stored.end());
     for (const auto& name : bound)
         if (name && use.sampled.contains(*name))
             return inputError(4024, draw.pass->at, fmt::format("pass {} samples {} while drawing into it", draw.pass->name, *name),
@@ -114,6 +120,12 @@ public:
                 use(*step.colors[slot], false);
         }
         if (step.depth) use(*step.depth, true);
+        for (const std::string& name : with_.uses.at(step.pass).stored) {
+            if (coversStored(*step.pass) && with_.shapes.at(name).mips == 1)
+                touch(name);
+            else
+                use(name, false);
+        }
     }
 
     [[nodiscard]] std::vector<Step> firstClears() const { return clears_; }
@@ -170,7 +182,8 @@ Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses
     std::vector<Step> steps;
     for (Step& step : plan.steps) {
         if (auto* draw = std::get_if<DrawStep>(&step)) {
-            if (const auto fitted = fitAttachments(*draw, with); !fitted) return fitted;
+            if (draw->kind != DrawKind::Compute)
+                if (const auto fitted = fitAttachments(*draw, with); !fitted) return fitted;
             if (const auto checked = refuseFeedback(*draw, uses.at(draw->pass)); !checked) return checked;
             tracker.draw(*draw, steps);
         }

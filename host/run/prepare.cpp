@@ -57,13 +57,26 @@ Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
         say(prepared.programs.size());
         auto program = compilePass(input.effect, *pass, input.options.compiler);
         if (!program) return program.error();
-        for (const Diagnostic& warning : program->vertex.warnings)
-            prepared.warnings.push_back(warning);
-        if (program->pixel)
-            prepared.warnings.insert(prepared.warnings.end(), program->pixel->warnings.begin(), program->pixel->warnings.end());
+        for (const Shader* shader :
+             {&program->vertex, program->pixel ? &*program->pixel : nullptr, program->compute ? &*program->compute : nullptr})
+            if (shader) prepared.warnings.insert(prepared.warnings.end(), shader->warnings.begin(), shader->warnings.end());
         prepared.programs.emplace(pass, std::make_shared<const PassProgram>(std::move(*program)));
     }
     if (said) say(passes.size());
+    return {};
+}
+
+/// Targets that compute shaders write are made for it. Those have one sample.
+Result<void> markStored(const RunInput& input, Prepared& prepared) {
+    for (const auto& [pass, program] : prepared.programs)
+        for (const std::string& name : program->use.stored) {
+            if (name == kPicture && input.options.samples > 1)
+                return inputError(
+                    4039, pass->at,
+                    fmt::format("pass {} computes the picture, which has {} samples a pixel", pass->name, input.options.samples),
+                    "draw with one sample a pixel: --samples 1");
+            prepared.targets.at(name).stored = true;
+        }
     return {};
 }
 
@@ -71,7 +84,8 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
     const Extent picture{static_cast<std::uint32_t>(input.options.width), static_cast<std::uint32_t>(input.options.height)};
     std::set<std::string> names = prepared.plan.targets();
     for (const auto& program : prepared.programs)
-        names.insert(program.second->use.sampled.begin(), program.second->use.sampled.end());
+        for (const auto* used : {&program.second->use.sampled, &program.second->use.stored})
+            names.insert(used->begin(), used->end());
     for (const std::string& name : names) {
         const Parameter* parameter = input.effect.findParameter(name);
         if (!parameter || !isTarget(*parameter)) continue;
@@ -84,7 +98,7 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
     prepared.targets.emplace(kPicture, TargetDesc{.extent = picture, .format = color, .samples = samples});
     prepared.targets.emplace(kPictureDepth, TargetDesc{.extent = picture, .format = PixelFormat::D24S8, .samples = samples});
     if (samples > 1) prepared.targets.emplace(kPictureResolved, TargetDesc{.extent = picture, .format = color});
-    return {};
+    return markStored(input, prepared);
 }
 
 Result<void> complete(const RunInput& input, Prepared& prepared) {
@@ -103,7 +117,8 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
     needed.insert(kPicture);
     needed.insert(kPictureResolved);
     for (const auto& use : uses)
-        needed.insert(use.second.sampled.begin(), use.second.sampled.end());
+        for (const auto* used : {&use.second.sampled, &use.second.stored})
+            needed.insert(used->begin(), used->end());
     std::erase_if(prepared.targets, [&](const auto& target) { return !needed.contains(target.first); });
     return {};
 }
@@ -129,7 +144,7 @@ Result<void> checkDraws(const RunInput& input, Prepared& prepared) {
     const WithoutUvs without = withoutUvs(input, prepared);
     for (const Step& step : prepared.plan.steps) {
         const auto* draw = std::get_if<DrawStep>(&step);
-        if (!draw || draw->kind == DrawKind::Buffer) continue;
+        if (!draw || draw->kind == DrawKind::Buffer || draw->kind == DrawKind::Compute) continue;
         prepared.drawsMesh = true;
         if (const auto checked = checkMesh(*draw->pass, prepared.programs.at(draw->pass)->vertex.reflection, input.mesh, without); !checked)
             return checked;
@@ -174,7 +189,8 @@ void gatherReads(Prepared& prepared) {
     prepared.reads = prepared.plan.read;
     for (const auto& [pass, program] : prepared.programs) {
         prepared.reads.insert(program->numbers.begin(), program->numbers.end());
-        if (const auto instances = pass->annotations.string("Instances")) prepared.reads.insert(*instances);
+        for (const char* name : {"Instances", "GroupCount"})
+            if (const auto count = pass->annotations.string(name)) prepared.reads.insert(*count);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "host/run/pixels.h"
 #include "host/run/prepare.h"
+#include "host/run/procedures.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -52,6 +53,16 @@ TextureData fromConstant(const Parameter& parameter, const ConstantSource& const
     return texture;
 }
 
+TextureData fromProcedure(const Parameter& parameter, const std::string& name, bool mips) {
+    if (!isCube(parameter)) return fromImage(parameter, plainPicture(name), mips);
+    std::vector<Image> faces = plainSky();
+    TextureData texture = fromImage(parameter, faces.front(), false);
+    texture.format = PixelFormat::RGBA32F;
+    texture.decode = false;
+    texture.file = {.format = DdsFormat::Rgba32F, .faces = 6, .mips = 1, .images = std::move(faces)};
+    return texture;
+}
+
 /// The effect says by UIMax what the first channel of a map may hold.
 void warnOutside(const Parameter& parameter, const Image& image, std::vector<Diagnostic>& warnings) {
     const auto most = parameter.annotations.numbers("UIMax");
@@ -76,6 +87,8 @@ void warnOutside(const Parameter& parameter, const Image& image, std::vector<Dia
 std::string keyOf(const TextureSource& source, const Parameter& parameter, bool mips) {
     if (const auto* constant = std::get_if<ConstantSource>(&source))
         return fmt::format("constant {} cube {}", fmt::join(*constant, " "), isCube(parameter));
+    if (const auto* procedure = std::get_if<ProcedureSource>(&source))
+        return fmt::format("procedure {} mips {} srgb {}", procedure->name, mips, isSrgb(parameter));
     std::string from;
     if (const auto* file = std::get_if<FileSource>(&source)) from = std::filesystem::weakly_canonical(file->path).string();
     if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source)) from = fmt::format("mesh {}", fmt::ptr(*embedded));
@@ -84,6 +97,7 @@ std::string keyOf(const TextureSource& source, const Parameter& parameter, bool 
 
 Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& source, bool mips, std::vector<Diagnostic>& warnings) {
     if (const auto* constant = std::get_if<ConstantSource>(&source)) return fromConstant(parameter, *constant);
+    if (const auto* procedure = std::get_if<ProcedureSource>(&source)) return fromProcedure(parameter, procedure->name, mips);
     if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source)) {
         warnOutside(parameter, (*embedded)->image, warnings);
         return fromImage(parameter, (*embedded)->image, mips);

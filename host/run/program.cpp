@@ -12,15 +12,17 @@ namespace tegument::run {
 namespace {
 
 Result<void> checkStages(const Pass& pass) {
+    if (pass.hullShader || pass.domainShader)
+        return inputError(4003, pass.at, fmt::format("pass {} has a hull or a domain shader", pass.name),
+                          "this host runs vertex and pixel shaders");
     if (pass.geometryShader)
         return inputError(4003, pass.geometryShader->at, fmt::format("pass {} has a geometry shader", pass.name),
-                          "this host runs vertex and pixel shaders");
-    if (pass.computeShader)
-        return inputError(4003, pass.computeShader->at, fmt::format("pass {} has a compute shader", pass.name),
-                          "this host runs vertex and pixel shaders");
-    if (!pass.vertexShader)
+                          "this host runs vertex, pixel and compute shaders");
+    if (!pass.vertexShader && !pass.computeShader)
         return inputError(4002, pass.at, fmt::format("pass {} has no vertex shader", pass.name), "every pass that draws needs one");
     for (const auto* stage : {&pass.vertexShader, &pass.pixelShader})
+        if (*stage && (*stage)->obstacle) return Error{Blame::Input, {*(*stage)->obstacle}};
+    for (const auto* stage : {&pass.vertexShader, &pass.pixelShader, &pass.computeShader})
         if (*stage && !(*stage)->arguments.empty())
             return inputError(4003, (*stage)->at, fmt::format("{} of pass {} is compiled with arguments", (*stage)->entry, pass.name),
                               "write a function without uniform parameters that calls it: DXC takes no arguments here");
@@ -28,8 +30,14 @@ Result<void> checkStages(const Pass& pass) {
 }
 
 Result<Shader> compileStage(const Effect& effect, const ShaderReference& reference, Stage stage, Compiler compiler) {
-    const ShaderRequest request{
-        .code = effect.code, .file = effect.file.string(), .entry = reference.entry, .stage = stage, .defines = {}, .includeFolders = {}};
+    const bool own = !reference.code.empty();
+    const ShaderRequest request{.code = own ? reference.code : effect.code,
+                                .file = effect.file.string(),
+                                .entry = reference.entry,
+                                .stage = stage,
+                                .defines = {},
+                                .includeFolders = {},
+                                .language2018 = own};
     return compileShader(request, compiler);
 }
 
@@ -38,6 +46,7 @@ BindingKind kindOf(ResourceKind kind) {
     case ResourceKind::Sampler:
     case ResourceKind::CompareSampler: return BindingKind::Sampler;
     case ResourceKind::StorageBuffer: return BindingKind::StorageBuffer;
+    case ResourceKind::StorageImage: return BindingKind::StorageTexture;
     default: return BindingKind::Texture;
     }
 }
@@ -58,6 +67,33 @@ void gather(const Reflection& reflection, PassProgram& program) {
         if (kind == BindingKind::Texture) program.use.sampled.insert(resource.name);
         if (kind == BindingKind::Sampler) program.samplers.insert(resource.name);
     }
+}
+
+/// What the shaders write besides their targets.
+Result<void> gatherStored(const Effect& effect, const Pass& pass, const Reflection& reflection, PassProgram& program) {
+    for (const Resource& resource : reflection.resources) {
+        if (!resource.used || resource.kind != ResourceKind::StorageImage) continue;
+        if (!pass.computeShader)
+            return inputError(4003, pass.at, fmt::format("pass {} writes {} while it draws", pass.name, resource.name),
+                              "this host writes such textures from compute shaders");
+        const StorageTexture* storage = effect.findStorage(resource.name);
+        if (!storage || !storage->target)
+            return inputError(4062, storage ? storage->at : pass.at,
+                              fmt::format("pass {} writes {}, and no target stands behind it", pass.name, resource.name),
+                              "gXStore writes the target gXMap; or name another with the annotation Stores");
+        program.use.stored.insert(storage->target->empty() ? kPicture : *storage->target);
+    }
+    return {};
+}
+
+Result<PassProgram> compileCompute(const Effect& effect, const Pass& pass, Compiler compiler) {
+    PassProgram program;
+    auto compute = compileStage(effect, *pass.computeShader, Stage::Compute, compiler);
+    if (!compute) return compute.error();
+    program.compute = std::move(*compute);
+    gather(program.compute->reflection, program);
+    if (const auto stored = gatherStored(effect, pass, program.compute->reflection, program); !stored) return stored.error();
+    return program;
 }
 
 } // namespace
@@ -85,6 +121,7 @@ bool discardsPixels(const std::vector<std::uint32_t>& spirv) {
 
 Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler) {
     if (const auto checked = checkStages(pass); !checked) return checked.error();
+    if (pass.computeShader) return compileCompute(effect, pass, compiler);
     PassProgram program;
     auto vertex = compileStage(effect, *pass.vertexShader, Stage::Vertex, compiler);
     if (!vertex) return vertex.error();
@@ -104,6 +141,7 @@ Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler
         program.use.discards = discardsPixels(program.pixel->spirv);
         for (const StageVariable& output : program.pixel->reflection.outputs)
             program.use.writtenColors |= 1U << output.location;
+        if (const auto stored = gatherStored(effect, pass, program.pixel->reflection, program); !stored) return stored.error();
     }
     return program;
 }

@@ -22,7 +22,8 @@ Result<void> allocateTargets(const RunInput&, const Prepared& prepared, Resource
                                                        .mips = target.mips,
                                                        .cube = false,
                                                        .renderTarget = true,
-                                                       .samples = target.samples});
+                                                       .samples = target.samples,
+                                                       .storage = target.stored});
         if (!texture) return texture.error();
         resources.targets.emplace(name, std::move(*texture));
     }

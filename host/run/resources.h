@@ -37,6 +37,7 @@ struct Store {
 struct Kit {
     Programs programs;
     std::map<std::string, gpu::Sampler> samplers;
+    std::map<const Pass*, gpu::Pipeline> computes;
     std::map<PipelineKey, gpu::Pipeline> pipelines; // nodes stay where they are: draws point at them; made by buildFrame
 };
 

@@ -52,9 +52,10 @@ struct MatrixForm {
 constexpr std::array kForms = {MatrixForm{"", false, false}, MatrixForm{"INVERSE", true, false}, MatrixForm{"TRANSPOSE", false, true},
                                MatrixForm{"INVERSETRANSPOSE", true, true}};
 
-constexpr std::array<std::string_view, 12> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",     "NEARCLIP",
+constexpr std::array<std::string_view, 15> kOthers = {"POSITION",       "DIFFUSE",         "CAMERAPOSITION",     "NEARCLIP",
                                                       "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",     "BOUNDINGBOXMIN",
-                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE", "UNITMM"};
+                                                      "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE", "UNITMM",
+                                                      "LIGHTDIRECTION", "TOLIGHT",         "CAMERADIRECTION"};
 constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
 
 /// A mesh that stands where its file has it keeps the matrices of the view bit for bit.
@@ -101,6 +102,17 @@ std::optional<Numbers> ofOwner(std::string_view semantic, Owner owner, const Sce
     if (semantic == "fieldofview") return Numbers{view.horizontalFov};
     if (semantic == "unitmm") return Numbers{scene.unitMm};
     if (semantic == "time" || semantic == "elapsedtime") return Numbers{0.0};
+    return std::nullopt;
+}
+
+/// Unit vectors: where light goes at the mesh's centre, where it comes from, where the camera looks.
+std::optional<Numbers> directionOf(std::string_view semantic, const SceneView& scene) {
+    const glm::vec3 light =
+        scene.placed.light.direction ? *scene.placed.light.direction : scene.bounds.centre - scene.placed.light.position;
+    const glm::vec3 view = scene.placed.camera.target - scene.placed.camera.position;
+    if (semantic == "lightdirection") return numbers(glm::normalize(light));
+    if (semantic == "tolight") return numbers(-glm::normalize(light));
+    if (semantic == "cameradirection") return numbers(glm::normalize(view));
     return std::nullopt;
 }
 
@@ -192,6 +204,10 @@ Result<std::optional<std::vector<double>>> semanticValue(const Parameter& parame
     if (const auto matrix = matrixOf(semantic, *owner == Owner::Light ? scene.light : scene.camera, scene.world))
         return fitted(parameter, numbers(*matrix));
     if (auto value = ofOwner(semantic, *owner, scene)) return fitted(parameter, std::move(*value));
+    if (auto value = directionOf(semantic, scene)) {
+        if (parameter.type.columns == 4) value->push_back(0); // a direction is not moved
+        return fitted(parameter, std::move(*value));
+    }
     if (auto value = ofBounds(semantic, scene.bounds); value && scene.hasMesh) return fitted(parameter, std::move(*value));
     return std::optional<Numbers>();
 }

@@ -5,7 +5,7 @@ namespace tegument::run {
 namespace {
 
 bool same(const TargetDesc& a, const TargetDesc& b) {
-    return a.extent == b.extent && a.format == b.format && a.mips == b.mips && a.samples == b.samples;
+    return a.extent == b.extent && a.format == b.format && a.mips == b.mips && a.samples == b.samples && a.stored == b.stored;
 }
 
 } // namespace

@@ -27,6 +27,7 @@ struct TargetDesc {
     std::uint32_t mips = 1; // 0: full chain
     bool ownSize = false;   // does not depend on the picture's size
     std::uint32_t samples = 1;
+    bool stored = false; // compute shaders write it
 };
 
 /// A D3DFORMAT name in any of the spellings that host/effect accepts.

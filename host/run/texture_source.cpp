@@ -106,6 +106,7 @@ Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effe
     if (const auto generator = parameter.annotations.string("Generator"); generator && mesh && options.meshTextures.make)
         return TextureSource(GeneratorSource{*generator});
     if (parameter.annotations.find("Fallback")) return fallback(parameter);
+    if (auto name = parameter.annotations.string("Procedure")) return TextureSource(ProcedureSource{std::move(*name)});
     return notFound(parameter, mesh);
 }
 

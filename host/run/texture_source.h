@@ -1,6 +1,6 @@
 #pragma once
 // Where the texture of a parameter comes from, in the order of docs/running.md: --set, workspace, mesh, ResourceName, Producer, Generator,
-// Fallback.
+// Fallback, Procedure.
 
 #include "host/effect/model.h"
 #include "host/image/dds.h"
@@ -30,7 +30,11 @@ struct GeneratorSource {
     std::string generator;
 };
 using ConstantSource = std::array<float, 4>;
-using TextureSource = std::variant<FileSource, const EmbeddedTexture*, ProducerSource, GeneratorSource, ConstantSource>;
+/// A plain picture of that name, for textures whose files are not there: annotation Procedure (host/run/procedures.h).
+struct ProcedureSource {
+    std::string name;
+};
+using TextureSource = std::variant<FileSource, const EmbeddedTexture*, ProducerSource, GeneratorSource, ConstantSource, ProcedureSource>;
 
 /// TG4030 nothing gives it a texture; TG4033 the Producer annotation is not "File.fx/target".
 [[nodiscard]] Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect, const RunOptions& options,

@@ -3,6 +3,7 @@
 #include "host/spirv/backend.h"
 #include "host/spirv/cache.h"
 #include "host/spirv/reflect.h"
+#include "host/spirv/storage_images.h"
 #include "host/spirv/validate.h"
 #include "host/support/file.h"
 
@@ -33,12 +34,14 @@ std::string cacheKey(const ShaderRequest& request, Compiler compiler) {
     add(spirv::validatorName());
     add(request.entry);
     add(fmt::format("{}", static_cast<int>(request.stage)));
+    if (request.stage == Stage::Compute) add("storage images without formats");
     for (const auto& [name, value] : request.defines) {
         add(name);
         add(value);
     }
     for (const auto& folder : request.includeFolders)
         add(folder.string());
+    if (request.language2018) add("2018");
     add(request.code);
     return contentHash(text);
 }
@@ -49,6 +52,9 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
             3003, fmt::format("{}: {} wrote SPIR-V for {} that is not valid: {}", request.file, compilerName(compiler), request.entry, why),
             "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
+    if (request.stage == Stage::Compute && !spirv::forgetStorageFormats(raw.spirv))
+        return inputError(3006, {.file = request.file, .byte = {}}, fmt::format("{} writes textures of several types", request.entry),
+                          "declare every texture that compute shaders write as RWTexture2D<float4>");
     if (const std::string why = spirv::validate(raw.spirv); !why.empty()) return invalid(why);
     auto reflection = spirv::reflect(raw.spirv, request.stage, descriptorSet(request.stage), request.file);
     if (!reflection) return reflection.error();

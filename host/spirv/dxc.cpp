@@ -163,7 +163,10 @@ constexpr const char* kFlags[] = {"-spirv", "-HV", "2021",      "-fspv-target-en
 std::vector<std::wstring> arguments(const ShaderRequest& request) {
     std::vector<std::wstring> list{L"-T", wide(profile(request.stage)), L"-E", wide(request.entry)};
     for (const char* flag : kFlags)
-        list.push_back(wide(flag));
+        list.push_back(wide(request.language2018 && std::string_view(flag) == "2021" ? "2018" : flag));
+    if (request.language2018)
+        for (const wchar_t* quiet : {L"-Wno-conversion", L"-Wno-parentheses-equality"})
+            list.emplace_back(quiet);
     for (const auto& [name, value] : request.defines) {
         list.emplace_back(L"-D");
         list.push_back(wide(fmt::format("{}={}", name, value)));

@@ -31,7 +31,7 @@ enum class PixelFormat {
 [[nodiscard]] std::uint32_t bytesPerPixel(PixelFormat format);
 [[nodiscard]] std::string_view name(PixelFormat format);
 
-enum class BindingKind { UniformBuffer, Texture, Sampler, StorageBuffer };
+enum class BindingKind { UniformBuffer, Texture, Sampler, StorageBuffer, StorageTexture };
 struct Binding {
     std::uint32_t set = 0;
     std::uint32_t binding = 0;

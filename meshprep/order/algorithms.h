@@ -23,4 +23,13 @@ using Corners = std::vector<std::uint32_t>;
 /// meshoptimizer's; `entries` matter only where a vertex has so many faces that its general order would take quadratic time.
 [[nodiscard]] Corners meshopt(const Piece& piece, unsigned entries);
 
+/// meshoptimizer's for a FIFO cache.
+[[nodiscard]] Corners meshoptFifo(const Piece& piece, unsigned entries);
+
+/// The triangles along a curve through space; meshoptimizer's. `places`: three coordinates of each vertex.
+[[nodiscard]] Corners sortedByPlace(std::span<const std::uint32_t> corners, std::span<const float> places);
+
+/// meshoptimizer's for long strips, which batches like on some meshes.
+[[nodiscard]] Corners meshoptStrip(const Piece& piece);
+
 } // namespace tegument::order

@@ -1,7 +1,6 @@
 #include "meshprep/order/order.h"
 
-#include "meshprep/order/algorithms.h"
-#include "meshprep/order/links.h"
+#include "host/support/parallel.h"
 #include "meshprep/order/portfolio.h"
 
 #include <fmt/format.h>
@@ -35,8 +34,7 @@ std::vector<std::uint32_t> orderPieces(std::span<const std::uint32_t> indices, s
                                        const CacheModel& cache) {
     std::vector<std::uint32_t> out(indices.size());
     const Pieces pieces(indices, vertexCount);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        pieces.restore(i, orderPiece(pieces.piece(i), method, cache), out);
+    forEachInParallel(pieces.size(), [&](std::size_t i) { pieces.restore(i, orderPiece(pieces.piece(i), method, cache), out); });
     return out;
 }
 
@@ -67,12 +65,9 @@ std::string_view name(Method method) {
 }
 
 Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
-                                           const CacheModel& cache) try {
+                                           const CacheModel& cache, std::span<const float> places) try {
     if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
-    std::vector<std::uint32_t> out = orderPieces(indices, vertexCount, method, cache);
-    if (method == Method::Best && measure(cache, out, vertexCount).misses > measure(cache, indices, vertexCount).misses)
-        out.assign(indices.begin(), indices.end());
-    return out;
+    return method == Method::Best ? bestOrder(indices, vertexCount, cache, places) : orderPieces(indices, vertexCount, method, cache);
 } catch (const std::bad_alloc&) {
     return machineError(7043, fmt::format("not enough memory to order {} triangles", indices.size() / 3),
                         "close programs, or reduce the mesh");

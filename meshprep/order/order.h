@@ -23,9 +23,10 @@ enum class Method {
 /// The same triangles, each with its winding, in a new order; a triangle's first corner may change. Any triangles are taken: degenerate,
 /// repeated, many to an edge, unconnected; vertices that no triangle names are ignored. Time grows linearly with the triangles, whatever
 /// the vertices' valences. Fails with TG7042 when an index is not below `vertexCount` or the list is no list of triangles, and with TG7043
-/// when there is not enough memory or there are more than 2^30 triangles.
+/// when there is not enough memory or there are more than 2^30 triangles. `places`: three coordinates of each vertex, or none; with them
+/// `Method::Best` tries an order of what is sorted by place, too.
 [[nodiscard]] Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
-                                                         const CacheModel& cache);
+                                                         const CacheModel& cache, std::span<const float> places = {});
 
 /// Whether both lists hold the same triangles with the same winding, each as often: first corners and order may differ.
 [[nodiscard]] bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);

@@ -71,13 +71,14 @@ VertexFaces facesOfVertices(std::span<const std::uint32_t> corners, std::size_t 
     return around;
 }
 
-Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount) {
+Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Cut cut) {
     Search search(indices, vertexCount, original_);
     corners_.reserve(indices.size());
     for (std::size_t face = 0; face < indices.size() / 3; ++face) {
         if (search.taken(face)) continue;
         const std::size_t faces = corners_.size() / 3;
-        if (pieces_.empty() || faces - pieces_.back().face >= kSmallPiece) pieces_.push_back({.face = faces, .vertex = original_.size()});
+        const bool full = cut == Cut::Components && !pieces_.empty() && faces - pieces_.back().face >= kSmallPiece;
+        if (pieces_.empty() || full) pieces_.push_back({.face = faces, .vertex = original_.size()});
         search.spread(face, pieces_.back().vertex, corners_);
     }
 }

@@ -33,7 +33,8 @@ struct Piece {
 /// The mesh, face by face as a search in breadth finds them. Pieces are connected, except that components of a few faces are gathered.
 class Pieces {
 public:
-    Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount);
+    enum class Cut { Components, Nowhere };
+    Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Cut cut = Cut::Components);
 
     [[nodiscard]] std::size_t size() const { return pieces_.size(); }
     [[nodiscard]] Piece piece(std::size_t i) const;

@@ -6,7 +6,11 @@
 
 namespace tegument::order {
 
-/// The faces of a piece in the order of one method; for `Method::Best` that of the candidates with the fewest misses in `cache`.
+/// The faces of a piece in the order of one method, which is not `Method::Best`.
 [[nodiscard]] Corners orderPiece(const Piece& piece, Method method, const CacheModel& cache);
+
+/// All triangles in the order with the fewest misses in `cache` of those that suit it, judged on the whole: what came in is one of them.
+[[nodiscard]] Corners bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
+                                std::span<const float> places);
 
 } // namespace tegument::order

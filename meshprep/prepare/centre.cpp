@@ -23,9 +23,13 @@ Centring centre(Surface& surface, CentreMode mode) {
     Centring result{.minimalRadius = mesh.bounds.radius};
     if (mode == CentreMode::Box) boundByBox(mesh.bounds);
     result.radius = mesh.bounds.radius; // of the ball as asked for
-    if (mode == CentreMode::None || mesh.bounds.centre == glm::vec3(0)) return result;
+    result.place = mesh.origin;
+    if (mode == CentreMode::None) return result;
     const glm::dvec3 from(mesh.bounds.centre);
-    result.moved = -mesh.bounds.centre;
+    result.moved = glm::dvec3(0) - (mesh.origin + from); // not -0
+    if (result.place != glm::dvec3(0)) result.place = mesh.origin + from;
+    mesh.origin = glm::dvec3(0); // the place is told from now on
+    if (from == glm::dvec3(0)) return result;
     for (glm::vec3& position : mesh.positions) {
         const glm::vec3 moved(glm::dvec3(position) - from);
         result.vertices += moved != position;

@@ -12,7 +12,8 @@ enum class CentreMode {
 };
 
 struct Centring {
-    glm::vec3 moved{0};       // added to every position
+    glm::dvec3 moved{0};      // added to every position of the file, mm
+    glm::dvec3 place{0};      // where the positions of a mesh count from that lies too far out for floats; 0 for others
     double radius = 0;        // of the ball that was asked for
     double minimalRadius = 0; // of the minimal one
     std::size_t vertices = 0; // that moved

@@ -15,9 +15,9 @@ public:
     void cut(std::vector<std::uint32_t>& indices, std::vector<MeshPart>& parts) {
         std::vector<MeshPart> pieces;
         for (const MeshPart& part : parts) {
-            begin(part.name, part.firstIndex, pieces);
+            begin(part, part.firstIndex, pieces);
             for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
-                if (used_ + newVertices(&indices[i]) > kMost16BitVertices) begin(part.name, i, pieces);
+                if (used_ + newVertices(&indices[i]) > kMost16BitVertices) begin(part, i, pieces);
                 for (std::uint32_t corner = i; corner < i + 3; ++corner)
                     indices[corner] = vertexOf(indices[corner]);
                 pieces.back().indexCount += 3;
@@ -29,8 +29,8 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& from() const { return from_; }
 
 private:
-    void begin(const std::string& name, std::uint32_t firstIndex, std::vector<MeshPart>& pieces) {
-        pieces.push_back({.name = name, .firstIndex = firstIndex, .indexCount = 0});
+    void begin(const MeshPart& part, std::uint32_t firstIndex, std::vector<MeshPart>& pieces) {
+        pieces.push_back({.name = part.name, .firstIndex = firstIndex, .indexCount = 0, .material = part.material});
         ++chunk_;
         used_ = 0;
     }

@@ -1,20 +1,38 @@
 #pragma once
-// How far one surface is from another.
+// How far two surfaces are from one another.
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace tegument::prep {
 
 struct SurfaceDistance {
-    double greatest = 0;
-    double rms = 0;
+    double greatest = 0; // no point of either surface is further from the other one
+    double reached = 0;  // some point is as far as this
+    double rms = 0;      // of corners and centroids of the first surface from the second; of many, a sample in equal steps
 };
 
-/// From the corners and centroids of the triangles `from` to the nearest points of the triangles `to`, both over the same positions.
+/// Distances of surfaces over the same positions from one of them.
+class DistanceFrom {
+public:
+    DistanceFrom(const std::vector<glm::vec3>& positions, std::span<const std::uint32_t> triangles);
+    ~DistanceFrom();
+    DistanceFrom(const DistanceFrom&) = delete;
+    DistanceFrom& operator=(const DistanceFrom&) = delete;
+
+    /// `greatest` is at most 2 % above `reached`, unless the surfaces lie nearly within one another: then it may be more, and is still
+    /// true. Safe to call from several threads.
+    [[nodiscard]] SurfaceDistance to(std::span<const std::uint32_t> triangles) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 [[nodiscard]] SurfaceDistance distance(const std::vector<glm::vec3>& positions, std::span<const std::uint32_t> from,
                                        std::span<const std::uint32_t> to);
 

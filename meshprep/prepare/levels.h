@@ -13,16 +13,18 @@ enum class LevelMethod {
 
 struct Level {
     MeshLevel mesh;
-    SurfaceDistance error; // of the full surface's corners and centroids from this level, mm
+    SurfaceDistance error; // between this level and the full surface, mm
 };
 
 struct Levels {
     std::vector<Level> levels;
     std::size_t leftOver = 0; // parts of the full mesh that LevelMethod::OpenMesh left to meshoptimizer
+    std::string whyEarly{};   // there are fewer than were asked for
 };
 
-/// At most `count` - 1 levels, each of a quarter of the triangles of the one before; the series ends early where that is not possible, or
-/// where fewer than kLeastTriangles would be left. Borders between parts stay where they are, so that no gap opens.
+/// At most `count` - 1 levels, each made of the full mesh, with a quarter of the triangles of the one before; the series ends early where
+/// that is not possible, or where fewer than kLeastTriangles would be left. meshoptimizer sees all parts at once, so that a part loses what
+/// it can spare, whatever its size; where parts meet both sides move together, and no gap opens.
 inline constexpr std::size_t kLeastTriangles = 32;
 [[nodiscard]] Levels makeLevels(const Mesh& mesh, int count, LevelMethod method = LevelMethod::Meshoptimizer);
 

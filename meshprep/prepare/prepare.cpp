@@ -1,5 +1,6 @@
 #include "meshprep/prepare/prepare.h"
 
+#include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/local_vertices.h"
 #include "meshprep/prepare/unwrap.h"
@@ -55,10 +56,10 @@ private:
 
     std::optional<Error> readFile() {
         begin("read");
-        Result<ReadMesh> file = readMesh(path_, options_.read);
+        Result<ReadMesh> file = readMesh(path_, reading());
         if (!file) return file.error();
         if (const auto unit = options_.guessUnit ? unitOf(file->mesh) : std::nullopt) {
-            ReadOptions again = options_.read;
+            ReadOptions again = reading();
             again.unitMm = *unit;
             const Diagnostic warning = guessedUnit(path_, file->mesh.bounds, file->mesh.unitMm, *unit);
             file = readMesh(path_, again);
@@ -70,9 +71,11 @@ private:
         report_.input = {.vertices = counts.vertices, .faces = counts.faces};
         report_.triangles = surface_.triangles();
         report_.warnings = surface_.mesh.warnings;
-        if (counts.faces == 0 && counts.vertices > 0)
+        if (counts.faces == 0)
             return inputError(7021, {.file = path_.string(), .byte = {}}, fmt::format("{} vertices and no faces", counts.vertices),
-                              "a cloud of points must be made a surface first");
+                              counts.vertices > 0 ? "a cloud of points must be made a surface first"
+                                                  : "the file holds no mesh: export it again");
+        reach_ = greatestCoordinate();
         end("read", counts.faces, fmt::format("{} vertices, {} faces", counts.vertices, counts.faces));
         if (options_.turnUp) {
             begin("up");
@@ -83,6 +86,21 @@ private:
         noteDropped("faces that refer to no vertex", "bad faces", counts.badFaces);
         noteDropped("faces with a corner at NaN or infinity", "not finite", counts.notFiniteFaces);
         return std::nullopt;
+    }
+
+    [[nodiscard]] ReadOptions reading() const {
+        ReadOptions read = options_.read;
+        read.carryMaterials = true;
+        return read;
+    }
+
+    [[nodiscard]] double greatestCoordinate() const {
+        float greatest = 0;
+        for (const std::uint32_t index : surface_.mesh.indices) {
+            const glm::vec3 p = glm::abs(surface_.mesh.positions[index]);
+            greatest = std::max({greatest, p.x, p.y, p.z});
+        }
+        return static_cast<double>(greatest);
     }
 
     /// Another unit than the file was read with, where that one is implausible.
@@ -98,6 +116,7 @@ private:
         const auto turned = [](const auto& v) { return glm::vec3(v.x, v.z, -v.y); };
         for (glm::vec3& position : mesh.positions)
             position = turned(position);
+        mesh.origin = {mesh.origin.x, mesh.origin.z, -mesh.origin.y};
         for (glm::vec3& normal : mesh.normals)
             normal = turned(normal);
         for (glm::vec4& tangent : mesh.tangents)
@@ -110,7 +129,15 @@ private:
     }
 
     void clean() {
-        count("places", "vertices at the place of an earlier one", [&] { return findPlaces(surface_, options_.same); });
+        begin("places");
+        report_.places = findPlaces(surface_, options_.same, reach_);
+        const Places& places = report_.places;
+        end("places", places.joined,
+            fmt::format("{} vertices at the place of an earlier one{}", places.joined,
+                        places.cracks > 0
+                            ? fmt::format(", {} of them across cracks of at most {:.2g} mm, the last digit of the file's numbers",
+                                          places.cracks, places.crackWidth)
+                            : ""));
         count("collapsed", "triangles with two corners at one place left out", [&] { return dropCollapsed(surface_); });
         if (!options_.keepDuplicates)
             count("duplicates", "triangles that repeat another left out", [&] { return dropDuplicates(surface_); });
@@ -158,7 +185,7 @@ private:
 
     std::optional<Error> unwrapped() {
         begin("unwrap");
-        const std::size_t textures = surface_.mesh.textures.size();
+        const std::size_t textures = surface_.mesh.textures.size() + surface_.mesh.materials.images.size();
         const auto made = unwrap(surface_);
         if (!made) return made.error();
         end("unwrap", made->charts,
@@ -179,12 +206,10 @@ private:
     std::optional<Error> putInOrder() {
         Mesh& mesh = surface_.mesh;
         surface_.point = {}; // vertices are numbered anew from here on
-        for (const NamedModel& model : kReportedModels)
-            report_.cache.push_back(
-                {.model = model, .before = order::measure(model.model, mesh.indices, mesh.positions.size()), .after = {}});
+        const std::vector<std::uint32_t> before = mesh.indices;
+        measureReuse(&CacheComparison::before);
         if (options_.order) {
             begin("order");
-            const std::vector<std::uint32_t> before = mesh.indices;
             if (auto error = reorderParts(mesh.indices, mesh.parts)) return error;
             std::size_t moved = 0;
             for (std::size_t i = 0; i < before.size(); i += 3)
@@ -194,9 +219,30 @@ private:
         }
         if (options_.overdraw) orderByDepth();
         count("fetch order", "vertices moved to the order of their use", [&] { return orderVertices(mesh); });
-        for (CacheComparison& comparison : report_.cache)
-            comparison.after = order::measure(comparison.model.model, mesh.indices, mesh.positions.size());
+        measureReuse(&CacheComparison::after);
         return options_.levels > 1 ? addLevels() : std::nullopt;
+    }
+
+    /// Each part is a draw of its own, which begins with an empty cache.
+    void measureReuse(order::CacheCost CacheComparison::*figure) {
+        const Mesh& mesh = surface_.mesh;
+        if (report_.cache.empty())
+            for (const NamedModel& model : kReportedModels)
+                report_.cache.push_back({.model = model, .before = {}, .after = {}});
+        forEachInParallel(report_.cache.size(), [&](std::size_t i) {
+            order::CacheCost& sum = report_.cache[i].*figure;
+            LocalVertices local(mesh.parts.size() > 1 ? mesh.positions.size() : 0);
+            for (const MeshPart& part : mesh.parts) {
+                const auto own = std::span(mesh.indices).subspan(part.firstIndex, part.indexCount);
+                const bool alone = mesh.parts.size() == 1;
+                const std::span<const std::uint32_t> indices = alone ? std::span<const std::uint32_t>(own) : local.enter(own);
+                const std::size_t vertices = alone ? mesh.positions.size() : local.global().size();
+                const order::CacheCost cost = order::measure(report_.cache[i].model.model, indices, vertices);
+                sum.misses += cost.misses;
+                sum.faces += cost.faces;
+                sum.vertices += cost.vertices;
+            }
+        });
     }
 
     /// Parts are drawn one by one, so each is ordered by itself.
@@ -205,7 +251,9 @@ private:
         for (const MeshPart& part : parts) {
             const auto own = std::span(indices).subspan(part.firstIndex, part.indexCount);
             const auto& triangles = local.enter(own);
-            const auto ordered = order::reorder(triangles, local.global().size(), *options_.order, options_.cache);
+            const std::vector<glm::vec3> positions = local.gathered(surface_.mesh.positions);
+            const auto ordered = order::reorder(triangles, local.global().size(), *options_.order, options_.cache,
+                                                {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()});
             if (!ordered) return ordered.error();
             assert(order::samePermutation(triangles, *ordered));
             std::ranges::transform(*ordered, own.begin(), [&](std::uint32_t corner) { return local.global()[corner]; });
@@ -233,6 +281,7 @@ private:
             text += fmt::format("; {} triangles, at most {:.4g} mm off, {:.4g} rms", triangles, level.error.greatest, level.error.rms);
             glb_.levels.push_back(std::move(level.mesh));
         }
+        if (!made.whyEarly.empty()) text += "; no more: " + made.whyEarly;
         end("levels", made.levels.size(), std::move(text));
         return std::nullopt;
     }
@@ -258,8 +307,35 @@ private:
         const std::size_t stored = report_.output.vertices + report_.chunks.duplicates;
         report_.bytes = sizes(stored, report_.output.faces, bytes, small);
         report_.seedBytes = sizes(stored, report_.output.faces, 24, small);
-        glb_.moved = glm::dvec3(report_.centring.moved);
+        glb_.moved = report_.centring.moved;
+        if (options_.centre != CentreMode::None) glb_.place = report_.centring.place;
+        warnOfRounding();
         return std::nullopt;
+    }
+
+    /// What a glb stores as a float.
+    void warnOfRounding() {
+        for (MeshAttribute& attribute : surface_.mesh.attributes) {
+            std::size_t rounded = 0;
+            std::size_t notFinite = 0;
+            for (double& value : attribute.values) {
+                notFinite += !std::isfinite(value);
+                if (!std::isfinite(value)) value = 0; // glTF has no other number for it
+                rounded += static_cast<double>(static_cast<float>(value)) != value;
+            }
+            if (notFinite > 0) warn(5331, fmt::format("{} values of '{}' are not finite: 0 is written", notFinite, attribute.name));
+            if (rounded > 0)
+                warn(5331, fmt::format("{} values of '{}' are rounded to floats in a glb; a PLY file keeps them", rounded, attribute.name));
+        }
+    }
+
+    void warn(int code, std::string text) {
+        report_.warnings.push_back({.severity = Severity::Warning,
+                                    .code = code,
+                                    .at = {.file = path_.string(), .byte = {}},
+                                    .text = std::move(text),
+                                    .hint = {},
+                                    .sourceLine = {}});
     }
 
     void cutUp() {
@@ -279,16 +355,18 @@ private:
     Surface surface_;
     GlbOptions glb_;
     PrepReport report_;
+    double reach_ = 0; // mm: the greatest coordinate
     Clock::time_point started_;
 };
 
 std::optional<Error> check(const PrepOptions& options) {
     const SamePlace& same = options.same;
-    if (!(same.epsilon >= 0) || !std::isfinite(same.epsilon))
-        return usageError(7022, fmt::format("a weld distance of {:g}", same.epsilon), "give a length in the file's unit, or 0");
+    if (same.epsilon && (!(*same.epsilon >= 0) || !std::isfinite(*same.epsilon)))
+        return usageError(7022, fmt::format("a weld distance of {:g}", *same.epsilon), "give a length in the file's unit, or 0");
     if (same.decimals && (*same.decimals < 0 || *same.decimals > kMostDecimals))
         return usageError(7023, fmt::format("{} decimals", *same.decimals), fmt::format("give 0 to {}", kMostDecimals));
-    if (same.decimals && same.epsilon > 0) return usageError(7024, "a weld distance and a number of decimals", "choose one of them");
+    if (same.decimals && same.epsilon.value_or(0) > 0)
+        return usageError(7024, "a weld distance and a number of decimals", "choose one of them");
     return std::nullopt;
 }
 

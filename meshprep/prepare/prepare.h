@@ -70,7 +70,8 @@ struct PrepReport {
     std::vector<PrepStep> steps;
     Count output;
     std::size_t triangles = 0; // of the input, polygons cut
-    Topology topology;         // of what is written
+    Places places;
+    Topology topology; // of what is written
     Centring centring;
     std::vector<CacheComparison> cache;
     std::vector<LevelFigures> levels; // from the second on

@@ -1,5 +1,6 @@
 #include "meshprep/prepare/unwrap.h"
 
+#include "host/mesh/materials.h"
 #include "host/mesh/triangles.h"
 
 #include <fmt/format.h>
@@ -87,6 +88,7 @@ std::size_t takeCoordinates(Surface& surface, const xatlas::Atlas& atlas) {
 
 Result<Unwrapping> unwrap(Surface& surface) {
     surface.mesh.textures.clear();
+    dropTextures(surface.mesh.materials);
     const Atlas atlas(xatlas::Create(), xatlas::Destroy);
     if (auto error = addMesh(*atlas, surface)) return *error;
     xatlas::ChartOptions charts;

@@ -76,6 +76,11 @@ std::size_t vertexBytes(const Mesh& mesh, VertexPrecision precision) {
     if (!mesh.normals.empty()) bytes += full ? 12 : 8;
     if (!mesh.tangents.empty()) bytes += full ? 16 : 8;
     if (!mesh.uvs.empty()) bytes += full || (precision == VertexPrecision::Unorm16 && !allInside(mesh.uvs)) ? 8 : 4;
+    if (!mesh.colors.empty()) bytes += precision == VertexPrecision::Unorm16 ? 8 : 16;
+    for (const MeshAttribute& attribute : mesh.attributes) {
+        const bool one = attribute.type == NumberType::Int8 || attribute.type == NumberType::Uint8;
+        bytes += (attribute.components * (staysWhole(attribute) ? (one ? 1 : 2) : 4) + 3) / 4 * 4;
+    }
     return bytes;
 }
 

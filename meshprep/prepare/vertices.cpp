@@ -4,16 +4,46 @@
 #include "host/mesh/welding.h"
 
 #include <array>
+#include <bit>
 
 namespace tegument::prep {
 
+namespace {
+
+std::array<std::uint32_t, 2> wordsOf(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value);
+    return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+}
+
+/// A number for each vertex: equal where place, colours and all attributes are.
+std::vector<std::uint32_t> kindsOf(const Surface& surface) {
+    const Mesh& mesh = surface.mesh;
+    std::vector<std::uint32_t> kind = surface.point;
+    if (!mesh.colors.empty())
+        kind = firstEqual(kind.size(), [&](std::uint32_t i) {
+            const glm::vec4& c = mesh.colors[i];
+            const auto bits = floatKey<4>({c.r, c.g, c.b, c.a});
+            return std::array{kind[i], bits[0], bits[1], bits[2], bits[3]};
+        });
+    for (const MeshAttribute& attribute : mesh.attributes)
+        for (std::size_t c = 0; c < attribute.components; ++c)
+            kind = firstEqual(kind.size(), [&](std::uint32_t i) {
+                const auto bits = wordsOf(attribute.values[i * attribute.components + c]);
+                return std::array{kind[i], bits[0], bits[1]};
+            });
+    return kind;
+}
+
+} // namespace
+
 std::size_t weldVertices(Surface& surface) {
     Mesh& mesh = surface.mesh;
+    const std::vector<std::uint32_t> kinds = kindsOf(surface);
     const std::vector<std::uint32_t> first = firstEqual(mesh.positions.size(), [&](std::uint32_t i) {
         const glm::vec3 n = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
         const glm::vec2 t = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
         const auto bits = floatKey<5>({n.x, n.y, n.z, t.x, t.y});
-        return std::array{surface.point[i], bits[0], bits[1], bits[2], bits[3], bits[4]};
+        return std::array{kinds[i], bits[0], bits[1], bits[2], bits[3], bits[4]};
     });
     std::vector<std::uint32_t> number(first.size());
     std::vector<std::uint32_t> kept;

@@ -23,6 +23,9 @@ constexpr double kLeast = 0.35;
 constexpr double kReach = 3.5;
 /// A source is taken apart to find its weight where its side is more than this share of the narrower Gaussian's width.
 constexpr double kFineShare = 0.75;
+/// No Gaussian is narrower, in squares of a finest cell's side: what it gives to the cells of a grid is then within 1.1 % of 1 wherever it
+/// stands (Poisson's sum: 4 exp(-2 pi^2 kFelt)). Below that it would fall between their middles, and large bodies would lose light.
+constexpr double kFelt = 0.3;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
 constexpr int kBeside = 2;
 /// A texel counts as at most so many usual ones along a side.
@@ -42,61 +45,70 @@ struct Gathered {
     std::array<double, 2> whole{};
 };
 
+/// Where light arrives, and what is left of the Gaussians for links there: receivers are read by a spline.
+struct Receiver {
+    glm::vec3 place{0};
+    std::array<double, 2> variances{}; // mm^2
+    float reach = 0;                   // mm: sources farther away do not count
+};
+
+/// `side`: of the texel that receives, mm.
+Receiver receiverAt(const glm::vec3& place, double side, const LinkOptions& options) {
+    const double finest = side / (1 << kDestinationLevel);
+    Receiver receiver{.place = place};
+    for (std::size_t i = 0; i < 2; ++i)
+        receiver.variances[i] =
+            std::max({options.variances[i] - kReceived * side * side, kLeast * options.variances[i], kFelt * finest * finest});
+    const double widest = std::max(std::ranges::max(receiver.variances), std::ranges::max(options.variances));
+    receiver.reach = static_cast<float>(kReach * std::sqrt(widest));
+    return receiver;
+}
+
 class Gatherer {
 public:
     Gatherer(const LinkCells& cells, const LinkOptions& options) : cells_(cells), options_(options) {
-        reach_ = static_cast<float>(kReach * std::sqrt(std::max(options.variances[0], options.variances[1])));
         fine_ = static_cast<float>(kFineShare * std::sqrt(std::min(options.variances[0], options.variances[1])));
     }
 
-    /// What is left of the Gaussians for links: receivers are read by a spline. `side`: of the texel that receives, mm.
-    [[nodiscard]] std::array<double, 2> narrower(double side) const {
-        std::array<double, 2> variances{};
-        for (std::size_t i = 0; i < 2; ++i)
-            variances[i] = std::max(options_.variances[i] - kReceived * side * side, kLeast * options_.variances[i]);
-        return variances;
-    }
-
     /// Means of the Gaussians over a cell, 1/mm^2.
-    [[nodiscard]] std::array<double, 2> means(const glm::vec3& place, double side, const LinkSource& cell) const {
+    [[nodiscard]] std::array<double, 2> means(const Receiver& receiver, const LinkSource& cell) const {
         std::array<double, 2> sum{};
-        add(place, cell.level, cell.x, cell.y, narrower(side), sum);
+        add(receiver, cell.level, cell.x, cell.y, sum);
         const auto area = static_cast<double>(cells_.at(cell.level, cell.x, cell.y).area);
         return {sum[0] / area, sum[1] / area};
     }
 
-    /// `side`: of the texel that receives, mm.
-    [[nodiscard]] Gathered at(const glm::vec3& place, double side) const {
+    [[nodiscard]] Gathered at(const Receiver& receiver) const {
         Gathered gathered;
         const int top = kLinkLevels - 1;
         for (int y = 0; y < LinkCells::side(top); ++y)
             for (int x = 0; x < LinkCells::side(top); ++x)
-                visit(place, side, top, x, y, gathered);
+                visit(receiver, top, x, y, gathered);
         return gathered;
     }
 
 private:
-    void visit(const glm::vec3& place, double side, int level, int x, int y, Gathered& gathered) const {
+    void visit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
-        const float distance = glm::length(cell.place - place);
-        if (distance - cell.radius > reach_) return;
+        const float distance = glm::length(cell.place - receiver.place);
+        if (distance - cell.radius > receiver.reach) return;
         const float extent = std::numbers::sqrt2_v<float> * cell.radius;
         const float allowed =
             static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
         if (level > 0 && extent > allowed) {
             for (int i = 0; i < 4; ++i)
-                visit(place, side, level - 1, 2 * x + i % 2, 2 * y + i / 2, gathered);
+                visit(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, gathered);
             return;
         }
-        emit(place, side, level, x, y, gathered);
+        emit(receiver, level, x, y, gathered);
     }
 
-    void emit(const glm::vec3& place, double side, int level, int x, int y, Gathered& gathered) const {
+    void emit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
         Link link{
             .level = static_cast<std::uint8_t>(level), .index = static_cast<std::uint32_t>(y * LinkCells::side(level) + x), .weight = {}};
         std::array<double, 2> sum{};
-        add(place, level, x, y, narrower(side), sum);
+        add(receiver, level, x, y, sum);
         for (std::size_t i = 0; i < 2; ++i)
             gathered.whole[i] += sum[i];
         link.weight = {static_cast<float>(sum[0]), static_cast<float>(sum[1])};
@@ -104,18 +116,18 @@ private:
     }
 
     /// The cell, or its parts where it is large.
-    void add(const glm::vec3& place, int level, int x, int y, const std::array<double, 2>& variances, std::array<double, 2>& sum) const {
+    void add(const Receiver& receiver, int level, int x, int y, std::array<double, 2>& sum) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
         if (level > 0 && cell.radius * std::numbers::sqrt2_v < float >> fine_) {
             for (int i = 0; i < 4; ++i)
-                add(place, level - 1, 2 * x + i % 2, 2 * y + i / 2, variances, sum);
+                add(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, sum);
             return;
         }
-        const glm::vec3 offset = cell.place - place;
+        const glm::vec3 offset = cell.place - receiver.place;
         const float squared = glm::dot(offset, offset);
         for (std::size_t i = 0; i < 2; ++i)
-            sum[i] += cell.area * gaussian(squared, variances[i]);
+            sum[i] += cell.area * gaussian(squared, receiver.variances[i]);
     }
 
     static float gaussian(float squared, double variance) {
@@ -125,7 +137,6 @@ private:
 
     const LinkCells& cells_;
     const LinkOptions& options_;
-    float reach_ = 0;
     float fine_ = 0;
 };
 
@@ -152,7 +163,8 @@ LinkSource sourceOf(const Link& link) {
 
 /// The links that are kept, so weighed that their sources, as wide as they are, make the Gaussians, and each list has all of its light.
 std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkCells::Middle& middle, const LinkOptions& options) {
-    Gathered gathered = gatherer.at(middle.place, static_cast<double>(middle.side));
+    const Receiver receiver = receiverAt(middle.place, static_cast<double>(middle.side), options);
+    Gathered gathered = gatherer.at(receiver);
     std::vector<Link>& links = gathered.links;
     leaveOut(links, options);
     std::vector<LinkSource> sources;
@@ -161,7 +173,7 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
     const LinkFit fit(cells, sources);
     std::array<std::vector<float>, 2> wanted;
     for (const LinkSource& node : fit.nodes()) {
-        const auto means = gatherer.means(middle.place, static_cast<double>(middle.side), node);
+        const auto means = gatherer.means(receiver, node);
         for (std::size_t i = 0; i < 2; ++i)
             wanted[i].push_back(static_cast<float>(means[i]));
     }

@@ -54,10 +54,18 @@ TEST(CheckExit, is_0_when_what_is_missing_was_accepted) {
     EXPECT_NE(ran.err.find("spirv-dxc not checked"), std::string::npos) << "said all the same\n" << ran.err;
 }
 
-TEST(CheckExit, is_0_when_the_file_has_nothing_for_a_target) {
-    const Ran ran = check({nine(), "--target", "spirv-glslang", "--target", "spirv-dxc"});
+TEST(CheckExit, is_0_when_the_file_has_nothing_for_one_target_and_another_passed) {
+    const std::string quiet = effect("quiet.fx", "1");
+    const Ran ran = check({quiet, "--target", "spirv-glslang", "--target", "fx_2_0", "--skip-missing"});
     EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("fx_2_0 not applicable"), std::string::npos) << ran.err;
+}
+
+TEST(CheckExit, is_3_when_no_target_has_a_verdict) {
+    const Ran ran = check({nine(), "--target", "spirv-glslang"});
+    EXPECT_EQ(ran.code, 3) << ran.err;
     EXPECT_NE(ran.err.find("nine.fx: spirv-glslang not applicable: written for Direct3D 9"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("no target has a verdict"), std::string::npos) << ran.err;
 }
 
 TEST(CheckExit, is_1_when_a_target_failed_whatever_is_missing) {
@@ -77,7 +85,7 @@ TEST(CheckExit, json_says_what_the_exit_code_says) {
         {{good(), "--target", "spirv-glslang"}, true, true, "passed"},
         {{good(), "--target", "spirv-dxc"}, false, false, "not checked"},
         {{good(), "--target", "spirv-dxc", "--skip-missing"}, true, false, "not checked"},
-        {{nine(), "--target", "spirv-glslang"}, true, true, "not applicable"},
+        {{nine(), "--target", "spirv-glslang"}, false, true, "not applicable"},
         {{effect("bad.fx", "nowhere"), "--target", "spirv-glslang"}, false, true, "failed"},
     };
     for (const Case& one : cases) {

@@ -92,6 +92,17 @@ TEST(FurStrands, grow_on_any_mesh_in_one_command_and_as_from_a_file) {
     ASSERT_EQ(tegument::test::tegument({"fur", "strands", ballMesh(), "-o", file.string(), "--roots", roots.string()}).code, 0);
     ASSERT_EQ(draw(scratch() / "file.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
     EXPECT_EQ(pixels(own), pixels(scratch() / "file.png"));
+
+    const fs::path fine = scratch() / "fine.glb";
+    ASSERT_EQ(
+        tegument::test::tegument({"fur", "strands", ballMesh(), "-o", fine.string(), "--roots", roots.string(), "--segments", "12"}).code,
+        0);
+    ASSERT_EQ(draw(scratch() / "fine.png", {"--mesh", fine.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
+    ASSERT_EQ(draw(scratch() / "asked.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=12"}).code, 0);
+    EXPECT_EQ(pixels(scratch() / "fine.png"), pixels(scratch() / "asked.png"));
+    EXPECT_NE(pixels(scratch() / "fine.png"), pixels(own));
+    const Ran none = draw(scratch() / "none.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=0"});
+    EXPECT_NE(none.err.find("TG7103"), std::string::npos) << none.err;
 }
 
 TEST(FurStrands, that_a_pass_is_not_given_would_not_have_been_drawn) {
@@ -119,6 +130,31 @@ TEST(FurStrands, that_a_pass_is_not_given_would_not_have_been_drawn) {
             ASSERT_EQ(draw(all, more, plain / "effects/FurCoat.fx").code, 0);
             EXPECT_EQ(pixels(some), pixels(all)) << compiler << ", share " << share;
         }
+}
+
+TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
+    const auto at = [](const char* wind, const char* time) {
+        const fs::path picture = scratch() / "wind.exr";
+        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "--samples", "1", "--set", std::string("gCoatWind=") + wind, "--set",
+                                 "gCoatGusts=0.5,0.5,0.8", "--set", std::string("gTime=") + time})
+                      .code,
+                  0);
+        return pixels(picture);
+    };
+    const auto apart = [](const std::vector<float>& a, const std::vector<float>& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            sum += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+        return sum;
+    };
+    const auto still = at("0,0,0", "0");
+    EXPECT_EQ(still, at("0,0,0", "0.7"));
+    const auto blown = at("0.4,0,0.1", "0.25");
+    EXPECT_GT(apart(blown, still), 0);
+    const double swayed = apart(blown, at("0.4,0,0.1", "1.25"));
+    EXPECT_GT(swayed, 0);
+    // Half a gust a second: after two seconds all is as before, but for the rounding of the phase, which turns single pixels.
+    EXPECT_LT(apart(blown, at("0.4,0,0.1", "2.25")), 0.05 * swayed);
 }
 
 TEST(FurStrands, find_their_roots_beside_their_file_and_refuse_others) {

@@ -105,15 +105,32 @@ TEST_F(Check, parameters_on_which_the_compilers_differ_fail) {
     EXPECT_EQ(report.targets[1].diagnostics[0].code, 3201);
 }
 
-TEST_F(Check, a_direct3d_9_file_has_nothing_for_spirv_and_says_where) {
+TEST_F(Check, a_direct3d_9_file_goes_to_spirv_by_way_of_dxc_and_glslang_says_where_it_cannot) {
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     const fs::path path = file("old.fx", "texture gMap;\nsampler2D gSkin = sampler_state { Texture = <gMap>; };\n"
                                          "float4 PS(float2 uv : TEXCOORD0) : COLOR0 { return tex2D(gSkin, uv); }\n"
                                          "technique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n");
     const FileReport report = checkOne(path, spirvTargets());
-    for (const TargetCheck& target : report.targets) {
-        EXPECT_EQ(target.verdict, Verdict::NotApplicable) << describe(report);
-        EXPECT_TRUE(target.reason.starts_with("written for Direct3D 9: intrinsic at " + path.string() + "(")) << target.reason;
-    }
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);
+    EXPECT_EQ(report.targets[0].entries, 1);
+    EXPECT_EQ(report.targets[1].verdict, Verdict::NotApplicable);
+    EXPECT_TRUE(report.targets[1].reason.starts_with("written for Direct3D 9: intrinsic at " + path.string() + "("))
+        << report.targets[1].reason;
+    EXPECT_TRUE(report.decided());
+}
+
+TEST_F(Check, arguments_of_a_pass_are_compiled_and_not_passed_over) {
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
+    const FileReport report = checkOne(file("args.fx", "float4 VS(float4 p : POSITION) : SV_Position { return p; }\n"
+                                                       "float4 PS(uniform float k) : SV_Target { return k; }\n"
+                                                       "technique11 A { pass P { SetVertexShader(CompileShader(vs_4_0, VS()));"
+                                                       " SetPixelShader(CompileShader(ps_4_0, PS(0.25))); } }\n"
+                                                       "technique11 B { pass P { SetVertexShader(CompileShader(vs_4_0, VS()));"
+                                                       " SetPixelShader(CompileShader(ps_4_0, PS(nowhere))); } }\n"),
+                                       spirvTargets());
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Failed) << describe(report);
+    EXPECT_EQ(report.targets[0].entries, 3) << "VS, and PS with each of its arguments";
+    EXPECT_EQ(report.targets[1].verdict, Verdict::NotApplicable) << "glslang takes no arguments";
 }
 
 TEST_F(Check, a_file_that_the_front_end_refuses_fails_on_every_target) {
@@ -138,6 +155,7 @@ TEST_F(Check, a_file_without_passes_has_nothing_to_check) {
         EXPECT_EQ(target.verdict, Verdict::NotApplicable);
         EXPECT_EQ(target.reason, "no pass names a shader");
     }
+    EXPECT_FALSE(report.decided());
 }
 
 TEST_F(Check, a_missing_microsoft_compiler_is_not_checked_and_never_passed) {

@@ -67,6 +67,10 @@ std::vector<fs::path> effectsIn(const fs::path& folder) {
     return files;
 }
 
+bool computes(const Technique& technique) {
+    return std::ranges::any_of(technique.passes, [](const Pass& pass) { return pass.computeShader.has_value(); });
+}
+
 std::vector<Case> discover() {
     std::vector<Case> cases;
     for (const fs::path& file : effectsIn("effects")) {
@@ -74,7 +78,12 @@ std::vector<Case> discover() {
         if (!effect) continue; // tests/effect and tests/check say why
         for (const Technique& technique : effect->techniques)
             for (const int bits : {16, 32})
-                if (bits == 16 || file.stem() == "Convolution") cases.push_back({file, technique.name, bits});
+                if (bits == 16 || file.stem() == "Convolution")
+                    cases.push_back({.effect = file,
+                                     .technique = technique.name,
+                                     .mapBits = bits,
+                                     .includeFolders = {},
+                                     .computes = computes(technique)});
     }
     for (const fs::path& file : effectsIn("effects/peers")) // the last technique of each: the others take fewer samples
         if (const auto effect = loadCase({.effect = file, .technique = {}})) cases.push_back({file, effect->techniques.back().name});
@@ -103,7 +112,7 @@ const Case& libraryCase() {
 }
 
 bool drawnBy(const Case& drawn, Engine engine) {
-    return drawn.effect != libraryCase().effect || engine == Engine::Vulkan || engine == Engine::Direct3D11;
+    return (drawn.effect != libraryCase().effect && !drawn.computes) || engine == Engine::Vulkan || engine == Engine::Direct3D11;
 }
 
 const std::vector<Case>& allCases() {

@@ -24,6 +24,7 @@ struct Case {
     std::string technique;
     int mapBits = 16;                                  // TEGUMENT_MAP_BITS
     std::vector<std::filesystem::path> includeFolders; // searched besides the effect's own
+    bool computes = false;                             // some pass has a compute shader
 
     /// Of what is compiled once for all techniques.
     [[nodiscard]] std::string effectName() const { return effect.stem().string() + (mapBits == 16 ? "" : "32"); }
@@ -44,6 +45,7 @@ std::string engineName(Engine engine); // "d3d9"
 
 /// tests/library/Skin.fx, skin by tegument.hlsl alone: for engines that take entry points.
 [[nodiscard]] const Case& libraryCase();
+/// Compute shaders and compiled entry points are not for Direct3D 9 and 10.
 [[nodiscard]] bool drawnBy(const Case& drawn, Engine engine);
 
 /// The human where it was made (./bootstrap test), with its maps reduced; else a sphere.

@@ -56,6 +56,7 @@ void addJobs(const Case& drawn, std::map<std::string, MicrosoftJob>& jobs) {
     for (const Pass& pass : effect->findTechnique(drawn.technique)->passes) {
         addEntry(drawn, pass.vertexShader, "vs_5_0", jobs);
         addEntry(drawn, pass.pixelShader, "ps_5_0", jobs);
+        addEntry(drawn, pass.computeShader, "cs_5_0", jobs);
     }
 }
 

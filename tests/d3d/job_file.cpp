@@ -1,6 +1,7 @@
 #include "tests/d3d/job_file.h"
 
 #include "host/run/geometry.h"
+#include "host/run/groups.h"
 #include "host/run/parts.h"
 #include "host/run/pixels.h"
 #include "host/support/file.h"
@@ -119,9 +120,31 @@ std::string scriptOf(const Annotations& annotations) {
     return annotations.string("Script").value_or("");
 }
 
-std::string passLines(const Case& drawn, const Technique& technique) {
-    std::string lines = fmt::format("script {}\n", scriptOf(technique.annotations));
+/// How many groups run is reckoned here.
+Result<std::string> computeLines(const Case& drawn, const run::ObjectRun& run, const Pass& pass) {
+    if (!run.prepared.programs.contains(&pass)) return std::string(); // nothing of this frame
+    const auto groups = run::groupsOf(run.input.effect, run.prepared, pass);
+    if (!groups) return groups.error();
+    return fmt::format("compute {} {} {} {} {}\npassscript {}\n", pass.name, entryFile(drawn, *pass.computeShader), (*groups)[0],
+                       (*groups)[1], (*groups)[2], pass.annotations.find("Script") ? scriptOf(pass.annotations) : "Draw=Compute;");
+}
+
+std::string storeLines(const Effect& effect) {
+    std::string lines;
+    for (const StorageTexture& storage : effect.storages)
+        if (storage.target) lines += fmt::format("store {} {}\n", storage.name, storage.target->empty() ? "-" : *storage.target);
+    return lines;
+}
+
+Result<std::string> passLines(const Case& drawn, const run::ObjectRun& run, const Technique& technique) {
+    std::string lines = fmt::format("script {}\n", scriptOf(technique.annotations)) + storeLines(run.input.effect);
     for (const Pass& pass : technique.passes) {
+        if (pass.computeShader) {
+            const auto compute = computeLines(drawn, run, pass);
+            if (!compute) return compute.error();
+            lines += *compute;
+            continue;
+        }
         lines += fmt::format("pass {} {} {}\npassscript {}\n{}", pass.name, entryFile(drawn, *pass.vertexShader),
                              entryFile(drawn, *pass.pixelShader), scriptOf(pass.annotations), stateLines(pass.state));
         if (const auto instances = pass.annotations.string("Instances")) lines += fmt::format("instances {}\n", *instances);
@@ -220,8 +243,11 @@ Result<std::string> writeJob(const Case& drawn, Engine engine, const run::Object
     lines += sceneLines(prepared.scene) + textures;
     if (engine != Engine::Direct3D11) lines += fmt::format("effect {}\n", effectFile(drawn, engine));
     if (engine != Engine::Direct3D9) lines += targetLines(prepared); // Wine's Direct3D 10 cannot read the numbers of annotations
-    if (engine == Engine::Direct3D11)
-        lines += declarationLines(input, prepared) + samplerLines(input.effect) + passLines(drawn, *technique);
+    if (engine == Engine::Direct3D11) {
+        const auto passes = passLines(drawn, run, *technique);
+        if (!passes) return passes.error();
+        lines += declarationLines(input, prepared) + samplerLines(input.effect) + *passes;
+    }
     const std::string file = fmt::format("{}.{}.job", drawn.name(), engineName(engine));
     if (const auto written = writeFile(drawings() / file, lines); !written) return written.error();
     return file;

@@ -131,6 +131,18 @@ TEST(ForeignValues, are_constant_expressions_with_intrinsics) {
     EXPECT_EQ(numbers(effect, "gNot"), std::vector<double>{1});
 }
 
+TEST(ForeignValues, may_be_infinite_and_passes_may_share_a_name) {
+    const Effect effect = foreign("float gMost = 1.#INF; sampler s = sampler_state { DMapOffset = 0; };\n"
+                                  "technique T { pass A { ZEnable = FALSE; } pass A { } }");
+    EXPECT_GT(numbers(effect, "gMost")[0], 3e38);
+    EXPECT_TRUE(warns(effect, 2015));
+    EXPECT_EQ(effect.techniques[0].passes.size(), 2U);
+}
+
+TEST(ForeignValues, in_buffers_of_a_pool_are_parameters) {
+    EXPECT_NE(foreign("shared cbuffer Pool { float4 gShared; };").findParameter("gShared"), nullptr);
+}
+
 TEST(ForeignValues, size_arrays_by_constants_and_by_themselves) {
     const Effect effect = foreign("const int N = 4; float4 gA[N]; float4 kernel[] = { float4(1,0,0,0), float4(0,1,0,0) };");
     EXPECT_EQ(effect.findParameter("gA")->type.elements, 4);

@@ -69,7 +69,10 @@ public:
     }
     Result<void> beginPass(const Technique&, const Pass& pass) override { return add("begin " + pass.name); }
     Result<void> draw(const Pass& pass, DrawKind kind, const ScriptState& state) override {
-        const std::string what = kind == DrawKind::Geometry ? "geometry" : kind == DrawKind::Buffer ? "buffer" : "scene";
+        const std::string what = kind == DrawKind::Geometry  ? "geometry"
+                                 : kind == DrawKind::Buffer  ? "buffer"
+                                 : kind == DrawKind::Compute ? "compute"
+                                                             : "scene";
         const std::optional<std::string>& color = state.targets.colors[0];
         return add(fmt::format("{}: {} to {}", pass.name, what, color->empty() ? "app" : *color));
     }

@@ -55,6 +55,12 @@ TEST_F(TextureMistakes, cube_maps_that_cannot_be) {
     EXPECT_TRUE(fails(make({.name = {}, .width = 4, .height = 4, .cube = true, .renderTarget = true}), 6012, {"culprit"}));
 }
 
+TEST_F(TextureMistakes, written_by_dispatches_and_no_colour_target) {
+    EXPECT_TRUE(fails(make({.name = {}, .width = 4, .height = 4, .storage = true}), 6012, {"culprit", "dispatches"}));
+    EXPECT_TRUE(fails(make({.name = {}, .format = Format::D32F, .width = 4, .height = 4, .renderTarget = true, .storage = true}), 6012,
+                      {"culprit", "dispatches"}));
+}
+
 TEST_F(TextureMistakes, more_mips_than_there_are) {
     EXPECT_TRUE(fails(make({.name = {}, .width = 4, .height = 4, .mips = 4}), 6012, {"culprit", "4", "3"}));
 }

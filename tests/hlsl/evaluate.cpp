@@ -148,8 +148,9 @@ Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Sa
                                         .height = grid.rows * grid.quad,
                                         .renderTarget = true});
     if (!target) return target.error();
-    auto sampler = device.createSampler({.minFilter = Filter::Point,
-                                         .magFilter = Filter::Point,
+    const Filter filter = function.filtered ? Filter::Linear : Filter::Point;
+    auto sampler = device.createSampler({.minFilter = filter,
+                                         .magFilter = filter,
                                          .mipFilter = Filter::Point,
                                          .addressU = Address::Clamp,
                                          .addressV = Address::Clamp,

@@ -107,6 +107,7 @@ struct FunctionCase {
     std::vector<int> settings = {2};
     int samples = 4096;
     const TestMap* map = nullptr;
+    bool filtered = false;                              // gTest is a linear sampler
     bool perQuad = false;                               // the same arguments in each 2 x 2 quad, for derivatives
     std::map<std::string, std::vector<double>> globals; // parameters of workspace.fxh for functions that read them; matrices row by row
     std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <meshoptimizer.h>
+
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 namespace tegument::order {
@@ -109,6 +112,77 @@ TEST(Orders, are_never_worse_than_what_came_in_when_the_best_is_asked_for) {
             ASSERT_TRUE(out) << input.name;
             EXPECT_LE(measure(model, *out, input.vertices).misses, measure(model, input.indices, input.vertices).misses) << input.name;
         }
+}
+
+/// Round lids of all sizes, each a component, with triangles turned at random: a figure with eyes, teeth and buckles.
+Indices pieces(std::uint32_t& vertices) {
+    std::mt19937 random(22);
+    Indices out;
+    vertices = 0;
+    for (const std::uint32_t side : {70u, 30u, 41u, 9u, 9u, 5u, 26u, 3u, 2u, 33u, 12u, 50u}) {
+        for (std::uint32_t y = 0; y < side; ++y)
+            for (std::uint32_t x = 0; x < side; ++x) {
+                const std::uint32_t a = vertices + y * (side + 1) + x;
+                const std::uint32_t b = a + 1, c = a + side + 1, d = c + 1;
+                if (random() % 2 == 0)
+                    out.insert(out.end(), {a, c, b, b, c, d});
+                else
+                    out.insert(out.end(), {a, c, d, a, d, b});
+            }
+        vertices += (side + 1) * (side + 1);
+    }
+    return out;
+}
+
+Indices shuffled(const Indices& indices, std::uint32_t vertices, unsigned seed) {
+    std::mt19937 random(seed);
+    Indices numbers(vertices), faces(indices.size() / 3), out;
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    std::iota(faces.begin(), faces.end(), 0u);
+    std::ranges::shuffle(numbers, random);
+    std::ranges::shuffle(faces, random);
+    for (const std::uint32_t f : faces)
+        for (std::size_t c = 0; c < 3; ++c)
+            out.push_back(numbers[indices[3 * f + c]]);
+    return out;
+}
+
+/// Every order of the library, and meshoptimizer's called as its users do, on the list as it came.
+std::size_t fewestOfOthers(const Indices& indices, std::uint32_t vertices, const CacheModel& model) {
+    std::size_t fewest = measure(model, indices, vertices).misses;
+    for (const Method method : {Method::LinYu, Method::Hoppe, Method::Tipsify, Method::Meshopt})
+        fewest = std::min(fewest, measure(model, *reorder(indices, vertices, method, model), vertices).misses);
+    Indices out(indices.size());
+    meshopt_optimizeVertexCache(out.data(), indices.data(), indices.size(), vertices);
+    fewest = std::min(fewest, measure(model, out, vertices).misses);
+    meshopt_optimizeVertexCacheStrip(out.data(), indices.data(), indices.size(), vertices);
+    fewest = std::min(fewest, measure(model, out, vertices).misses);
+    meshopt_optimizeVertexCacheFifo(out.data(), indices.data(), indices.size(), vertices, model.entries);
+    return std::min(fewest, measure(model, out, vertices).misses);
+}
+
+TEST(Orders, of_meshes_of_many_pieces_are_never_worse_than_another_s_when_the_best_is_asked_for) {
+    std::uint32_t vertices = 0;
+    const Indices mesh = pieces(vertices);
+    for (const Indices& input : {mesh, shuffled(mesh, vertices, 1), shuffled(mesh, vertices, 2)})
+        for (const CacheModel& model : {fifo(16), fifo(24), fifo(32), lru(16), kWarp}) {
+            const auto out = reorder(input, vertices, Method::Best, model);
+            ASSERT_TRUE(out);
+            EXPECT_LE(measure(model, *out, vertices).misses, fewestOfOthers(input, vertices, model)) << name(model);
+        }
+}
+
+TEST(Orders, of_shuffled_pieces_are_as_good_within_one_per_cent) {
+    std::uint32_t vertices = 0;
+    const Indices mesh = pieces(vertices);
+    for (const CacheModel& model : {fifo(16), lru(16), kWarp}) {
+        const auto misses = [&](const Indices& input) {
+            return static_cast<double>(measure(model, *reorder(input, vertices, Method::Best, model), vertices).misses);
+        };
+        const double asItCame = misses(mesh);
+        for (const unsigned seed : {1u, 2u, 3u})
+            EXPECT_LE(misses(shuffled(mesh, vertices, seed)), 1.01 * asItCame) << name(model) << ", seed " << seed;
+    }
 }
 
 TEST(Orders, of_the_same_input_are_the_same) {

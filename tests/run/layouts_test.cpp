@@ -31,6 +31,7 @@ std::set<std::pair<std::string, Stage>> entryPoints(const Effect& effect) {
         for (const Pass& pass : technique.passes) {
             if (pass.vertexShader) entries.emplace(pass.vertexShader->entry, Stage::Vertex);
             if (pass.pixelShader) entries.emplace(pass.pixelShader->entry, Stage::Pixel);
+            if (pass.computeShader) entries.emplace(pass.computeShader->entry, Stage::Compute);
         }
     return entries;
 }

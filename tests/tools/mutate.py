@@ -61,7 +61,7 @@ def blanked(text):
     text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
     text = re.sub(r'"[^"\n]*"', blank, text)
     text = re.sub(r"<\s*(?:string|float|float2|int|bool|[A-Z][A-Z_]*(?=\())\b[^<>]*>", blank, text)
-    text = re.sub(r"#ifdef FX_TECHNIQUES.*?#endif", blank, text, flags=re.S)
+    text = re.sub(r"#ifdef (?:FX|TEGUMENT_COMPUTE)_TECHNIQUES.*?#endif", blank, text, flags=re.S)
     text = re.sub(r"^#define[^\n]*\\\n(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
     lines = []
     for line in text.split("\n"):

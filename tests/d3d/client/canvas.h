@@ -5,8 +5,8 @@
 //   Device, Context, Texture, ColorView, DepthView, ResourceView, Buffer, Layout
 //   TextureDesc, BufferDesc, Data, Mapped, Viewport, Element
 //   kColor, kDepth, kResource, kVertices, kIndices (what a resource is bound as), kMakeMips, kCube
-//   kPerVertex, kTriangles, kClearDepth, kClearStencil, kDefault, kStaging, kRead, kMapRead
-//   device(), context(), map(texture), unmap(texture)
+//   kStore (what compute shaders write; 0 where there are none), kPerVertex, kTriangles, kClearDepth, kClearStencil, kDefault, kStaging,
+//   kRead, kMapRead device(), context(), map(texture), unmap(texture)
 
 #include "com.h"
 #include "formats.h"
@@ -86,6 +86,7 @@ public:
     };
 
     explicit Canvas(const Job& job) : job_(job), quad_(upload(fullScreenQuad())) {
+        stored_ = !job.stores.empty();
         targets_.emplace("", makeTarget({false, job.width, job.height, "A32B32G32R32F", 1}));
         pictureDepth_ = makeTarget({true, job.width, job.height, "D24S8", 1});
         for (const auto& [name, shape] : job.targets)
@@ -171,9 +172,9 @@ private:
         unsigned indexCount = 0;
     };
 
-    static Target makeTarget(const TargetShape& shape) {
+    [[nodiscard]] Target makeTarget(const TargetShape& shape) const {
         Target target{shape, {}, {}, {}, {}};
-        const UINT bind = shape.depth ? Api::kDepth : Api::kColor | Api::kResource;
+        const UINT bind = shape.depth ? Api::kDepth : Api::kColor | Api::kResource | (stored_ ? Api::kStore : 0U);
         auto desc = describe<Api>(shape.width, shape.height, shape.levels, targetFormat(shape).dxgi, bind);
         if (shape.levels != 1) desc.MiscFlags = Api::kMakeMips;
         must(Api::device()->CreateTexture2D(&desc, nullptr, target.texture.put()), "CreateTexture2D");
@@ -212,6 +213,7 @@ private:
     Mesh quad_;
     std::vector<const Target*> boundColors_;
     const Target* boundDepth_ = nullptr;
+    bool stored_ = false; // compute shaders write some of the targets
 };
 
 } // namespace client

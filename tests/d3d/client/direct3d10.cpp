@@ -38,6 +38,7 @@ struct Api {
     static constexpr UINT kColor = D3D10_BIND_RENDER_TARGET;
     static constexpr UINT kDepth = D3D10_BIND_DEPTH_STENCIL;
     static constexpr UINT kResource = D3D10_BIND_SHADER_RESOURCE;
+    static constexpr UINT kStore = 0;
     static constexpr UINT kVertices = D3D10_BIND_VERTEX_BUFFER;
     static constexpr UINT kIndices = D3D10_BIND_INDEX_BUFFER;
     static constexpr UINT kMakeMips = D3D10_RESOURCE_MISC_GENERATE_MIPS;

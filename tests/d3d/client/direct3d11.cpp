@@ -23,9 +23,13 @@ struct Code {
     Com<ID3D11ShaderReflection> reflection;
 };
 
+enum class Stage { Vertex, Pixel, Compute };
+
 struct Program {
     Code vertexCode;
     Code pixelCode;
+    Code computeCode;
+    Com<ID3D11ComputeShader> compute;
     Com<ID3D11VertexShader> vertex;
     Com<ID3D11PixelShader> pixel;
     Com<ID3D11InputLayout> layout;
@@ -74,6 +78,7 @@ struct Api {
     static constexpr UINT kColor = D3D11_BIND_RENDER_TARGET;
     static constexpr UINT kDepth = D3D11_BIND_DEPTH_STENCIL;
     static constexpr UINT kResource = D3D11_BIND_SHADER_RESOURCE;
+    static constexpr UINT kStore = D3D11_BIND_UNORDERED_ACCESS;
     static constexpr UINT kVertices = D3D11_BIND_VERTEX_BUFFER;
     static constexpr UINT kIndices = D3D11_BIND_INDEX_BUFFER;
     static constexpr UINT kMakeMips = D3D11_RESOURCE_MISC_GENERATE_MIPS;
@@ -236,7 +241,9 @@ private:
     std::optional<Numbers> valueOf(const std::string& name, unsigned columns);
     Com<ID3D11Buffer> constants(ID3D11ShaderReflectionConstantBuffer* buffer);
     ID3D11ShaderResourceView* resource(const std::string& name);
-    void bindStage(const Code& code, bool pixel);
+    void bindStage(const Code& code, Stage stage);
+    void bindStored(const Code& code);
+    void compute(const PassInfo& pass);
 
     const Job& job_;
     Canvas<Api> canvas_;
@@ -244,6 +251,7 @@ private:
     std::map<std::string, Com<ID3D11ShaderResourceView>> textures_;
     std::map<std::string, Com<ID3D11SamplerState>> samplers_;
     std::map<std::string, Program> programs_;
+    std::map<std::string, Com<ID3D11UnorderedAccessView>> stored_;
     Numbers viewport_;
 };
 
@@ -296,24 +304,68 @@ ID3D11ShaderResourceView* Direct3D11::resource(const std::string& name) {
     return texture->second.get();
 }
 
-void Direct3D11::bindStage(const Code& code, bool pixel) {
+void setConstants(Stage stage, UINT slot, ID3D11Buffer* buffer) {
+    if (stage == Stage::Vertex) context()->VSSetConstantBuffers(slot, 1, &buffer);
+    if (stage == Stage::Pixel) context()->PSSetConstantBuffers(slot, 1, &buffer);
+    if (stage == Stage::Compute) context()->CSSetConstantBuffers(slot, 1, &buffer);
+}
+
+void setResource(Stage stage, UINT slot, ID3D11ShaderResourceView* view) {
+    if (stage == Stage::Vertex) context()->VSSetShaderResources(slot, 1, &view);
+    if (stage == Stage::Pixel) context()->PSSetShaderResources(slot, 1, &view);
+    if (stage == Stage::Compute) context()->CSSetShaderResources(slot, 1, &view);
+}
+
+void setSampler(Stage stage, UINT slot, ID3D11SamplerState* sampler) {
+    if (stage == Stage::Vertex) context()->VSSetSamplers(slot, 1, &sampler);
+    if (stage == Stage::Pixel) context()->PSSetSamplers(slot, 1, &sampler);
+    if (stage == Stage::Compute) context()->CSSetSamplers(slot, 1, &sampler);
+}
+
+void Direct3D11::bindStage(const Code& code, Stage stage) {
     D3D11_SHADER_DESC shader{};
     must(code.reflection->GetDesc(&shader), "GetDesc of a shader");
     for (UINT i = 0; i < shader.BoundResources; ++i) {
         D3D11_SHADER_INPUT_BIND_DESC input{};
         must(code.reflection->GetResourceBindingDesc(i, &input), "GetResourceBindingDesc");
-        if (input.Type == D3D_SIT_CBUFFER) {
-            const Com<ID3D11Buffer> buffer = constants(code.reflection->GetConstantBufferByName(input.Name));
-            ID3D11Buffer* const raw = buffer.get();
-            pixel ? context()->PSSetConstantBuffers(input.BindPoint, 1, &raw) : context()->VSSetConstantBuffers(input.BindPoint, 1, &raw);
-        } else if (input.Type == D3D_SIT_TEXTURE) {
-            ID3D11ShaderResourceView* const view = resource(input.Name);
-            pixel ? context()->PSSetShaderResources(input.BindPoint, 1, &view) : context()->VSSetShaderResources(input.BindPoint, 1, &view);
-        } else if (input.Type == D3D_SIT_SAMPLER) {
-            ID3D11SamplerState* const sampler = samplers_.at(input.Name).get();
-            pixel ? context()->PSSetSamplers(input.BindPoint, 1, &sampler) : context()->VSSetSamplers(input.BindPoint, 1, &sampler);
-        }
+        if (input.Type == D3D_SIT_CBUFFER)
+            setConstants(stage, input.BindPoint, constants(code.reflection->GetConstantBufferByName(input.Name)).get());
+        else if (input.Type == D3D_SIT_TEXTURE)
+            setResource(stage, input.BindPoint, resource(input.Name));
+        else if (input.Type == D3D_SIT_SAMPLER)
+            setSampler(stage, input.BindPoint, samplers_.at(input.Name).get());
     }
+}
+
+/// What a compute shader writes: level 0 of the target behind each name.
+void Direct3D11::bindStored(const Code& code) {
+    D3D11_SHADER_DESC shader{};
+    must(code.reflection->GetDesc(&shader), "GetDesc of a shader");
+    for (UINT i = 0; i < shader.BoundResources; ++i) {
+        D3D11_SHADER_INPUT_BIND_DESC input{};
+        must(code.reflection->GetResourceBindingDesc(i, &input), "GetResourceBindingDesc");
+        if (input.Type != D3D_SIT_UAV_RWTYPED) continue;
+        Com<ID3D11UnorderedAccessView>& view = stored_[input.Name];
+        if (!view)
+            must(device()->CreateUnorderedAccessView(canvas_.targets().at(job_.stores.at(input.Name)).texture.get(), nullptr, view.put()),
+                 std::string("CreateUnorderedAccessView ") + input.Name);
+        ID3D11UnorderedAccessView* const raw = view.get();
+        context()->CSSetUnorderedAccessViews(input.BindPoint, 1, &raw, nullptr);
+    }
+}
+
+void Direct3D11::compute(const PassInfo& pass) {
+    Program& program = programs_[pass.name];
+    if (!program.compute) {
+        program.computeCode = readCode(job_.path(pass.computeFile));
+        const std::vector<char>& bytes = program.computeCode.bytes;
+        must(device()->CreateComputeShader(bytes.data(), bytes.size(), nullptr, program.compute.put()), "CreateComputeShader " + pass.name);
+    }
+    context()->ClearState(); // what is written is no target
+    context()->CSSetShader(program.compute.get(), nullptr, 0);
+    bindStage(program.computeCode, Stage::Compute);
+    bindStored(program.computeCode);
+    context()->Dispatch(pass.groups[0], pass.groups[1], pass.groups[2]);
 }
 
 void Direct3D11::bind(const Bound& bound) {
@@ -323,14 +375,15 @@ void Direct3D11::bind(const Bound& bound) {
 
 void Direct3D11::draw(const std::string& name, Drawing drawing) {
     const PassInfo& pass = find(name);
+    if (drawing == Drawing::Nothing) return compute(pass);
     const Program& program = this->program(pass);
     context()->VSSetShader(program.vertex.get(), nullptr, 0);
     context()->PSSetShader(program.pixel.get(), nullptr, 0);
     context()->OMSetDepthStencilState(program.depth.get(), 0);
     context()->OMSetBlendState(program.blend.get(), nullptr, ~0U);
     context()->RSSetState(program.raster.get());
-    bindStage(program.vertexCode, false);
-    bindStage(program.pixelCode, true);
+    bindStage(program.vertexCode, Stage::Vertex);
+    bindStage(program.pixelCode, Stage::Pixel);
     canvas_.draw(drawing, name, program.layout.get(), pass.instances.empty() ? 1U : static_cast<UINT>(numbers(pass.instances).at(0)));
 }
 

@@ -82,6 +82,10 @@ bool readEffect(const std::string& key, std::istream& line, Job& job) {
         job.script = restAsText(line);
     } else if (key == "sampler") {
         line >> name >> job.samplers[name].filter >> job.samplers[name].address;
+    } else if (key == "store") {
+        std::string target;
+        line >> name >> target;
+        job.stores[name] = target == "-" ? "" : target;
     } else {
         return false;
     }
@@ -89,6 +93,11 @@ bool readEffect(const std::string& key, std::istream& line, Job& job) {
 }
 
 bool readPass(const std::string& key, std::istream& line, Job& job) {
+    if (key == "compute") {
+        PassInfo& pass = job.passes.emplace_back();
+        line >> pass.name >> pass.computeFile >> pass.groups[0] >> pass.groups[1] >> pass.groups[2];
+        return true;
+    }
     if (key == "pass") {
         PassInfo& pass = job.passes.emplace_back();
         line >> pass.name >> pass.vertexFile >> pass.pixelFile;

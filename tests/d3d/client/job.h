@@ -14,6 +14,8 @@
 //   number NAME NUMBER                     what a script reads, where no shader does
 //   script TEXT
 //   pass NAME VERTEX-FILE PIXEL-FILE
+//   compute NAME COMPUTE-FILE X Y Z        a pass of so many groups of threads
+//   store NAME TARGET                      what compute shaders write; TARGET - is the picture
 //   passscript TEXT                        of the pass before it
 //   instances NAME                         likewise: the number that says how often it draws the mesh
 //   state KEY NUMBER...                    of the pass before it
@@ -50,6 +52,8 @@ struct ParameterInfo {
 
 struct PassInfo {
     std::string name;
+    std::string computeFile; // then there is nothing but `groups` and `script`
+    std::array<unsigned, 3> groups{};
     std::string vertexFile;
     std::string pixelFile;
     std::string script;
@@ -86,6 +90,7 @@ struct Job {
     std::string script;
     std::vector<PassInfo> passes;
     std::map<std::string, SamplerInfo> samplers;
+    std::map<std::string, std::string> stores; // the names of targets
 
     [[nodiscard]] std::string path(const std::string& file) const { return folder + "\\" + file; }
     /// A number of the user's, then the scene's; none: the effect's default holds. A position or a colour gets the fourth number that a

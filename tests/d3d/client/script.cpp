@@ -138,7 +138,8 @@ private:
 
     void draw(const std::string& what) {
         engine_.bind(state_.bound);
-        engine_.draw(pass_, upper(what) == "BUFFER" ? Drawing::Quad : Drawing::Mesh);
+        const std::string name = upper(what);
+        engine_.draw(pass_, name == "BUFFER" ? Drawing::Quad : name == "COMPUTE" ? Drawing::Nothing : Drawing::Mesh);
     }
 
     void runPass(const std::string& pass) {

@@ -20,7 +20,7 @@ struct Bound {
 };
 
 enum class Clear { Color, Depth, Stencil };
-enum class Drawing { Mesh, Quad };
+enum class Drawing { Mesh, Quad, Nothing }; // nothing: a compute shader runs
 
 /// An effect loaded on a Direct3D device, as its scripts see it.
 class Engine {

@@ -1,5 +1,6 @@
 // Each step by itself, on meshes whose answer is known.
 #include "meshprep/prepare/clean.h"
+#include "meshprep/prepare/nearest.h"
 #include "meshprep/prepare/vertices.h"
 #include "tests/meshprep/prepare/meshes.h"
 
@@ -116,17 +117,18 @@ TEST(CentreOf, the_box_is_the_source_document_s_and_the_ball_is_smaller) {
     Surface box = surfaceOf(mesh);
     const Centring byBox = centre(box, CentreMode::Box);
     EXPECT_NEAR(byBox.radius, std::sqrt(1.25), 1e-6) << "half the diagonal of 2 x 1";
-    EXPECT_EQ(byBox.moved, glm::vec3(-11, -0.5f, 0));
+    EXPECT_EQ(byBox.moved, glm::dvec3(-11, -0.5, 0));
     Surface ball = surfaceOf(mesh);
     const Centring byBall = centre(ball, CentreMode::Ball);
     EXPECT_NEAR(byBall.radius, 1, 1e-6) << "the circle around a right angle";
-    EXPECT_EQ(byBall.moved, glm::vec3(-11, 0, 0));
+    EXPECT_EQ(byBall.moved, glm::dvec3(-11, 0, 0));
     EXPECT_EQ(ball.mesh.bounds.centre, glm::vec3(0));
 }
 
 TEST(CentreOf, a_moved_mesh_keeps_as_many_places_as_it_had) {
     // near the origin floats are finer than at the mesh's middle: moving rounds these two onto each other
-    Surface surface = surfaceOf(meshOf({{1e-6f, 0, 0}, {1.01e-6f, 0, 0}, {2000, 0, 0}, {0, 1000, 0}}, {0, 2, 3, 1, 2, 3}));
+    Surface surface{.mesh = meshOf({{1e-6f, 0, 0}, {1.01e-6f, 0, 0}, {2000, 0, 0}, {0, 1000, 0}}, {0, 2, 3, 1, 2, 3}), .point = {}};
+    findPlaces(surface, {.epsilon = 0, .decimals = {}}); // not closed as a crack
     centre(surface, CentreMode::Ball);
     makeNormals(surface, {});
     EXPECT_EQ(surface.pointCount, 4u);
@@ -141,10 +143,21 @@ TEST(Sizes, follow_the_source_document_s_formula) {
 }
 
 TEST(Distance, of_a_plane_above_a_plane_is_its_height) {
+    const std::vector<glm::vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0.5f}, {4, 0, 0.5f}, {0, 4, 0.5f}};
+    const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, std::vector<std::uint32_t>{0, 1, 2});
+    EXPECT_NEAR(d.reached, 0.5, 1e-6);
+    EXPECT_NEAR(d.greatest, 0.505, 0.0051) << "a bound at most 2 % above";
+    EXPECT_NEAR(d.rms, 0.5, 1e-6);
+}
+
+TEST(Distance, is_that_of_both_ways) {
     const std::vector<glm::vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0.5f}, {2, 1, 0.5f}, {1, 2, 0.5f}};
     const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, std::vector<std::uint32_t>{0, 1, 2});
-    EXPECT_NEAR(d.greatest, 0.5, 1e-6);
-    EXPECT_NEAR(d.rms, 0.5, 1e-6);
+    const double there = std::hypot(2, 1, 0.5); // from (4, 0, 0) to (2, 1, 0.5)
+    EXPECT_NEAR(d.reached, there, 0.02 * there);
+    EXPECT_GE(d.greatest, there);
+    EXPECT_LE(d.greatest, 1.021 * there);
+    EXPECT_NEAR(d.rms, 0.5, 1e-6) << "of the first from the second";
 }
 
 TEST(Distance, does_not_stumble_over_triangles_of_two_equal_corners) {
@@ -152,11 +165,49 @@ TEST(Distance, does_not_stumble_over_triangles_of_two_equal_corners) {
                                               {1, 2, 0.5f}, {0, 0, -9}, {4, 0, -9}, {0, 4, -9}};
     const std::vector<std::uint32_t> to = {6, 7, 8, 1, 1, 2, 0, 1, 2, 1, 1, 2, 6, 8, 7}; // the nearest between such, and others behind
     const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, to);
-    EXPECT_NEAR(d.greatest, 0.5, 1e-6);
+    EXPECT_NEAR(d.rms, 0.5, 1e-6);
+    EXPECT_NEAR(d.greatest, std::hypot(2, 1, 9.5), 0.02 * 10);
 }
 
 TEST(Distance, reaches_edges_and_corners) {
     const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-3, -4, 0}, {-3, -4, 1e-3f}, {-3, -4.001f, 0}};
     const SurfaceDistance d = distance(positions, std::vector<std::uint32_t>{3, 4, 5}, std::vector<std::uint32_t>{0, 1, 2});
-    EXPECT_NEAR(d.greatest, std::hypot(3, 4.001), 1e-4);
+    EXPECT_NEAR(d.greatest, 1.01 * std::hypot(3, 5), 0.011 * std::hypot(3, 5)) << "from (0, 1, 0)";
+}
+
+/// Against points sown densely on both surfaces: no sample may be further away than stated, and the farthest is nearly as far.
+TEST(Distance, is_an_upper_bound_that_is_nearly_reached) {
+    std::mt19937 random(22);
+    const auto number = [&] { return static_cast<float>(random() % 4096) / 4096; };
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> fine, coarse;
+    for (int i = 0; i < 169; ++i)
+        positions.emplace_back(i % 13, i / 13, 2 * number());
+    for (std::uint32_t y = 0; y < 12; ++y)
+        for (std::uint32_t x = 0; x < 12; ++x) {
+            const std::uint32_t a = 13 * y + x;
+            fine.insert(fine.end(), {a, a + 1, a + 13, a + 1, a + 14, a + 13});
+            if (x % 4 != 0 || y % 4 != 0) continue;
+            coarse.insert(coarse.end(), {a, a + 4, a + 52, a + 4, a + 56, a + 52});
+        }
+    const auto sampled = [&](const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
+        double greatest = 0;
+        for (std::size_t i = 0; i < from.size(); i += 3)
+            for (int u = 0; u <= 12; ++u)
+                for (int v = 0; u + v <= 12; ++v) {
+                    const auto at = [&](std::size_t k) { return glm::dvec3(positions[from[i + k]]); };
+                    const glm::dvec3 p = (at(0) * (12.0 - u - v) + at(1) * static_cast<double>(u) + at(2) * static_cast<double>(v)) / 12.0;
+                    double least = 1e9;
+                    for (std::size_t t = 0; t < to.size(); t += 3)
+                        least = std::min(
+                            least, glm::distance(p, nearestOnTriangle(p, positions[to[t]], positions[to[t + 1]], positions[to[t + 2]])));
+                    greatest = std::max(greatest, least);
+                }
+        return greatest;
+    };
+    const double truth = std::max(sampled(fine, coarse), sampled(coarse, fine));
+    const SurfaceDistance d = distance(positions, fine, coarse);
+    EXPECT_GE(d.greatest, truth);
+    EXPECT_LE(d.greatest, 1.05 * truth) << "2 % of the search, 3 % of the samples' steps";
+    EXPECT_LE(d.reached, d.greatest);
 }

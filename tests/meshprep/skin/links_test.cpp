@@ -87,6 +87,21 @@ TEST(SkinLinks, TheMiddleOfALargePlaneGetsAllOfItsLight) {
     EXPECT_LE(read.count, static_cast<std::size_t>(kMostLinks));
 }
 
+TEST(SkinLinks, ALargeBodyLosesNoLightThoughItsTexelsAreWiderThanLightSpreads) {
+    for (const double side : {300.0, 1000.0, 10000.0}) { // mm: texels of 1.2 to 39 mm
+        Mesh plane;
+        addSheet(plane, side, 0, {0.05, 0.05}, 0.9);
+        const auto links = makeSkinLinks(plane);
+        ASSERT_TRUE(links) << format(links.error());
+        for (const int at : {100, 128, 131}) {
+            const Read read = listOf(*links, at, 128);
+            // 1.1 % by the sum over cells, and 0.4 % beyond the reach.
+            EXPECT_NEAR(read.sum[0], 1, 0.015) << side << " mm, at " << at;
+            EXPECT_NEAR(read.sum[1], 1, 0.015) << side << " mm, at " << at;
+        }
+    }
+}
+
 TEST(SkinLinks, TheBorderOfLightIsAsWideAsTheGaussianThoughSourcesAreWide) {
     constexpr double kSide = 200;      // mm: near sources are 0.8 mm large
     constexpr double kMeasured = 0.03; // 0.025: least squares over sources whose sizes double from one to the next; without them 0.042

@@ -1,0 +1,309 @@
+#include "host/adopt/adopt.h"
+
+#include "host/adopt/bind.h"
+#include "host/adopt/rewrite.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace tegument {
+
+namespace adopt {
+
+namespace {
+
+/// Every word of the code behind a '-': where a direction is turned round, it came the other way.
+std::set<std::string> negatedNames(const Code& code) {
+    std::set<std::string> names;
+    for (const Item& item : code.items)
+        if (const auto* function = std::get_if<Function>(&item))
+            for (std::size_t i = 2; i < function->body.size(); ++i) {
+                const Word& before = function->body[i - 2];
+                const bool binary = before.isName() || before.kind == TokenKind::Number || before.is(")") || before.is("]");
+                if (function->body[i - 1].is("-") && !binary && function->body[i].isName()) names.insert(function->body[i].text);
+                if (i > 2 && function->body[i - 1].is("(") && function->body[i - 2].isName() && function->body[i - 3].is("-"))
+                    names.insert(function->body[i].text); // -normalize(lightDirection)
+            }
+    return names;
+}
+
+bool isTarget(const Parameter& parameter) {
+    return equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET") ||
+           equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL");
+}
+
+void note(Adoption& adoption, const SourcePosition& at, std::string text) {
+    adoption.notes.push_back({.severity = Severity::Note, .code = 3404, .at = at, .text = std::move(text), .hint = {}, .sourceLine = {}});
+}
+
+bool drawsGeometry(const Pass& pass) {
+    if (!pass.script.given) return true;
+    return std::ranges::any_of(pass.script.commands, [](const Command& command) {
+        return command.kind == CommandKind::Draw && command.options.front() != "Buffer";
+    });
+}
+
+/// `Word name[`: whether the first word can be a type, or is none of a declaration.
+bool mayDeclareArray(std::string_view word, const Code& code) {
+    for (const std::string_view other :
+         {"return", "else", "do", "case", "const", "static", "precise", "in", "out", "inout", "unsigned", "struct", "uniform", "row_major",
+          "column_major", "groupshared", "nointerpolation", "linear", "centroid"})
+        if (word == other) return true;
+    for (const std::string_view family :
+         {"Texture", "texture", "Sampler", "sampler", "tg_", "Buffer", "RW", "Structured", "ByteAddress", "TG_"})
+        if (word.starts_with(family)) return true;
+    return code.byName.find(word) != code.byName.end() || shapeOf({Word{.text = std::string(word), .kind = TokenKind::Word}}) ||
+           isReserved(word);
+}
+
+/// What no later compiler has: a call of `noise`, and objects of effects inside functions; DXC does not survive arrays of an unknown type.
+std::optional<std::string> goneWord(const std::string& code, const Code& known) {
+    Sources sources;
+    const LexResult lexed = lex(sources, sources.add("code", std::make_shared<const std::string>(code)));
+    bool ownNoise = false;
+    std::optional<std::string> gone;
+    for (std::size_t i = 1; i + 1 < lexed.tokens.size(); ++i) {
+        const Token& token = lexed.tokens[i];
+        if (token.kind != TokenKind::Word) continue;
+        const Token& before = lexed.tokens[i - 1];
+        const Token& next = lexed.tokens[i + 1];
+        if (token.is("noise") && next.is('(')) {
+            ownNoise = ownNoise || (before.kind == TokenKind::Word && !before.is("return"));
+            if (!ownNoise) gone = "calls 'noise': a Direct3D 9 intrinsic, not in shader model 4";
+        }
+        if (next.kind == TokenKind::Word && isEffectType(token.text) && !before.is('.'))
+            return fmt::format("declares a {}, which is no type of a shader", token.text);
+        const bool array = next.kind == TokenKind::Word && i + 2 < lexed.tokens.size() && lexed.tokens[i + 2].is('[');
+        if (array && !mayDeclareArray(token.text, known)) return fmt::format("declares an array of the unknown type '{}'", token.text);
+    }
+    return gone;
+}
+
+class Adopter {
+public:
+    Adopter(Effect effect, const AdoptOptions& options)
+        : adoption_{.effect = std::move(effect)}, options_(options), rewriter_(adoption_.effect) {}
+
+    Adoption run() {
+        Effect& effect = adoption_.effect;
+        effect.adopted = true;
+        for (Technique& technique : effect.techniques)
+            for (std::size_t i = 0; i < technique.passes.size(); ++i)
+                pass(technique, technique.passes[i], i);
+        const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
+        if (std::ranges::any_of(effect.techniques, [&](const Technique& t) { return std::ranges::any_of(t.script.commands, external); }))
+            addScene();
+        if (plain_) addPlainMatrix();
+        bind();
+        return std::move(adoption_);
+    }
+
+private:
+    /// What this host cannot draw keeps its shaders: running it says why.
+    void pass(const Technique& technique, Pass& pass, std::size_t index) {
+        if (pass.geometryShader || pass.computeShader || pass.hullShader || pass.domainShader || pass.streamOutput) return;
+        if (pass.name.empty()) pass.name = fmt::format("{}", index);
+        const bool later = technique.kind != TechniqueKind::D3D9;
+        const bool depthOnly = later && !pass.pixelShader && pass.vertexShader;
+        drawAtAll(pass);
+        const bool quad = coversTarget(pass);
+        place(pass, quad);
+        std::vector<Port> written;
+        const bool known = !pass.vertexShader || takeVertex(pass, written);
+        std::optional<Wrapper> pixel;
+        if (pass.pixelShader) pixel = wrapperOf(*pass.pixelShader, false, pass.vertexShader && known ? &written : nullptr, pass);
+        if (!known || (pass.pixelShader && !pixel)) return;
+        if (!pass.vertexShader) standInVertex(pass, pixel, quad);
+        if (!pass.pixelShader && !depthOnly) standInPixel(pass, written);
+    }
+
+    /// False: its shader says why.
+    bool takeVertex(Pass& pass, std::vector<Port>& written) {
+        auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass);
+        if (!made) return false;
+        written = made->outputs;
+        for (const std::string& text : made->standIns)
+            said_.insert({pass.vertexShader->at.line, text}).second ? note(adoption_, pass.vertexShader->at, text) : void();
+        if (!made->writesPosition) refuse(*pass.vertexShader, 3403, fmt::format("{} writes no position", pass.vertexShader->original));
+        return true;
+    }
+
+    /// A pass whose vertex shader knows no matrix gets the corners of the target as they are.
+    [[nodiscard]] bool coversTarget(const Pass& pass) const {
+        if (!drawsGeometry(pass)) return true;
+        if (pass.vertexShader) return !rewriter_.readsMatrix(*pass.vertexShader);
+        const auto& global = adoption_.effect.standardsGlobal;
+        return global && (global->scriptClass == "scene" || global->scriptOrder == "postprocess");
+    }
+
+    /// Front faces of the other handedness, and a buffer where the effect means one.
+    static void place(Pass& pass, bool quad) {
+        if (!quad) {
+            pass.state.frontCounterClockwise = !pass.state.frontCounterClockwise;
+            return;
+        }
+        pass.state.cull = CullMode::None;
+        // Nothing lies in front of what covers the target, and the caller's depth may have another size.
+        if (!pass.state.stencilTest && pass.state.depthCompare != CompareOp::Equal) pass.state.depthTest = pass.state.depthWrite = false;
+        for (Command& command : pass.script.commands)
+            if (command.kind == CommandKind::Draw) command.options = {"Buffer"};
+        if (!pass.script.given) addDraw(pass, "Buffer");
+    }
+
+    static void addDraw(Pass& pass, const char* what) {
+        pass.script.given = true;
+        pass.script.commands.push_back({.kind = CommandKind::Draw, .options = {what}, .at = pass.at});
+    }
+
+    /// RenderMonkey's scripts set targets and never say Draw: its passes draw all the same.
+    static void drawAtAll(Pass& pass) {
+        const auto draws = [](const Command& command) { return command.kind == CommandKind::Draw; };
+        if (pass.script.given && std::ranges::none_of(pass.script.commands, draws)) addDraw(pass, "Geometry");
+    }
+
+    void refuse(ShaderReference& shader, int code, std::string text) {
+        shader.obstacle = std::make_shared<const Diagnostic>(
+            Diagnostic{.severity = Severity::Error, .code = code, .at = shader.at, .text = std::move(text), .hint = {}, .sourceLine = {}});
+    }
+
+    std::optional<Wrapper> wrapperOf(ShaderReference& shader, bool vertex, const std::vector<Port>* available, const Pass& pass) {
+        const std::string name = vertex ? "tg_vertex" : "tg_pixel";
+        WrapperJob job = rewriter_.job(shader, vertex, name);
+        job.available = available;
+        job.pass = vertex ? nullptr : &pass;
+        auto made = rewriter_.wrapped(job);
+        if (!made) {
+            shader.obstacle = std::make_shared<const Diagnostic>(made.error().diagnostics.front());
+            return std::nullopt;
+        }
+        shader.code = rewriter_.source(&shader, *made);
+        if (const auto gone = goneWord(shader.code, rewriter_.code())) {
+            refuse(shader, 3405, fmt::format("{} {}", shader.entry, *gone));
+            shader.code.clear();
+            return std::nullopt;
+        }
+        shader.original = shader.entry;
+        shader.entry = name;
+        shader.arguments.clear();
+        return std::move(*made);
+    }
+
+    void standInVertex(Pass& pass, const std::optional<Wrapper>& pixel, bool quad) {
+        const std::vector<Port> reads = pixel ? pixel->inputs : std::vector<Port>{{"COLOR0"}};
+        const Wrapper made = plainVertexShader("tg_vertex", reads, quad);
+        plain_ = plain_ || !quad;
+        ShaderReference shader{.entry = "tg_vertex", .profile = "vs_3_0", .at = pass.at, .original = "none"};
+        shader.code = rewriter_.source(nullptr, made);
+        pass.vertexShader = std::move(shader);
+        note(adoption_, pass.at,
+             fmt::format("pass {} has no vertex shader: {}", pass.name,
+                         quad ? "it covers the target" : "the mesh is placed by WORLDVIEWPROJECTION"));
+    }
+
+    void standInPixel(Pass& pass, const std::vector<Port>& written) {
+        ShaderReference shader{.entry = "tg_pixel", .profile = "ps_3_0", .at = pass.at, .original = "none"};
+        const bool coloured = std::ranges::find(written, "COLOR0", &Port::semantic) != written.end();
+        shader.code = rewriter_.source(nullptr, plainPixelShader("tg_pixel", written, pass));
+        pass.pixelShader = std::move(shader);
+        note(adoption_, pass.at, fmt::format("pass {} has no pixel shader: it shows {}", pass.name, coloured ? "COLOR0" : "white"));
+    }
+
+    /// What a scene effect works on: the mesh in squares, with light from above.
+    void addScene() {
+        constexpr const char* kPixel = "void tg_pixel(float4 n : NORMAL0, float4 uv : TEXCOORD0, out float4 o : SV_Target0) {\n"
+                                       " float2 s = floor(uv.xy * float2(16, 8)); float odd = fmod(s.x + s.y, 2);\n"
+                                       " float l = 0.3 + 0.7 * saturate(dot(tg_normalize(n.xyz), float3(-0.27, 0.53, 0.8)));\n"
+                                       " o = float4(lerp(float3(0.55, 0.5, 0.45), float3(0.85, 0.8, 0.75), odd) * l, 1);\n}\n";
+        Pass pass{.name = kSceneTechnique};
+        ShaderReference vertex{.entry = "tg_vertex", .profile = "vs_3_0", .original = "none"};
+        vertex.code = rewriter_.source(nullptr, plainVertexShader("tg_vertex", {{"NORMAL0"}, {"TEXCOORD0"}}, false));
+        ShaderReference pixel{.entry = "tg_pixel", .profile = "ps_3_0", .original = "none"};
+        pixel.code = rewriter_.source(nullptr, Wrapper{.text = kPixel});
+        pass.vertexShader = std::move(vertex);
+        pass.pixelShader = std::move(pixel);
+        pass.state.frontCounterClockwise = true;
+        Technique scene{.name = kSceneTechnique};
+        scene.passes.push_back(std::move(pass));
+        adoption_.effect.techniques.push_back(std::move(scene));
+        plain_ = true;
+    }
+
+    void addPlainMatrix() {
+        adoption_.effect.parameters.push_back({.name = kPlainMatrix,
+                                               .type = {.rows = 4, .columns = 4, .name = "float4x4"},
+                                               .semantic = "WORLDVIEWPROJECTION",
+                                               .annotations = {},
+                                               .defaultValue = {},
+                                               .at = {.file = adoption_.effect.file.string(), .byte = {}}});
+    }
+
+    void bind() {
+        const std::set<std::string> negated = negatedNames(rewriter_.code());
+        const std::set<std::string> shown = namesOfTechnique();
+        for (Parameter& parameter : adoption_.effect.parameters) {
+            if (isTarget(parameter)) continue;
+            if (parameter.type.isTexture()) {
+                bindTexture(parameter, shown);
+            } else if (parameter.type.isNumeric()) {
+                ParameterBinding bound = bindParameter(parameter, options_, negated.contains(parameter.name));
+                if (shown.contains(parameter.name)) adoption_.bindings.push_back(std::move(bound));
+            }
+        }
+    }
+
+    void bindTexture(Parameter& parameter, const std::set<std::string>& shown) {
+        if (parameter.annotations.find("Fallback") || parameter.annotations.find("Producer")) return;
+        const std::string standIn = textureStandIn(parameter);
+        parameter.annotations.list.push_back({"Procedure", {.base = BaseType::String, .name = "string"}, standIn, parameter.at, {}});
+        if (shown.contains(parameter.name))
+            adoption_.bindings.push_back({.parameter = parameter.name, .source = standIn, .rule = "where no file is found"});
+    }
+
+    /// The words of the sources that the technique in question is drawn with.
+    [[nodiscard]] std::set<std::string> namesOfTechnique() const {
+        std::set<std::string> names;
+        const Effect& effect = adoption_.effect;
+        const Technique* technique = options_.technique.empty() ? effect.defaultTechnique() : effect.findTechnique(options_.technique);
+        if (!technique) return names;
+        for (const Pass& pass : technique->passes)
+            for (const auto* shader : {&pass.vertexShader, &pass.pixelShader}) {
+                if (!*shader || (*shader)->code.empty()) continue;
+                Sources sources;
+                const LexResult lexed = lex(sources, sources.add("code", std::make_shared<const std::string>((*shader)->code)));
+                for (const Token& token : lexed.tokens)
+                    if (token.kind == TokenKind::Word) names.emplace(token.text);
+            }
+        return names;
+    }
+
+    Adoption adoption_;
+    const AdoptOptions& options_;
+    Rewriter rewriter_;
+    std::set<std::pair<int, std::string>> said_;
+    bool plain_ = false;
+};
+
+} // namespace
+
+} // namespace adopt
+
+bool needsRespelling(const Effect& effect) {
+    if (effect.ownDialect) return false;
+    if (direct3D9Intrinsic(effect)) return true;
+    const auto old = [](const std::optional<ShaderReference>& shader) {
+        return shader && (!shader->arguments.empty() || adopt::profileOf(shader->profile).direct3D9());
+    };
+    return std::ranges::any_of(effect.techniques, [&](const Technique& technique) {
+        return std::ranges::any_of(technique.passes, [&](const Pass& pass) { return old(pass.vertexShader) || old(pass.pixelShader); });
+    });
+}
+
+Adoption adopted(Effect effect, const AdoptOptions& options) {
+    if (effect.ownDialect) return {.effect = std::move(effect)};
+    return adopt::Adopter(std::move(effect), options).run();
+}
+
+} // namespace tegument

@@ -1,0 +1,42 @@
+#pragma once
+// An effect of another host as this host draws it: its shaders respelt for DXC, its parameters bound by what they are called.
+
+#include "host/effect/model.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tegument {
+
+/// What gives a parameter its value, for one line of a report.
+struct ParameterBinding {
+    std::string parameter;
+    std::string source; // "WORLDVIEWPROJECTION", "white", "a sphere's sky"
+    std::string rule;   // "semantic", "name", "SasBindAddress", "Object", "--bind", "its default", "nothing: zero"
+};
+
+/// The technique that adopted() adds where a script asks for what lies below the effect (ScriptExternal): the mesh, plainly lit.
+inline constexpr const char* kSceneTechnique = "<scene>";
+
+struct AdoptOptions {
+    std::map<std::string, std::string> bind; // --bind: parameter name -> a semantic of this host, "default" or "zero"
+    std::string technique;                   // whose bindings are reported; empty: the effect's default
+    int width = 1024;                        // of the picture
+    int height = 1024;
+};
+
+struct Adoption {
+    Effect effect;
+    std::vector<ParameterBinding> bindings;
+    std::vector<Diagnostic> notes; // stand-ins for what the effect or the mesh does not have
+};
+
+/// Whether DXC and glslang cannot take the effect as it is: words of Direct3D 9, shaders compiled with arguments, profiles before 4.
+[[nodiscard]] bool needsRespelling(const Effect& effect);
+
+/// Effects that are written for this host (Effect::ownDialect) come back as they are. A shader that cannot be respelt keeps its name and
+/// says why (ShaderReference::obstacle: TG3401 to TG3403).
+[[nodiscard]] Adoption adopted(Effect effect, const AdoptOptions& options = {});
+
+} // namespace tegument

@@ -1,0 +1,246 @@
+#include "host/adopt/spelling.h"
+
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tegument::adopt {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kKinds{"1D", "2D", "3D", "CUBE"};
+constexpr std::array<std::string_view, 5> kForms{"", "bias", "grad", "lod", "proj"};
+
+// Names in Direct3D 9's effects, words of the language later on (HLSL 2018 as DXC reads it).
+constexpr std::array<std::string_view, 53> kReserved{"line",
+                                                     "point",
+                                                     "sample",
+                                                     "triangle",
+                                                     "lineadj",
+                                                     "triangleadj",
+                                                     "interface",
+                                                     "precise",
+                                                     "linear",
+                                                     "pass",
+                                                     "noperspective",
+                                                     "export",
+                                                     "this",
+                                                     "class",
+                                                     "centroid",
+                                                     "input",
+                                                     "namespace",
+                                                     "using",
+                                                     "private",
+                                                     "public",
+                                                     "protected",
+                                                     "virtual",
+                                                     "template",
+                                                     "friend",
+                                                     "operator",
+                                                     "auto",
+                                                     "char",
+                                                     "short",
+                                                     "long",
+                                                     "signed",
+                                                     "goto",
+                                                     "explicit",
+                                                     "new",
+                                                     "delete",
+                                                     "enum",
+                                                     "union",
+                                                     "sizeof",
+                                                     "typename",
+                                                     "try",
+                                                     "catch",
+                                                     "throw",
+                                                     "mutable",
+                                                     "snorm",
+                                                     "unorm",
+                                                     "payload",
+                                                     "indices",
+                                                     "vertices",
+                                                     "primitives",
+                                                     "globallycoherent",
+                                                     "groupshared",
+                                                     "reinterpret_cast",
+                                                     "static_cast",
+                                                     "dynamic_cast"};
+
+/// Words that are modifiers where a name follows.
+constexpr std::array<std::string_view, 12> kModifierWords{"linear", "centroid", "precise", "noperspective", "sample", "point",
+                                                          "line",   "triangle", "export",  "snorm",         "unorm",  "signed"};
+
+/// Words of Direct3D 11's own language: names in older effects only.
+constexpr std::array<std::string_view, 7> kNewWords{"class", "interface", "namespace", "using", "template", "this", "enum"};
+
+/// Functions that Direct3D 9's hardware computes otherwise.
+constexpr std::array<std::string_view, 6> kArithmetic{"pow", "normalize", "sqrt", "rsqrt", "log", "log2"};
+
+template <class List>
+bool contains(const List& list, std::string_view word) {
+    return std::ranges::find(list, word) != list.end();
+}
+
+std::string upper(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return result;
+}
+
+/// `half3` to `float3`: SPIR-V's small types need hardware, and Direct3D 9 computes floats.
+std::string respeltType(const std::string& word) {
+    for (const std::string_view small : {"half", "double", "fixed"}) {
+        if (!word.starts_with(small)) continue;
+        const std::string rest = word.substr(small.size());
+        const bool shape = rest.empty() || rest.size() == 1 || (rest.size() == 3 && rest[1] == 'x');
+        const auto digit = [](char c) { return c >= '1' && c <= '4'; };
+        if (shape && (rest.empty() || (digit(rest.front()) && digit(rest.back())))) return "float" + rest;
+    }
+    if (equalsIgnoreCase(word, "dword")) return "uint";
+    if (equalsIgnoreCase(word, "vector") || equalsIgnoreCase(word, "matrix")) return toLower(word);
+    return word;
+}
+
+} // namespace
+
+Profile profileOf(std::string_view text) {
+    const std::size_t at = text.find('_');
+    if (at == std::string_view::npos || at + 1 >= text.size()) return {};
+    const char digit = text[at + 1];
+    return {.major = digit >= '1' && digit <= '9' ? digit - '0' : 3};
+}
+
+std::optional<std::string> samplerKind(std::string_view type) {
+    if (equalsIgnoreCase(type, "samplerstate") || equalsIgnoreCase(type, "samplercomparisonstate")) return std::nullopt;
+    const std::string text = upper(type);
+    if (!text.starts_with("SAMPLER")) return std::nullopt;
+    const std::string kind = text.substr(7);
+    if (kind.empty() || contains(kKinds, kind)) return kind;
+    return std::nullopt;
+}
+
+bool isTexture9(std::string_view type) {
+    if (type.starts_with("Texture") && type != "Texture") return false; // Texture2D has methods
+    return equalsIgnoreCase(type, "texture") || equalsIgnoreCase(type, "texture1D") || equalsIgnoreCase(type, "texture2D") ||
+           equalsIgnoreCase(type, "texture3D") || equalsIgnoreCase(type, "textureCUBE");
+}
+
+bool isEffectType(std::string_view type) {
+    for (const std::string_view name :
+         {"string", "vertexshader", "pixelshader", "geometryshader", "stateblock", "depthstencilstate", "blendstate", "rasterizerstate",
+          "vertexfragment", "pixelfragment", "computeshader", "hullshader", "domainshader", "rendertargetview", "depthstencilview"})
+        if (equalsIgnoreCase(type, name)) return true;
+    return false;
+}
+
+std::optional<Fetch> fetchOf(std::string_view word) {
+    if (word.size() < 5 || !equalsIgnoreCase(word.substr(0, 3), "tex")) return std::nullopt;
+    const std::string text = upper(word.substr(3));
+    for (const std::string_view kind : kKinds) {
+        if (!text.starts_with(kind)) continue;
+        const std::string form = toLower(text.substr(kind.size()));
+        if (contains(kForms, form)) return Fetch{.kind = std::string(kind), .form = form};
+    }
+    return std::nullopt;
+}
+
+std::optional<Shape> shapeOf(const Words& type) {
+    if (type.empty()) return std::nullopt;
+    const std::string name = respeltType(type.front().text);
+    if (name == "vector" || name == "matrix") {
+        const bool matrix = name == "matrix";
+        Shape shape{.scalar = "float", .rows = matrix ? 4 : 1, .columns = 4, .matrix = matrix};
+        if (type.size() >= 5) shape.scalar = respeltType(type[2].text);
+        if (!matrix && type.size() >= 6) shape.columns = std::atoi(type[4].text.c_str());
+        if (matrix && type.size() >= 8) {
+            shape.rows = std::atoi(type[4].text.c_str());
+            shape.columns = std::atoi(type[6].text.c_str());
+        }
+        return shape;
+    }
+    for (const std::string_view scalar :
+         {"float", "int", "uint", "bool", "min16float", "min16int", "min16uint", "min10float", "min12int"}) {
+        if (!name.starts_with(scalar)) continue;
+        const std::string rest = name.substr(scalar.size());
+        const auto digit = [](char c) { return c >= '1' && c <= '4'; };
+        if (rest.empty()) return Shape{.scalar = std::string(scalar)};
+        if (rest.size() == 1 && digit(rest[0])) return Shape{.scalar = std::string(scalar), .columns = rest[0] - '0'};
+        if (rest.size() == 3 && digit(rest[0]) && rest[1] == 'x' && digit(rest[2]))
+            return Shape{.scalar = std::string(scalar), .rows = rest[0] - '0', .columns = rest[2] - '0', .matrix = true};
+    }
+    return std::nullopt;
+}
+
+bool isReserved(std::string_view word) {
+    return contains(kReserved, word) && word != "input";
+}
+
+Words Spelling::respelt(const Words& words) const {
+    Words result;
+    result.reserve(words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        Word word = words[i];
+        const bool named = word.isName();
+        const bool member = i > 0 && words[i - 1].is(".");
+        const bool calls = i + 1 < words.size() && words[i + 1].is("(");
+        const bool beforeName = i + 1 < words.size() && words[i + 1].isName();
+        if (named && isReserved(word.text)) {
+            const bool keyword = (contains(kModifierWords, word.text) && beforeName) || (!legacy && contains(kNewWords, word.text));
+            if (!keyword) word.text += '_';
+        } else if (named && !member && renamed && renamed->contains(word.text)) {
+            word.text = renamed->at(word.text);
+        } else if (named && calls && code->byName.find(word.text) == code->byName.end()) {
+            if (const auto fetch = fetchOf(word.text))
+                word.text = "tg_tex" + fetch->kind + fetch->form;
+            else if (word.is("lit") || (legacy && contains(kArithmetic, word.text)))
+                word.text = "tg_" + word.text;
+            else if (!member)
+                word.text = respeltType(word.text);
+        } else if (named && !member) {
+            word.text = respeltType(word.text);
+        }
+        result.push_back(std::move(word));
+    }
+    return result;
+}
+
+const std::string& prelude() {
+    // One dimension lives in the middle of a picture of two. The smallest normal float stands where hardware of Direct3D 9 gives no
+    // infinity.
+    static const std::string kText =
+        R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
+#define tg_pow(x, y) pow(abs(x), y)
+#define tg_sqrt(x) sqrt(abs(x))
+#define tg_rsqrt(x) rsqrt(max(abs(x), 1e-30))
+#define tg_log(x) log(max(abs(x), 1.18e-38))
+#define tg_log2(x) log2(max(abs(x), 1.18e-38))
+float tg_normalize(float v) { return v < 0 ? -1 : v > 0 ? 1 : 0; }
+float2 tg_normalize(float2 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
+float3 tg_normalize(float3 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
+float4 tg_normalize(float4 v) { return v * rsqrt(max(dot(v, v), 1e-30)); }
+float3 tg_encoded(float3 c) { c = saturate(c); return c < 0.0031308 ? c * 12.92 : 1.055 * pow(max(c, 1e-30), 1 / 2.4) - 0.055; }
+struct tg_s1D { Texture2D<float4> t; SamplerState s; };
+struct tg_s2D { Texture2D<float4> t; SamplerState s; };
+struct tg_s3D { Texture3D<float4> t; SamplerState s; };
+struct tg_sCUBE { TextureCube<float4> t; SamplerState s; };
+#define TG_FETCHES(N, D, V, W, C, P) \
+float4 N(D s, V uv) { return s.t.Sample(s.s, P(uv)); } \
+float4 N(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, P(uv), W(dx), W(dy)); } \
+float4 N##grad(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, P(uv), W(dx), W(dy)); } \
+float4 N##bias(D s, float4 uv) { return s.t.SampleBias(s.s, P(uv.C), uv.w); } \
+float4 N##lod(D s, float4 uv) { return s.t.SampleLevel(s.s, P(uv.C), uv.w); } \
+float4 N##proj(D s, float4 uv) { return s.t.Sample(s.s, P(uv.C / uv.w)); }
+#define TG_LINE(u) float2(u, 0.5)
+#define TG_FLAT(u) float2(u, 0)
+TG_FETCHES(tg_tex1D, tg_s1D, float, TG_FLAT, x, TG_LINE)
+TG_FETCHES(tg_tex2D, tg_s2D, float2, float2, xy, float2)
+TG_FETCHES(tg_tex3D, tg_s3D, float3, float3, xyz, float3)
+TG_FETCHES(tg_texCUBE, tg_sCUBE, float3, float3, xyz, float3)
+)";
+    return kText;
+}
+
+} // namespace tegument::adopt

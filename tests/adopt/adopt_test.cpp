@@ -1,0 +1,205 @@
+// Effects of other hosts, written for this test in the manner of each, become sources that DXC takes; and what their parameters get.
+
+#include "host/adopt/adopt.h"
+#include "host/adopt/bind.h"
+#include "host/spirv/compile.h"
+#include "tests/effect/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace tegument::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+Effect foreign(const std::string& text) {
+    return loaded(load(Files{{"main.fx", text}}, {.lenient = true}));
+}
+
+std::vector<fs::path> effects() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator("tests/adopt/effects"))
+        if (entry.path().extension() == ".fx") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+Result<Shader> compiled(const Effect& effect, const ShaderReference& shader, Stage stage) {
+    if (shader.obstacle) return Error{Blame::Input, {*shader.obstacle}};
+    return compileShader({.code = shader.code,
+                          .file = effect.file.string(),
+                          .entry = shader.entry,
+                          .stage = stage,
+                          .defines = {},
+                          .includeFolders = {},
+                          .language2018 = true},
+                         Compiler::Dxc);
+}
+
+class ForeignEffects : public testing::TestWithParam<fs::path> {};
+
+TEST_P(ForeignEffects, compile_in_every_pass_and_their_stages_meet) {
+    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "the DXC library is not there (./bootstrap build fetches it)";
+    const Result<Effect> effect = loadEffect(GetParam(), {.lenient = true});
+    ASSERT_TRUE(effect) << format(effect.error());
+    const Adoption adoption = adopted(*effect);
+    for (const Technique& technique : adoption.effect.techniques)
+        for (const Pass& pass : technique.passes) {
+            ASSERT_TRUE(pass.vertexShader) << pass.name;
+            const auto vertex = compiled(adoption.effect, *pass.vertexShader, Stage::Vertex);
+            ASSERT_TRUE(vertex) << format(vertex.error()) << pass.vertexShader->code;
+            if (!pass.pixelShader) continue;
+            auto pixel = compiled(adoption.effect, *pass.pixelShader, Stage::Pixel);
+            ASSERT_TRUE(pixel) << format(pixel.error()) << pass.pixelShader->code;
+            const auto linked = linkStages(*vertex, *pixel);
+            EXPECT_TRUE(linked) << format(linked.error());
+        }
+}
+
+std::string fileName(const testing::TestParamInfo<fs::path>& tested) {
+    return tested.param.stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ForeignEffects, testing::ValuesIn(effects()), fileName);
+
+const std::string kRest = "float4 VS(float4 p : POSITION) : POSITION { return p; }\n"
+                          "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }\n";
+
+TEST(ForeignMessages, name_the_authors_line) {
+    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "the DXC library is not there (./bootstrap build fetches it)";
+    const Effect effect = adopted(foreign("float a;\n\n\nfloat4 PS() : COLOR\n{\n    return nowhere;\n}\n" + kRest)).effect;
+    const auto pixel = compiled(effect, *effect.techniques[0].passes[0].pixelShader, Stage::Pixel);
+    ASSERT_FALSE(pixel);
+    EXPECT_EQ(pixel.error().diagnostics[0].at.line, 6) << format(pixel.error());
+    EXPECT_EQ(pixel.error().diagnostics[0].at.file, "main.fx");
+}
+
+TEST(ForeignMessages, say_what_no_later_model_has) {
+    const Effect effect = adopted(foreign("float4 PS(float2 t : TEXCOORD0) : COLOR { return noise(t); }\n" + kRest)).effect;
+    const auto obstacle = effect.techniques[0].passes[0].pixelShader->obstacle;
+    ASSERT_TRUE(obstacle);
+    EXPECT_EQ(obstacle->code, 3405);
+    EXPECT_NE(obstacle->text.find("not in shader model 4"), std::string::npos);
+}
+
+TEST(ForeignMessages, refuse_what_dxc_does_not_survive) {
+    for (const std::string body : {"VertexShader v[2] = 1; return 1;", "Nothing v[2] = 1; return 1;"}) {
+        const Effect effect = adopted(foreign("float4 PS() : COLOR { " + body + " }\n" + kRest)).effect;
+        ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle) << body;
+        EXPECT_EQ(effect.techniques[0].passes[0].pixelShader->obstacle->code, 3405);
+        EXPECT_FALSE(effect.techniques[0].passes[0].vertexShader->obstacle) << "the other stage is respelt all the same";
+    }
+}
+
+TEST(ForeignMessages, name_a_function_that_is_only_declared) {
+    const Effect effect = adopted(foreign("float4 PS() : COLOR;\n" + kRest)).effect;
+    ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle);
+    EXPECT_EQ(effect.techniques[0].passes[0].pixelShader->obstacle->code, 3401);
+}
+
+TEST(ForeignMessages, name_a_parameter_without_a_value) {
+    const Effect effect = adopted(foreign("float4 PS(uniform float k) : COLOR { return k; }\n" + kRest)).effect;
+    ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle);
+    EXPECT_EQ(effect.techniques[0].passes[0].pixelShader->obstacle->code, 3402);
+}
+
+TEST(ForeignMessages, name_an_output_that_no_pixel_shader_has) {
+    const Effect effect = adopted(foreign("float4 PS() : TEXCOORD3 { return 1; }\n" + kRest)).effect;
+    ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle);
+    EXPECT_EQ(effect.techniques[0].passes[0].pixelShader->obstacle->code, 3403);
+}
+
+TEST(ForeignMessages, note_what_stands_in) {
+    const Adoption adoption = adopted(foreign("technique T { pass P { } }"));
+    EXPECT_TRUE(std::ranges::any_of(adoption.notes, [](const Diagnostic& note) { return note.code == 3404; }));
+}
+
+TEST(ForeignPasses, without_a_matrix_cover_the_target_and_others_place_the_mesh) {
+    const Effect flat = adopted(foreign("float4 PS() : COLOR { return 1; }\n" + kRest)).effect;
+    EXPECT_TRUE(flat.techniques[0].passes[0].script.given);
+    EXPECT_EQ(flat.techniques[0].passes[0].script.commands[0].options[0], "Buffer");
+    const Effect mesh = adopted(foreign("float4x4 m : WORLDVIEWPROJECTION; float4 V(float4 p : POSITION) : POSITION { return mul(p, m); }\n"
+                                        "technique T { pass P { VertexShader = compile vs_2_0 V(); } }"))
+                            .effect;
+    EXPECT_FALSE(mesh.techniques[0].passes[0].script.given);
+    EXPECT_TRUE(mesh.techniques[0].passes[0].state.frontCounterClockwise);
+}
+
+TEST(ForeignPasses, of_this_hosts_own_effects_stay_as_they_are) {
+    const Adoption own = adopted(loaded("#ifdef FX_ENTRY\n#endif\nfloat4 V(float4 p : POSITION) : SV_Position { return p; }\n"
+                                        "technique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, V())); } }"));
+    EXPECT_FALSE(own.effect.adopted);
+    EXPECT_TRUE(own.effect.techniques[0].passes[0].vertexShader->code.empty());
+}
+
+TEST(ForeignPasses, keep_the_alpha_test_as_code) {
+    const Effect effect = adopted(foreign("float4 PS() : COLOR { return 1; }\nfloat4 VS(float4 p : POSITION) : POSITION { return p; }\n"
+                                          "technique T { pass P { AlphaTestEnable = TRUE; AlphaFunc = Greater; AlphaRef = 7;\n"
+                                          "VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }"))
+                              .effect;
+    const std::string& code = effect.techniques[0].passes[0].pixelShader->code;
+    EXPECT_NE(code.find("> 7)) discard;"), std::string::npos) << code;
+}
+
+struct NameCase {
+    std::string name;
+    std::string matrix; // empty: none
+};
+class MatrixNames : public testing::TestWithParam<NameCase> {};
+
+TEST_P(MatrixNames, are_known_in_their_spellings) {
+    EXPECT_EQ(adopt::matrixName(GetParam().name).value_or(""), GetParam().matrix) << GetParam().name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Spellings, MatrixNames,
+                         testing::Values(NameCase{"WorldViewProjection", "WORLDVIEWPROJECTION"},
+                                         NameCase{"world_view_proj_matrix", "WORLDVIEWPROJECTION"}, NameCase{"WVP", "WORLDVIEWPROJECTION"},
+                                         NameCase{"WorldIT", "WORLDINVERSETRANSPOSE"},
+                                         NameCase{"WORLDINVERSETRANSPOSE", "WORLDINVERSETRANSPOSE"}, NameCase{"ViewInverse", "VIEWINVERSE"},
+                                         NameCase{"inv_view_matrix", "VIEWINVERSE"}, NameCase{"ViewI", "VIEWINVERSE"},
+                                         NameCase{"matViewProjection", "VIEWPROJECTION"}, NameCase{"InvWorldTranspose", ""},
+                                         NameCase{"ModelViewProj", "WORLDVIEWPROJECTION"}, NameCase{"WorldTranspose", "WORLDTRANSPOSE"},
+                                         NameCase{"Viewer", ""}, NameCase{"Worldly", ""}, NameCase{"Texture", ""}));
+
+/// What one parameter of an effect gets.
+ParameterBinding binding(const std::string& declaration, const AdoptOptions& options = {}) {
+    Effect effect = foreign(declaration);
+    return adopt::bindParameter(effect.parameters[0], options, false);
+}
+
+TEST(ForeignBindings, follow_semantic_annotation_address_and_name_in_this_order) {
+    EXPECT_EQ(binding("float4x4 foo : WorldViewProj;").source, "WORLDVIEWPROJECTION");
+    EXPECT_EQ(binding("float4x4 g_mWorldViewProjection;").rule, "name");
+    EXPECT_EQ(binding("float4x4 View < string SasBindAddress = \"Sas.Camera.Projection\"; >;").source, "PROJECTION");
+    EXPECT_EQ(binding("float3 p : POSITION < string Object = \"PointLight0\"; >;").source, "POSITION of the light");
+    EXPECT_EQ(binding("float3 p : POSITION < string Object = \"Camera\"; >;").source, "CAMERAPOSITION");
+    EXPECT_EQ(binding("float3 g_vEyePos;").source, "CAMERAPOSITION");
+    EXPECT_EQ(binding("float3 d : DIRECTION < string Object = \"DirectionalLight0\"; >;").source, "LIGHTDIRECTION");
+    EXPECT_EQ(binding("float3 g_LightDir;").source, "TOLIGHT") << "nothing turns it round";
+}
+
+TEST(ForeignBindings, keep_a_value_that_the_author_gave_unless_only_the_scene_knows_it) {
+    EXPECT_EQ(binding("float4 diffuseColor = { 1, 0, 0, 1 };").source, "its default");
+    EXPECT_EQ(binding("float4 diffuseColor;").source, "white");
+    EXPECT_EQ(binding("float shininess;").source, "20");
+    EXPECT_EQ(binding("float3 LightPosition = { 1, 2, 3 };").source, "POSITION of the light");
+    EXPECT_EQ(binding("float4x4 gBones[4];").source, "identities: no bones");
+    EXPECT_EQ(binding("float whatever;").source, "zero");
+}
+
+TEST(ForeignBindings, need_a_type_that_fits) {
+    EXPECT_EQ(binding("float World;").source, "zero");
+    EXPECT_EQ(binding("float2 LightPosition;").source, "zero");
+    EXPECT_EQ(binding("int3 CameraPosition;").source, "zero");
+}
+
+TEST(ForeignBindings, obey_the_command_line) {
+    EXPECT_EQ(binding("float4x4 strange;", {.bind = {{"strange", "WORLDVIEWPROJECTION"}}}).source, "WORLDVIEWPROJECTION");
+    EXPECT_EQ(binding("float4x4 World : WORLD;", {.bind = {{"World", "default"}}}).source, "the identity");
+}
+
+} // namespace
+} // namespace tegument::test

@@ -1,0 +1,72 @@
+// Foreign effects as a user draws them: every one of tests/adopt shows something, and what does not is said.
+
+#include "tests/app/program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace tegument::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Survey, draws_every_effect_written_in_the_manner_of_another_host) {
+    const Ran ran = tegument({"survey", "tests/adopt/effects", "--size", "64", "--target", "none", "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const Json report = Json::parse(ran.out);
+    EXPECT_GE(report["files"].size(), 50U);
+    for (const Json& file : report["files"]) {
+        EXPECT_EQ(file["read"], "read") << file.dump(1);
+        EXPECT_EQ(file["drawn"], "drawn") << file.dump(1);
+    }
+}
+
+TEST(Survey, counts_what_is_refused_by_its_code) {
+    std::filesystem::create_directories(scratch() / "survey");
+    const std::string folder = write("survey/bad.fx", "technique T { pass P { NoSuchState = 1; } }");
+    const Ran ran = tegument({"survey", folder.substr(0, folder.rfind('/')), "--size", "16"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("refused: TG2001"), std::string::npos) << ran.out;
+}
+
+TEST(Survey, has_an_example_for_continuous_integration_that_runs) {
+    const std::string run = std::string("TEGUMENT=") + TEGUMENT_PROGRAM + " sh docs/samples/ci/check-effects.sh ";
+    EXPECT_EQ(std::system((run + "tests/adopt/effects >/dev/null 2>&1").c_str()), 0);
+    std::filesystem::create_directories(scratch() / "ci");
+    write("ci/bad.fx", "technique T { pass P { NoSuchState = 1; } }");
+    EXPECT_NE(std::system((run + (scratch() / "ci").string() + " >/dev/null 2>&1").c_str()), 0);
+}
+
+std::string flat(const std::string& name, const std::string& colour) {
+    return write(name, "float4 VS(float4 p : POSITION) : POSITION { return p; }\nfloat4 PS() : COLOR { return " + colour +
+                           "; }\ntechnique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }\n");
+}
+
+TEST(ForeignPictures, of_one_colour_are_said) {
+    const Ran black = tegument({"render", flat("black.fx", "0"), "--size", "16", "-o", (scratch() / "black.png").string()});
+    EXPECT_EQ(black.code, 0) << black.err;
+    EXPECT_NE(black.err.find("TG4070: the picture is black"), std::string::npos) << black.err;
+    const Ran red = tegument({"render", flat("red.fx", "float4(1, 0, 0, 1)"), "--size", "16", "-o", (scratch() / "red.png").string()});
+    EXPECT_NE(red.err.find("the picture is one colour, (1.00, 0.00, 0.00)"), std::string::npos) << red.err;
+}
+
+TEST(ForeignPictures, come_with_a_line_for_each_parameter) {
+    const std::string file =
+        write("bound.fx", "float4x4 strange; float4 tint = { 1, 0, 0, 1 };\n"
+                          "float4 VS(float4 p : POSITION) : POSITION { return mul(p, strange); }\nfloat4 PS() : COLOR { return tint; }\n"
+                          "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }\n");
+    const Ran ran = tegument(
+        {"render", file, "--size", "16", "-o", (scratch() / "bound.png").string(), "--bind", "strange=WORLDVIEWPROJECTION", "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const Json report = Json::parse(ran.out);
+    EXPECT_EQ(report["bindings"][0]["got"], "WORLDVIEWPROJECTION");
+    EXPECT_EQ(report["bindings"][0]["by"], "--bind");
+    EXPECT_EQ(report["bindings"][1]["got"], "its default");
+    EXPECT_FALSE(report.contains("picture")) << "a red disc on black";
+}
+
+} // namespace
+} // namespace tegument::test

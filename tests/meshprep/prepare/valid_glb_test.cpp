@@ -1,0 +1,68 @@
+// Everything that preparation writes, judged by others: Khronos's validator, and gltfpack, whose reader is cgltf.
+#include "host/support/file.h"
+#include "meshprep/prepare/prepare.h"
+#include "tests/meshprep/prepare/hard_files.h"
+#include "tests/meshprep/prepare/meshes.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+using namespace tegument;
+using namespace tegument::testing_prep;
+
+namespace {
+
+class ValidGlb : public PrepFolder {
+protected:
+    static std::filesystem::path tools() {
+        const char* own = std::getenv("TEGUMENT_GLTF_TOOLS");
+        return own ? std::filesystem::path(own) : cacheFolder() / "tools/gltf";
+    }
+
+    void writeAll(const std::string& variant, const prep::PrepOptions& options) {
+        std::filesystem::create_directories(folder_ / "out");
+        for (const HardFile& file : hardFiles()) {
+            if (file.expected.error != 0 || file.bytes.size() > kLarge) continue;
+            EXPECT_TRUE(writeFile(folder_ / file.name, file.bytes));
+            const auto prepared = prep::prepareMesh(folder_ / file.name, options);
+            if (!prepared) continue; // what some options refuse: half floats of 1e20
+            const std::string name = fmt::format("{}_{}_{}.glb", file.number, std::filesystem::path(file.name).stem().string(), variant);
+            EXPECT_TRUE(writeGlb(folder_ / "out" / name, prepared->mesh, prepared->glb)) << name;
+            ++written_;
+        }
+    }
+
+    static constexpr std::size_t kLarge = 2'000'000; // of three like it one is enough, and takes time enough
+    std::size_t written_ = 0;
+};
+
+prep::PrepOptions lenient() {
+    prep::PrepOptions options;
+    options.read.dropNotFinite = true;
+    return options;
+}
+
+} // namespace
+
+TEST_F(ValidGlb, of_every_hard_file_passes_the_validator_and_is_read_by_another_program) {
+    if (!std::filesystem::exists(tools() / "node_modules/gltf-validator") || std::system("node --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "no gltf-validator: docs/meshprep.md says where it comes from";
+    writeAll("plain", lenient());
+    prep::PrepOptions small = lenient();
+    small.precision = prep::VertexPrecision::Unorm16;
+    small.overdraw = true;
+    writeAll("small", small);
+    prep::PrepOptions chunked = lenient();
+    chunked.chunk16 = true;
+    chunked.levels = 2;
+    chunked.centre = prep::CentreMode::None;
+    writeAll("chunked", chunked);
+    EXPECT_GT(written_, 150u);
+    const auto log = folder_ / "log.txt";
+    const std::string command = fmt::format("node tests/meshprep/prepare/judge_glb.js '{}' '{}' > '{}' 2>&1", tools().string(),
+                                            (folder_ / "out").string(), log.string());
+    const int result = std::system(command.c_str());
+    const auto said = readFile(log);
+    EXPECT_EQ(result, 0) << (said ? *said : "no log");
+}

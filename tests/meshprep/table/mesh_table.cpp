@@ -1,0 +1,205 @@
+// mesh_table FILE...: a line for each mesh: how often the vertex shader runs after `best` and after meshoptimizer's best order, the times,
+// the errors of levels. Below the table: where ours loses. Generated meshes come first.
+#include "meshprep/prepare/distance.h"
+#include "meshprep/prepare/prepare.h"
+#include "meshprep/prepare/shapes.h"
+#include "tests/meshprep/table/peer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+
+using namespace tegument;
+using namespace tegument::prep;
+using testing_prep::Indices;
+
+namespace {
+
+const std::vector<std::pair<std::string, order::CacheModel>> kModels = {{"fifo:16", order::fifo(16)},
+                                                                        {"fifo:24", order::fifo(24)},
+                                                                        {"fifo:32", order::fifo(32)},
+                                                                        {"lru:16", order::lru(16)},
+                                                                        {"warp", order::kWarp}};
+
+struct Figures {
+    double ours = 0;
+    double theirs = 0;
+};
+
+struct Row {
+    std::string name;
+    std::size_t triangles = 0;
+    std::vector<Figures> reuse;  // of each model: transformed vertices per vertex
+    Figures milliseconds;        // fifo:16, wall, beside meshoptimizer's vertex cache order
+    double processor = 0;        // the same, of all threads
+    std::vector<Figures> levels; // greatest distance in per cent of the radius
+};
+
+/// One part of a mesh by itself, as it is drawn.
+struct Part {
+    Indices indices;
+    std::vector<glm::vec3> positions;
+};
+
+std::span<const float> placesOf(const Part& part) {
+    return {&part.positions[0].x, 3 * part.positions.size()};
+}
+
+std::vector<Part> partsOf(const Mesh& mesh) {
+    std::vector<Part> parts;
+    for (const MeshPart& part : mesh.parts) {
+        std::vector<std::uint32_t> number(mesh.positions.size(), UINT32_MAX);
+        Part own;
+        for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; ++i) {
+            std::uint32_t& n = number[mesh.indices[i]];
+            if (n == UINT32_MAX) {
+                n = static_cast<std::uint32_t>(own.positions.size());
+                own.positions.push_back(mesh.positions[mesh.indices[i]]);
+            }
+            own.indices.push_back(n);
+        }
+        parts.push_back(std::move(own));
+        if (parts.size() == 64) break; // the rest is like them
+    }
+    return parts;
+}
+
+template <class Work>
+double milliseconds(Work work) {
+    double least = 1e30;
+    for (int i = 0; i < 3; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        least = std::min(least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    return least;
+}
+
+void measureOrders(const std::vector<Part>& parts, Row& row) {
+    for (const auto& [name, model] : kModels) {
+        std::size_t ours = 0, theirs = 0, vertices = 0;
+        for (const Part& part : parts) {
+            const std::size_t count = part.positions.size();
+            ours += order::measure(model, *order::reorder(part.indices, count, order::Method::Best, model, placesOf(part)), count).misses;
+            std::size_t least = SIZE_MAX;
+            for (const Indices& theirOrder : testing_prep::peerOrders(part.indices, part.positions, model.entries))
+                least = std::min(least, order::measure(model, theirOrder, count).misses);
+            theirs += least;
+            vertices += count;
+        }
+        row.reuse.push_back(
+            {static_cast<double>(ours) / static_cast<double>(vertices), static_cast<double>(theirs) / static_cast<double>(vertices)});
+    }
+    const std::clock_t before = std::clock();
+    row.milliseconds.ours = milliseconds([&] {
+        for (const Part& part : parts)
+            (void)order::reorder(part.indices, part.positions.size(), order::Method::Best, order::fifo(16), placesOf(part));
+    });
+    row.processor = 1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC / 3;
+    row.milliseconds.theirs = milliseconds([&] {
+        for (const Part& part : parts)
+            (void)testing_prep::peerVertexCache(part.indices, part.positions.size());
+    });
+}
+
+void measureLevels(const Mesh& mesh, Row& row) {
+    const Levels made = makeLevels(mesh, 4);
+    const DistanceFrom distance(mesh.positions, mesh.indices);
+    for (const Level& level : made.levels) {
+        double least = 1e30;
+        for (const Indices& theirs :
+             testing_prep::peerLevels(mesh.indices, mesh.positions, mesh.normals, mesh.uvs, level.mesh.indices.size() / 3))
+            if (theirs.size() <= level.mesh.indices.size() * 21 / 20) least = std::min(least, distance.to(theirs).greatest);
+        const double radius = static_cast<double>(mesh.bounds.radius);
+        row.levels.push_back({100 * level.error.greatest / radius, least > 1e29 ? NAN : 100 * least / radius});
+    }
+}
+
+std::optional<Row> rowOf(const std::string& name, Mesh mesh) {
+    if (mesh.indices.size() < 300) return std::nullopt;
+    Row row{.name = name, .triangles = mesh.indices.size() / 3, .reuse = {}, .milliseconds = {}, .levels = {}};
+    measureOrders(partsOf(mesh), row);
+    measureLevels(mesh, row);
+    return row;
+}
+
+std::optional<Row> rowOf(const std::filesystem::path& file) {
+    PrepOptions options;
+    options.order = std::nullopt;
+    options.levels = 1;
+    options.read.dropNotFinite = true;
+    auto prepared = prepareMesh(file, options);
+    if (!prepared) return std::nullopt;
+    return rowOf(file.filename().string(), std::move(prepared->mesh));
+}
+
+std::vector<std::pair<std::string, Mesh>> generated() {
+    std::vector<std::pair<std::string, Mesh>> meshes;
+    for (const auto& [name, shape, details] :
+         {std::tuple("sphere", Shape::Sphere, std::array{12, 40, 70}), std::tuple("terrain", Shape::Terrain, std::array{20, 90, 200}),
+          std::tuple("torus", Shape::Torus, std::array{0, 0, 0})})
+        for (const int detail : details) {
+            Mesh mesh = makeShape(shape, detail);
+            Surface surface{.mesh = std::move(mesh), .point = {}};
+            findPlaces(surface, {});
+            makeNormals(surface, {});
+            computeBounds(surface.mesh);
+            meshes.emplace_back(fmt::format("{} {}", name, detail), std::move(surface.mesh));
+            if (detail == 0) break;
+        }
+    return meshes;
+}
+
+void print(const Row& row) {
+    std::string line = fmt::format("| {} | {} |", row.name, row.triangles);
+    for (const Figures& figures : row.reuse)
+        line += fmt::format(" {:.3f} {:.3f} |", figures.ours, figures.theirs);
+    line += fmt::format(" {:.1f} ({:.1f}) {:.1f} |", row.milliseconds.ours, row.processor, row.milliseconds.theirs);
+    for (std::size_t i = 0; i < 3; ++i)
+        line += i < row.levels.size() ? fmt::format(" {:.2f} {:.2f} |", row.levels[i].ours, row.levels[i].theirs) : std::string(" |");
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+}
+
+void printLosses(const std::vector<Row>& rows) {
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.reuse.size(); ++i)
+            if (row.reuse[i].ours > row.reuse[i].theirs * (1 + 1e-9))
+                fmt::print("loses: {}, {}: {:.4f} against {:.4f}\n", row.name, kModels[i].first, row.reuse[i].ours, row.reuse[i].theirs);
+        for (std::size_t i = 0; i < row.levels.size(); ++i)
+            if (row.levels[i].ours > 1.05 * row.levels[i].theirs)
+                fmt::print("loses: {}, level {}: {:.3f} against {:.3f} % of the radius\n", row.name, i + 1, row.levels[i].ours,
+                           row.levels[i].theirs);
+        if (row.milliseconds.ours > 3 * row.milliseconds.theirs && row.milliseconds.ours > 50)
+            fmt::print("loses: {}, time: {:.1f} against {:.1f} ms\n", row.name, row.milliseconds.ours, row.milliseconds.theirs);
+    }
+}
+
+} // namespace
+
+/// `--files-only`: no generated meshes.
+int main(int count, char** arguments) {
+    const bool filesOnly = count > 1 && std::string_view(arguments[1]) == "--files-only";
+    fmt::print("ours, then {}: vertices transformed per vertex; ms for fifo:16 (of all threads) beside its vertex cache order; levels: per "
+               "cent of the radius\n\n",
+               testing_prep::peerName());
+    fmt::print("| mesh | triangles | fifo:16 | fifo:24 | fifo:32 | lru:16 | warp | ms | level 1 | level 2 | level 3 "
+               "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    std::vector<Row> rows;
+    const auto take = [&](std::optional<Row> row) {
+        if (!row) return;
+        print(*row);
+        rows.push_back(std::move(*row));
+    };
+    if (!filesOnly)
+        for (auto& [name, mesh] : generated())
+            take(rowOf(name, std::move(mesh)));
+    for (int i = filesOnly ? 2 : 1; i < count; ++i)
+        take(rowOf(std::filesystem::path(arguments[i])));
+    fmt::print("\n{} meshes\n", rows.size());
+    printLosses(rows);
+    return EXIT_SUCCESS;
+}

@@ -1,4 +1,4 @@
-// Ribbons (`tegument fur strands`, docs/design/strands.md): a vertex stands on its strand's root and holds its place along the strand;
+// Ribbons (`tegument fur strands`, docs/design/fur.md): a vertex stands on its strand's root and holds its place along the strand;
 // here it goes to its place in space, beside the axis, so that the ribbon faces the eye. All light is found at vertices; pixels know how
 // far they are from the axis. Lengths along the mesh's axes at rest, in units of the world.
 #ifndef TEGUMENT_PASSES_FUR_RIBBONS_FXH

@@ -1,4 +1,4 @@
-// Strands as ribbons: flat bands along a strand's axis that face the eye (`tegument fur strands` writes them, docs/design/strands.md). A
+// Strands as ribbons: flat bands along a strand's axis that face the eye (`tegument fur strands` writes them, docs/design/fur.md). A
 // vertex stands on its root; the vertex shader takes it to its place on the strand, and the pixel shader needs only its distance from the
 // axis.
 #ifndef TEGUMENT_FUR_RIBBONS_FXH

@@ -255,7 +255,7 @@ Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene&
 
 void addFurStrands(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<StrandArguments>();
-    CLI::App* command = fur.add_subcommand("strands", "Grow strands on a mesh as ribbons, a part of it (docs/design/strands.md)");
+    CLI::App* command = fur.add_subcommand("strands", "Grow strands on a mesh as ribbons, a part of it (docs/design/fur.md)");
     command->add_option("mesh", arguments->roots.input, "Mesh, as the effect will draw it")->required();
     command->add_option("-o,--output", arguments->output, "glb to write; roots that are made stand beside it as DDS")
         ->capture_default_str();

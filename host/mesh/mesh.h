@@ -33,7 +33,7 @@ struct MeshPart {
     std::optional<std::uint32_t> material{}; // of the mesh's `materials`
 };
 
-/// The part whose triangles are ribbons of fur (docs/design/strands.md). Their vertices stand on their roots, so that whoever does not bend
+/// The part whose triangles are ribbons of fur (docs/design/fur.md). Their vertices stand on their roots, so that whoever does not bend
 /// them draws nothing; their texture coordinates are none.
 inline constexpr const char* kStrandsPart = "strands";
 /// The same ribbons, of fewer segments: for what is short or far.

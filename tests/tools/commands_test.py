@@ -48,7 +48,9 @@ class Program:
         return set(re.findall(r"(?<![\w-])--?[A-Za-z][\w-]*", self.output(*words, "--help"))) | OPTIONS_OF_ALL
 
     def parameters(self, effect):
-        return {parameter["name"] for parameter in json.loads(self.output("info", effect, "--json"))["parameters"]}
+        """None where the program cannot read the effect."""
+        text = self.output("info", effect, "--json")
+        return {parameter["name"] for parameter in json.loads(text)["parameters"]} if text else None
 
     def subcommand(self, words):
         """The words at the beginning that are commands: `prep human`, `fur roots`, or one."""
@@ -78,7 +80,10 @@ def faults_of_effect(program, words):
         yield f"no workspace {workspace}"
     for i, word in enumerate(words):
         parameter = words[i + 1].split("=")[0] if word in ("-s", "--set") else ""
-        if parameter and parameter not in program.parameters(effect["name"]):
+        known = program.parameters(effect["name"]) if parameter else None
+        if parameter and known is None:
+            yield f"{name} cannot be read"
+        elif parameter and parameter not in known:
             yield f"{name} has no parameter {parameter}"
 
 

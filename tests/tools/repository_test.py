@@ -272,7 +272,8 @@ class OneProgram(commands_test.Program):
             ("render", "--help"): "  -t,--technique TEXT\n  -p,--preset TEXT\n  -s,--set TEXT ...\n  -w,--workspace TEXT\n",
             ("fur", "--help"): "Subcommands:\n  roots                       Place roots\n",
             ("fur", "roots", "--help"): "  --lean FLOAT=0              How far tips lean\n",
-            ("list", "--json"): '{"effects": [{"name": "Skin", "techniques": ["Fast"], "presets": ["dry"]}], "workspaces": [{"name": "front"}]}',
+            ("list", "--json"): '{"effects": [{"name": "Skin", "techniques": ["Fast"], "presets": ["dry"]},'
+                                '             {"name": "Torn", "techniques": [], "presets": []}], "workspaces": [{"name": "front"}]}',
             ("info", "Skin", "--json"): '{"parameters": [{"name": "gMix"}]}',
         }.get(arguments, "")
 
@@ -289,7 +290,7 @@ class Commands(unittest.TestCase):
             self.assertEqual(list(commands_test.faults(program, right)), [], right)
         for wrong, fault in (("draw Skin", "no command draw"), ("render Skin --sett gMix=1", "has no option --sett"), ("fur roots a.glb --comb 1", "fur roots has no option --comb"),
                              ("render effects/Skin.fx -t Slow", "has no technique Slow"), ("render Skin --preset oily", "has no preset oily"),
-                             ("render Skin -w back", "no workspace back"), ("render Skin -s gMax=1", "has no parameter gMax"),
+                             ("render Skin -w back", "no workspace back"), ("render Skin -s gMax=1", "has no parameter gMax"), ("render Torn -s gMix=1", "Torn cannot be read"),
                              ("render [EFFECT] [--tecnique T]", "has no option --tecnique")):
             self.assertIn(fault, "".join(commands_test.faults(program, wrong)), wrong)
 

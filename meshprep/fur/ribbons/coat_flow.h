@@ -1,5 +1,5 @@
 #pragma once
-// Where fur is combed to, and where it is short, on a mesh that nobody has painted. docs/design/strands.md, "Flow".
+// Where fur is combed to, and where it is short, on a mesh that nobody has painted. docs/design/fur.md, "Flow".
 
 #include "meshprep/fur/ribbons/rooted.h"
 

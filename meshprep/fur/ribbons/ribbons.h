@@ -1,5 +1,5 @@
 #pragma once
-// Strands as ribbons: a part of a mesh that effects/FurCoat.fx bends into fur. docs/design/strands.md has the layout of their vertices.
+// Strands as ribbons: a part of a mesh that effects/FurCoat.fx bends into fur. docs/design/fur.md has the layout of their vertices.
 
 #include "meshprep/fur/ribbons/coat_flow.h"
 #include "meshprep/fur/roots/root_texture.h"

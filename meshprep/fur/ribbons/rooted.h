@@ -1,6 +1,6 @@
 #pragma once
 // Roots as strands need them: read from their texture, brought to the mesh that is drawn, in an order that keeps neighbours
-// together: ribbons are blended in this order, and others err more (docs/design/strands.md).
+// together: ribbons are blended in this order, and others err more (docs/design/fur.md).
 
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"

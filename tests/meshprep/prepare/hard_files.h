@@ -1,5 +1,6 @@
 #pragma once
-// Mesh files that programs get wrong, and what is right for each (docs/meshprep.md has the table). Written from their descriptions.
+// Mesh files that programs get wrong, and what is right for each (docs/design/meshprep-tables.md has the table). Written from their
+// descriptions.
 
 #include <optional>
 #include <string>

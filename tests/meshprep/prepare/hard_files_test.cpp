@@ -1,4 +1,4 @@
-// Every hard file behaves as docs/meshprep.md says: one precise error, or a mesh whose repairs are counted.
+// Every hard file behaves as docs/design/meshprep-tables.md says: one precise error, or a mesh whose repairs are counted.
 #include "host/support/file.h"
 #include "meshprep/prepare/prepare.h"
 #include "tests/meshprep/prepare/hard_files.h"

@@ -39,8 +39,8 @@ struct PartView {
 /// Of what grows on a vertex.
 [[nodiscard]] bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view);
 /// Least cosine between a normal and the way to the eye at which strands are still drawn: over the horizon of a ball of the radius R those
-/// of the length 0.28 R reach at -0.62. The effects leave out single strands by the same.
-inline constexpr double kHidden = -0.62;
+/// of the length 0.67 R reach at -0.8. At -0.62 (0.28 R) pixels of long fur on a small body were missing.
+inline constexpr double kHidden = -0.8;
 
 /// In order, those that touch made one; with a view, without the clusters that cannot be seen: perhaps none. TG4060 the mesh has no part of
 /// that name.

@@ -349,17 +349,13 @@ TEST(OwnMesh, its_size_is_said) {
     EXPECT_EQ(ours.out.find("the mesh is"), std::string::npos) << "a workspace knows its mesh";
 }
 
-TEST(OwnMesh, that_got_charts_is_shown_the_technique_without_seams_where_that_is_right) {
+TEST(OwnMesh, that_got_charts_is_shown_the_technique_without_seams) {
 #ifdef TEGUMENT_WITHOUT_XATLAS
     GTEST_SKIP() << "built without xatlas: ./bootstrap build brings it";
 #endif
     const std::string mesh = write("charted.obj", "v 0 0 0\nv 60 0 0\nv 0 90 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     const std::string charted = (scratch() / "named.glb").string();
-    const auto isNamed = [&](const std::string& unit) {
-        const Ran ran = tegument::test::tegument({"prep", mesh, "--unwrap", "--unit-mm", unit, "-o", charted});
-        EXPECT_EQ(ran.code, 0) << ran.err;
-        return ran.out.find("PyramidLinked --mesh " + charted) != std::string::npos;
-    };
-    EXPECT_TRUE(isNamed("1"));
-    EXPECT_FALSE(isNamed("50")) << "of several metres: its texels are wider than light spreads";
+    const Ran ran = tegument::test::tegument({"prep", mesh, "--unwrap", "-o", charted});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("PyramidLinked --mesh " + charted), std::string::npos) << ran.out;
 }

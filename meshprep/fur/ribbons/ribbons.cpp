@@ -145,6 +145,9 @@ public:
         mesh_.normals.resize(all);
         mesh_.tangents.resize(all);
         mesh_.uvs.resize(all);
+        if (!mesh_.colors.empty()) mesh_.colors.resize(all, glm::vec4(1)); // a strand's colour is its root's
+        for (MeshAttribute& attribute : mesh_.attributes)
+            attribute.values.resize(all * attribute.components);
         inChunks(strands, threads, [&](std::size_t first, std::size_t last, std::size_t) {
             for (std::size_t i = first; i < last; ++i)
                 writeVertices(i, firstVertex_ + i * vertices());

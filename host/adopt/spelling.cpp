@@ -12,7 +12,7 @@ namespace tegument::adopt {
 namespace {
 
 constexpr std::array<std::string_view, 4> kKinds{"1D", "2D", "3D", "CUBE"};
-constexpr std::array<std::string_view, 5> kForms{"", "bias", "grad", "lod", "proj"};
+constexpr std::array<std::string_view, 5> kSamplingForms{"", "bias", "grad", "lod", "proj"};
 
 // Names in Direct3D 9's effects, words of the language later on (HLSL 2018 as DXC reads it).
 constexpr std::array<std::string_view, 53> kReserved{"line",
@@ -84,12 +84,6 @@ bool contains(const List& list, std::string_view word) {
     return std::ranges::find(list, word) != list.end();
 }
 
-std::string upper(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return result;
-}
-
 /// `half3` to `float3`: SPIR-V's small types need hardware, and Direct3D 9 computes floats.
 std::string respeltType(const std::string& word) {
     for (const std::string_view small : {"half", "double", "fixed"}) {
@@ -105,6 +99,12 @@ std::string respeltType(const std::string& word) {
 }
 
 } // namespace
+
+std::string upper(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return result;
+}
 
 Profile profileOf(std::string_view text) {
     const std::size_t at = text.find('_');
@@ -142,7 +142,7 @@ std::optional<Fetch> fetchOf(std::string_view word) {
     for (const std::string_view kind : kKinds) {
         if (!text.starts_with(kind)) continue;
         const std::string form = toLower(text.substr(kind.size()));
-        if (contains(kForms, form)) return Fetch{.kind = std::string(kind), .form = form};
+        if (contains(kSamplingForms, form)) return Fetch{.kind = std::string(kind), .form = form};
     }
     return std::nullopt;
 }

@@ -39,6 +39,9 @@ struct Shape {
 };
 [[nodiscard]] std::optional<Shape> shapeOf(const Words& type);
 
+/// ASCII in capitals.
+[[nodiscard]] std::string upper(std::string_view text);
+
 /// A name that later compilers keep for themselves: line, point, sample, interface ...
 [[nodiscard]] bool isReserved(std::string_view word);
 

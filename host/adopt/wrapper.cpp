@@ -23,12 +23,6 @@ struct Leaf {
     std::string type;      // as written
 };
 
-std::string upper(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return result;
-}
-
 /// In one line, with the author's spaces and those without which two words would be one.
 std::string textOf(const Words& words) {
     const auto isWord = [](const Word& word) { return word.kind == TokenKind::Word || word.kind == TokenKind::Number; };

@@ -30,7 +30,7 @@ struct Material {
 };
 
 /// Names in such files often come from Windows.
-fs::path beside(const fs::path& folder, std::string name) {
+fs::path inFolder(const fs::path& folder, std::string name) {
     std::ranges::replace(name, '\\', '/');
     return folder / name;
 }
@@ -47,7 +47,7 @@ public:
     Library(const Source& source, Mesh& mesh) : source_(source), mesh_(mesh) {}
 
     void read(const std::string& name) {
-        const fs::path path = beside(source_.path.parent_path(), name);
+        const fs::path path = inFolder(source_.path.parent_path(), name);
         const auto text = readFile(path);
         if (!text) {
             warn(mesh_, 5328, source_.whole(), fmt::format("the material library '{}' is not there", name.substr(0, 80)),
@@ -140,7 +140,7 @@ private:
     void addPicture(const Material& from, const char* key, Json& texture) {
         const auto found = from.statements.find(key);
         if (found == from.statements.end() || fileName(found->second).empty()) return;
-        const fs::path path = beside(from.folder, fileName(found->second));
+        const fs::path path = inFolder(from.folder, fileName(found->second));
         const auto [entry, isNew] = pictures_.emplace(path, std::nullopt);
         if (isNew) entry->second = load(path, key);
         if (entry->second) texture = {{"index", *entry->second}};

@@ -1,5 +1,5 @@
 // The passes of PyramidLinked as compute shaders, but for ShadowMap: a thread for each texel of a map. What the picture shows is drawn
-// once, without shading, into gPlaceMap, and lit by pass Final from there. Pixel shaders run on a part of some chips; these run on all.
+// once, without shading, into gPlaceMap and gPlaceNormalMap, and lit by pass Final from there. Pixel shaders run on a part of some chips; these run on all.
 #ifndef TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 #define TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 
@@ -8,11 +8,11 @@ float4x4 gViewProjectionInverse : VIEWPROJECTIONINVERSE < string UIWidget = "Non
 #ifdef TEGUMENT_COMPUTE
 // u, v, distance from the eye in world units, step of u and v from pixel to pixel; 0: nothing is seen.
 Texture2D gPlaceMap : RENDERCOLORTARGET < PICTURE_TARGET("A32B32G32R32F") >;
+// The normals there, with the normal map and the mesh's own, each as a point of an octahedron: a map of texels would be too coarse.
+Texture2D gPlaceNormalMap : RENDERCOLORTARGET < PICTURE_TARGET("A32B32G32R32F") >;
 Texture2D gPlaceDepthMap : RENDERDEPTHSTENCILTARGET < PICTURE_DEPTH >;
-Texture2D gAtlasTangentMap < string Producer = "Atlas.fx/gAtlasTangentMap"; string ResourceName = "atlas_tangent.dds"; >;
 TG_SAMPLER2D(gPlace, POINT, CLAMP);
-TG_SAMPLER2D(gAtlasTangent, LINEAR, CLAMP);
-TG_SAMPLER2D(gAtlasSmoothNormal, LINEAR, CLAMP);
+TG_SAMPLER2D(gPlaceNormal, POINT, CLAMP);
 TG_STORE_PICTURE(gPictureStore)
 TG_STORE2D(gEntry0Store)
 TG_STORE2D(gEntry1Store)
@@ -103,24 +103,56 @@ struct PlaceVarying
     float4 position : SV_Position;
     float2 uv : TEXCOORD0;
     float3 toEye : TEXCOORD1; // world units
+    float3 normal : TEXCOORD2;
+    float4 tangent : TEXCOORD3;
+};
+
+struct PlaceOutput
+{
+    float4 place : SV_Target0;
+    float4 normals : SV_Target1;
 };
 
 PlaceVarying PlaceVS(VertexInput stored)
 {
-    TgMeshInput input = meshVertex(stored);
+    SurfaceVarying surface = SurfaceVS(stored);
     PlaceVarying output;
-    float3 world = tgWorldPosition(input.position);
-    output.position = TG_HALF_PIXEL(mul(float4(world, 1.0), gViewProjection), gViewportSize);
-    output.uv = input.uv;
-    output.toEye = gCameraPosition - world;
+    output.position = surface.position;
+    output.uv = surface.uv;
+    output.toEye = gCameraPosition - surface.world;
+    output.normal = surface.normal;
+    output.tangent = surface.tangent;
     return output;
 }
 
-float4 PlacePS(PlaceVarying input) : SV_Target0
+// A unit vector as a point of the square -1..1: on the octahedron |x| + |y| + |z| = 1 whose lower half is folded over the upper one
+// (Meyer et al. 2010, "On Floating-Point Normal Vectors").
+float2 folded(float2 p)
 {
+    return (1.0 - abs(p.yx)) * float2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+}
+
+float2 octahedral(float3 n)
+{
+    n /= abs(n.x) + abs(n.y) + abs(n.z);
+    return n.z < 0.0 ? folded(n.xy) : n.xy;
+}
+
+float3 fromOctahedral(float2 p)
+{
+    float z = 1.0 - abs(p.x) - abs(p.y);
+    return normalize(float3(z < 0.0 ? folded(p) : p, z));
+}
+
+PlaceOutput PlacePS(PlaceVarying input)
+{
+    PlaceOutput output;
     float2 right = ddx(input.uv);
     float2 down = ddy(input.uv);
-    return float4(input.uv, length(input.toEye), sqrt(max(max(dot(right, right), dot(down, down)), 1e-20)));
+    float3 normal = tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
+    output.place = float4(input.uv, length(input.toEye), sqrt(max(max(dot(right, right), dot(down, down)), 1e-20)));
+    output.normals = float4(octahedral(normal), octahedral(tgSafeNormalize(input.normal)));
+    return output;
 }
 
 // pixel: counted from the upper left.
@@ -131,20 +163,6 @@ float3 placeWorld(uint2 pixel, float distance)
     return gCameraPosition + distance * tgSafeNormalize(far.xyz / far.w - gCameraPosition);
 }
 
-// Texels of the atlas without a chart are 0, so that what the filter brings of them only shortens the vectors.
-FinalVarying placeSurface(uint2 pixel, float4 place)
-{
-    FinalVarying surface;
-    float4 uv = float4(place.xy, 0.0, 0.0);
-    float4 tangent = tex2Dlod(gAtlasTangent, uv);
-    surface.position = float4(0.0, 0.0, 0.0, 1.0);
-    surface.uv = place.xy;
-    surface.world = placeWorld(pixel, place.z);
-    surface.normal = tgWorldNormal(gAtlasMeshNormalMap.SampleLevel(gAtlasSmoothNormal, place.xy, 0.0).xyz);
-    surface.tangent = tgWorldTangent(float4(tgSafeNormalize(tangent.xyz), tangent.w < 0.0 ? -1.0 : 1.0));
-    return surface;
-}
-
 [numthreads(8, 8, 1)]
 void FinalCS(uint3 thread : SV_DispatchThreadID)
 {
@@ -152,10 +170,15 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
     [branch] if (place.w > 0.0)
     {
         float2 right = float2(place.w, 0.0);
-        FinalVarying surface = placeSurface(thread.xy, place);
-        float3 texel = tex2Dgrad(gNormal, surface.uv, right, right.yx).xyz;
-        float4 colour = tex2Dgrad(gSkin, surface.uv, right, right.yx);
-        gPictureStore[thread.xy] = finalColour(surface, finalPoint(surface, texel, colour));
+        float4 normals = gPlaceNormalMap.Load(int3(thread.xy, 0));
+        FinalVarying surface;
+        surface.position = float4(0.0, 0.0, 0.0, 1.0);
+        surface.uv = place.xy;
+        surface.world = placeWorld(thread.xy, place.z);
+        surface.normal = fromOctahedral(normals.zw);
+        surface.tangent = 0.0; // what it is for, the normal knows
+        LitPoint p = finalPoint(surface, fromOctahedral(normals.xy), tex2Dgrad(gSkin, surface.uv, right, right.yx));
+        gPictureStore[thread.xy] = finalColour(surface, p);
     }
 }
 
@@ -168,8 +191,8 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
     COMPUTE_LEVEL_PASS(LinkedLight3, "gLight3Map") COMPUTE_LEVEL_PASS(LinkedLight2, "gLight2Map") \
     COMPUTE_LEVEL_PASS(LinkedLight1, "gLight1Map") COMPUTE_LEVEL_PASS(LinkedLight0, "gLight0Map") FINE_COMPUTE_PASSES
 #define PLACE_SCRIPT \
-    "RenderColorTarget0=gPlaceMap; RenderDepthStencilTarget=gPlaceDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=Place; Pass=Final;"
+    "RenderColorTarget0=gPlaceMap; RenderColorTarget1=gPlaceNormalMap; RenderDepthStencilTarget=gPlaceDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=Place; RenderColorTarget1=; Pass=Final;"
 #define PLACE_PASSES \
     TG_MESH_PASS(Place, PlaceVS, PlacePS, TG_STATE_SOLID) \
     pass Final < string Script = "Draw=Compute;"; string Threads = "gPlaceMap"; > { ComputeShader = compile cs_5_0 FinalCS(); }

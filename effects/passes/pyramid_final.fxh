@@ -25,8 +25,8 @@ FinalVarying PyramidFinalVS(VertexInput stored)
     return output;
 }
 
-// texel, colour: of the normal map and the colour map.
-LitPoint finalPoint(FinalVarying input, float3 texel, float4 colour)
+// normal: with the normal map; colour: of the colour map.
+LitPoint finalPoint(FinalVarying input, float3 normal, float4 colour)
 {
     SurfaceVarying surface;
     surface.position = input.position;
@@ -35,7 +35,7 @@ LitPoint finalPoint(FinalVarying input, float3 texel, float4 colour)
     surface.normal = input.normal;
     surface.tangent = input.tangent;
     surface.lightClip = mul(float4(input.world, 1.0), gLightViewProjection);
-    LitPoint p = surfacePoint(surface, texel);
+    LitPoint p = surfacePoint(surface, normal);
     p.albedo = colour.rgb;
     p.scatters = colour.a;
     p.depth = planarDepth(surface.lightClip, input.world);
@@ -72,7 +72,8 @@ float4 finalColour(FinalVarying input, LitPoint p)
 
 float4 PyramidFinalPS(FinalVarying input) : SV_Target0
 {
-    return finalColour(input, finalPoint(input, tex2D(gNormal, input.uv).xyz, tex2D(gSkin, input.uv)));
+    float3 normal = tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
+    return finalColour(input, finalPoint(input, normal, tex2D(gSkin, input.uv)));
 }
 
 #define PYRAMID_FINAL_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"

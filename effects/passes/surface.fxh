@@ -52,14 +52,14 @@ SurfaceVarying SurfaceVS(VertexInput input)
     return output;
 }
 
-// White skin, unshadowed; colour and shadow are for the techniques to fill in. texel: of the normal map.
-LitPoint surfacePoint(SurfaceVarying input, float3 texel)
+// White skin, unshadowed; colour and shadow are for the techniques to fill in. normal: with the normal map.
+LitPoint surfacePoint(SurfaceVarying input, float3 normal)
 {
     LitPoint p;
     float3 toLight = tgLightVector(input.world);
     p.albedo = float3(1.0, 1.0, 1.0);
     p.scatters = 1.0;
-    p.normal = tgSurfaceNormal(input.normal, input.tangent, texel);
+    p.normal = normal;
     p.meshNormal = tgSafeNormalize(input.normal);
     p.toLight = tgLightDirection(input.world);
     p.cosine = dot(p.normal, p.toLight);
@@ -75,7 +75,7 @@ LitPoint surfacePoint(SurfaceVarying input, float3 texel)
 
 LitPoint surfacePoint(SurfaceVarying input)
 {
-    return surfacePoint(input, tex2D(gNormal, input.uv).xyz);
+    return surfacePoint(input, tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz));
 }
 
 // map: of depths seen from the light.

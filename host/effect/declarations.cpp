@@ -137,8 +137,8 @@ bool Parser::arraySize(Type& type) {
         }
         const std::optional<Constant> size = expression();
         if (!size || !expect(']', "after the array size")) return false;
-        const double n = size->numbers[0];
-        if (size->numbers.size() != 1 || !(n >= 1) || n * std::max(type.elements, 1) > kLongestArray)
+        const double n = size->numbers.size() == 1 ? size->numbers[0] : 0;
+        if (!(n >= 1) || n * std::max(type.elements, 1) > kLongestArray)
             return fail(1107, at, fmt::format("an array has 1 to {} elements", kLongestArray));
         type.elements = std::max(type.elements, 1) * static_cast<int>(n);
     }

@@ -1,5 +1,6 @@
 // The passes of PyramidLinked as compute shaders, but for ShadowMap: a thread for each texel of a map. What the picture shows is drawn
-// once, without shading, into gPlaceMap and gPlaceNormalMap, and lit by pass Final from there. Pixel shaders run on a part of some chips; these run on all.
+// once, without shading, into gPlaceMap and gPlaceNormalMap, and lit by pass Final from there. Pixel shaders run on a part of some chips;
+// these run on all.
 #ifndef TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 #define TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 

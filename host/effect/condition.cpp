@@ -1,7 +1,7 @@
 #include "host/effect/condition.h"
+#include "host/effect/operators.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <optional>
@@ -11,33 +11,6 @@
 namespace tegument {
 
 namespace {
-
-constexpr int kDeepest = 128; // bounds our own recursion
-
-struct Operator {
-    std::string_view text;
-    int precedence;
-};
-
-// Longer spellings first: signs are single characters, so `<=` is recognised before `<`.
-constexpr std::array<Operator, 18> kOperators{{{"||", 1},
-                                               {"&&", 2},
-                                               {"==", 6},
-                                               {"!=", 6},
-                                               {"<=", 7},
-                                               {">=", 7},
-                                               {"<<", 8},
-                                               {">>", 8},
-                                               {"|", 3},
-                                               {"^", 4},
-                                               {"&", 5},
-                                               {"<", 7},
-                                               {">", 7},
-                                               {"+", 9},
-                                               {"-", 9},
-                                               {"*", 10},
-                                               {"/", 10},
-                                               {"%", 10}}};
 
 using Unsigned = std::uint64_t;
 
@@ -56,20 +29,13 @@ std::int64_t arithmetic(char op, std::int64_t a, std::int64_t b) {
     case '|': return a | b;
     case '^': return a ^ b;
     case '&': return a & b;
-    case '<': return a < b;
-    case '>': return a > b;
     case '/': return b == -1 ? static_cast<std::int64_t>(0 - ua) : a / b;
     default: return b == -1 ? 0 : a % b;
     }
 }
 
 std::int64_t apply(std::string_view op, std::int64_t a, std::int64_t b) {
-    if (op == "||") return a != 0 || b != 0;
-    if (op == "&&") return a != 0 && b != 0;
-    if (op == "==") return a == b;
-    if (op == "!=") return a != b;
-    if (op == "<=") return a <= b;
-    if (op == ">=") return a >= b;
+    if (const auto is = truth(op, a, b)) return *is ? 1 : 0;
     if (op == "<<" || op == ">>") return shifted(a, b, op == "<<");
     return arithmetic(op[0], a, b);
 }
@@ -113,7 +79,7 @@ private:
 
     /// `evaluated` is false in the branch that && || ?: do not take: a division by zero is no error there.
     std::int64_t ternary(bool evaluated) {
-        if (++depth_ > kDeepest) return fail(fmt::format("the expression is nested deeper than {}", kDeepest));
+        if (++depth_ > kDeepestExpression) return fail(fmt::format("the expression is nested deeper than {}", kDeepestExpression));
         const std::int64_t condition = binary(1, evaluated);
         std::int64_t value = condition;
         if (accept("?")) {

@@ -1,4 +1,5 @@
 #include "host/effect/constants.h"
+#include "host/effect/operators.h"
 
 #include <algorithm>
 #include <array>
@@ -104,21 +105,9 @@ std::optional<double> bits(char op, double a, double b) {
     }
 }
 
-std::optional<double> compared(std::string_view op, double a, double b) {
-    if (op == "||") return a != 0 || b != 0;
-    if (op == "&&") return a != 0 && b != 0;
-    if (op == "==") return a == b;
-    if (op == "!=") return a != b;
-    if (op == "<=") return a <= b;
-    if (op == ">=") return a >= b;
-    if (op == "<") return a < b;
-    if (op == ">") return a > b;
-    return std::nullopt;
-}
-
 /// HLSL's arithmetic on two scalars: between integers '/' truncates. Nullopt where the result is no finite number.
 std::optional<double> calculate(std::string_view op, double a, double b, bool integral) {
-    if (const auto truth = compared(op, a, b)) return truth;
+    if (const auto is = truth(op, a, b)) return *is ? 1.0 : 0.0;
     if (op == "|" || op == "^" || op == "&" || op == "<<" || op == ">>") return bits(op[0], a, b);
     double value = 0;
     switch (op[0]) {
@@ -202,7 +191,7 @@ std::optional<Constant> applyOperator(std::string_view op, const Constant& a, co
         if (!value) return std::nullopt;
         result.numbers.push_back(*value);
     }
-    if (compared(op, 0, 0)) result.integral = true;
+    if (truth(op, 0, 0)) result.integral = true;
     return result;
 }
 

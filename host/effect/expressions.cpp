@@ -1,10 +1,10 @@
 // Constant expressions: HLSL's operators, constructors and intrinsics on what the file declares.
 
+#include "host/effect/operators.h"
 #include "host/effect/parser.h"
 #include "host/effect/types.h"
 #include "host/support/text.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -14,33 +14,6 @@
 namespace tegument {
 
 namespace {
-
-constexpr int kDeepest = 128; // nested brackets; bounds our own recursion
-
-struct Operator {
-    std::string_view text;
-    int precedence;
-};
-
-// Longer spellings first: signs are single characters, so `<=` is recognised before `<`.
-constexpr std::array<Operator, 18> kOperators{{{"||", 1},
-                                               {"&&", 2},
-                                               {"==", 6},
-                                               {"!=", 6},
-                                               {"<=", 7},
-                                               {">=", 7},
-                                               {"<<", 8},
-                                               {">>", 8},
-                                               {"|", 3},
-                                               {"^", 4},
-                                               {"&", 5},
-                                               {"<", 7},
-                                               {">", 7},
-                                               {"+", 9},
-                                               {"-", 9},
-                                               {"*", 10},
-                                               {"/", 10},
-                                               {"%", 10}}};
 
 constexpr double kSignLimit = 2147483648.0; // 2^31: what lies above it as a word is negative as an int
 constexpr double kWords = 4294967296.0;
@@ -252,8 +225,8 @@ std::optional<Constant> Parser::binary(int least, int depth, const Resolver& res
 }
 
 std::optional<Constant> Parser::conditional(int depth, const Resolver& resolve) {
-    if (depth > kDeepest) {
-        fail(1106, peek(), fmt::format("the expression is nested deeper than {}", kDeepest));
+    if (depth > kDeepestExpression) {
+        fail(1106, peek(), fmt::format("the expression is nested deeper than {}", kDeepestExpression));
         return std::nullopt;
     }
     const std::optional<Constant> condition = binary(1, depth, resolve);

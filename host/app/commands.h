@@ -26,6 +26,9 @@ void addSurvey(CLI::App& program, Action& action);
 void addSheet(CLI::App& program, Action& action);
 void addCompare(CLI::App& program, Action& action);
 void addView(CLI::App& program, Action& action);
+void addBatch(CLI::App& program, Action& action);
+void addMerge(CLI::App& program, Action& action);
+void addSubmit(CLI::App& program, Action& action);
 
 /// Those of the laboratory, with their lines in the footer: in host/lab/app. Nothing where the build leaves it out: TEGUMENT_LAB.
 void addLab(CLI::App& program, Action& action);

@@ -46,6 +46,9 @@ int run(int argc, char** argv) {
     tegument::app::addSheet(program, action);
     tegument::app::addCompare(program, action);
     tegument::app::addView(program, action);
+    tegument::app::addBatch(program, action);
+    tegument::app::addMerge(program, action);
+    tegument::app::addSubmit(program, action);
     program.footer(kStart); // after the others: a command inherits what its parent has
     tegument::app::addLab(program, action);
     program.footer(program.get_footer() + kExitCodes);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -58,6 +60,14 @@ Result<void> canWrite(const fs::path& path) {
     return {};
 }
 
+/// One that no other thread, process or machine gives to its files in a shared folder.
+static std::string nameOfOurOwn() {
+    static std::atomic<unsigned> count = 0;
+    std::array<char, 256> host{};
+    if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
+    return fmt::format("{}.{}.{}", host.data(), ::getpid(), ++count);
+}
+
 Result<void> writeFile(const fs::path& path, std::string_view bytes) {
     const auto failed = [&](const std::string& why) { return unwritable(path, why); };
     std::error_code code;
@@ -65,7 +75,7 @@ Result<void> writeFile(const fs::path& path, std::string_view bytes) {
     if (code) return failed(code.message());
 
     fs::path temporary = path;
-    temporary += fmt::format(".tmp.{}", ::getpid());
+    temporary += ".tmp." + nameOfOurOwn();
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     out.close();

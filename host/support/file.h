@@ -15,7 +15,8 @@ namespace tegument {
 /// The file's bytes. TG5001 if it cannot be read.
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path);
 
-/// Writes `<path>.tmp.<pid>` and renames it: a reader sees the old file or the whole new one. Creates missing folders. TG5002 on failure.
+/// Writes `<path>.tmp.<host>.<pid>.<n>` and renames it: a reader sees the old file or the whole new one, and many writers on many machines
+/// do not meet. Creates missing folders. TG5002 on failure.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 /// Whether writeFile could, asked before long work: no folder has this name, and the nearest folder above that exists takes a new file.

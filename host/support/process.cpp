@@ -16,6 +16,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -61,6 +62,7 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 struct Started {
     pid_t id;
     int output;
+    int errors; // -1: they are in the output
 };
 
 /// What a child becomes; it outlives the fork.
@@ -69,6 +71,8 @@ struct Program {
     char** arguments;
     char** environment;
     int output;
+    int errors;
+    std::size_t maxBytes;
     sigset_t signals; // that the caller's thread blocks: the child inherits those of the thread that forks
 };
 
@@ -80,7 +84,11 @@ struct Program {
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(program.output, STDOUT_FILENO);
-    dup2(program.output, STDERR_FILENO);
+    dup2(program.errors, STDERR_FILENO);
+    if (program.maxBytes > 0) {
+        const rlimit limit{.rlim_cur = program.maxBytes, .rlim_max = program.maxBytes};
+        setrlimit(RLIMIT_DATA, &limit); // what it may write, without what it only reserves or maps to read
+    }
     sigprocmask(SIG_SETMASK, &program.signals, nullptr);
     execve(program.file, program.arguments, program.environment);
     _exit(127);
@@ -155,6 +163,13 @@ Result<Started> spawn(const ProcessCommand& command) {
     if (!program) return cannotStart(name, "there is no such program");
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return cannotStart(name, std::strerror(errno));
+    std::array<int, 2> errors{-1, ends[1]};
+    if (command.errorsApart && pipe2(errors.data(), O_CLOEXEC) != 0) {
+        const std::string why = std::strerror(errno);
+        close(ends[0]);
+        close(ends[1]);
+        return cannotStart(name, why);
+    }
 
     std::vector<std::string> arguments = command.arguments;
     std::vector<std::string> environment = mergedEnvironment(command);
@@ -164,16 +179,20 @@ Result<Started> spawn(const ProcessCommand& command) {
                   .arguments = const_cast<char**>(argumentPointers.data()),
                   .environment = const_cast<char**>(environmentPointers.data()),
                   .output = ends[1],
+                  .errors = errors[1],
+                  .maxBytes = command.maxBytes,
                   .signals = {}};
     pthread_sigmask(SIG_SETMASK, nullptr, &child.signals);
     const auto [id, error] = Forker::ofThisProcess().fork(child);
     close(ends[1]);
+    if (command.errorsApart) close(errors[1]);
     if (id < 0) {
         close(ends[0]);
+        if (command.errorsApart) close(errors[0]);
         return cannotStart(name, std::strerror(error));
     }
     setpgid(id, id); // the child does the same; whoever is first, the group exists before anyone signals it
-    return Started{id, ends[0]};
+    return Started{id, ends[0], errors[0]};
 }
 
 enum class ChildState { Running, Ended, NotOurs };
@@ -190,15 +209,26 @@ ChildState stateOf(pid_t id) {
     return info.si_pid == 0 ? ChildState::Running : ChildState::Ended;
 }
 
+struct Ended {
+    int status;
+    rusage used;
+};
+
 /// Waits until it ends, and gives its number back to the system. Nothing if it was not ours any more.
-std::optional<int> reap(pid_t id) {
-    int status = 0;
+std::optional<Ended> reap(pid_t id) {
+    Ended ended{};
     pid_t done = 0;
     do
-        done = waitpid(id, &status, 0);
+        done = wait4(id, &ended.status, 0, &ended.used);
     while (done < 0 && errno == EINTR);
-    return done == id ? std::optional(status) : std::nullopt;
+    return done == id ? std::optional(ended) : std::nullopt;
 }
+
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+constexpr std::size_t kLongestOutput = 64U << 20U; // what a program says beyond it is read and forgotten
 
 /// Appends what is there within the time. False at the end of the stream.
 bool readSome(int file, int milliseconds, std::string& into) {
@@ -206,8 +236,34 @@ bool readSome(int file, int milliseconds, std::string& into) {
     if (poll(&waiting, 1, milliseconds) <= 0) return true;
     std::array<char, 4096> bytes{};
     const ssize_t count = read(file, bytes.data(), bytes.size());
-    if (count > 0) into.append(bytes.data(), static_cast<std::size_t>(count));
+    if (count > 0 && into.size() < kLongestOutput) into.append(bytes.data(), static_cast<std::size_t>(count));
     return count > 0 || (count < 0 && errno == EINTR);
+}
+
+/// One end of a pipe that fills a text. Closed with it.
+struct Stream {
+    Stream(int from, std::string& to) : file(from), text(to), open(from >= 0) {}
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+    ~Stream() {
+        if (file >= 0) close(file);
+    }
+    void readRest() {
+        for (std::size_t before = text.size(); open && (open = readSome(file, 0, text), text.size() != before);)
+            before = text.size();
+    }
+    int file;
+    std::string& text;
+    bool open;
+};
+
+/// Reads from whichever has something within the time.
+void readFrom(Stream& a, Stream& b, int milliseconds) {
+    std::array<pollfd, 2> waiting{pollfd{.fd = a.open ? a.file : -1, .events = POLLIN, .revents = 0},
+                                  pollfd{.fd = b.open ? b.file : -1, .events = POLLIN, .revents = 0}};
+    if (poll(waiting.data(), waiting.size(), milliseconds) <= 0) return;
+    if (waiting[0].revents != 0) a.open = readSome(a.file, 0, a.text);
+    if (waiting[1].revents != 0) b.open = readSome(b.file, 0, b.text);
 }
 
 int exitCode(int status) {
@@ -237,7 +293,8 @@ Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSe
     if (!started) return started.error();
     const auto end = after(timeoutSeconds);
     ProcessResult result;
-    bool open = true;
+    Stream output{started->output, result.output};
+    Stream errors{started->errors, result.errors};
     // The program's own end counts, not the end of its output: what it leaves behind (Wine's server) may hold the pipe open.
     while (stateOf(started->id) == ChildState::Running) {
         if (Clock::now() >= end) {
@@ -246,22 +303,25 @@ Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSe
             break;
         }
         constexpr int kTick = 5;
-        if (open)
-            open = readSome(started->output, kTick, result.output);
+        if (output.open || errors.open)
+            readFrom(output, errors, kTick);
         else
             std::this_thread::sleep_for(std::chrono::milliseconds(kTick));
     }
-    for (std::size_t before = 0; open && (open = readSome(started->output, 0, result.output), result.output.size() != before);)
-        before = result.output.size();
-    close(started->output);
-    const auto status = reap(started->id);
-    if (!status) return machineError(5003, fmt::format("how {} ended is not known: SIGCHLD is ignored here", command.arguments.at(0)));
-    result.exitCode = exitCode(*status);
+    output.readRest();
+    errors.readRest();
+    const auto ended = reap(started->id);
+    if (!ended) return machineError(5003, fmt::format("how {} ended is not known: SIGCHLD is ignored here", command.arguments.at(0)));
+    result.exitCode = exitCode(ended->status);
+    result.processorSeconds = seconds(ended->used.ru_utime) + seconds(ended->used.ru_stime);
+    result.peakBytes = static_cast<std::size_t>(ended->used.ru_maxrss) * 1024;
     return result;
 }
 
 Result<BackgroundProcess> BackgroundProcess::start(const ProcessCommand& command) {
-    const auto started = spawn(command);
+    ProcessCommand joined = command;
+    joined.errorsApart = false;
+    const auto started = spawn(joined);
     if (!started) return started.error();
     return BackgroundProcess(started->id, started->output);
 }

@@ -16,12 +16,17 @@ namespace tegument {
 struct ProcessCommand {
     std::vector<std::string> arguments;                           // the first is the program: a path, or a name looked up in $PATH
     std::vector<std::pair<std::string, std::string>> environment; // on top of our own
+    bool errorsApart = false;                                     // keep what it says on stderr by itself
+    std::size_t maxBytes = 0;                                     // of memory that it may write; 0: as much as it wants
 };
 
 struct ProcessResult {
     int exitCode = 0; // 128 + n when signal n ended it
     bool timedOut = false;
-    std::string output; // stdout and stderr as they came
+    std::string output; // stdout and stderr as they came; of each at most 64 MiB
+    std::string errors; // stderr, where it was asked for apart
+    double processorSeconds = 0;
+    std::size_t peakBytes = 0; // most memory that it, or a program that it ran, held at a time
 };
 
 /// The program's file, if there is one that we may execute.

@@ -1,0 +1,84 @@
+// tegument batch: one command for many inputs, or for this machine's part of them.
+
+#include "host/app/batch_options.h"
+#include "host/app/output.h"
+#include "host/batch/table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+namespace tegument::app {
+
+namespace {
+
+struct RunOptions {
+    BatchOptions batch;
+    std::string shard = "1/1";
+    bool dryRun = false;
+    bool json = false;
+};
+
+/// What went wrong, at once; as JSON every record.
+void tell(const batch::Record& record, bool json) {
+    if (json) return fmt::print("{}\n", batch::lineOf(record));
+    if (batch::isDone(record)) return;
+    const batch::Table row = batch::tableOf({record}, {});
+    fmt::print("{}: {} {}\n", record.input, stateOf(record), row.rows.front().back());
+}
+
+int runPart(const RunOptions& options, const std::vector<std::string>& part, const batch::Batch& batch) {
+    Progress progress;
+    std::size_t heard = 0;
+    const auto sums = batch::runBatch(part, batch, [&](const batch::Record& record, bool) {
+        progress.clear();
+        tell(record, options.json);
+        progress.count("inputs", ++heard, part.size());
+    });
+    progress.clear();
+    if (!sums) return fail(sums.error(), options.json);
+    if (!options.json)
+        fmt::print("{} inputs: {} done, {} done before, {} failed; records in {}\n", part.size(), sums->done, sums->kept, sums->failed,
+                   options.batch.results);
+    constexpr int kMachine = 3;
+    return sums->failed == 0 ? 0 : sums->worst == kMachine ? kMachine : 1;
+}
+
+int runShard(const RunOptions& options, const CLI::App& program) {
+    const auto shard = batch::shardOf(options.shard);
+    if (!shard) return fail(shard.error(), options.json);
+    const auto inputs = batch::inputsOf(options.batch.inputs, options.batch.list);
+    if (!inputs) return fail(inputs.error(), options.json);
+    const auto batch = batchOf(options.batch, *inputs, program);
+    if (!batch) return fail(batch.error(), options.json);
+    const std::vector<std::string> part = batch::partOf(*inputs, *shard);
+    if (options.dryRun) {
+        for (const std::string& input : part)
+            fmt::print("tegument {}\n", fmt::join(batch::commandFor(batch->words, input), " "));
+        return 0;
+    }
+    if (const auto folder = checkFolder(options.batch.results); !folder) return fail(folder.error(), options.json);
+    return runPart(options, part, *batch);
+}
+
+} // namespace
+
+void addBatch(CLI::App& program, Action& action) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* command = program.add_subcommand("batch", "Run a command for many inputs; again, only for what is missing or failed");
+    addBatchOptions(*command, options->batch);
+    command->add_option("--shard", options->shard, "Part of the inputs, 3/100: every hundredth from the third on")->capture_default_str();
+    command->add_flag("--dry-run", options->dryRun, "Print the commands, run none");
+    command->add_flag("--json", options->json, "Print the records, one a line");
+    addExamples(*command,
+                {{"batch -i 'scans/*.ply' --results done -- prep {} -o prepared/{name}.glb --json", "prepare every scan"},
+                 {"batch --list scans.txt --shard 3/100 --results done -- prep {} -o prepared/{name}.glb", "a hundredth of them"},
+                 {"batch -i *.fx --results checked -- check {} --json", "check many effects"}},
+                "{} input  {name} file name without ending  {file} file name  {path} input without ending\n"
+                "An input that fails, crashes, takes too long or too much memory fails alone. A second run does\n"
+                "what is missing, failed or changed. tegument merge makes the report (docs/many.md).");
+    command->callback([options, &program, &action] { action = [options, &program] { return runShard(*options, program); }; });
+}
+
+} // namespace tegument::app

@@ -20,9 +20,23 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
     return text;
 }
 
-/// The first line that tells of an error, else the first line.
+/// Of the first error among the diagnostics that stand somewhere in printed JSON: "a.fx(3): TG1101: text".
+std::string firstDiagnostic(const Json& json) {
+    if (json.is_object() && json.contains("code") && json.value("severity", "error") == "error" && json.contains("text")) {
+        const std::string place = json.value("file", "") + (json.contains("line") ? fmt::format("({})", json["line"].dump()) : "");
+        return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", json["code"].is_string() ? json["code"].get<std::string>() : "",
+                           json["text"].is_string() ? json["text"].get<std::string>() : "");
+    }
+    if (json.is_structured())
+        for (const Json& part : json)
+            if (std::string found = firstDiagnostic(part); !found.empty()) return found;
+    return {};
+}
+
+/// The first line that tells of an error, else the first line; of a command that said nothing what it printed.
 std::string firstMessage(const Record& record) {
     if (isDone(record)) return {};
+    if (record.messages.empty()) return firstDiagnostic(Json::parse(record.result, nullptr, false));
     const std::size_t error = record.messages.find("error");
     const std::size_t begin = error == std::string::npos ? 0 : record.messages.rfind('\n', error) + 1;
     return record.messages.substr(begin, record.messages.find('\n', begin) - begin);

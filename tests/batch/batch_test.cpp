@@ -204,8 +204,11 @@ TEST_F(Batches, are_one_table_whoever_ran_them) {
     EXPECT_NE(pageOf(table, sumsOf(*all)).find("<td>c, \"d\"|&lt;</td>"), std::string::npos);
     EXPECT_EQ(sumsOf(*all).substr(0, 28), "3 inputs: 2 done, 1 failed; ");
     for (const char* wrong : {"", "faces", "=/faces", "a/b"})
-        EXPECT_FALSE(columnOf(wrong)) << wrong;
+        EXPECT_EQ(columnOf(wrong) ? 0 : columnOf(wrong).error().diagnostics.at(0).code, 8108) << wrong;
 
+    Record plain = all->front();
+    plain.result = "no JSON";
+    EXPECT_EQ(joinedResults({plain}).error().diagnostics.at(0).code, 8109);
     const auto joined = joinedResults(*all);
     ASSERT_TRUE(joined);
     const auto json = nlohmann::json::parse(*joined);

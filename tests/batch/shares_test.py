@@ -55,11 +55,14 @@ class Shares(unittest.TestCase):
 
     def test_the_line_for_gnu_parallel(self):
         if shutil.which("parallel") is None:
-            self.skipTest("no parallel: apt-get install parallel")
+            self.skipTest("no parallel: ./bootstrap test brings it")
         line = re.search(r"(?m)^    (seq 8 \| parallel .*)$", (REPOSITORY / "docs/many.md").read_text(encoding="utf-8"))[1]
         self.shell(line)
         self.holds_all()
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    ran = unittest.main(argv=sys.argv[:1], exit=False).result
+    for _, reason in ran.skipped:
+        print(f"skipped: {reason}")
+    sys.exit(1 if not ran.wasSuccessful() else 77 if ran.skipped else 0)

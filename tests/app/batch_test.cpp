@@ -47,9 +47,10 @@ TEST(BatchCommand, does_what_can_be_done_and_names_what_cannot) {
 
 TEST(BatchCommand, an_effect_counts_with_all_that_it_includes) {
     const std::string folder = fs::path(write("included/own.fxh", "float gValue = 1;\n")).parent_path().string();
-    (void)write("included/e.fx",
-          "#include \"own.fxh\"\nfloat4 VS() : SV_Position { return gValue; }\nfloat4 PS() : SV_Target0 { return 1; }\n"
-          "technique10 T { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, PS())); } }\n");
+    (void)write(
+        "included/e.fx",
+        "#include \"own.fxh\"\nfloat4 VS() : SV_Position { return gValue; }\nfloat4 PS() : SV_Target0 { return 1; }\n"
+        "technique10 T { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, PS())); } }\n");
     const std::vector<std::string> check{"batch", "-i", folder + "/e.fx", "--results",    folder + "/done", "--",
                                          "check", "{}", "--target",       "spirv-glslang"};
     EXPECT_NE(tegument(check).out.find("1 done, 0 done before"), std::string::npos);

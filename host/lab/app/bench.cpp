@@ -42,6 +42,7 @@ struct BenchArguments {
     std::string json;
     std::string csv;
     std::string plot;
+    bool count = false;
     bool pick = false;
     double maxError = 0;
     double maxMs = 0;
@@ -93,6 +94,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
                                 .compiler = *compiler,
                                 .pixels = *pixels,
+                                .count = arguments.count,
                                 .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
     return options;
 }
@@ -328,6 +330,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
     command->add_option("--json", arguments->json, "Write the results as JSON; -: to standard output");
     command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
+    command->add_flag("--count", arguments->count, "Count look-ups, bytes read and bytes written of a frame, too");
     CLI::Option* pick = command->add_flag("--pick", arguments->pick, "Name the technique to take, and the command that draws with it");
     command->add_option("--max-error", arguments->maxError, "With --pick: the cheapest within this relative L2")
         ->check(CLI::PositiveNumber)

@@ -60,6 +60,34 @@ void name##CS(uint3 thread : SV_DispatchThreadID) \
     store[thread.xy] = light; \
 }
 
+// A level and its links: four threads share the list of a texel, for with one each they would wait for memory most of the time. links: the
+// light of some of them; near: whether anything is to be done, of all four alike.
+static const float kLinkThreads = 4.0;
+groupshared float3 gLinkSums[8 * 8 * 4];
+
+#define PYRAMID_LINKS_CS(name, level, more, links, near) \
+[numthreads(8, 8, 4)] \
+void name##CS(uint3 thread : SV_DispatchThreadID, uint inGroup : SV_GroupIndex) \
+{ \
+    QuadVarying input = texelAt(thread, kPyramidSize##level); \
+    bool lit = near; \
+    gLinkSums[inGroup] = 0.0; \
+    [branch] if (lit) \
+        gLinkSums[inGroup] = links(input.uv, thread.z, kLinkThreads).rgb; \
+    GroupMemoryBarrierWithGroupSync(); \
+    [branch] if (thread.z == 0) \
+    { \
+        float4 light = 0.0; \
+        [branch] if (lit) \
+        { \
+            light = linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more; \
+            light.rgb += gLinkSums[inGroup] + gLinkSums[inGroup + 64] + gLinkSums[inGroup + 128] + gLinkSums[inGroup + 192]; \
+        } \
+        gLight##level##Store[thread.xy] = light; \
+    } \
+}
+#define NEAR_CHARTS tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).w > 0.5
+
 // Texels that no chart covers have nothing to light.
 [numthreads(8, 8, 1)]
 void EntryCS(uint3 thread : SV_DispatchThreadID)
@@ -80,24 +108,36 @@ PYRAMID_CS(Reduce6, gEntry6Store, kPyramidSize6)
 PYRAMID_CS(LinkedLight6, gLight6Store, kPyramidSize6)
 PYRAMID_CS(LinkedLight5, gLight5Store, kPyramidSize5)
 PYRAMID_CS(LinkedLight4, gLight4Store, kPyramidSize4)
-PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
+// The level with the links is as large as their map, or the base where that is smaller.
+#if TEGUMENT_MAP_SIZE >= 2048
+PYRAMID_LINKS_CS(LinkedLight3, 3, COARSER(4), anyLinks, true)
 PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
 PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
 PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-#if TEGUMENT_MAP_SIZE >= 2048
-PYRAMID_CS(FineTop, gLight3Store, kPyramidSize3)
+PYRAMID_LINKS_CS(FineTop, 3, 0.0, fineLinks, true)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight3Map")
-#elif TEGUMENT_MAP_SIZE >= 1024
-PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
+#else
+PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
+#if TEGUMENT_MAP_SIZE >= 1024
+PYRAMID_LINKS_CS(LinkedLight2, 2, COARSER(3), anyLinks, NEAR_CHARTS)
+PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineTop, 2, 0.0, fineLinks, NEAR_CHARTS)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map")
 #else
+PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
 PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
 #if TEGUMENT_MAP_SIZE >= 512
-PYRAMID_CHARTS_CS(FineLight, gLight1Store, kPyramidSize1)
+PYRAMID_LINKS_CS(LinkedLight1, 1, COARSER(2), anyLinks, NEAR_CHARTS)
+PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineLight, 1, COARSER(2), fineLinks, NEAR_CHARTS)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight1Map")
 #else
-PYRAMID_CHARTS_CS(FineLight, gLight0Store, kPyramidSize0)
+PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_LINKS_CS(LinkedLight0, 0, COARSER(1), anyLinks, NEAR_CHARTS)
+PYRAMID_LINKS_CS(FineLight, 0, COARSER(1), fineLinks, NEAR_CHARTS)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight0Map")
+#endif
 #endif
 #endif
 

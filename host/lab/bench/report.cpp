@@ -210,6 +210,27 @@ std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine,
     return dumped({{"machine", machineJson(machine)}, {"scene", scene}, {"ablation", list}});
 }
 
+std::string toJson(const std::vector<MotionRow>& rows, const Machine& machine, const std::string& scene) {
+    Json list = Json::array();
+    for (const MotionRow& row : rows)
+        list.push_back({{"motion", row.motion},
+                        {"technique", row.contender.name()},
+                        {"setting", row.contender.setting},
+                        {"rel_l2", numberOrNull(row.error)},
+                        {"flicker", numberOrNull(row.flicker)},
+                        {"largest", numberOrNull(row.largest)},
+                        {"light", numberOrNull(row.light)}});
+    return dumped({{"machine", machineJson(machine)}, {"scene", scene}, {"motion", list}});
+}
+
+Table toTable(const std::vector<MotionRow>& rows) {
+    Table table{.header = {"motion", "technique", "setting", "rel L2", "flicker", "largest", "light"}, .rows = {}};
+    for (const MotionRow& row : rows)
+        table.rows.push_back({row.motion, row.contender.name(), row.contender.setting, fmt::format("{:.4f}", row.error),
+                              fmt::format("{:.4f}", row.flicker), fmt::format("{:.4f}", row.largest), fmt::format("{:.4f}", row.light)});
+    return table;
+}
+
 Table toTable(const std::vector<Growth>& growth) {
     Table table{.header = {"time of", "grows with", "sizes", "ms", "exponent", "fixed, ms", "off"}, .rows = {}};
     for (const Growth& one : growth) {

@@ -200,8 +200,8 @@ float2 placeStep(int2 pixel, float2 uv)
     return within && gPlaceDepthMap.Load(at).x < 1.0 ? gPlaceMap.Load(at).xy - uv : kNoNeighbour;
 }
 
-// Squared length of the step between two neighbours: of their mean, or where they differ of the shorter, for the other leads over the border
-// of a chart or to another body.
+// Squared length of the step between two neighbours: of their mean, or where they differ of the shorter, for the other leads over the
+// border of a chart or to another body.
 float stepBetween(float2 after, float2 before)
 {
     float2 mean = 0.5 * (after - before);

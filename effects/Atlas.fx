@@ -16,6 +16,7 @@ TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
 Texture2D gAtlasPositionMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A32B32G32R32F") >;
 Texture2D gAtlasNormalMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 Texture2D gAtlasMeshNormalMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
+Texture2D gAtlasTangentMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
 Texture2D gAtlasChartsMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0;
     string Format = "A32B32G32R32F"; >;
 Texture2D gAtlasMetricMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
@@ -68,6 +69,12 @@ float4 MeshNormalPS(AtlasVarying input) : SV_Target0
     return float4(tgSafeNormalize(input.normal), 1.0);
 }
 
+// Alpha: its sign.
+float4 TangentPS(AtlasVarying input) : SV_Target0
+{
+    return float4(tgSafeNormalize(input.tangent.xyz), input.tangent.w < 0.0 ? -1.0 : 1.0);
+}
+
 float4 ChartsPS(AtlasVarying input) : SV_Target0
 {
     return float4(tgMetric(ddx(input.world), ddy(input.world)), 1.0);
@@ -98,6 +105,7 @@ technique Atlas < string Script =
     "RenderColorTarget0=gAtlasPositionMap; RenderDepthStencilTarget=; ClearSetColor=gClearEmpty; Clear=Color; Pass=Position;"
     "RenderColorTarget0=gAtlasNormalMap; Clear=Color; Pass=Normal;"
     "RenderColorTarget0=gAtlasMeshNormalMap; Clear=Color; Pass=MeshNormal;"
+    "RenderColorTarget0=gAtlasTangentMap; Clear=Color; Pass=Tangent;"
     "RenderColorTarget0=gAtlasChartsMap; Clear=Color; Pass=Charts;"
     "RenderColorTarget0=gAtlasMetricMap; Pass=Metric;"
     "RenderColorTarget0=; Pass=Show;"; >
@@ -105,6 +113,7 @@ technique Atlas < string Script =
     TG_MESH_PASS(Position, AtlasVS, PositionPS, TG_STATE_BUFFER)
     TG_MESH_PASS(Normal, AtlasVS, NormalPS, TG_STATE_BUFFER)
     TG_MESH_PASS(MeshNormal, AtlasVS, MeshNormalPS, TG_STATE_BUFFER)
+    TG_MESH_PASS(Tangent, AtlasVS, TangentPS, TG_STATE_BUFFER)
     TG_MESH_PASS(Charts, AtlasVS, ChartsPS, TG_STATE_BUFFER)
     TG_QUAD_PASS(Metric, QuadVS, MetricPS, TG_STATE_BUFFER)
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)

@@ -1,19 +1,21 @@
 // The passes of PyramidLinked as compute shaders, but for ShadowMap: a thread for each texel of a map. What the picture shows is drawn
-// once, without shading, into gPlaceMap and gPlaceNormalMap, and lit by pass Final from there. Pixel shaders run on a part of some chips;
-// these run on all.
+// once, without shading, into gPlaceMap, and lit by pass Final from there. Pixel shaders run on a part of some chips; these run on all. The
+// same chips write targets slowly, byte by byte: gPlaceMap has eight of them, and depth is read from where it is tested.
 #ifndef TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 #define TEGUMENT_PASSES_PYRAMID_COMPUTE_FXH
 
 float4x4 gViewProjectionInverse : VIEWPROJECTIONINVERSE < string UIWidget = "None"; >;
 
 #ifdef TEGUMENT_COMPUTE
-// u, v, distance from the eye in world units, step of u and v from pixel to pixel; 0: nothing is seen.
-Texture2D gPlaceMap : RENDERCOLORTARGET < PICTURE_TARGET("A32B32G32R32F") >;
-// The normals there, with the normal map and the mesh's own, each as a point of an octahedron: a map of texels would be too coarse.
-Texture2D gPlaceNormalMap : RENDERCOLORTARGET < PICTURE_TARGET("A32B32G32R32F") >;
-Texture2D gPlaceDepthMap : RENDERDEPTHSTENCILTARGET < PICTURE_DEPTH >;
+// u, v, and the mesh's normal as a point of an octahedron, both brought to 0..1. A normal of the atlas would be as coarse as its texels.
+Texture2D gPlaceMap : RENDERCOLORTARGET < PICTURE_TARGET("A16B16G16R16") >;
+// 1: nothing is seen.
+Texture2D gPlaceDepthMap : RENDERDEPTHSTENCILTARGET < float2 ViewportRatio = { 1.0, 1.0 }; string Format = "D32F"; >;
+// For the normal map's frame, whose direction changes little from texel to texel.
+Texture2D gAtlasTangentMap < string Producer = "Atlas.fx/gAtlasTangentMap"; string ResourceName = "atlas_tangent.dds"; >;
 TG_SAMPLER2D(gPlace, POINT, CLAMP);
-TG_SAMPLER2D(gPlaceNormal, POINT, CLAMP);
+TG_SAMPLER2D(gPlaceDepth, POINT, CLAMP);
+TG_SAMPLER2D(gAtlasTangent, LINEAR, CLAMP);
 TG_STORE_PICTURE(gPictureStore)
 TG_STORE2D(gEntry0Store)
 TG_STORE2D(gEntry1Store)
@@ -58,6 +60,34 @@ void name##CS(uint3 thread : SV_DispatchThreadID) \
     store[thread.xy] = light; \
 }
 
+// A level and its links: four threads share the list of a texel, for with one each they would wait for memory most of the time. links: the
+// light of some of them; near: whether anything is to be done, of all four alike.
+static const float kLinkThreads = 4.0;
+groupshared float3 gLinkSums[8 * 8 * 4];
+
+#define PYRAMID_LINKS_CS(name, level, more, links, near) \
+[numthreads(8, 8, 4)] \
+void name##CS(uint3 thread : SV_DispatchThreadID, uint inGroup : SV_GroupIndex) \
+{ \
+    QuadVarying input = texelAt(thread, kPyramidSize##level); \
+    bool lit = near; \
+    gLinkSums[inGroup] = 0.0; \
+    [branch] if (lit) \
+        gLinkSums[inGroup] = links(input.uv, thread.z, kLinkThreads).rgb; \
+    GroupMemoryBarrierWithGroupSync(); \
+    [branch] if (thread.z == 0) \
+    { \
+        float4 light = 0.0; \
+        [branch] if (lit) \
+        { \
+            light = linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more; \
+            light.rgb += gLinkSums[inGroup] + gLinkSums[inGroup + 64] + gLinkSums[inGroup + 128] + gLinkSums[inGroup + 192]; \
+        } \
+        gLight##level##Store[thread.xy] = light; \
+    } \
+}
+#define NEAR_CHARTS tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).w > 0.5
+
 // Texels that no chart covers have nothing to light.
 [numthreads(8, 8, 1)]
 void EntryCS(uint3 thread : SV_DispatchThreadID)
@@ -78,24 +108,36 @@ PYRAMID_CS(Reduce6, gEntry6Store, kPyramidSize6)
 PYRAMID_CS(LinkedLight6, gLight6Store, kPyramidSize6)
 PYRAMID_CS(LinkedLight5, gLight5Store, kPyramidSize5)
 PYRAMID_CS(LinkedLight4, gLight4Store, kPyramidSize4)
-PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
+// The level with the links is as large as their map, or the base where that is smaller.
+#if TEGUMENT_MAP_SIZE >= 2048
+PYRAMID_LINKS_CS(LinkedLight3, 3, COARSER(4), anyLinks, true)
 PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
 PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
 PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-#if TEGUMENT_MAP_SIZE >= 2048
-PYRAMID_CS(FineTop, gLight3Store, kPyramidSize3)
+PYRAMID_LINKS_CS(FineTop, 3, 0.0, fineLinks, true)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight3Map")
-#elif TEGUMENT_MAP_SIZE >= 1024
-PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
+#else
+PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
+#if TEGUMENT_MAP_SIZE >= 1024
+PYRAMID_LINKS_CS(LinkedLight2, 2, COARSER(3), anyLinks, NEAR_CHARTS)
+PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineTop, 2, 0.0, fineLinks, NEAR_CHARTS)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map")
 #else
+PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
 PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
 #if TEGUMENT_MAP_SIZE >= 512
-PYRAMID_CHARTS_CS(FineLight, gLight1Store, kPyramidSize1)
+PYRAMID_LINKS_CS(LinkedLight1, 1, COARSER(2), anyLinks, NEAR_CHARTS)
+PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineLight, 1, COARSER(2), fineLinks, NEAR_CHARTS)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight1Map")
 #else
-PYRAMID_CHARTS_CS(FineLight, gLight0Store, kPyramidSize0)
+PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_LINKS_CS(LinkedLight0, 0, COARSER(1), anyLinks, NEAR_CHARTS)
+PYRAMID_LINKS_CS(FineLight, 0, COARSER(1), fineLinks, NEAR_CHARTS)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight0Map")
+#endif
 #endif
 #endif
 
@@ -103,15 +145,7 @@ struct PlaceVarying
 {
     float4 position : SV_Position;
     float2 uv : TEXCOORD0;
-    float3 toEye : TEXCOORD1; // world units
-    float3 normal : TEXCOORD2;
-    float4 tangent : TEXCOORD3;
-};
-
-struct PlaceOutput
-{
-    float4 place : SV_Target0;
-    float4 normals : SV_Target1;
+    float3 normal : TEXCOORD1;
 };
 
 PlaceVarying PlaceVS(VertexInput stored)
@@ -120,9 +154,7 @@ PlaceVarying PlaceVS(VertexInput stored)
     PlaceVarying output;
     output.position = surface.position;
     output.uv = surface.uv;
-    output.toEye = gCameraPosition - surface.world;
     output.normal = surface.normal;
-    output.tangent = surface.tangent;
     return output;
 }
 
@@ -135,7 +167,7 @@ float2 folded(float2 p)
 
 float2 octahedral(float3 n)
 {
-    n /= abs(n.x) + abs(n.y) + abs(n.z);
+    n /= max(abs(n.x) + abs(n.y) + abs(n.z), 1e-20);
     return n.z < 0.0 ? folded(n.xy) : n.xy;
 }
 
@@ -145,40 +177,71 @@ float3 fromOctahedral(float2 p)
     return normalize(float3(z < 0.0 ? folded(p) : p, z));
 }
 
-PlaceOutput PlacePS(PlaceVarying input)
+float4 PlacePS(PlaceVarying input) : SV_Target0
 {
-    PlaceOutput output;
-    float2 right = ddx(input.uv);
-    float2 down = ddy(input.uv);
-    float3 normal = tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
-    output.place = float4(input.uv, length(input.toEye), sqrt(max(max(dot(right, right), dot(down, down)), 1e-20)));
-    output.normals = float4(octahedral(normal), octahedral(tgSafeNormalize(input.normal)));
-    return output;
+    return float4(input.uv, 0.5 + 0.5 * octahedral(input.normal));
 }
 
-// pixel: counted from the upper left.
-float3 placeWorld(uint2 pixel, float distance)
+// pixel: counted from the upper left; depth: 0..1.
+float3 placeWorld(uint2 pixel, float depth)
 {
     float2 clip = float2(2.0, -2.0) * (pixel + 0.5) / gViewportSize + float2(-1.0, 1.0);
-    float4 far = mul(float4(clip, 1.0, 1.0), gViewProjectionInverse);
-    return gCameraPosition + distance * tgSafeNormalize(far.xyz / far.w - gCameraPosition);
+    float4 world = mul(float4(clip, depth, 1.0), gViewProjectionInverse);
+    return world.xyz / world.w;
+}
+
+// From uv to that of a neighbouring pixel; far where there is none.
+static const float2 kNoNeighbour = float2(1.0, 1.0);
+
+float2 placeStep(int2 pixel, float2 uv)
+{
+    bool within = all(pixel >= 0) && all(pixel < int2(gViewportSize));
+    int3 at = int3(clamp(pixel, int2(0, 0), int2(gViewportSize) - 1), 0);
+    return within && gPlaceDepthMap.Load(at).x < 1.0 ? gPlaceMap.Load(at).xy - uv : kNoNeighbour;
+}
+
+// Squared length of the step between two neighbours: of their mean, or where they differ of the shorter, for the other leads over the
+// border of a chart or to another body.
+float stepBetween(float2 after, float2 before)
+{
+    float2 mean = 0.5 * (after - before);
+    float least = min(dot(after, after), dot(before, before));
+    float most = max(dot(after, after), dot(before, before));
+    return most < 2.0 * least ? dot(mean, mean) : least < 1.0 ? least : 0.0;
+}
+
+// Of a pixel in the map, the longer side.
+float placeFootprint(int2 pixel, float2 uv)
+{
+    float along = stepBetween(placeStep(pixel + int2(1, 0), uv), placeStep(pixel - int2(1, 0), uv));
+    float down = stepBetween(placeStep(pixel + int2(0, 1), uv), placeStep(pixel - int2(0, 1), uv));
+    return sqrt(max(max(along, down), 1e-20));
+}
+
+// With the normal map. normal: the mesh's.
+float3 placeNormal(float3 normal, float2 uv, float2 right)
+{
+    float4 tangent = tex2Dlod(gAtlasTangent, float4(uv, 0.0, 0.0));
+    float4 world = tgWorldTangent(float4(tgSafeNormalize(tangent.xyz), tangent.w < 0.0 ? -1.0 : 1.0));
+    return tgSurfaceNormal(normal, world, tex2Dgrad(gNormal, uv, right, right.yx).xyz);
 }
 
 [numthreads(8, 8, 1)]
 void FinalCS(uint3 thread : SV_DispatchThreadID)
 {
-    float4 place = gPlaceMap.Load(int3(thread.xy, 0));
-    [branch] if (place.w > 0.0)
+    float depth = gPlaceDepthMap.Load(int3(thread.xy, 0)).x;
+    [branch] if (depth < 1.0)
     {
-        float2 right = float2(place.w, 0.0);
-        float4 normals = gPlaceNormalMap.Load(int3(thread.xy, 0));
+        float4 place = gPlaceMap.Load(int3(thread.xy, 0));
+        float2 right = float2(placeFootprint(thread.xy, place.xy), 0.0);
         FinalVarying surface;
         surface.position = float4(0.0, 0.0, 0.0, 1.0);
         surface.uv = place.xy;
-        surface.world = placeWorld(thread.xy, place.z);
-        surface.normal = fromOctahedral(normals.zw);
+        surface.world = placeWorld(thread.xy, depth);
+        surface.normal = fromOctahedral(2.0 * place.zw - 1.0);
         surface.tangent = 0.0; // what it is for, the normal knows
-        LitPoint p = finalPoint(surface, fromOctahedral(normals.xy), tex2Dgrad(gSkin, surface.uv, right, right.yx));
+        float3 normal = placeNormal(surface.normal, place.xy, right);
+        LitPoint p = finalPoint(surface, normal, tex2Dgrad(gSkin, place.xy, right, right.yx));
         gPictureStore[thread.xy] = finalColour(surface, p);
     }
 }
@@ -192,8 +255,8 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
     COMPUTE_LEVEL_PASS(LinkedLight3, "gLight3Map") COMPUTE_LEVEL_PASS(LinkedLight2, "gLight2Map") \
     COMPUTE_LEVEL_PASS(LinkedLight1, "gLight1Map") COMPUTE_LEVEL_PASS(LinkedLight0, "gLight0Map") FINE_COMPUTE_PASSES
 #define PLACE_SCRIPT \
-    "RenderColorTarget0=gPlaceMap; RenderColorTarget1=gPlaceNormalMap; RenderDepthStencilTarget=gPlaceDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=Place; RenderColorTarget1=; Pass=Final;"
+    "RenderColorTarget0=gPlaceMap; RenderDepthStencilTarget=gPlaceDepthMap;" \
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=Place; Pass=Final;"
 #define PLACE_PASSES \
     TG_MESH_PASS(Place, PlaceVS, PlacePS, TG_STATE_SOLID) \
     pass Final < string Script = "Draw=Compute;"; string Threads = "gPlaceMap"; > { ComputeShader = compile cs_5_0 FinalCS(); }

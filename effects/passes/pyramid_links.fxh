@@ -138,14 +138,14 @@ float4 anySource(float4 link)
     return source;
 }
 
-// Light of the fifth and sixth Gaussian. A list ends the loop by its 0.
+// Light of the fifth and sixth Gaussian, of each `apart`th link from `first` on. A list ends the loop by its 0.
 #define LINKED_SUM(name, sourceOf) \
-float4 name(float2 uv) \
+float4 name(float2 uv, float first, float apart) \
 { \
     float tiles = linkTiles(); \
     float3 sum = 0.0; \
     float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0; \
-    [loop] for (float k = 0.0; k <= last; k += 1.0) \
+    [loop] for (float k = first; k <= last; k += apart) \
     { \
         float4 link = linkOf(uv, k, tiles); \
         last = link.x == 0.0 ? -1.0 : last; \
@@ -171,10 +171,10 @@ float4 name(QuadVarying input) : SV_Target0 \
 LINKED_LEVEL(LinkedLight6PS, 6, 0.0, 0.0)
 LINKED_LEVEL(LinkedLight5PS, 5, COARSER(6), 0.0)
 LINKED_LEVEL(LinkedLight4PS, 4, COARSER(5), 0.0)
-LINKED_LEVEL(LinkedLight3PS, 3, COARSER(4), WIDE_3(anyLinks(input.uv)))
-LINKED_LEVEL(LinkedLight2PS, 2, COARSER(3), WIDE_2(anyLinks(input.uv)))
-LINKED_LEVEL(LinkedLight1PS, 1, COARSER(2), WIDE_1(anyLinks(input.uv)))
-LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(anyLinks(input.uv)))
+LINKED_LEVEL(LinkedLight3PS, 3, COARSER(4), WIDE_3(anyLinks(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight2PS, 2, COARSER(3), WIDE_2(anyLinks(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight1PS, 1, COARSER(2), WIDE_1(anyLinks(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(anyLinks(input.uv, 0.0, 1.0)))
 
 #define LINKED_STEP(level) PYRAMID_STEP("gLight" level "Map", "LinkedLight" level)
 #define LINKED_OR(level, fine) "RenderColorTarget0=gLight" level "Map; Pass=gCoarseLevels?" fine ":LinkedLight" level ";"
@@ -185,14 +185,14 @@ LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(anyLinks(input.uv)))
     LINKED_PASS(LinkedLight2) LINKED_PASS(LinkedLight1) LINKED_PASS(LinkedLight0)
 
 #if TEGUMENT_MAP_SIZE >= 2048
-LINKED_LEVEL(FineTopPS, 3, 0.0, fineLinks(input.uv))
+LINKED_LEVEL(FineTopPS, 3, 0.0, fineLinks(input.uv, 0.0, 1.0))
 #define LINKED_SCRIPT \
     REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") \
     "LoopByCount=gCoarseLevels;" REDUCE_SCRIPT("5") REDUCE_SCRIPT("6") LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") "LoopEnd;" \
     LINKED_OR("3", "FineTop") LINKED_STEP("2") LINKED_STEP("1") LINKED_STEP("0")
 #define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop)
 #elif TEGUMENT_MAP_SIZE >= 1024
-LINKED_LEVEL(FineTopPS, 2, 0.0, fineLinks(input.uv))
+LINKED_LEVEL(FineTopPS, 2, 0.0, fineLinks(input.uv, 0.0, 1.0))
 #define LINKED_SCRIPT \
     REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") \
     "LoopByCount=gCoarseLevels;" REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6") \
@@ -201,10 +201,10 @@ LINKED_LEVEL(FineTopPS, 2, 0.0, fineLinks(input.uv))
 #define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop)
 #else
 #if TEGUMENT_MAP_SIZE >= 512
-LINKED_LEVEL(FineLightPS, 1, COARSER(2), fineLinks(input.uv))
+LINKED_LEVEL(FineLightPS, 1, COARSER(2), fineLinks(input.uv, 0.0, 1.0))
 #define FINE_LEVELS LINKED_OR("1", "FineLight") LINKED_STEP("0")
 #else
-LINKED_LEVEL(FineLightPS, 0, COARSER(1), fineLinks(input.uv))
+LINKED_LEVEL(FineLightPS, 0, COARSER(1), fineLinks(input.uv, 0.0, 1.0))
 #define FINE_LEVELS LINKED_STEP("1") LINKED_OR("0", "FineLight")
 #endif
 LINKED_LEVEL(FineTopPS, 2, 0.0, 0.0)

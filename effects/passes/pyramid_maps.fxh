@@ -6,7 +6,7 @@
 #define PYRAMID_SIZE(share) ((TEGUMENT_MAP_SIZE + share - 1) / share)
 #define PYRAMID_MAPS(level, share) \
 Texture2D gEntry##level##Map : RENDERCOLORTARGET < SQUARE_TARGET(PYRAMID_SIZE(share), "A16B16G16R16F") >; \
-Texture2D gLight##level##Map : RENDERCOLORTARGET < SQUARE_TARGET(PYRAMID_SIZE(share), "A16B16G16R16F") >; \
+Texture2D gLight##level##Map : RENDERCOLORTARGET < SQUARE_TARGET(PYRAMID_SIZE(share), "A16B16G16R16F") bool Keeps = true; >; \
 TG_SAMPLER2D(gEntry##level, LINEAR, CLAMP); \
 TG_SAMPLER2D(gLight##level, LINEAR, CLAMP); \
 static const float kPyramidSize##level = PYRAMID_SIZE(share);
@@ -18,6 +18,10 @@ PYRAMID_MAPS(3, 8)
 PYRAMID_MAPS(4, 16)
 PYRAMID_MAPS(5, 32)
 PYRAMID_MAPS(6, 64)
+
+int gRelight < string UIName = "Light, pose or skin have changed"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1;
+    string UIHelp = "0 where they stand still: the light of the picture before serves, whatever the camera does"; > = 1;
+#define LIGHT_SCRIPT(script) "LoopByCount=gRelight;" script "LoopEnd;"
 
 Texture2D gLadderMap < string Producer = "Ladder.fx/gLadderMap"; string ResourceName = "ladder.dds"; >;
 TG_SAMPLER2D(gLadder, LINEAR, CLAMP);

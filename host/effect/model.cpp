@@ -98,9 +98,9 @@ struct FormatAlias {
     std::string_view format;
 };
 
-constexpr std::array<FormatAlias, 38> kFormatAliases{{{"a16r16g16b16f", "A16B16G16R16F"},
+constexpr std::array<FormatAlias, 37> kFormatAliases{{{"a16r16g16b16f", "A16B16G16R16F"},
                                                       {"a32r32g32b32f", "A32B32G32R32F"},
-                                                      {"a16b16g16r16", "A16B16G16R16F"},
+                                                      {"r16g16b16a16_unorm", "A16B16G16R16"},
                                                       {"g16r16", "G16R16F"},
                                                       {"l16", "R16F"},
                                                       {"a2r10g10b10", "A2B10G10R10"},
@@ -129,7 +129,6 @@ constexpr std::array<FormatAlias, 38> kFormatAliases{{{"a16r16g16b16f", "A16B16G
                                                       {"r16g16_float", "G16R16F"},
                                                       {"r16g16_unorm", "G16R16F"},
                                                       {"r16g16b16a16_float", "A16B16G16R16F"},
-                                                      {"r16g16b16a16_unorm", "A16B16G16R16F"},
                                                       {"r32_float", "R32F"},
                                                       {"r32g32_float", "G32R32F"},
                                                       {"r32g32b32a32_float", "A32B32G32R32F"},
@@ -151,9 +150,10 @@ std::optional<std::string> canonicalFormat(std::string_view name) {
 }
 
 std::span<const std::string> formatNames() {
-    static const std::array<std::string, 18> kNames{
-        "A8R8G8B8", "X8R8G8B8", "A8B8G8R8", "A2B10G10R10", "A16B16G16R16F", "A32B32G32R32F", "R16F", "G16R16F",       "R32F",
-        "G32R32F",  "L8",       "A8",       "D16",         "D24X8",         "D24S8",         "D32F", "D32F_LOCKABLE", "D24S8_SHADOWMAP"};
+    static const std::array<std::string, 19> kNames{
+        "A8R8G8B8", "A16B16G16R16",  "X8R8G8B8",       "A8B8G8R8", "A2B10G10R10", "A16B16G16R16F", "A32B32G32R32F", "R16F",
+        "G16R16F",  "R32F",          "G32R32F",        "L8",       "A8",          "D16",           "D24X8",         "D24S8",
+        "D32F",     "D32F_LOCKABLE", "D24S8_SHADOWMAP"};
     return kNames;
 }
 

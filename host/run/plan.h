@@ -95,6 +95,7 @@ struct TargetShape {
     std::uint32_t mips = 1;
     bool depth = false;
     std::uint32_t samples = 1;
+    bool keeps = false; // annotation Keeps: what an earlier frame left may be sampled
 };
 [[nodiscard]] Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses,
                                         const std::map<std::string, TargetShape>& shapes, const std::array<float, 4>& background,

@@ -150,7 +150,7 @@ private:
     }
 
     void sample(const std::string& name, const DrawStep& step, std::vector<Step>& steps) {
-        if (!known_.contains(name)) {
+        if (!known_.contains(name) && !with_.shapes.at(name).keeps) {
             with_.warnings.push_back(
                 {.severity = Severity::Warning,
                  .code = 4026,

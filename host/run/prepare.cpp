@@ -101,6 +101,13 @@ Result<void> describeTargets(const RunInput& input, Prepared& prepared) {
     return markStored(input, prepared);
 }
 
+/// What an earlier frame left in the target may be sampled.
+bool keeps(const Effect& effect, const std::string& target) {
+    const Parameter* parameter = effect.findParameter(target);
+    const auto numbers = parameter ? parameter->annotations.numbers("Keeps") : std::nullopt;
+    return numbers && numbers->front() != 0;
+}
+
 Result<void> complete(const RunInput& input, Prepared& prepared) {
     std::map<const Pass*, PassUse> uses;
     for (const auto& [pass, program] : prepared.programs)
@@ -111,7 +118,8 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
                                          .height = target.extent.height,
                                          .mips = target.mips,
                                          .depth = isDepth(target.format),
-                                         .samples = target.samples});
+                                         .samples = target.samples,
+                                         .keeps = keeps(input.effect, name)});
     if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings); !done) return done;
     std::set<std::string> needed = prepared.plan.targets();
     needed.insert(kPicture);

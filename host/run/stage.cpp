@@ -4,8 +4,10 @@ namespace tegument::run {
 
 namespace {
 
-bool same(const TargetDesc& a, const TargetDesc& b) {
-    return a.extent == b.extent && a.format == b.format && a.mips == b.mips && a.samples == b.samples && a.stored == b.stored;
+/// What can be stored to need not be: it keeps what it holds for frames that only read it.
+bool serves(const TargetDesc& there, const TargetDesc& wanted) {
+    return there.extent == wanted.extent && there.format == wanted.format && there.mips == wanted.mips && there.samples == wanted.samples &&
+           (there.stored || !wanted.stored);
 }
 
 } // namespace
@@ -50,7 +52,10 @@ void Stage::dropTargets(const std::deque<Prepared>& prepared) {
         wanted.insert(object.targets.begin(), object.targets.end());
     std::erase_if(allocated_, [&](const auto& entry) {
         const auto found = wanted.find(entry.first);
-        if (found != wanted.end() && same(found->second, entry.second)) return false;
+        if (found != wanted.end() && serves(entry.second, found->second)) {
+            found->second.stored = entry.second.stored;
+            return false;
+        }
         resources_.targets.erase(entry.first);
         return true;
     });

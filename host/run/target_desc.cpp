@@ -28,6 +28,7 @@ constexpr std::array kFormats = {
     NamedFormat{"R16F", PixelFormat::R16F},
     NamedFormat{"G16R16F", PixelFormat::RG16F},
     NamedFormat{"A16B16G16R16F", PixelFormat::RGBA16F},
+    NamedFormat{"A16B16G16R16", PixelFormat::RGBA16},
     NamedFormat{"R32F", PixelFormat::R32F},
     NamedFormat{"G32R32F", PixelFormat::RG32F},
     NamedFormat{"A32B32G32R32F", PixelFormat::RGBA32F},

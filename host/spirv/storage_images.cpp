@@ -1,32 +1,19 @@
 #include "host/spirv/storage_images.h"
 
-#include <spirv.hpp>
+#include "host/spirv/instructions.h"
 
-#include <algorithm>
 #include <set>
-#include <span>
 
 namespace tegument::spirv {
 
 namespace {
 
-constexpr std::size_t kHeader = 5;  // words
 constexpr std::size_t kSampled = 7; // words of OpTypeImage: 2 means written and read without a sampler
 constexpr std::size_t kFormat = 8;
 
-template <class Visit>
-void forEachInstruction(std::vector<std::uint32_t>& words, const Visit& visit) {
-    for (std::size_t at = kHeader; at < words.size();) {
-        const std::size_t length = std::max<std::size_t>(1, words[at] >> spv::WordCountShift);
-        if (at + length > words.size()) return;
-        visit(static_cast<spv::Op>(words[at] & spv::OpCodeMask), std::span(words).subspan(at, length));
-        at += length;
-    }
-}
-
 void addCapability(std::vector<std::uint32_t>& words, spv::Capability capability) {
     const std::uint32_t head = 2U << spv::WordCountShift | spv::OpCapability;
-    words.insert(words.begin() + kHeader, {head, static_cast<std::uint32_t>(capability)});
+    words.insert(words.begin() + kModuleHeader, {head, static_cast<std::uint32_t>(capability)});
 }
 
 } // namespace
@@ -38,7 +25,7 @@ bool forgetStorageFormats(std::vector<std::uint32_t>& words) {
     bool reads = false;
     bool writes = false;
     bool twice = false;
-    forEachInstruction(changed, [&](spv::Op op, std::span<std::uint32_t> instruction) {
+    forEachInstruction(std::span(changed), [&](spv::Op op, std::span<std::uint32_t> instruction) {
         reads = reads || op == spv::OpImageRead;
         writes = writes || op == spv::OpImageWrite;
         if (op != spv::OpTypeImage || instruction.size() <= kFormat) return;

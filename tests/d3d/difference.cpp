@@ -16,6 +16,7 @@ Kind kindOf(const Parameter& parameter) {
     const auto target = run::describeTarget(parameter, {kPictureWidth, kPictureHeight});
     if (!target) return Kind::Float;
     if (isDepth(target->format)) return Kind::Depth;
+    if (target->format == PixelFormat::RGBA16) return Kind::Share;
     const bool half = run::d3dName(target->format).ends_with("16F");
     return half ? Kind::Half : Kind::Float;
 }
@@ -63,6 +64,7 @@ Distance measure(const Image& image, const Image& reference, double limit) {
 double tolerance(Kind kind) {
     switch (kind) {
     case Kind::Half: return 1e-3;    // one step of a half below 1 or above: wined3d and lavapipe round single values differently
+    case Kind::Share: return 3.1e-5; // two steps of 16 bits: what is interpolated differs by less than one, and rounds either way
     case Kind::Picture: return 5e-3; // eight bits of a colour map and its filter; one step of the display's 255 is 4e-3
     default: return 1e-5;            // a hundred steps of a float
     }

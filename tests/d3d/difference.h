@@ -9,7 +9,7 @@
 
 namespace tegument::test {
 
-enum class Kind { Float, Half, Depth, Picture };
+enum class Kind { Float, Half, Share, Depth, Picture };
 
 /// Largest difference that passes, by kind, in units of the target's largest magnitude where that is above 1.
 [[nodiscard]] double tolerance(Kind kind);

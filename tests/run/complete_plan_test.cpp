@@ -111,6 +111,16 @@ TEST_F(Completing, a_target_sampled_before_it_is_drawn_warns_and_is_cleared) {
     EXPECT_EQ(std::get<ClearStep>(plan_.steps.front()).target, "gSmall");
 }
 
+TEST_F(Completing, a_target_that_keeps_what_an_earlier_frame_left_is_sampled_as_it_is) {
+    uses_[&pass_].sampled = {"gSmall"};
+    shapes_.at("gSmall").keeps = true;
+    draw({kPicture});
+    ASSERT_TRUE(test::succeeded(complete()));
+    EXPECT_TRUE(warnings_.empty());
+    for (const ClearStep& clear : steps<ClearStep>())
+        EXPECT_NE(clear.target, "gSmall");
+}
+
 TEST_F(Completing, the_picture_starts_as_the_background) {
     draw({kPicture});
     ASSERT_TRUE(test::succeeded(complete()));

@@ -1,9 +1,13 @@
 // effects/Pyramid.fx on a sphere: what its techniques draw of the same scene.
 
 #include "host/image/compare.h"
+#include "host/run/read_back.h"
+#include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
 #include "tests/spirv/missing.h"
+
+#include <algorithm>
 
 namespace tegument::test {
 namespace {
@@ -46,6 +50,36 @@ TEST_P(PyramidRun, the_computed_picture_is_the_drawn_one) {
 
 TEST_P(PyramidRun, the_computed_picture_has_one_sample_a_pixel) {
     EXPECT_EQ(code(draw("PyramidCompute", 128, 1, 4)), 4039);
+}
+
+TEST_P(PyramidRun, under_light_that_stands_still_the_light_of_the_picture_before_serves_another_camera) {
+    const auto effect = loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    ASSERT_TRUE(succeeded(effect));
+    const Mesh mesh = sphere();
+    Workspace moved = closeUp();
+    moved.camera.position += glm::vec3(0.4F, 0.2F, 0.3F);
+    for (const char* technique : {"Pyramid", "PyramidLinked", "PyramidCompute"}) {
+        const auto options = [&](double relight) {
+            return RunOptions{.technique = technique,
+                              .width = 96,
+                              .height = 96,
+                              .compiler = GetParam(),
+                              .parameters = {{"gRelight", {relight}}},
+                              .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}};
+        };
+        EffectSession session(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+        ASSERT_TRUE(succeeded(session.draw(closeUp(), options(1))));
+        const auto rest = session.draw(moved, options(0));
+        ASSERT_TRUE(succeeded(rest));
+        EXPECT_LE(rest->passes.size(), 2U) << technique;
+        EXPECT_TRUE(std::ranges::none_of(rest->warnings, [](const Diagnostic& warning) { return warning.code == 4026; })) << technique;
+        const auto kept = run::readBack(*device_, *session.target(""));
+        ASSERT_TRUE(succeeded(session.draw(moved, options(1))));
+        const auto anew = run::readBack(*device_, *session.target(""));
+        ASSERT_TRUE(succeeded(kept) && succeeded(anew));
+        EXPECT_EQ(kept->pixels, anew->pixels) << technique;
+        EXPECT_GT(*std::ranges::max_element(anew->pixels), 0.05F) << "there is something to see";
+    }
 }
 
 std::string nameOf(const testing::TestParamInfo<Compiler>& info) {

@@ -42,12 +42,14 @@ struct BenchArguments {
     std::string json;
     std::string csv;
     std::string plot;
+    bool count = false;
     bool pick = false;
     double maxError = 0;
     double maxMs = 0;
     std::string markdown;
     bool growth = false;
     bool ablation = false;
+    bool motion = false;
     bool stability = false;
     std::vector<std::string> parts;
     std::vector<std::string> modules;
@@ -93,6 +95,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
                                 .compiler = *compiler,
                                 .pixels = *pixels,
+                                .count = arguments.count,
                                 .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
     return options;
 }
@@ -232,6 +235,20 @@ Result<int> ablation(const BenchArguments& arguments, Work& work) {
     return 0;
 }
 
+Result<int> motion(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto measured = shown(
+        [&](const bench::Say& say) { return bench::measureMotion(work.device, contenders, work.options, {.say = say, .flip = nullptr}); });
+    if (!measured) return measured.error();
+    const std::string scene = work.options.scenes.front();
+    if (!arguments.json.empty())
+        if (const auto written = writeTo(arguments.json, bench::toJson(*measured, work.machine, scene)); !written) return written.error();
+    const bench::Table cells = bench::toTable(*measured);
+    if (arguments.json != "-")
+        fmt::print("{}\n{}, driver {}; {}, {} x {}, maps of {}\n", table(cells.header, cells.rows), work.machine.device,
+                   work.machine.driver, scene, work.options.width, work.options.height, work.options.mapSizes.front());
+    return 0;
+}
+
 Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
     const auto rows = shown([&](const bench::Say& say) {
         return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(ownFile(kFlipScript))});
@@ -294,6 +311,7 @@ Result<int> runChosen(const BenchArguments& arguments) {
     if (!work) return work.error();
     if (arguments.growth) return growth(arguments, *work);
     if (arguments.ablation) return ablation(arguments, *work);
+    if (arguments.motion) return motion(arguments, *contenders, *work);
     return compare(arguments, *contenders, *work);
 }
 
@@ -328,6 +346,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
     command->add_option("--json", arguments->json, "Write the results as JSON; -: to standard output");
     command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
+    command->add_flag("--count", arguments->count, "Count look-ups, bytes read and bytes written of a frame, too");
     CLI::Option* pick = command->add_flag("--pick", arguments->pick, "Name the technique to take, and the command that draws with it");
     command->add_option("--max-error", arguments->maxError, "With --pick: the cheapest within this relative L2")
         ->check(CLI::PositiveNumber)
@@ -344,6 +363,12 @@ void addBench(CLI::App& program, Action& action) {
         command->add_flag("--ablation", arguments->ablation, "Only measure what each optimisation is worth, on the first scene");
     growth->excludes(ablation)->excludes(pick);
     ablation->excludes(pick);
+    command
+        ->add_flag("--motion", arguments->motion,
+                   "Only measure what flickers: how the error changes in a slow zoom, on a turning body, under a moving light")
+        ->excludes(pick)
+        ->excludes(growth)
+        ->excludes(ablation);
     CLI::Option* stability =
         command->add_flag("--stability", arguments->stability,
                           "Only draw every module's hard cases: values that are not finite, largest errors and their causes");

@@ -1,6 +1,7 @@
 #include "host/lab/bench/bench.h"
 
 #include "host/lab/bench/textures.h"
+#include "host/lab/bench/traffic.h"
 
 #include <fmt/format.h>
 
@@ -157,6 +158,17 @@ void runContest(gpu::Device& device, const Stage& stage, const Contest& contest,
     addFlip(rows, first, stage, drawn, tools);
 }
 
+/// By shaders that count, behind all that is timed.
+void addTraffic(gpu::Device& device, const Contest& contest, const Say& say, Row& row) {
+    if (row.failure) return;
+    say(fmt::format("{}: counting {}", row.scene, row.contender.name()));
+    auto traffic = trafficOf(device, contest, row.contender);
+    if (traffic)
+        row.drawn.traffic = std::move(*traffic);
+    else
+        row.failure = traffic.error();
+}
+
 } // namespace
 
 Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contender>& contenders, const BenchOptions& options,
@@ -176,7 +188,10 @@ Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contend
                                       .compiler = options.compiler,
                                       .shadowSize = shadowSize,
                                       .meshTextures = options.meshTextures};
+                const std::size_t first = rows.size();
                 runContest(device, **stage, contest, contenders, options.frames, tools, rows);
+                for (std::size_t i = first; options.count && i < rows.size(); ++i)
+                    addTraffic(device, contest, tools.say, rows[i]);
             }
     }
     return rows;

@@ -21,6 +21,7 @@ struct BenchOptions {
     Frames frames;
     Compiler compiler = Compiler::Dxc;
     std::size_t pixels = 1024; // of the reference; 0: all
+    bool count = false;        // what each frame fetches and moves, too (traffic.h)
     MeshTextures meshTextures;
 };
 

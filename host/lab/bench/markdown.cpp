@@ -140,6 +140,16 @@ std::string ablationMarkdown(const Json& json) {
     return markdown;
 }
 
+std::string motionMarkdown(const Json& json) {
+    std::string markdown = machineLine(json) + "| motion | technique | setting | rel L2 | flicker | largest step | the light itself |\n"
+                                               "|---|---|---|---|---|---|---|\n";
+    for (const Json& row : json["motion"])
+        markdown += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", text(row, "motion"), text(row, "technique"), text(row, "setting"),
+                                cell(row, "rel_l2", "{:.4f}"), cell(row, "flicker", "{:.4f}"), cell(row, "largest", "{:.4f}"),
+                                cell(row, "light", "{:.4f}"));
+    return markdown;
+}
+
 } // namespace
 
 Result<std::string> toMarkdown(const std::string& json, const std::string& nameForMessages) {
@@ -153,6 +163,7 @@ Result<std::string> toMarkdown(const std::string& json, const std::string& nameF
     };
     if (holds("series", {"x", "ms"})) return growthMarkdown(parsed);
     if (holds("ablation", {"rel_l2"})) return ablationMarkdown(parsed);
+    if (holds("motion", {"flicker"})) return motionMarkdown(parsed);
     return inputError(8076, {.file = nameForMessages, .byte = {}}, "no results of a comparison", kHint);
 }
 

@@ -36,20 +36,11 @@ std::uint64_t bytesOfTargets(Entrant& entrant, const SessionFrame& frame) {
 }
 
 Result<Entrant> enter(gpu::Device& device, const Contest& contest, const Contender& contender) {
-    LoadOptions load{.defines = contender.defines, .includeFolders = {}};
-    load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(contest.mapSize));
-    if (contest.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(contest.shadowSize));
-    auto effect = loadEffect(contender.effect, load);
+    auto effect = loadContender(contest, contender);
     if (!effect) return effect.error();
     Entrant entrant;
     entrant.effect = std::make_unique<Effect>(std::move(*effect));
-    entrant.options = {.technique = contender.technique,
-                       .width = contest.width,
-                       .height = contest.height,
-                       .compiler = contest.compiler,
-                       .parameters = contender.parameters,
-                       .meshTextures = contest.meshTextures,
-                       .clearsApart = true};
+    entrant.options = runOptionsOf(contest, contender);
     const std::uint64_t before = device.allocatedBytes();
     entrant.session = std::make_unique<EffectSession>(device, *entrant.effect, SessionScene{.mesh = &contest.scene.mesh, .objects = {}});
     const auto frame = entrant.session->draw(contest.scene.workspace, entrant.options);
@@ -83,6 +74,7 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
                 .passes = {},
                 .bytes = entrant.bytes,
                 .targetBytes = entrant.targetBytes,
+                .traffic = {},
                 .picture = {}};
     for (const std::string& name : entrant.passNames)
         drawn.passes.push_back({name, quantile(entrant.passes.at(name), 0.5)});
@@ -93,6 +85,23 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
 }
 
 } // namespace
+
+Result<Effect> loadContender(const Contest& contest, const Contender& contender) {
+    LoadOptions load{.defines = contender.defines, .includeFolders = {}};
+    load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(contest.mapSize));
+    if (contest.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(contest.shadowSize));
+    return loadEffect(contender.effect, load);
+}
+
+RunOptions runOptionsOf(const Contest& contest, const Contender& contender) {
+    return {.technique = contender.technique,
+            .width = contest.width,
+            .height = contest.height,
+            .compiler = contest.compiler,
+            .parameters = contender.parameters,
+            .meshTextures = contest.meshTextures,
+            .clearsApart = true};
+}
 
 std::vector<Entry> entriesOf(const Contest& contest, const std::vector<Contender>& contenders) {
     std::vector<Entry> entries;

@@ -18,6 +18,15 @@ struct Frames {
     int timed = 1;
 };
 
+/// What a pass fetches and moves, by count (traffic.h); of several of one name, their sum.
+struct Traffic {
+    std::string pass;
+    std::uint64_t calls = 0;   // pixels or threads
+    std::uint64_t fetches = 0; // look-ups of textures, whatever their filter
+    std::uint64_t read = 0;    // bytes: of each texture what is looked up, at most all of its finest level
+    std::uint64_t written = 0; // bytes of colour, of depth, and what compute shaders store
+};
+
 struct PassTime {
     std::string name;
     double milliseconds = 0; // median
@@ -30,6 +39,7 @@ struct Drawn {
     std::vector<PassTime> passes; // of one name: together
     std::uint64_t bytes = 0;      // everything the technique holds on the device: targets, textures, mesh
     std::uint64_t targetBytes = 0;
+    std::vector<Traffic> traffic; // where it is counted
     Image picture;
 };
 
@@ -42,6 +52,10 @@ struct Contest {
     int shadowSize = 0;        // texels along each side of the maps seen from the light; 0: as many as mapSize
     MeshTextures meshTextures; // made for the scene's mesh where an effect asks for them
 };
+
+/// The contender's effect with the contest's sizes, and how it is drawn.
+[[nodiscard]] Result<Effect> loadContender(const Contest& contest, const Contender& contender);
+[[nodiscard]] RunOptions runOptionsOf(const Contest& contest, const Contender& contender);
 
 /// Who is drawn, and on what.
 struct Entry {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tegument::bench {
@@ -29,6 +30,34 @@ Json passesJson(const Drawn& drawn) {
     for (const PassTime& pass : drawn.passes)
         passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
     return passes;
+}
+
+Json countsJson(const Traffic& traffic) {
+    return {{"calls", traffic.calls}, {"fetches", traffic.fetches}, {"bytes_read", traffic.read}, {"bytes_written", traffic.written}};
+}
+
+Traffic sumOf(const std::vector<Traffic>& passes) {
+    Traffic sum;
+    for (const Traffic& pass : passes) {
+        sum.calls += pass.calls;
+        sum.fetches += pass.fetches;
+        sum.read += pass.read;
+        sum.written += pass.written;
+    }
+    return sum;
+}
+
+/// Null where nothing was counted.
+Json trafficJson(const std::vector<Traffic>& passes) {
+    if (passes.empty()) return nullptr;
+    Json json = countsJson(sumOf(passes));
+    json["passes"] = Json::array();
+    for (const Traffic& pass : passes) {
+        Json one{{"name", pass.pass}};
+        one.update(countsJson(pass));
+        json["passes"].push_back(std::move(one));
+    }
+    return json;
 }
 
 Json machineJson(const Machine& machine) {
@@ -63,6 +92,7 @@ Json rowJson(const Row& row, const Machine& machine) {
     json["passes"] = passesJson(row.drawn);
     json["bytes"] = row.drawn.bytes;
     json["target_bytes"] = row.drawn.targetBytes;
+    json["counts"] = trafficJson(row.drawn.traffic);
     json["error"] = errorsJson(row.errors);
     json["own_error"] = row.own ? errorsJson(*row.own) : Json(nullptr);
     json["own_definition"] = row.own                                      ? Json(row.contender.ownDefinition())
@@ -125,6 +155,8 @@ Table toTable(const std::vector<Row>& rows) {
     Table table{.header = {"technique", "setting", "scene", "maps", "shadow", "ms", "gross", "p5", "p95", "MiB", "rel L2", "p99", "max",
                            "bias", "PSNR", "FLIP", "own"},
                 .rows = {}};
+    const bool counted = std::ranges::any_of(rows, [](const Row& row) { return !row.drawn.traffic.empty(); });
+    if (counted) table.header.insert(table.header.end(), {"Mfetch", "MiB read", "written"});
     for (const Row& row : rows) {
         std::vector<std::string> cells = {row.contender.name(), row.contender.setting, row.scene, std::to_string(row.mapSize),
                                           std::to_string(row.shadowSize)};
@@ -139,6 +171,12 @@ Table toTable(const std::vector<Row>& rows) {
                           fmt::format("{:.3f}", e.p99), fmt::format("{:.3f}", e.largestInterior), fmt::format("{:+.4f}", e.bias),
                           fmt::format("{:.1f}", e.psnr), optional(e.flip, "-"),
                           row.own ? fmt::format("{:.4f}", row.own->relativeL2) : "-"});
+        if (counted && !row.failure) {
+            const Traffic sum = sumOf(row.drawn.traffic);
+            cells.insert(cells.end(),
+                         {fmt::format("{:.1f}", static_cast<double>(sum.fetches) / 1e6), mebibytes(sum.read), mebibytes(sum.written)});
+        }
+        cells.resize(table.header.size());
         table.rows.push_back(std::move(cells));
     }
     return table;
@@ -170,6 +208,27 @@ std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine,
                         {"change", row.change},
                         {"rel_l2", numberOrNull(row.relativeL2)}});
     return dumped({{"machine", machineJson(machine)}, {"scene", scene}, {"ablation", list}});
+}
+
+std::string toJson(const std::vector<MotionRow>& rows, const Machine& machine, const std::string& scene) {
+    Json list = Json::array();
+    for (const MotionRow& row : rows)
+        list.push_back({{"motion", row.motion},
+                        {"technique", row.contender.name()},
+                        {"setting", row.contender.setting},
+                        {"rel_l2", numberOrNull(row.error)},
+                        {"flicker", numberOrNull(row.flicker)},
+                        {"largest", numberOrNull(row.largest)},
+                        {"light", numberOrNull(row.light)}});
+    return dumped({{"machine", machineJson(machine)}, {"scene", scene}, {"motion", list}});
+}
+
+Table toTable(const std::vector<MotionRow>& rows) {
+    Table table{.header = {"motion", "technique", "setting", "rel L2", "flicker", "largest", "light"}, .rows = {}};
+    for (const MotionRow& row : rows)
+        table.rows.push_back({row.motion, row.contender.name(), row.contender.setting, fmt::format("{:.4f}", row.error),
+                              fmt::format("{:.4f}", row.flicker), fmt::format("{:.4f}", row.largest), fmt::format("{:.4f}", row.light)});
+    return table;
 }
 
 Table toTable(const std::vector<Growth>& growth) {

@@ -4,6 +4,7 @@
 #include "host/lab/bench/ablation.h"
 #include "host/lab/bench/bench.h"
 #include "host/lab/bench/growth.h"
+#include "host/lab/bench/motion.h"
 
 #include <string>
 #include <vector>
@@ -32,13 +33,17 @@ struct Table {
 [[nodiscard]] Table toTable(const std::vector<Row>& rows);
 [[nodiscard]] Table toTable(const std::vector<Growth>& growth);
 [[nodiscard]] Table toTable(const std::vector<AblationRow>& rows);
+[[nodiscard]] Table toTable(const std::vector<MotionRow>& rows);
 
 /// {machine, series: [{quantity, what, x, ms, exponent, factor, worst, fixed_ms, ms_per_unit, affine_worst}]}
 [[nodiscard]] std::string toJson(const std::vector<Growth>& growth, const Machine& machine);
 /// {machine, scene, ablation: [{group, what, ms, noise, change, rel_l2}]}
 [[nodiscard]] std::string toJson(const std::vector<AblationRow>& rows, const Machine& machine, const std::string& scene);
 
-/// The tables of docs/design/speed-error.md from any of these three: of a comparison one for each scene, size and machine. TG8076 when it
+/// {machine, scene, motion: [{motion, technique, setting, rel_l2, flicker, largest, light}]}
+[[nodiscard]] std::string toJson(const std::vector<MotionRow>& rows, const Machine& machine, const std::string& scene);
+
+/// The tables of docs/design/speed-error.md from any of these four: of a comparison one for each scene, size and machine. TG8076 when it
 /// is none of them.
 [[nodiscard]] Result<std::string> toMarkdown(const std::string& json, const std::string& nameForMessages);
 

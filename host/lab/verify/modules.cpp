@@ -27,6 +27,7 @@ constexpr std::array kModules = {
     Module{"Irradiance", verify::verifyIrradiance},
     Module{"Convolution", verify::verifyConvolution},
     Module{"Main", verify::verifyMain},
+    Module{"Pyramid", verify::verifyPyramid},
     Module{"Fur", verify::verifyFur},
     Module{"FurRoots", verify::verifyFurRoots},
     Module{"FurCoat", verify::verifyFurCoat},

@@ -66,7 +66,7 @@ Result<RunResult> render(const Context& context, const RenderJob& job) {
                          .height = job.height,
                          .compiler = context.options.compiler,
                          .parameters = job.parameters,
-                         .textures = {},
+                         .textures = job.textures,
                          .dump = job.dump};
     return runEffect(context.device, *effect, job.mesh, job.workspace, run);
 }

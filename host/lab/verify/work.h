@@ -28,6 +28,7 @@ struct RenderJob {
     std::vector<std::string> dump;
     std::map<std::string, std::vector<double>> parameters;
     std::vector<std::pair<std::string, std::string>> defines;
+    std::map<std::string, std::string> textures; // files
 };
 
 /// With the setting and the map size of the options.
@@ -83,6 +84,7 @@ inline constexpr const char* kShadowApart = "within 3 texels of the shadow map f
 [[nodiscard]] Result<ModuleReport> verifyIrradiance(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyConvolution(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyMain(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyPyramid(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFur(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFurRoots(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFurCoat(const Context& context);

@@ -2,7 +2,7 @@
 // What Direct3D 10 and 11 do in the same words: targets, textures and meshes, binding, clearing, drawing and reading back. Api names their
 // types and says which object draws:
 //
-//   Device, Context, Texture, ColorView, DepthView, ResourceView, Buffer, Layout
+//   Device, Context, Texture, ColorView, DepthView, ResourceView, Buffer, Layout, and the descriptions of views
 //   TextureDesc, BufferDesc, Data, Mapped, Viewport, Element
 //   kColor, kDepth, kResource, kVertices, kIndices (what a resource is bound as), kMakeMips, kCube
 //   kStore (what compute shaders write; 0 where there are none), kPerVertex, kTriangles, kClearDepth, kClearStencil, kDefault, kStaging,
@@ -153,7 +153,8 @@ public:
 
     Pixels read(const std::string& name) {
         const Target& target = targets_.at(name);
-        auto desc = describe<Api>(target.shape.width, target.shape.height, target.shape.levels, targetFormat(target.shape).dxgi, 0);
+        const DXGI_FORMAT format = isReadableDepth(target.shape) ? DXGI_FORMAT_R32_TYPELESS : targetFormat(target.shape).dxgi;
+        auto desc = describe<Api>(target.shape.width, target.shape.height, target.shape.levels, format, 0);
         desc.Usage = Api::kStaging;
         desc.CPUAccessFlags = Api::kRead;
         Com<typename Api::Texture> copy;
@@ -173,6 +174,7 @@ private:
     };
 
     [[nodiscard]] Target makeTarget(const TargetShape& shape) const {
+        if (isReadableDepth(shape)) return makeReadableDepth(shape);
         Target target{shape, {}, {}, {}, {}};
         const UINT bind = shape.depth ? Api::kDepth : Api::kColor | Api::kResource | (stored_ ? Api::kStore : 0U);
         auto desc = describe<Api>(shape.width, shape.height, shape.levels, targetFormat(shape).dxgi, bind);
@@ -184,6 +186,23 @@ private:
         }
         must(Api::device()->CreateRenderTargetView(target.texture.get(), nullptr, target.color.put()), "CreateRenderTargetView");
         target.resource = viewOf<Api>(target.texture.get());
+        return target;
+    }
+
+    /// A texture without a type, and what it is to each of its views.
+    static Target makeReadableDepth(const TargetShape& shape) {
+        Target target{shape, {}, {}, {}, {}};
+        const auto desc = describe<Api>(shape.width, shape.height, 1, DXGI_FORMAT_R32_TYPELESS, Api::kDepth | Api::kResource);
+        must(Api::device()->CreateTexture2D(&desc, nullptr, target.texture.put()), "CreateTexture2D");
+        typename Api::DepthViewDesc depth{};
+        depth.Format = DXGI_FORMAT_D32_FLOAT;
+        depth.ViewDimension = Api::kDepthView2D;
+        must(Api::device()->CreateDepthStencilView(target.texture.get(), &depth, target.depth.put()), "CreateDepthStencilView");
+        typename Api::ResourceViewDesc resource{};
+        resource.Format = DXGI_FORMAT_R32_FLOAT;
+        resource.ViewDimension = Api::kResourceView2D;
+        resource.Texture2D.MipLevels = 1;
+        must(Api::device()->CreateShaderResourceView(target.texture.get(), &resource, target.resource.put()), "CreateShaderResourceView");
         return target;
     }
 

@@ -29,6 +29,8 @@ struct Api {
     using Buffer = ID3D10Buffer;
     using Layout = ID3D10InputLayout;
     using TextureDesc = D3D10_TEXTURE2D_DESC;
+    using DepthViewDesc = D3D10_DEPTH_STENCIL_VIEW_DESC;
+    using ResourceViewDesc = D3D10_SHADER_RESOURCE_VIEW_DESC;
     using BufferDesc = D3D10_BUFFER_DESC;
     using Data = D3D10_SUBRESOURCE_DATA;
     using Mapped = D3D10_MAPPED_TEXTURE2D;
@@ -47,6 +49,8 @@ struct Api {
     static constexpr auto kTriangles = D3D10_PRIMITIVE_TOPOLOGY_TRIANGLELIST;
     static constexpr UINT kClearDepth = D3D10_CLEAR_DEPTH;
     static constexpr UINT kClearStencil = D3D10_CLEAR_STENCIL;
+    static constexpr auto kDepthView2D = D3D10_DSV_DIMENSION_TEXTURE2D;
+    static constexpr auto kResourceView2D = D3D10_SRV_DIMENSION_TEXTURE2D;
     static constexpr auto kDefault = D3D10_USAGE_DEFAULT;
     static constexpr auto kStaging = D3D10_USAGE_STAGING;
     static constexpr UINT kRead = D3D10_CPU_ACCESS_READ;

@@ -69,6 +69,8 @@ struct Api {
     using Buffer = ID3D11Buffer;
     using Layout = ID3D11InputLayout;
     using TextureDesc = D3D11_TEXTURE2D_DESC;
+    using DepthViewDesc = D3D11_DEPTH_STENCIL_VIEW_DESC;
+    using ResourceViewDesc = D3D11_SHADER_RESOURCE_VIEW_DESC;
     using BufferDesc = D3D11_BUFFER_DESC;
     using Data = D3D11_SUBRESOURCE_DATA;
     using Mapped = D3D11_MAPPED_SUBRESOURCE;
@@ -87,6 +89,8 @@ struct Api {
     static constexpr auto kTriangles = D3D11_PRIMITIVE_TOPOLOGY_TRIANGLELIST;
     static constexpr UINT kClearDepth = D3D11_CLEAR_DEPTH;
     static constexpr UINT kClearStencil = D3D11_CLEAR_STENCIL;
+    static constexpr auto kDepthView2D = D3D11_DSV_DIMENSION_TEXTURE2D;
+    static constexpr auto kResourceView2D = D3D11_SRV_DIMENSION_TEXTURE2D;
     static constexpr auto kDefault = D3D11_USAGE_DEFAULT;
     static constexpr auto kStaging = D3D11_USAGE_STAGING;
     static constexpr UINT kRead = D3D11_CPU_ACCESS_READ;

@@ -9,15 +9,17 @@ namespace client {
 namespace {
 
 constexpr TargetFormat kFormats[] = {
-    {"R16F", D3DFMT_R16F, DXGI_FORMAT_R16_FLOAT, 1, true},
-    {"G16R16F", D3DFMT_G16R16F, DXGI_FORMAT_R16G16_FLOAT, 2, true},
-    {"A16B16G16R16F", D3DFMT_A16B16G16R16F, DXGI_FORMAT_R16G16B16A16_FLOAT, 4, true},
-    {"R32F", D3DFMT_R32F, DXGI_FORMAT_R32_FLOAT, 1, false},
-    {"G32R32F", D3DFMT_G32R32F, DXGI_FORMAT_R32G32_FLOAT, 2, false},
-    {"A32B32G32R32F", D3DFMT_A32B32G32R32F, DXGI_FORMAT_R32G32B32A32_FLOAT, 4, false},
+    {"R16F", D3DFMT_R16F, DXGI_FORMAT_R16_FLOAT, 1, Stored::Halves},
+    {"G16R16F", D3DFMT_G16R16F, DXGI_FORMAT_R16G16_FLOAT, 2, Stored::Halves},
+    {"A16B16G16R16F", D3DFMT_A16B16G16R16F, DXGI_FORMAT_R16G16B16A16_FLOAT, 4, Stored::Halves},
+    {"A16B16G16R16", D3DFMT_A16B16G16R16, DXGI_FORMAT_R16G16B16A16_UNORM, 4, Stored::Shares},
+    {"R32F", D3DFMT_R32F, DXGI_FORMAT_R32_FLOAT, 1, Stored::Floats},
+    {"G32R32F", D3DFMT_G32R32F, DXGI_FORMAT_R32G32_FLOAT, 2, Stored::Floats},
+    {"A32B32G32R32F", D3DFMT_A32B32G32R32F, DXGI_FORMAT_R32G32B32A32_FLOAT, 4, Stored::Floats},
 };
 
-constexpr TargetFormat kDepth = {"D24S8", D3DFMT_D24S8, DXGI_FORMAT_D24_UNORM_S8_UINT, 1, false};
+constexpr TargetFormat kDepth = {"D24S8", D3DFMT_D24S8, DXGI_FORMAT_D24_UNORM_S8_UINT, 1, Stored::Floats};
+constexpr TargetFormat kReadableDepth = {"D32F", D3DFMT_D32F_LOCKABLE, DXGI_FORMAT_D32_FLOAT, 1, Stored::Floats};
 
 } // namespace
 
@@ -28,7 +30,12 @@ const TargetFormat& colorFormat(const std::string& name) {
 }
 
 const TargetFormat& targetFormat(const TargetShape& shape) {
-    return shape.depth ? kDepth : colorFormat(shape.format);
+    if (!shape.depth) return colorFormat(shape.format);
+    return isReadableDepth(shape) ? kReadableDepth : kDepth;
+}
+
+bool isReadableDepth(const TargetShape& shape) {
+    return shape.depth && upper(shape.format).rfind("D32F", 0) == 0;
 }
 
 TextureFormat textureFormat(TexelFormat format) {
@@ -49,8 +56,8 @@ TextureFormat textureFormat(TexelFormat format) {
 Pixels readRows(const TargetShape& shape, const void* rows, unsigned pitch) {
     const TargetFormat& format = targetFormat(shape);
     Pixels pixels{shape.width, shape.height, format.channels, {}};
-    appendRows(pixels, rows, pitch, format.halves);
-    if (!shape.depth) return pixels;
+    appendRows(pixels, rows, pitch, format.stored);
+    if (!shape.depth || isReadableDepth(shape)) return pixels;
     for (float& value : pixels.values) {
         std::uint32_t bits = 0;
         std::memcpy(&bits, &value, sizeof bits);

@@ -14,12 +14,15 @@ struct TargetFormat {
     D3DFORMAT d3d;
     DXGI_FORMAT dxgi;
     unsigned channels;
-    bool halves;
+    Stored stored;
 };
 
 /// Of a colour target.
 const TargetFormat& colorFormat(const std::string& name);
 const TargetFormat& targetFormat(const TargetShape& shape);
+/// A depth target that Direct3D 10 and 11 can bind as a texture, too: its own format as such is typeless, as a texture
+/// DXGI_FORMAT_R32_FLOAT.
+bool isReadableDepth(const TargetShape& shape);
 
 struct TextureFormat {
     D3DFORMAT d3d; // of eight bits: its sampler says whether they are sRGB
@@ -28,7 +31,7 @@ struct TextureFormat {
 
 TextureFormat textureFormat(TexelFormat format);
 
-/// Rows of a mapped target. Depth becomes one float of 0..1: Wine hands it out as OpenGL keeps it, above the stencil.
+/// Rows of a mapped target. Depth becomes one float of 0..1: of D24S8 Wine hands it out as OpenGL keeps it, above the stencil.
 Pixels readRows(const TargetShape& shape, const void* rows, unsigned pitch);
 
 } // namespace client

@@ -94,21 +94,27 @@ float halfToFloat(std::uint16_t half) {
     return sign * std::ldexp(static_cast<float>(mantissa + 1024), exponent - 25);
 }
 
-void appendRows(Pixels& pixels, const void* rows, unsigned pitch, bool halves) {
+namespace {
+
+float readValue(const std::uint8_t* row, std::size_t i, Stored stored) {
+    if (stored == Stored::Floats) {
+        float value = 0;
+        std::memcpy(&value, row + sizeof value * i, sizeof value);
+        return value;
+    }
+    std::uint16_t bits = 0;
+    std::memcpy(&bits, row + sizeof bits * i, sizeof bits);
+    return stored == Stored::Halves ? halfToFloat(bits) : static_cast<float>(bits) / 65535.0F;
+}
+
+} // namespace
+
+void appendRows(Pixels& pixels, const void* rows, unsigned pitch, Stored stored) {
     const std::size_t count = std::size_t{pixels.width} * pixels.channels;
     for (unsigned y = 0; y < pixels.height; ++y) {
         const auto* row = static_cast<const std::uint8_t*>(rows) + std::size_t{y} * pitch;
-        for (std::size_t i = 0; i < count; ++i) {
-            float value = 0;
-            if (halves) {
-                std::uint16_t half = 0;
-                std::memcpy(&half, row + 2 * i, sizeof half);
-                value = halfToFloat(half);
-            } else {
-                std::memcpy(&value, row + 4 * i, sizeof value);
-            }
-            pixels.values.push_back(value);
-        }
+        for (std::size_t i = 0; i < count; ++i)
+            pixels.values.push_back(readValue(row, i, stored));
     }
 }
 

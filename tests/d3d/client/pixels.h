@@ -52,8 +52,10 @@ struct Pixels {
 /// File: width, height, channels; then the floats.
 void writePixels(const std::string& path, const Pixels& pixels);
 
-/// What Direct3D hands out of a mapped target: rows `pitch` bytes apart, of `halves` or floats.
-void appendRows(Pixels& pixels, const void* rows, unsigned pitch, bool halves);
+enum class Stored { Floats, Halves, Shares }; // shares: 16 bits of 0..1
+
+/// What Direct3D hands out of a mapped target: rows `pitch` bytes apart.
+void appendRows(Pixels& pixels, const void* rows, unsigned pitch, Stored stored);
 
 float halfToFloat(std::uint16_t half);
 

@@ -117,3 +117,25 @@ TEST(BenchMarkdown, refuses_what_is_no_result) {
         EXPECT_EQ(markdown.error().diagnostics.front().code, 8076) << text;
     }
 }
+
+TEST(BenchMarkdown, has_a_table_of_motion) {
+    const MotionRow row{
+        .motion = "zoom", .contender = exampleRow().contender, .error = 0.01, .flicker = 0.02, .largest = 0.03, .light = 0.05};
+    const auto markdown = toMarkdown(toJson(std::vector{row}, exampleMachine(), "head"), "motion.json");
+    ASSERT_TRUE(markdown);
+    EXPECT_NE(markdown->find("| zoom | Tech, 7 samples | paper | 0.0100 | 0.0200 | 0.0300 | 0.0500 |"), std::string::npos) << *markdown;
+}
+
+TEST(BenchJson, counts_are_sums_and_passes_or_nothing) {
+    Row row = exampleRow();
+    EXPECT_TRUE(Json::parse(toJson({row}, exampleMachine()))[0]["counts"].is_null());
+    row.drawn.traffic = {{.pass = "A", .calls = 1, .fetches = 20, .read = 300, .written = 4000},
+                         {.pass = "B", .calls = 5, .fetches = 60, .read = 700, .written = 8000}};
+    const Json counts = Json::parse(toJson({row}, exampleMachine()))[0]["counts"];
+    EXPECT_EQ(counts["calls"], 6);
+    EXPECT_EQ(counts["fetches"], 80);
+    EXPECT_EQ(counts["bytes_read"], 1000);
+    EXPECT_EQ(counts["bytes_written"], 12000);
+    EXPECT_EQ(counts["passes"][1]["name"], "B");
+    EXPECT_EQ(counts["passes"][1]["bytes_written"], 8000);
+}

@@ -23,7 +23,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 /// In seconds: setting corrected, and the printed forms where they are cheap.
 std::vector<Case> quick() {
-    static const std::set<std::string> kDear = {"EnergyAttenuation", "Main", "OriginalTexture", "Beckmann", "Stretch", "TSM"};
+    static const std::set<std::string> kDear = {"EnergyAttenuation", "Main", "OriginalTexture", "Beckmann", "Stretch", "TSM", "Pyramid"};
     std::vector<Case> all;
     for (const std::string& module : verifiableModules()) {
         all.push_back({module, "corrected"});

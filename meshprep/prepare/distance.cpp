@@ -1,18 +1,21 @@
 // The Hausdorff distance by branch and bound: no point of a triangle is further away than its farthest corner and the distance to that
-// corner. Triangles that cannot hold the greatest distance are never looked into, others are cut in four. Nearest points come from a tree
-// of boxes in single precision, so the surfaces are brought to unit size around the origin first.
+// corner, nor than its farthest corner is from one triangle of the other surface. Triangles that cannot hold the greatest distance are left
+// alone, others are cut in four. Nearest points come from a tree of boxes in single precision, so the surfaces are brought to unit size
+// around the origin first. All is done in runs that do not depend on one another, so that the result does not depend on the processors.
 
 #include "meshprep/prepare/distance.h"
 
+#include "host/support/parallel.h"
 #include "host/support/rays/surface_tree.h"
 #include "meshprep/prepare/nearest.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <queue>
+#include <unordered_map>
 
 namespace tegument::prep {
 
@@ -41,21 +44,20 @@ public:
         return {points_[t[0]], points_[t[1]], points_[t[2]]};
     }
 
-    /// `hint`: a triangle that is probably near.
-    [[nodiscard]] Nearest nearest(const glm::dvec3& point, std::uint32_t hint = kNoHint) const {
+    /// `hint`: a triangle that is probably near. What is no further than `enough` will do.
+    [[nodiscard]] Nearest nearest(const glm::dvec3& point, std::uint32_t hint = kNoHint, double enough = 0) const {
         Nearest found;
         float radius = std::numeric_limits<float>::infinity();
-        if (hint != kNoHint)
-            if (const double apart = distanceTo(hint, point); std::isfinite(apart)) {
-                found = {.distance = apart, .triangle = hint};
-                radius = std::nextafter(static_cast<float>(apart), 1e30f);
-            }
-        tree_.visitNear(glm::vec3(point), radius, [&](std::uint32_t triangle) {
+        const auto take = [&](std::uint32_t triangle) {
             const double apart = distanceTo(triangle, point);
-            if (apart < found.distance) { // not a number where two corners are equal: such a triangle is a side of others
-                found = {.distance = apart, .triangle = triangle};
-                radius = std::nextafter(static_cast<float>(apart), 1e30f);
-            }
+            if (!(apart < found.distance)) return; // not a number where two corners are equal: such a triangle is a side of others
+            found = {.distance = apart, .triangle = triangle};
+            radius = apart <= enough ? 0 : std::nextafter(static_cast<float>(apart), 1e30f);
+        };
+        if (hint != kNoHint) take(hint);
+        if (found.distance <= enough) return found;
+        tree_.visitNear(glm::vec3(point), radius, [&](std::uint32_t triangle) {
+            take(triangle);
             return radius;
         });
         return found;
@@ -64,6 +66,11 @@ public:
     [[nodiscard]] double distanceTo(std::uint32_t triangle, const glm::dvec3& point) const {
         const std::uint32_t* t = &triangles_[3 * std::size_t{triangle}];
         return glm::distance(nearestOnTriangle(point, points_[t[0]], points_[t[1]], points_[t[2]]), point);
+    }
+
+    [[nodiscard]] std::uint32_t nearestCorner(std::uint32_t triangle, const glm::dvec3& point) const {
+        return *std::ranges::min_element(corners().subspan(3 * std::size_t{triangle}, 3), {},
+                                         [&](std::uint32_t corner) { return glm::distance(points_[corner], point); });
     }
 
 private:
@@ -83,159 +90,310 @@ double reachOf(const Triangle& t) {
     return longest / std::sqrt(3.0);
 }
 
+/// What is known of a point of one surface: how far it is from the other one, at most, and a triangle there that is so near.
+struct Place {
+    double apart = kUnknown;
+    std::uint32_t hint = kNoHint;
+
+    static constexpr double kUnknown = -1;
+};
+
+constexpr double kClose = 1.02;    // the bound need not be nearer to the truth
+constexpr double kRounding = 1e-6; // of the tree's floats, the surface being of unit size
+
+/// A point nearer than this share of what was reached cannot matter: where it is exactly is not asked.
+constexpr double kNear = 0.1;
+
+/// How many nearest points are asked for: so that the time stays linear. What is left then is bounded as it is.
+struct Effort {
+    std::size_t perTriangle = 0;
+    std::size_t atLeast = 0;
+};
+constexpr Effort kThorough{.perTriangle = 8, .atLeast = 30'000};
+constexpr Effort kRough{.perTriangle = 1, .atLeast = 3'000};
+
+/// What is further than this share of the greatest distance is worth mending.
+constexpr double kPeak = 0.5;
+
+/// One surface's distance from the other.
+class OneWay {
+public:
+    OneWay(const Surface& own, const Surface& other) : own_(own), other_(other), places_(own.points().size()) {
+        for (std::size_t i = 0; i < other.corners().size(); ++i)
+            places_[other.corners()[i]] = {.apart = 0, .hint = static_cast<std::uint32_t>(i / 3)};
+    }
+
+    /// The greatest distance of the corners that the other surface does not have, and of every triangle's middle.
+    double measureCorners(double reached) {
+        std::vector<std::uint32_t> asked;
+        for (const std::uint32_t corner : own_.corners()) {
+            Place& place = places_[corner];
+            if (place.apart != Place::kUnknown) continue;
+            place.apart = 0; // so that it is asked once
+            asked.push_back(corner);
+        }
+        constexpr std::size_t kSamples = 512; // their greatest distance spares most others an exact answer
+        const std::size_t step = asked.size() / kSamples + 1;
+        for (std::size_t i = 0; i < asked.size(); i += step)
+            reached = std::max(reached, measure(asked[i], kNoHint, reached));
+        return inRuns(asked.size(), reached, [&](std::size_t first, std::size_t last, double ofRun) {
+            std::uint32_t hint = kNoHint;
+            for (std::size_t i = first; i < last; ++i) {
+                ofRun = std::max(ofRun, measure(asked[i], hint, ofRun));
+                hint = places_[asked[i]].hint;
+            }
+            return ofRun;
+        });
+    }
+
+    /// A point, or a triangle, far from the other surface.
+    struct Peak {
+        double apart = 0;
+        std::uint32_t number = 0;
+        glm::dvec3 at{};
+        std::uint32_t nearest = 0; // corner of the other surface
+    };
+
+    /// The greatest distance of every triangle's middle and of the middles of its sides; triangles that are far off join `peaks`.
+    [[nodiscard]] double measureMiddles(double reached, std::vector<Peak>& peaks) const {
+        std::vector<std::vector<Peak>> ofRun(chunkCount(own_.size()));
+        inChunks(own_.size(), 0, [&](std::size_t first, std::size_t last, std::size_t run) {
+            for (std::size_t i = first; i < last; ++i)
+                if (const Peak peak = middleOf(static_cast<std::uint32_t>(i), kPeak * reached); peak.apart > kPeak * reached)
+                    ofRun[run].push_back(peak);
+        });
+        for (const std::vector<Peak>& found : ofRun)
+            for (const Peak& peak : found) {
+                peaks.push_back(peak);
+                reached = std::max(reached, peak.apart);
+            }
+        return reached;
+    }
+
+    void addPeaks(double reached, std::vector<Peak>& peaks) const {
+        for (std::uint32_t point = 0; point < places_.size(); ++point)
+            if (places_[point].apart > kPeak * reached)
+                peaks.push_back({.apart = places_[point].apart, .number = point, .at = own_.points()[point], .nearest = point});
+    }
+
+    struct Found {
+        double bound = 0;
+        double reached = 0;
+        std::vector<Peak> highest{}; // of the runs that reached more than was known
+    };
+    /// A bound, and what was reached: what cannot be 2 % further than that is left alone.
+    [[nodiscard]] Found bound(double reached, const Effort& effort) const;
+
+private:
+    /// `work(first, last, reached)` gives the greatest that it reached.
+    template <class Work>
+    static double inRuns(std::size_t count, double reached, Work work) {
+        std::vector<double> ofRun(chunkCount(count), reached);
+        inChunks(count, 0, [&](std::size_t first, std::size_t last, std::size_t run) { ofRun[run] = work(first, last, reached); });
+        return ofRun.empty() ? reached : std::ranges::max(ofRun);
+    }
+
+    [[nodiscard]] Peak middleOf(std::uint32_t triangle, double enough) const {
+        const Triangle t = own_.triangle(triangle);
+        std::uint32_t hint = places_[own_.corners()[3 * std::size_t{triangle}]].hint;
+        Peak peak{.apart = 0, .number = triangle, .at = {}, .nearest = 0};
+        for (const glm::dvec3& point : {(t[0] + t[1]) / 2.0, (t[1] + t[2]) / 2.0, (t[2] + t[0]) / 2.0, centroid(t)}) {
+            const Nearest near = other_.nearest(point, hint, enough);
+            if (!std::isfinite(near.distance)) break;
+            hint = near.triangle;
+            if (near.distance > peak.apart)
+                peak = {.apart = near.distance, .number = triangle, .at = point, .nearest = other_.nearestCorner(near.triangle, point)};
+        }
+        return peak;
+    }
+
+    double measure(std::uint32_t point, std::uint32_t hint, double reached) {
+        const Nearest near = other_.nearest(own_.points()[point], hint, kNear * reached);
+        if (!std::isfinite(near.distance)) return 0; // all of the other surface is without area
+        places_[point] = {.apart = near.distance, .hint = near.triangle};
+        return near.distance;
+    }
+
+    const Surface& own_;
+    const Surface& other_;
+    std::vector<Place> places_; // by point; points of both surfaces lie on both
+};
+
 /// A triangle, or a piece of one, whose corners' distances from the other surface are known.
 struct Piece {
     double bound = 0; // no point of it is further from the other surface
-    bool second = false;
     Triangle corners{};
-    std::array<double, 3> apart{};
-    std::uint32_t hint = kNoHint; // a triangle of the other surface near it
+    std::array<Place, 3> places{};
+    std::uint32_t triangle = 0; // that it belongs to
 
     bool operator<(const Piece& other) const { return bound < other.bound; }
 };
 
-class Greatest {
+/// A run of triangles: the pieces that may hold the greatest distance, the likeliest first.
+class Undecided {
 public:
-    Greatest(const Surface& a, const Surface& b) : a_(a), b_(b) {}
+    Undecided(const Surface& other, double reached) : other_(other), reached_(reached) {}
 
-    /// The bound, and what was reached. What cannot be 2 % further than that is left alone.
-    std::pair<double, double> find() {
-        for (const bool second : {false, true})
-            measureCorners(second);
-        for (const bool second : {false, true})
-            queueTriangles(second);
-        std::ranges::sort(whole_, std::greater<>(), &Whole::bound);
-        // so that the time stays linear; what is left then is bounded as it is
-        const std::size_t most = std::max(kLeastEvaluations, (a_.size() + b_.size()) * 3 / 4);
-        std::size_t next = 0;
-        double bound = 0;
-        while (true) {
-            const double ofWhole = next < whole_.size() ? whole_[next].bound : 0;
-            const double ofPiece = pieces_.empty() ? 0 : pieces_.top().bound;
-            bound = std::max(ofWhole, ofPiece);
-            if (bound <= std::max(reached_ * kClose, kRounding) || evaluations_ >= most) break;
-            if (ofWhole >= ofPiece) {
-                split(pieceOf(whole_[next++]));
-            } else {
-                const Piece piece = pieces_.top();
-                pieces_.pop();
-                split(piece);
-            }
-        }
-        return {std::max(bound, reached_ * kClose) + kRounding, reached_};
+    /// What was reached, and where if it is more than what was known.
+    [[nodiscard]] double reached() const { return reached_; }
+    [[nodiscard]] const OneWay::Peak& highest() const { return highest_; }
+
+    void add(Piece piece) {
+        const double close = closeTo(reached_);
+        double apart = 0;
+        for (const Place& place : piece.places)
+            apart = std::max(apart, place.apart);
+        piece.bound = apart + reachOf(piece.corners);
+        if (piece.bound <= close) return;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const std::uint32_t hint = piece.places[i].hint; (i == 0 || hint != piece.places[i - 1].hint) && near(piece, i, close))
+                return;
+        pieces_.push(piece);
     }
+
+    /// Cuts until nothing can be further than what was reached, or so many nearest points were asked for. Gives the bound of what is left.
+    double cut(std::size_t most) {
+        while (!pieces_.empty() && pieces_.top().bound > closeTo(reached_)) {
+            if (asked_.size() >= most) return pieces_.top().bound;
+            const Piece piece = pieces_.top();
+            pieces_.pop();
+            split(piece);
+        }
+        return 0;
+    }
+
+    static double closeTo(double reached) { return std::max(reached * kClose, kRounding); }
 
 private:
-    static constexpr double kClose = 1.02;    // the bound need not be nearer to the truth
-    static constexpr double kRounding = 1e-6; // of the tree's floats, the surface being of unit size
-    static constexpr std::size_t kLeastEvaluations = 10'000;
-
-    struct Whole {
-        double bound = 0;
-        std::uint32_t triangle = 0;
-        bool second = false;
-    };
-
-    [[nodiscard]] const Surface& own(bool second) const { return second ? b_ : a_; }
-    [[nodiscard]] const Surface& other(bool second) const { return second ? a_ : b_; }
-
-    /// Corners that both surfaces have lie on both.
-    void measureCorners(bool second) {
-        std::vector<double>& apart = apart_[second ? 1 : 0];
-        apart.assign(a_.points().size(), -1);
-        for (const std::uint32_t corner : other(second).corners())
-            apart[corner] = 0;
-        std::uint32_t hint = kNoHint;
-        for (const std::uint32_t corner : own(second).corners()) {
-            if (apart[corner] >= 0) continue;
-            const Nearest near = other(second).nearest(a_.points()[corner], hint);
-            apart[corner] = std::isfinite(near.distance) ? near.distance : 0; // all of the other surface is without area
-            hint = std::isfinite(near.distance) ? near.triangle : kNoHint;
-            reached_ = std::max(reached_, apart[corner]);
-        }
-    }
-
-    [[nodiscard]] std::array<double, 3> apartOf(bool second, std::size_t triangle) const {
-        const auto t = own(second).corners().subspan(3 * triangle, 3);
-        const std::vector<double>& apart = apart_[second ? 1 : 0];
-        return {apart[t[0]], apart[t[1]], apart[t[2]]};
-    }
-
-    void queueTriangles(bool second) {
-        for (std::size_t i = 0; i < own(second).size(); ++i) {
-            const double bound = std::ranges::max(apartOf(second, i)) + reachOf(own(second).triangle(i));
-            if (bound > std::max(reached_ * kClose, kRounding))
-                whole_.push_back({.bound = bound, .triangle = static_cast<std::uint32_t>(i), .second = second});
-        }
-    }
-
-    [[nodiscard]] Piece pieceOf(const Whole& whole) const {
-        return {.bound = whole.bound,
-                .second = whole.second,
-                .corners = own(whole.second).triangle(whole.triangle),
-                .apart = apartOf(whole.second, whole.triangle)};
+    /// Whether all of it is as close to the triangle near one of its corners: the distance from one triangle is greatest at a corner.
+    [[nodiscard]] bool near(const Piece& piece, std::size_t corner, double close) const {
+        const std::uint32_t hint = piece.places[corner].hint;
+        return hint != kNoHint && other_.distanceTo(hint, piece.corners[(corner + 1) % 3]) <= close &&
+               other_.distanceTo(hint, piece.corners[(corner + 2) % 3]) <= close && other_.distanceTo(hint, piece.corners[corner]) <= close;
     }
 
     /// Into four, by the middles of the sides.
     void split(const Piece& piece) {
         const Triangle& t = piece.corners;
         const Triangle middles = {(t[0] + t[1]) / 2.0, (t[1] + t[2]) / 2.0, (t[2] + t[0]) / 2.0};
-        std::array<double, 3> apart{};
-        std::uint32_t hint = piece.hint;
+        std::array<Place, 3> m{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const Nearest near = other(piece.second).nearest(middles[i], hint);
-            ++evaluations_;
-            if (!std::isfinite(near.distance)) return;
-            apart[i] = near.distance;
-            hint = near.triangle;
-            reached_ = std::max(reached_, near.distance);
+            m[i] = at(middles[i], piece.places[i].hint, piece.triangle);
+            if (m[i].hint == kNoHint) return;
         }
-        const auto& d = piece.apart;
-        queue({.second = piece.second, .corners = {t[0], middles[0], middles[2]}, .apart = {d[0], apart[0], apart[2]}, .hint = hint});
-        queue({.second = piece.second, .corners = {middles[0], t[1], middles[1]}, .apart = {apart[0], d[1], apart[1]}, .hint = hint});
-        queue({.second = piece.second, .corners = {middles[2], middles[1], t[2]}, .apart = {apart[2], apart[1], d[2]}, .hint = hint});
-        queue({.second = piece.second, .corners = middles, .apart = apart, .hint = hint});
+        const auto& p = piece.places;
+        add({.corners = {t[0], middles[0], middles[2]}, .places = {p[0], m[0], m[2]}, .triangle = piece.triangle});
+        add({.corners = {middles[0], t[1], middles[1]}, .places = {m[0], p[1], m[1]}, .triangle = piece.triangle});
+        add({.corners = {middles[2], middles[1], t[2]}, .places = {m[2], m[1], p[2]}, .triangle = piece.triangle});
+        add({.corners = middles, .places = m, .triangle = piece.triangle});
     }
 
-    void queue(Piece piece) {
-        const double close = std::max(reached_ * kClose, kRounding);
-        piece.bound = std::ranges::max(piece.apart) + reachOf(piece.corners);
-        if (piece.bound <= close) return;
-        double fromOne = 0; // the distance from one triangle is greatest at a corner
-        for (const glm::dvec3& corner : piece.corners) {
-            const double apart = other(piece.second).distanceTo(piece.hint, corner);
-            fromOne = apart >= fromOne ? apart : std::isnan(apart) ? std::numeric_limits<double>::infinity() : fromOne;
+    /// Two pieces share most of these points.
+    Place at(const glm::dvec3& point, std::uint32_t hint, std::uint32_t triangle) {
+        const auto [known, isNew] = asked_.try_emplace({point.x, point.y, point.z});
+        if (!isNew) return known->second;
+        const Nearest near = other_.nearest(point, hint, kNear * reached_);
+        if (std::isfinite(near.distance)) {
+            known->second = {.apart = near.distance, .hint = near.triangle};
+            if (near.distance > reached_) {
+                reached_ = near.distance;
+                highest_ = {.apart = near.distance, .number = triangle, .at = point, .nearest = other_.nearestCorner(near.triangle, point)};
+            }
         }
-        if (fromOne < piece.bound) piece.bound = fromOne;
-        if (piece.bound > close) pieces_.push(piece);
+        return known->second;
     }
 
-    const Surface& a_;
-    const Surface& b_;
-    std::array<std::vector<double>, 2> apart_; // of each point, from the other surface
-    std::vector<Whole> whole_;
+    struct Hash {
+        std::size_t operator()(const std::array<double, 3>& point) const {
+            std::uint64_t hash = 0;
+            for (const double x : point)
+                hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15u;
+            return hash ^ (hash >> 32);
+        }
+    };
+
+    const Surface& other_;
+    double reached_;
+    OneWay::Peak highest_;
     std::priority_queue<Piece> pieces_;
-    double reached_ = 0;
-    std::size_t evaluations_ = 0;
+    std::unordered_map<std::array<double, 3>, Place, Hash> asked_;
 };
+
+/// Triangles that share what they may ask, which goes where it is worth most: so many at least, in so many runs at most.
+constexpr std::size_t kLeastRun = 64;
+constexpr std::size_t kMostRuns = 256;
+
+OneWay::Found OneWay::bound(double reached, const Effort& effort) const {
+    const std::size_t runs = std::clamp(own_.size() / kLeastRun, std::size_t{1}, kMostRuns);
+    const std::size_t most = std::max(effort.perTriangle * own_.size(), effort.atLeast) / runs;
+    struct Run {
+        double bound = 0;
+        Peak highest;
+    };
+    std::vector<Run> ofRun(runs);
+    forEachInParallel(runs, [&](std::size_t run) {
+        Undecided undecided(other_, reached);
+        for (std::size_t i = own_.size() * run / runs; i < own_.size() * (run + 1) / runs; ++i) {
+            const auto corners = own_.corners().subspan(3 * i, 3);
+            undecided.add({.corners = own_.triangle(i),
+                           .places = {places_[corners[0]], places_[corners[1]], places_[corners[2]]},
+                           .triangle = static_cast<std::uint32_t>(i)});
+        }
+        ofRun[run] = {.bound = undecided.cut(most), .highest = undecided.highest()};
+    });
+    Found all{.bound = 0, .reached = reached};
+    for (const Run& run : ofRun) {
+        all.bound = std::max(all.bound, run.bound);
+        all.reached = std::max(all.reached, run.highest.apart);
+        if (run.highest.apart > reached) all.highest.push_back(run.highest);
+    }
+    return all;
+}
 
 /// More would not change the first two digits.
 constexpr std::size_t kMostSamples = 40'000;
 
 double rootMeanSquare(const Surface& from, const Surface& to) {
     const std::size_t step = std::max<std::size_t>(1, 4 * from.size() / kMostSamples);
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < from.size(); i += step) {
-        const Triangle t = from.triangle(i);
-        for (const glm::dvec3& point : {centroid(t), t[0], t[1], t[2]}) {
-            const double apart = to.nearest(point).distance;
-            if (!std::isfinite(apart)) continue;
-            sum += apart * apart;
-            ++count;
+    const std::size_t samples = (from.size() + step - 1) / step;
+    struct Sum {
+        double squares = 0;
+        std::size_t count = 0;
+    };
+    std::vector<Sum> ofRun(chunkCount(samples));
+    inChunks(samples, 0, [&](std::size_t first, std::size_t last, std::size_t run) {
+        std::uint32_t hint = kNoHint;
+        for (std::size_t i = first; i < last; ++i) {
+            const Triangle t = from.triangle(i * step);
+            for (const glm::dvec3& point : {centroid(t), t[0], t[1], t[2]}) {
+                const Nearest near = to.nearest(point, hint);
+                if (!std::isfinite(near.distance)) continue;
+                hint = near.triangle;
+                ofRun[run].squares += near.distance * near.distance;
+                ++ofRun[run].count;
+            }
         }
+    });
+    Sum all;
+    for (const Sum& sum : ofRun)
+        all = {.squares = all.squares + sum.squares, .count = all.count + sum.count};
+    return all.count == 0 ? 0 : std::sqrt(all.squares / static_cast<double>(all.count));
+}
+
+/// From the farthest on; none within twice the distance of one before, for that is the same hill.
+std::vector<OneWay::Peak> summits(std::vector<OneWay::Peak> peaks, double reached, std::size_t most) {
+    constexpr std::size_t kMostLookedAt = 4096;
+    std::erase_if(peaks, [&](const OneWay::Peak& peak) { return peak.apart <= kPeak * reached; });
+    std::ranges::sort(peaks, [](const OneWay::Peak& a, const OneWay::Peak& b) {
+        return a.apart > b.apart || (a.apart == b.apart && a.number < b.number);
+    });
+    if (peaks.size() > kMostLookedAt) peaks.resize(kMostLookedAt);
+    std::vector<OneWay::Peak> kept;
+    for (const OneWay::Peak& peak : peaks) {
+        const auto near = [&](const OneWay::Peak& other) { return glm::distance(other.at, peak.at) < 2 * other.apart; };
+        if (kept.size() < most && std::ranges::none_of(kept, near)) kept.push_back(peak);
     }
-    return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+    return kept;
 }
 
 } // namespace
@@ -267,11 +425,38 @@ DistanceFrom::~DistanceFrom() = default;
 
 SurfaceDistance DistanceFrom::to(std::span<const std::uint32_t> triangles) const {
     if (!state_->surface || triangles.empty()) return {};
+    const Surface& own = *state_->surface;
     const Surface other(state_->points, triangles);
-    const auto [greatest, reached] = Greatest(*state_->surface, other).find();
-    return {.greatest = state_->scale * greatest,
-            .reached = state_->scale * reached,
-            .rms = state_->scale * rootMeanSquare(*state_->surface, other)};
+    OneWay there(own, other);
+    OneWay back(other, own);
+    const double reached = back.measureCorners(there.measureCorners(0));
+    const OneWay::Found first = back.bound(reached, kThorough);
+    const OneWay::Found last = there.bound(first.reached, kThorough);
+    const double bound = std::max({first.bound, last.bound, Undecided::closeTo(last.reached)}) + kRounding;
+    return {.greatest = state_->scale * bound, .reached = state_->scale * last.reached, .rms = state_->scale * rootMeanSquare(own, other)};
+}
+
+RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, std::size_t most) const {
+    if (!state_->surface || triangles.empty()) return {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}};
+    const Surface other(state_->points, triangles);
+    OneWay there(*state_->surface, other);
+    const OneWay back(other, *state_->surface);
+    std::vector<OneWay::Peak> peaks, bridges;
+    const OneWay::Found found = back.bound(back.measureMiddles(there.measureCorners(0), bridges), kRough);
+    const OneWay::Found last = there.bound(found.reached, kRough);
+    const double reached = last.reached;
+    bridges.insert(bridges.end(), found.highest.begin(), found.highest.end());
+    for (OneWay::Peak peak : last.highest) {
+        peak.number = state_->surface->nearestCorner(peak.number, peak.at);
+        peaks.push_back(peak);
+    }
+    there.addPeaks(reached, peaks);
+    RoughDistance rough{.greatest = state_->scale * reached, .peaks = {}, .bridges = {}};
+    for (const OneWay::Peak& peak : summits(std::move(peaks), reached, most))
+        rough.peaks.push_back(peak.number);
+    for (const OneWay::Peak& peak : summits(std::move(bridges), reached, most))
+        rough.bridges.push_back({.triangle = peak.number, .nearest = peak.nearest});
+    return rough;
 }
 
 SurfaceDistance distance(const std::vector<glm::vec3>& positions, std::span<const std::uint32_t> from, std::span<const std::uint32_t> to) {

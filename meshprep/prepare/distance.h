@@ -16,6 +16,17 @@ struct SurfaceDistance {
     double rms = 0;      // of corners and centroids of the first surface from the second; of many, a sample in equal steps
 };
 
+/// Soon known, and seldom far from the truth.
+struct RoughDistance {
+    struct Bridge {
+        std::uint32_t triangle = 0; // of the second surface
+        std::uint32_t nearest = 0;  // the nearest corner of the first one
+    };
+    double greatest = 0;              // of the first surface's corners and of many points of the other
+    std::vector<std::uint32_t> peaks; // corners of the first surface where it is at least half as much, from the greatest on
+    std::vector<Bridge> bridges;      // likewise triangles of the other one
+};
+
 /// Distances of surfaces over the same positions from one of them.
 class DistanceFrom {
 public:
@@ -27,6 +38,9 @@ public:
     /// `greatest` is at most 2 % above `reached`, unless the surfaces lie nearly within one another: then it may be more, and is still
     /// true. Safe to call from several threads.
     [[nodiscard]] SurfaceDistance to(std::span<const std::uint32_t> triangles) const;
+
+    /// Infinite for no triangles. `most`: peaks, and bridges.
+    [[nodiscard]] RoughDistance roughly(std::span<const std::uint32_t> triangles, std::size_t most) const;
 
 private:
     struct State;

@@ -1,20 +1,20 @@
-// Simplification by meshoptimizer (quadric errors after M. Garland, P. Heckbert, Surface simplification using quadric error metrics,
-// SIGGRAPH 1997) or on half-edges. docs/meshprep.md has both measured.
+// Simplification by meshoptimizer or on half-edges. docs/meshprep.md has both measured.
 
 #include "meshprep/prepare/levels.h"
 
 #include "host/support/parallel.h"
 #include "meshprep/prepare/local_vertices.h"
 #include "meshprep/prepare/manifold_levels.h"
+#include "meshprep/prepare/simplify.h"
 #include "meshprep/prepare/unit_size.h"
 
 #include <fmt/format.h>
 
-#include <meshoptimizer.h>
-
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <set>
 
 namespace tegument::prep {
 
@@ -40,18 +40,25 @@ public:
             original_.insert(original_.end(), local.global().begin(), local.global().end());
             part_.resize(original_.size(), part);
         }
-        for (const std::uint32_t vertex : original_)
+        for (const std::uint32_t vertex : original_) {
             positions_.push_back(unit[vertex]);
+            if (mesh.normals.empty()) continue;
+            const glm::vec3& n = mesh.normals[vertex];
+            const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[vertex];
+            attributes_.push_back({n.x, n.y, n.z, uv.x, uv.y});
+        }
     }
 
     /// In the vertices' own numbers, as what follows.
     [[nodiscard]] const Indices& full() const { return indices_; }
 
-    [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, unsigned options = 0) const {
-        Indices coarse(from.size());
-        coarse.resize(meshopt_simplify(coarse.data(), from.data(), from.size(), &positions_[0].x, positions_.size(), sizeof(glm::vec3),
-                                       3 * triangles, std::numeric_limits<float>::max(), options, nullptr));
-        return coarse;
+    [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
+
+    [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, Simplifier simplifier = Simplifier::Older,
+                                     std::set<std::uint32_t> locked = {}) const {
+        return simplify(
+            {.from = from, .positions = positions_, .attributes = attributes_, .triangles = triangles, .locked = std::move(locked)},
+            simplifier);
     }
 
     /// Each part loses the same share, and keeps its borders.
@@ -62,7 +69,7 @@ public:
             const auto own = std::span(indices_).subspan(first, part.indexCount);
             first += part.indexCount;
             const std::size_t target = part.indexCount / 3 * triangles / (indices_.size() / 3);
-            const Indices simple = simplified(own, target, meshopt_SimplifyLockBorder);
+            const Indices simple = simplify({.from = own, .positions = positions_, .triangles = target, .keepBorders = true});
             coarse.insert(coarse.end(), simple.begin(), simple.end());
         }
         return coarse;
@@ -94,6 +101,7 @@ private:
     std::vector<std::uint32_t> original_; // vertex of the mesh
     std::vector<std::uint32_t> part_;     // of each vertex
     std::vector<glm::vec3> positions_;
+    std::vector<SimplifiedAttributes> attributes_;
 };
 
 /// Part by part on half-edges, which know the full surface from level to level; parts that are no manifold go to meshoptimizer.
@@ -115,7 +123,7 @@ public:
         for (std::size_t i = 0; i < mesh_.parts.size(); ++i) {
             const auto target = static_cast<std::size_t>(share * mesh_.parts[i].indexCount / 3);
             WholeMesh::addPart(level, mesh_.parts[i],
-                               simplifiers_[i] ? inMesh(simplifiers_[i]->reduceTo(target), global_[i]) : simplify(i, target));
+                               simplifiers_[i] ? inMesh(simplifiers_[i]->reduceTo(target), global_[i]) : simplifyPart(i, target));
         }
         return level;
     }
@@ -127,13 +135,10 @@ private:
         return std::span(mesh_.indices).subspan(part.firstIndex, part.indexCount);
     }
 
-    Indices simplify(std::size_t part, std::size_t target) {
+    Indices simplifyPart(std::size_t part, std::size_t target) {
         const Indices& indices = part_.enter(trianglesOf(mesh_.parts[part]));
         const std::vector<glm::vec3> positions = part_.gathered(positions_);
-        Indices coarse(indices.size());
-        coarse.resize(meshopt_simplify(coarse.data(), indices.data(), indices.size(), &positions[0].x, positions.size(), sizeof(glm::vec3),
-                                       3 * target, std::numeric_limits<float>::max(),
-                                       mesh_.parts.size() > 1 ? meshopt_SimplifyLockBorder : 0, nullptr));
+        Indices coarse = simplify({.from = indices, .positions = positions, .triangles = target, .keepBorders = mesh_.parts.size() > 1});
         return inMesh(std::move(coarse), part_.global());
     }
 
@@ -151,27 +156,117 @@ private:
     std::size_t leftOver_ = 0;
 };
 
-/// Beyond this the levels are made one after the other: each needs some 100 bytes per triangle meanwhile.
-constexpr std::size_t kMostInParallel = 4'000'000;
-
-/// Up to here every level is made in all ways, which takes some tenths of a second, and the one with the least error is kept.
-constexpr std::size_t kMostForChoice = 100'000;
+/// Up to here every level is made in all ways and mended where it is furthest off.
+constexpr std::size_t kMostForChoice = 150'000;
 constexpr std::size_t kMostPartsForChoice = 256; // part by part, the time grows with parts times vertices
 
+/// One level of a mesh: the nearest to the full surface of those tried.
+class LevelChoice {
+public:
+    LevelChoice(const WholeMesh& whole, const DistanceFrom& distance, std::size_t target)
+        : whole_(whole), distance_(distance), target_(target), mostPeaks_(std::max<std::size_t>(4, target / 50)) {}
+
+    using Way = std::function<Indices()>;
+
+    /// In parallel. `ways` are asked for so many triangles; what cannot be had is not forced, for that costs whole limbs.
+    void tryAll(const std::function<std::vector<Way>(std::size_t triangles)>& ways) {
+        const std::size_t least = whole_.simplified(whole_.full(), target_).size() / 3;
+        if (least > target_ + target_ / 50) target_ = least + least / 20;
+        const std::vector<Way> all = ways(target_);
+        std::vector<Made> made(all.size());
+        forEachInParallel(all.size(), [&](std::size_t i) { made[i] = judged(all[i]()); });
+        for (Made& one : made)
+            take(std::move(one));
+    }
+
+    /// Where the level is furthest off, vertices of the full mesh are kept, and it is made again: by each simplifier as often as that takes
+    /// a tenth of a second.
+    void mend() {
+        std::vector<std::vector<Made>> better(simplifiers().size());
+        forEachInParallel(better.size(), [&](std::size_t i) { better[i] = mended(simplifiers()[i]); });
+        for (std::vector<Made>& all : better)
+            for (Made& made : all)
+                take(std::move(made));
+    }
+
+    [[nodiscard]] const Indices& best() const { return best_.level; }
+
+private:
+    struct Made {
+        Indices level;
+        RoughDistance apart;
+    };
+
+    /// Vertices that should have stayed: those far from the level; and where a triangle of the level lies far off, the nearest one.
+    /// `widely`: and all neighbours of that triangle's corners, one of which went too far.
+    [[nodiscard]] std::set<std::uint32_t> cause(const Made& made, bool widely) const {
+        std::set<std::uint32_t> vertices(made.apart.peaks.begin(), made.apart.peaks.end());
+        std::set<std::uint32_t> corners;
+        for (const RoughDistance::Bridge& bridge : made.apart.bridges) {
+            vertices.insert(bridge.nearest);
+            if (widely) corners.insert(&made.level[3 * std::size_t{bridge.triangle}], &made.level[3 * std::size_t{bridge.triangle}] + 3);
+        }
+        const Indices& full = whole_.full();
+        for (std::size_t i = 0; !corners.empty() && i < full.size(); i += 3)
+            if (corners.contains(full[i]) || corners.contains(full[i + 1]) || corners.contains(full[i + 2]))
+                vertices.insert(&full[i], &full[i] + 3);
+        return vertices;
+    }
+
+    [[nodiscard]] Made judged(Indices level) const {
+        RoughDistance apart = distance_.roughly(level, mostPeaks_);
+        return {.level = std::move(level), .apart = std::move(apart)};
+    }
+
+    /// Those that are worth a look.
+    [[nodiscard]] std::vector<Made> mended(Simplifier simplifier) const {
+        constexpr std::size_t kFacesInAll = 60'000;
+        constexpr std::size_t kMostRounds = 6;
+        const std::size_t rounds = std::min(kFacesInAll / (whole_.full().size() / 3), kMostRounds);
+        std::vector<Made> better;
+        std::set<std::uint32_t> locked = cause(best_, false);
+        double last = best_.apart.greatest;
+        std::size_t before = 0;
+        for (std::size_t i = 0; i < rounds && locked.size() > before && 4 * locked.size() <= target_ + 64; ++i) {
+            before = locked.size();
+            Made made = judged(whole_.simplified(whole_.full(), target_, simplifier, locked));
+            locked.merge(cause(made, made.apart.greatest >= last));
+            last = made.apart.greatest;
+            if (last < best_.apart.greatest) better.push_back(std::move(made));
+        }
+        return better;
+    }
+
+    void take(Made made) {
+        const bool fits = !made.level.empty() && made.level.size() <= 3 * target_ + 3 * target_ / 100;
+        if (fits && made.apart.greatest < best_.apart.greatest) best_ = std::move(made);
+    }
+
+    const WholeMesh& whole_;
+    const DistanceFrom& distance_;
+    std::size_t target_;
+    std::size_t mostPeaks_;
+    std::size_t most_ = 0; // corners
+    Made best_{.level = {}, .apart = {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}}};
+};
+
 std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, const std::vector<std::size_t>& targets) {
-    const DistanceFrom distance(mesh.positions, mesh.indices);
+    const DistanceFrom distance(whole.positions(), whole.full());
     std::vector<MeshLevel> levels;
     Indices last;
     for (const std::size_t target : targets) {
-        std::vector<Indices> ways = {whole.simplified(whole.full(), target)};
-        if (!last.empty()) ways.push_back(whole.simplified(last, target));
-        if (mesh.parts.size() > 1 && mesh.parts.size() <= kMostPartsForChoice) ways.push_back(whole.partByPart(target));
-        std::vector<double> errors(ways.size(), std::numeric_limits<double>::infinity());
-        const std::size_t most = ways[0].empty() ? 3 * target : std::max(ways[0].size(), 3 * target);
-        forEachInParallel(ways.size(), [&](std::size_t i) {
-            if (!ways[i].empty() && ways[i].size() <= most) errors[i] = distance.to(whole.level(ways[i]).indices).greatest;
+        LevelChoice choice(whole, distance, target);
+        choice.tryAll([&](std::size_t triangles) {
+            std::vector<LevelChoice::Way> ways;
+            for (const Simplifier simplifier : simplifiers())
+                ways.push_back([=, &whole] { return whole.simplified(whole.full(), triangles, simplifier); });
+            if (!last.empty()) ways.push_back([&, triangles] { return whole.simplified(last, triangles); });
+            if (mesh.parts.size() > 1 && mesh.parts.size() <= kMostPartsForChoice)
+                ways.push_back([&, triangles] { return whole.partByPart(triangles); });
+            return ways;
         });
-        last = std::move(ways[static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin())]);
+        choice.mend();
+        last = choice.best();
         levels.push_back(whole.level(last));
     }
     return levels;
@@ -188,9 +283,12 @@ std::vector<MeshLevel> allLevels(const Mesh& mesh, const std::vector<std::size_t
     }
     const WholeMesh whole(mesh);
     if (mesh.indices.size() / 3 <= kMostForChoice) return bestLevels(mesh, whole, targets);
-    forEachInParallel(
-        targets.size(), [&](std::size_t i) { levels[i] = whole.level(whole.simplified(whole.full(), targets[i])); }, {},
-        mesh.indices.size() / 3 > kMostInParallel ? 1 : 0);
+    // Each of the one before: a fifth of the time, and on scans of a million triangles as near to the full surface.
+    Indices last = whole.full();
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        last = whole.simplified(last, targets[i]);
+        levels[i] = whole.level(last);
+    }
     return levels;
 }
 

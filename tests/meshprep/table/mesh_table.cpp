@@ -112,9 +112,9 @@ void measureLevels(const Mesh& mesh, Row& row) {
         double least = 1e30;
         for (const Indices& theirs :
              testing_prep::peerLevels(mesh.indices, mesh.positions, mesh.normals, mesh.uvs, level.mesh.indices.size() / 3))
-            if (theirs.size() <= level.mesh.indices.size() * 21 / 20) least = std::min(least, distance.to(theirs).greatest);
+            if (theirs.size() <= level.mesh.indices.size() * 21 / 20) least = std::min(least, distance.to(theirs).reached);
         const double radius = static_cast<double>(mesh.bounds.radius);
-        row.levels.push_back({100 * level.error.greatest / radius, least > 1e29 ? NAN : 100 * least / radius});
+        row.levels.push_back({100 * level.error.reached / radius, least > 1e29 ? NAN : 100 * least / radius});
     }
 }
 

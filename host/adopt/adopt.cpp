@@ -87,7 +87,8 @@ public:
         const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
         if (std::ranges::any_of(effect.techniques, [&](const Technique& t) { return std::ranges::any_of(t.script.commands, external); }))
             addScene();
-        if (plain_) addPlainMatrix();
+        if (plain_) addOwn(kPlainMatrix, {.rows = 4, .columns = 4, .name = "float4x4"}, "WORLDVIEWPROJECTION");
+        if (sized_) addOwn(kTargetSize, {.rows = 1, .columns = 2, .name = "float2"}, "VIEWPORTPIXELSIZE");
         bind();
         return std::move(adoption_);
     }
@@ -103,7 +104,7 @@ private:
         const bool quad = coversTarget(pass);
         place(pass, quad);
         std::vector<Port> written;
-        const bool known = !pass.vertexShader || takeVertex(pass, written);
+        const bool known = !pass.vertexShader || takeVertex(pass, quad, written);
         std::optional<Wrapper> pixel;
         if (pass.pixelShader) pixel = wrapperOf(*pass.pixelShader, false, pass.vertexShader && known ? &written : nullptr, pass);
         if (!known || (pass.pixelShader && !pixel)) return;
@@ -112,9 +113,10 @@ private:
     }
 
     /// False: its shader says why.
-    bool takeVertex(Pass& pass, std::vector<Port>& written) {
-        auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass);
+    bool takeVertex(Pass& pass, bool quad, std::vector<Port>& written) {
+        auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass, quad);
         if (!made) return false;
+        sized_ = sized_ || made->readsTargetSize;
         written = made->outputs;
         for (const std::string& text : made->standIns)
             said_.insert({pass.vertexShader->at.line, text}).second ? note(adoption_, pass.vertexShader->at, text) : void();
@@ -211,10 +213,12 @@ private:
             Diagnostic{.severity = Severity::Error, .code = code, .at = shader.at, .text = std::move(text), .hint = {}, .sourceLine = {}});
     }
 
-    std::optional<Wrapper> wrapperOf(ShaderReference& shader, bool vertex, const std::vector<Port>* available, const Pass& pass) {
+    std::optional<Wrapper> wrapperOf(ShaderReference& shader, bool vertex, const std::vector<Port>* available, const Pass& pass,
+                                     bool covers = false) {
         const std::string name = vertex ? "tg_vertex" : "tg_pixel";
         WrapperJob job = rewriter_.job(shader, vertex, name);
         job.available = available;
+        job.covers = covers;
         job.pass = vertex ? nullptr : &pass;
         auto made = rewriter_.wrapped(job);
         if (!made) {
@@ -273,10 +277,11 @@ private:
         plain_ = true;
     }
 
-    void addPlainMatrix() {
-        adoption_.effect.parameters.push_back({.name = kPlainMatrix,
-                                               .type = {.rows = 4, .columns = 4, .name = "float4x4"},
-                                               .semantic = "WORLDVIEWPROJECTION",
+    /// What the author's code does not declare.
+    void addOwn(const char* name, Type type, const char* semantic) {
+        adoption_.effect.parameters.push_back({.name = name,
+                                               .type = std::move(type),
+                                               .semantic = semantic,
                                                .annotations = {},
                                                .defaultValue = {},
                                                .at = {.file = adoption_.effect.file.string(), .byte = {}}});
@@ -292,7 +297,7 @@ private:
             } else if (parameter.type.isNumeric()) {
                 convertPixels(parameter);
                 ParameterBinding bound = bindParameter(parameter, options_, negated.contains(parameter.name));
-                if (shown.contains(parameter.name)) adoption_.bindings.push_back(std::move(bound));
+                if (shown.contains(parameter.name) && parameter.name != kTargetSize) adoption_.bindings.push_back(std::move(bound));
             }
         }
     }
@@ -331,9 +336,12 @@ private:
         for (const Pass& pass : technique.passes)
             for (const auto* shader : {&pass.vertexShader, &pass.pixelShader}) {
                 if (!*shader || (*shader)->code.empty()) continue;
+                const std::string& code = (*shader)->code;
+                const std::size_t ours = code.find(prelude()); // its names are not the author's
+                const auto theirs = std::make_shared<const std::string>(
+                    ours == std::string::npos ? code : code.substr(0, ours) + code.substr(ours + prelude().size()));
                 Sources sources;
-                const LexResult lexed = lex(sources, sources.add("code", std::make_shared<const std::string>((*shader)->code)));
-                for (const Token& token : lexed.tokens)
+                for (const Token& token : lex(sources, sources.add("code", theirs)).tokens)
                     if (token.kind == TokenKind::Word) names.emplace(token.text);
             }
         return names;
@@ -343,7 +351,8 @@ private:
     const AdoptOptions& options_;
     Rewriter rewriter_;
     std::set<std::pair<int, std::string>> said_;
-    bool plain_ = false;
+    bool plain_ = false; // something is placed by kPlainMatrix
+    bool sized_ = false; // something reads kTargetSize
 };
 
 } // namespace

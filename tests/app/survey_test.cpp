@@ -55,7 +55,7 @@ TEST(ForeignPictures, of_one_colour_are_said) {
 
 TEST(ForeignPictures, take_a_stand_in_where_a_file_is_of_a_kind_that_only_its_host_reads) {
     std::filesystem::create_directories(scratch() / "Maps");
-    write("Maps/Brick.TGA", "no picture");
+    ASSERT_FALSE(write("Maps/Brick.TGA", "no picture").empty());
     const std::string file =
         write("brick.fx", "texture t < string ResourceName = \"maps\\\\brick.tga\"; >; sampler2D s = sampler_state { Texture = <t>; };\n"
                           "float4 PS(float2 uv : TEXCOORD0) : COLOR { return tex2D(s, uv); }\n"

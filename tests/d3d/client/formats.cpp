@@ -17,12 +17,21 @@ constexpr TargetFormat kFormats[] = {
     {"A32B32G32R32F", D3DFMT_A32B32G32R32F, DXGI_FORMAT_R32G32B32A32_FLOAT, 4, false},
 };
 
+// Of effects of other hosts; the application's is read back.
+constexpr TargetFormat kForeign[] = {
+    {"A8R8G8B8", D3DFMT_A8R8G8B8, DXGI_FORMAT_B8G8R8A8_UNORM, 4, false},
+    {"A8B8G8R8", D3DFMT_A8R8G8B8, DXGI_FORMAT_R8G8B8A8_UNORM, 4, false},
+    {"A2B10G10R10", D3DFMT_A2B10G10R10, DXGI_FORMAT_R10G10B10A2_UNORM, 4, false},
+};
+
 constexpr TargetFormat kDepth = {"D24S8", D3DFMT_D24S8, DXGI_FORMAT_D24_UNORM_S8_UINT, 1, false};
 
 } // namespace
 
 const TargetFormat& colorFormat(const std::string& name) {
     for (const TargetFormat& format : kFormats)
+        if (upper(name) == format.name) return format;
+    for (const TargetFormat& format : kForeign)
         if (upper(name) == format.name) return format;
     fail("no target of format '" + name + "'");
 }

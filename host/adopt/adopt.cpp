@@ -1,6 +1,8 @@
 #include "host/adopt/adopt.h"
 
 #include "host/adopt/bind.h"
+#include "host/adopt/fill.h"
+#include "host/adopt/negated.h"
 #include "host/adopt/rewrite.h"
 #include "host/support/text.h"
 
@@ -14,21 +16,6 @@ namespace tegument {
 namespace adopt {
 
 namespace {
-
-/// Every word of the code behind a '-': where a direction is turned round, it came the other way.
-std::set<std::string> negatedNames(const Code& code) {
-    std::set<std::string> names;
-    for (const Item& item : code.items)
-        if (const auto* function = std::get_if<Function>(&item))
-            for (std::size_t i = 2; i < function->body.size(); ++i) {
-                const Word& before = function->body[i - 2];
-                const bool binary = before.isName() || before.kind == TokenKind::Number || before.is(")") || before.is("]");
-                if (function->body[i - 1].is("-") && !binary && function->body[i].isName()) names.insert(function->body[i].text);
-                if (i > 2 && function->body[i - 1].is("(") && function->body[i - 2].isName() && function->body[i - 3].is("-"))
-                    names.insert(function->body[i].text); // -normalize(lightDirection)
-            }
-    return names;
-}
 
 bool isTarget(const Parameter& parameter) {
     return equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET") ||
@@ -90,13 +77,18 @@ public:
     Adoption run() {
         Effect& effect = adoption_.effect;
         effect.adopted = true;
-        for (Technique& technique : effect.techniques)
+        for (Technique& technique : effect.techniques) {
             for (std::size_t i = 0; i < technique.passes.size(); ++i)
                 pass(technique, technique.passes[i], i);
+            runPassesAtAll(technique);
+        }
+        chooseShown();
+        fillTextures();
         const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
         if (std::ranges::any_of(effect.techniques, [&](const Technique& t) { return std::ranges::any_of(t.script.commands, external); }))
             addScene();
-        if (plain_) addPlainMatrix();
+        if (plain_) addOwn(kPlainMatrix, {.rows = 4, .columns = 4, .name = "float4x4"}, "WORLDVIEWPROJECTION");
+        if (sized_) addOwn(kTargetSize, {.rows = 1, .columns = 2, .name = "float2"}, "VIEWPORTPIXELSIZE");
         bind();
         return std::move(adoption_);
     }
@@ -112,7 +104,7 @@ private:
         const bool quad = coversTarget(pass);
         place(pass, quad);
         std::vector<Port> written;
-        const bool known = !pass.vertexShader || takeVertex(pass, written);
+        const bool known = !pass.vertexShader || takeVertex(pass, quad, written);
         std::optional<Wrapper> pixel;
         if (pass.pixelShader) pixel = wrapperOf(*pass.pixelShader, false, pass.vertexShader && known ? &written : nullptr, pass);
         if (!known || (pass.pixelShader && !pixel)) return;
@@ -121,9 +113,10 @@ private:
     }
 
     /// False: its shader says why.
-    bool takeVertex(Pass& pass, std::vector<Port>& written) {
-        auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass);
+    bool takeVertex(Pass& pass, bool quad, std::vector<Port>& written) {
+        auto made = wrapperOf(*pass.vertexShader, true, nullptr, pass, quad);
         if (!made) return false;
+        sized_ = sized_ || made->readsTargetSize;
         written = made->outputs;
         for (const std::string& text : made->standIns)
             said_.insert({pass.vertexShader->at.line, text}).second ? note(adoption_, pass.vertexShader->at, text) : void();
@@ -135,6 +128,7 @@ private:
     [[nodiscard]] bool coversTarget(const Pass& pass) const {
         if (!drawsGeometry(pass)) return true;
         if (pass.vertexShader) return !rewriter_.readsMatrix(*pass.vertexShader);
+        if (!pass.vertexShader && !pass.state.depthTest) return true; // what an application draws over the picture, as a rule
         const auto& global = adoption_.effect.standardsGlobal;
         return global && (global->scriptClass == "scene" || global->scriptOrder == "postprocess");
     }
@@ -164,15 +158,67 @@ private:
         if (pass.script.given && std::ranges::none_of(pass.script.commands, draws)) addDraw(pass, "Geometry");
     }
 
+    /// A script that sets targets and names no pass: they run behind it.
+    static void runPassesAtAll(Technique& technique) {
+        const auto runs = [](const Command& command) {
+            return command.kind == CommandKind::Pass || command.kind == CommandKind::ScriptExternal;
+        };
+        if (!technique.script.given || std::ranges::any_of(technique.script.commands, runs)) return;
+        for (const Pass& pass : technique.passes)
+            technique.script.commands.push_back({.kind = CommandKind::Pass, .options = {pass.name}, .at = technique.at});
+    }
+
+    [[nodiscard]] static bool drawable(const Technique& technique) {
+        const auto stage = [](const std::optional<ShaderReference>& shader) { return shader && !shader->obstacle; };
+        return !technique.passes.empty() && std::ranges::all_of(technique.passes, [&](const Pass& pass) {
+            const bool later = pass.geometryShader || pass.computeShader || pass.hullShader || pass.domainShader || pass.streamOutput;
+            return !later && stage(pass.vertexShader) && (!pass.pixelShader || stage(pass.pixelShader)) && pass.assemblyShaders == 0;
+        });
+    }
+
+    /// MME has techniques for edges, shadows and depth besides the object's own; others hold what this host cannot draw. The first that
+    /// shows the object wins.
+    void chooseShown() {
+        Effect& effect = adoption_.effect;
+        const Technique* first = effect.defaultTechnique();
+        const auto shows = [](const Technique& technique) {
+            return toLower(technique.annotations.string("MMDPass").value_or("object")).starts_with("object") && drawable(technique);
+        };
+        if (!first || shows(*first)) return;
+        auto better = std::ranges::find_if(effect.techniques, shows);
+        if (better == effect.techniques.end() && drawable(*first)) return;
+        if (better == effect.techniques.end()) better = std::ranges::find_if(effect.techniques, drawable);
+        if (better == effect.techniques.end()) return;
+        note(adoption_, better->at, fmt::format("technique {} is drawn where none is named, not {}", better->name, first->name));
+        effect.shown = better->name;
+        if (effect.standardsGlobal) effect.standardsGlobal->script = {};
+    }
+
+    /// Textures whose annotation Function names a function of the effect.
+    void fillTextures() {
+        Effect& effect = adoption_.effect;
+        for (Parameter& parameter : effect.parameters) {
+            if (!parameter.type.isTexture() || isTarget(parameter)) continue;
+            const std::string function = fillingFunction(parameter, rewriter_);
+            if (function.empty()) continue;
+            const Pass pass = fillingPass(parameter, function, rewriter_);
+            for (Technique& technique : effect.techniques)
+                if (namesOf(technique).contains(parameter.name)) fillFirst(technique, parameter.name, pass);
+            adoption_.bindings.push_back({.parameter = parameter.name, .source = "drawn by " + function, .rule = "Function"});
+        }
+    }
+
     void refuse(ShaderReference& shader, int code, std::string text) {
         shader.obstacle = std::make_shared<const Diagnostic>(
             Diagnostic{.severity = Severity::Error, .code = code, .at = shader.at, .text = std::move(text), .hint = {}, .sourceLine = {}});
     }
 
-    std::optional<Wrapper> wrapperOf(ShaderReference& shader, bool vertex, const std::vector<Port>* available, const Pass& pass) {
+    std::optional<Wrapper> wrapperOf(ShaderReference& shader, bool vertex, const std::vector<Port>* available, const Pass& pass,
+                                     bool covers = false) {
         const std::string name = vertex ? "tg_vertex" : "tg_pixel";
         WrapperJob job = rewriter_.job(shader, vertex, name);
         job.available = available;
+        job.covers = covers;
         job.pass = vertex ? nullptr : &pass;
         auto made = rewriter_.wrapped(job);
         if (!made) {
@@ -231,10 +277,11 @@ private:
         plain_ = true;
     }
 
-    void addPlainMatrix() {
-        adoption_.effect.parameters.push_back({.name = kPlainMatrix,
-                                               .type = {.rows = 4, .columns = 4, .name = "float4x4"},
-                                               .semantic = "WORLDVIEWPROJECTION",
+    /// What the author's code does not declare.
+    void addOwn(const char* name, Type type, const char* semantic) {
+        adoption_.effect.parameters.push_back({.name = name,
+                                               .type = std::move(type),
+                                               .semantic = semantic,
                                                .annotations = {},
                                                .defaultValue = {},
                                                .at = {.file = adoption_.effect.file.string(), .byte = {}}});
@@ -248,10 +295,23 @@ private:
             if (parameter.type.isTexture()) {
                 bindTexture(parameter, shown);
             } else if (parameter.type.isNumeric()) {
+                convertPixels(parameter);
                 ParameterBinding bound = bindParameter(parameter, options_, negated.contains(parameter.name));
-                if (shown.contains(parameter.name)) adoption_.bindings.push_back(std::move(bound));
+                if (shown.contains(parameter.name) && parameter.name != kTargetSize) adoption_.bindings.push_back(std::move(bound));
             }
         }
+    }
+
+    /// DXUT's samples give a kernel in pixels, and an array beside it that their program fills with the same in texels.
+    void convertPixels(Parameter& parameter) const {
+        const auto source = parameter.annotations.string("ConvertPixelsToTexels");
+        const Parameter* pixels = source ? adoption_.effect.findParameter(*source) : nullptr;
+        const auto* numbers = pixels && pixels->defaultValue ? std::get_if<std::vector<double>>(&*pixels->defaultValue) : nullptr;
+        if (!numbers || pixels->type.columns != 2 || pixels->type.scalarCount() != parameter.type.scalarCount()) return;
+        std::vector<double> texels = *numbers;
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] /= i % 2 == 0 ? options_.width : options_.height;
+        parameter.defaultValue = std::move(texels);
     }
 
     void bindTexture(Parameter& parameter, const std::set<std::string>& shown) {
@@ -266,16 +326,22 @@ private:
 
     /// The words of the sources that the technique in question is drawn with.
     [[nodiscard]] std::set<std::string> namesOfTechnique() const {
-        std::set<std::string> names;
         const Effect& effect = adoption_.effect;
         const Technique* technique = options_.technique.empty() ? effect.defaultTechnique() : effect.findTechnique(options_.technique);
-        if (!technique) return names;
-        for (const Pass& pass : technique->passes)
+        return technique ? namesOf(*technique) : std::set<std::string>();
+    }
+
+    [[nodiscard]] static std::set<std::string> namesOf(const Technique& technique) {
+        std::set<std::string> names;
+        for (const Pass& pass : technique.passes)
             for (const auto* shader : {&pass.vertexShader, &pass.pixelShader}) {
                 if (!*shader || (*shader)->code.empty()) continue;
+                const std::string& code = (*shader)->code;
+                const std::size_t ours = code.find(prelude()); // its names are not the author's
+                const auto theirs = std::make_shared<const std::string>(
+                    ours == std::string::npos ? code : code.substr(0, ours) + code.substr(ours + prelude().size()));
                 Sources sources;
-                const LexResult lexed = lex(sources, sources.add("code", std::make_shared<const std::string>((*shader)->code)));
-                for (const Token& token : lexed.tokens)
+                for (const Token& token : lex(sources, sources.add("code", theirs)).tokens)
                     if (token.kind == TokenKind::Word) names.emplace(token.text);
             }
         return names;
@@ -285,7 +351,8 @@ private:
     const AdoptOptions& options_;
     Rewriter rewriter_;
     std::set<std::pair<int, std::string>> said_;
-    bool plain_ = false;
+    bool plain_ = false; // something is placed by kPlainMatrix
+    bool sized_ = false; // something reads kTargetSize
 };
 
 } // namespace

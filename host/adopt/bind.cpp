@@ -381,7 +381,8 @@ private:
             if (holds(name, {"dir", "forward", "look"})) return directionOfCamera();
             if (holds(name, {"pos", "point", "location"}) || text == "EYE" || text == "CAMERA") return position(false);
         }
-        if (light && holds(name, {"dir", "vec", "normal"})) return lightDirection(negated_);
+        const bool coloured = holds(name, {"col", "diffuse", "specular", "ambient", "intensity"}); // DirLight0DiffuseColor
+        if (light && !coloured && holds(name, {"dir", "vec", "normal"})) return lightDirection(negated_);
         if (light && (holds(name, {"pos", "location"}) || text == "LIGHT" || text == "LAMP")) return position(true);
         if (holds(name, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "halfpixel", "rendertargetsize", "aspect"}))
             return viewport(text);
@@ -433,10 +434,11 @@ ParameterBinding bindParameter(Parameter& parameter, const AdoptOptions& options
 std::string textureStandIn(const Parameter& parameter) {
     const std::string name =
         lower(parameter.name + " " + parameter.semantic + " " + parameter.annotations.string("ResourceName").value_or(""));
-    if (parameter.type.base == BaseType::TextureCube) return "sky";
+    const std::string function = lower(parameter.annotations.string("Function").value_or(""));
+    if (parameter.type.base == BaseType::TextureCube) return holds(name + " " + function, {"norm"}) ? "normals" : "sky";
     if (holds(name, {"norm", "bump", "nrm"})) return "normal";
     if (holds(name, {"noise", "rand"})) return "noise";
-    if (holds(name, {"ramp", "lut", "toon", "grad"})) return "ramp";
+    if (holds(name, {"ramp", "lut", "toon", "grad", "curve", "falloff", "lookup"}) || parameter.type.name == "texture1D") return "ramp";
     if (holds(name, {"spec", "mask", "gloss", "light", "shad", "occl", "white"})) return "white";
     if (holds(name, {"env", "sky", "refl"})) return "grey";
     return "checker";

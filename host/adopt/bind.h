@@ -17,7 +17,8 @@ namespace tegument::adopt {
 /// the code a '-' stands before its name, which tells a direction that light goes from one that it comes from.
 [[nodiscard]] ParameterBinding bindParameter(Parameter& parameter, const AdoptOptions& options, bool negated);
 
-/// A texture's stand-in where nothing names a file: "checker", "white", "grey", "normal", "ramp", "noise", "sky" (annotation Procedure).
+/// A texture's stand-in where nothing names a file: "checker", "white", "grey", "normal", "ramp", "noise", of cubes "sky" or "normals"
+/// (annotation Procedure).
 [[nodiscard]] std::string textureStandIn(const Parameter& parameter);
 
 } // namespace tegument::adopt

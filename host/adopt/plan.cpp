@@ -89,7 +89,7 @@ std::string Rewriter::textureFor(Effect& effect, const Sampler* sampler, const s
         const auto [known, first] = textureKinds_.try_emplace(texture, kind);
         if (first) find(effect, texture)->type.base = textureBase(kind);
         if (first && kind == "3D") find(effect, texture)->annotations.list.push_back(volumeNote(at));
-        if (first || known->second == kind) return texture;
+        if (first || textureBase(known->second) == textureBase(kind)) return texture;
         made = *own;
         made.name = texture + "_" + kind;
         made.type.base = textureBase(kind);

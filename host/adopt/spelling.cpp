@@ -208,8 +208,8 @@ Words Spelling::respelt(const Words& words) const {
 }
 
 const std::string& prelude() {
-    // One dimension lives in the middle of a picture of two; of three, which this host does not load, each depth is a shifted one. The
-    // smallest normal float stands where hardware of Direct3D 9 gives no infinity.
+    // One dimension is the diagonal of a picture of two, as Direct3D 9's compiler has it (texld with .x); of three, which this host does
+    // not load, each depth is a shifted one. The smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
 #define tg_pow(x, y) pow(abs(x), y)
@@ -227,16 +227,15 @@ struct tg_s1D { Texture2D<float4> t; SamplerState s; };
 struct tg_s2D { Texture2D<float4> t; SamplerState s; };
 struct tg_s3D { Texture2D<float4> t; SamplerState s; };
 struct tg_sCUBE { TextureCube<float4> t; SamplerState s; };
-#define TG_FETCHES(N, D, V, W, C, P) \
-float4 N(D s, V uv) { return s.t.Sample(s.s, P(uv)); } \
-float4 N(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, P(uv), W(dx), W(dy)); } \
-float4 N##grad(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, P(uv), W(dx), W(dy)); } \
+#define TG_FETCHES(N, D, V, L, C, P) \
+float4 N(D s, V uv) { return s.t.Sample(s.s, L(uv)); } \
+float4 N(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, L(uv), L(dx), L(dy)); } \
+float4 N##grad(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, L(uv), L(dx), L(dy)); } \
 float4 N##bias(D s, float4 uv) { return s.t.SampleBias(s.s, P(uv.C), uv.w); } \
 float4 N##lod(D s, float4 uv) { return s.t.SampleLevel(s.s, P(uv.C), uv.w); } \
 float4 N##proj(D s, float4 uv) { return s.t.Sample(s.s, P(uv.C / uv.w)); }
-#define TG_LINE(u) float2(u, 0.5)
-#define TG_FLAT(u) float2(u, 0)
-TG_FETCHES(tg_tex1D, tg_s1D, float, TG_FLAT, x, TG_LINE)
+#define TG_LINE(u) float2(u, u)
+TG_FETCHES(tg_tex1D, tg_s1D, float, TG_LINE, xy, float2)
 TG_FETCHES(tg_tex2D, tg_s2D, float2, float2, xy, float2)
 TG_FETCHES(tg_tex3D, tg_s3D, float3, tg_slice, xyz, tg_slice)
 TG_FETCHES(tg_texCUBE, tg_sCUBE, float3, float3, xyz, float3)

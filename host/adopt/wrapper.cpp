@@ -307,8 +307,12 @@ private:
         const bool position = leaf.semantic == "SV_POSITION" || (profile_.direct3D9() && isPosition(leaf));
         if (position) {
             if (given_.contains("SV_Position")) return {};
-            after_.push_back(fmt::format("{} = {};", declareOutput("float4", "SV_Position"), padded(leaf, "1")));
+            const std::string place = declareOutput("float4", "SV_Position");
+            after_.push_back(fmt::format("{} = {};", place, padded(leaf, "1")));
             made_.writesPosition = true;
+            // There an author moves his texture coordinates or his corners by half a pixel, or has the blur that comes of not doing so.
+            made_.readsTargetSize = job_.covers && profile_.direct3D9();
+            if (made_.readsTargetSize) after_.push_back(fmt::format("{0}.xy += float2(1, -1) / {1} * {0}.w;", place, kTargetSize));
             return {};
         }
         if (leaf.semantic == "PSIZE" || (profile_.direct3D9() && leaf.semantic == "FOG")) return {}; // for stages that no longer exist
@@ -360,7 +364,8 @@ private:
 
     void finish() {
         if (!job_.vertex && job_.pass) finishColours();
-        std::string text = fmt::format("void {}({}) {{\n", job_.name, fmt::join(signature_, ", "));
+        std::string text = made_.readsTargetSize ? fmt::format("float2 {};\n", kTargetSize) : std::string();
+        text += fmt::format("void {}({}) {{\n", job_.name, fmt::join(signature_, ", "));
         for (const std::string& line : before_)
             text += " " + line + "\n";
         for (const std::string& line : after_)

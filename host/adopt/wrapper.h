@@ -26,6 +26,7 @@ struct Wrapper {
     std::vector<Port> outputs;
     std::vector<std::string> standIns; // "BINORMAL0 from normal and tangent": vertex inputs that the mesh does not have
     bool writesPosition = false;
+    bool readsTargetSize = false; // kTargetSize
 };
 
 struct WrapperJob {
@@ -37,6 +38,7 @@ struct WrapperJob {
     const std::vector<Port>* available = nullptr; // of a pixel shader: what its vertex shader writes; null: everything
     const Pass* pass = nullptr;                   // of a pixel shader: alpha test and encoding
     std::map<std::string, std::string> renamed;   // as in Spelling
+    bool covers = false;                          // of a vertex shader: it draws over the target, texel by texel
 };
 
 /// TG3401 no function of that name, TG3402 a parameter that nothing gives a value, TG3403 a semantic that this stage cannot have.
@@ -49,5 +51,7 @@ struct WrapperJob {
 
 /// The matrix that plainVertexShader() multiplies with.
 inline constexpr const char* kPlainMatrix = "tg_WorldViewProjection";
+/// The size of what is drawn into: Direct3D 9 has the centre of a pixel half a pixel further.
+inline constexpr const char* kTargetSize = "tg_ViewportSize";
 
 } // namespace tegument::adopt

@@ -87,6 +87,7 @@ const Technique* Effect::defaultTechnique() const {
         for (const Command& command : standardsGlobal->script.commands)
             if (command.kind == CommandKind::Technique)
                 return findTechnique(command.options[command.selector.empty() ? 0 : defaultOption(*this, command)]);
+    if (const Technique* named = shown.empty() ? nullptr : findTechnique(shown)) return named;
     return techniques.empty() ? nullptr : &techniques[0];
 }
 

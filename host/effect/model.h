@@ -179,13 +179,14 @@ struct Effect {
     std::vector<std::filesystem::path> includeFolders;        // likewise
     std::vector<Diagnostic> warnings;
     bool adopted = false;    // host/adopt has put it into this host's spelling: its colours are those of a display, not radiance
+    std::string shown;       // the technique that is drawn where nobody names one; empty: as scripts say, else the first
     bool ownDialect = false; // it asks for FX_ENTRY, FX_D3D10 or FX_D3D11: it is written for this host
 
     [[nodiscard]] const Parameter* findParameter(std::string_view name) const;    // exact
     [[nodiscard]] const Sampler* findSampler(std::string_view name) const;        // exact
     [[nodiscard]] const StorageTexture* findStorage(std::string_view name) const; // exact
     [[nodiscard]] const Technique* findTechnique(std::string_view name) const;    // ignores case
-    /// The technique that the global script names, else the first one; null when there is none.
+    /// The technique that the global script names, else `shown`, else the first one; null when there is none.
     [[nodiscard]] const Technique* defaultTechnique() const;
 };
 

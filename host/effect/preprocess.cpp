@@ -2,6 +2,7 @@
 
 #include "host/effect/condition.h"
 #include "host/effect/macros.h"
+#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <algorithm>
@@ -358,29 +359,12 @@ private:
         }
         if (!options_.anyCase) return std::nullopt;
         for (const fs::path& folder : folders) {
-            const auto path = inAnyCase(folder, fs::path(portable).lexically_normal());
+            const auto path = findInAnyCase(folder, portable);
             if (!path || !readable(*path)) continue;
             warn(1013, at, fmt::format("'{}' is spelt '{}' on disk", name, path->string()), "other systems tell cases apart");
             return path;
         }
         return std::nullopt;
-    }
-
-    static std::optional<fs::path> inAnyCase(fs::path folder, const fs::path& relative) {
-        for (const fs::path& part : relative) {
-            if (part == ".." || part == "." || part.empty()) {
-                folder /= part;
-                continue;
-            }
-            std::error_code error;
-            std::optional<fs::path> next;
-            for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
-                 entry.increment(error))
-                if (equalsIgnoreCase(entry->path().filename().string(), part.string())) next = entry->path().filename();
-            if (!next) return std::nullopt;
-            folder /= *next;
-        }
-        return folder.lexically_normal();
     }
 
     const PreprocessOptions& options_;

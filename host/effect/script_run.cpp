@@ -29,7 +29,7 @@ public:
         }
         if (effect_.standardsGlobal && effect_.standardsGlobal->script.given) return runGlobal(effect_.standardsGlobal->script);
         if (effect_.techniques.empty()) return failure(2304, {effect_.file.string()}, "the effect has no technique");
-        return runTechnique(effect_.techniques[0]);
+        return runTechnique(*effect_.defaultTechnique());
     }
 
 private:

@@ -187,6 +187,8 @@ public:
     Result<void> draw(const Targets& targets, const Draw& draw);
     Result<void> dispatch(const Pipeline& pipeline, const std::vector<BoundResource>& resources, std::array<std::uint32_t, 3> groups);
     Result<void> generateMips(Texture& texture);
+    /// All of `from`, its mip levels too, into a texture of the same size and format.
+    Result<void> copy(Texture& from, Texture& to);
     /// Each pixel of `to` becomes the mean of its samples in `from`, which has more of them, one size and one colour format with it.
     Result<void> resolve(Texture& from, Texture& to);
     /// Named sections, not nested; repeated names are separate entries.

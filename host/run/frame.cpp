@@ -129,6 +129,8 @@ Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& sha
             bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.kit.samplers.at(resource.name));
         else if (resource.kind == ResourceKind::StorageImage)
             bound.resource = storedBy(builder, resource.name);
+        else if (const auto copy = step.copies.find(resource.name); copy != step.copies.end())
+            bound.resource = &builder.resources.targets.at(copy->second);
         else
             bound.resource = builder.resources.texture(builder.prepared, resource.name);
         item.draw.resources.push_back(bound);
@@ -223,6 +225,8 @@ Result<void> addStep(Builder& builder, const Step& step) {
         builder.frame.items.emplace_back(FrameClear{&builder.resources.targets.at(clear->target), *clear});
     if (const auto* mips = std::get_if<MipStep>(&step))
         builder.frame.items.emplace_back(FrameMips{&builder.resources.targets.at(mips->target)});
+    if (const auto* copy = std::get_if<CopyStep>(&step))
+        builder.frame.items.emplace_back(FrameCopy{&builder.resources.targets.at(copy->from), &builder.resources.targets.at(copy->to)});
     return {};
 }
 
@@ -244,6 +248,7 @@ Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder) {
         return draw->computes() ? recorder.dispatch(*draw->draw.pipeline, draw->draw.resources, draw->groups)
                                 : recorder.draw(draw->targets, draw->draw);
     if (const auto* clear = std::get_if<FrameClear>(&item)) return recordClear(*clear, recorder);
+    if (const auto* copy = std::get_if<FrameCopy>(&item)) return recorder.copy(*copy->from, *copy->to);
     return recorder.generateMips(*std::get<FrameMips>(item).target);
 }
 

@@ -45,13 +45,18 @@ struct FrameMips {
     gpu::Texture* target = nullptr;
 };
 
+struct FrameCopy {
+    gpu::Texture* from = nullptr;
+    gpu::Texture* to = nullptr;
+};
+
 /// Samples of the caller's colour target into the picture.
 struct FrameResolve {
     gpu::Texture* from = nullptr;
     gpu::Texture* to = nullptr;
 };
 
-using FrameItem = std::variant<FrameDraw, FrameClear, FrameMips>;
+using FrameItem = std::variant<FrameDraw, FrameClear, FrameMips, FrameCopy>;
 
 /// What another effect draws into textures that the frame samples.
 struct FrameNode {

@@ -149,6 +149,7 @@ std::set<std::string> Plan::targets() const {
     std::set<std::string> names;
     for (const Step& step : steps) {
         if (const auto* clear = std::get_if<ClearStep>(&step)) names.insert(clear->target);
+        if (const auto* copy = std::get_if<CopyStep>(&step)) names.insert(copy->to);
         const auto* draw = std::get_if<DrawStep>(&step);
         if (!draw) continue;
         for (const auto& color : draw->colors)

@@ -26,8 +26,9 @@ inline constexpr const char* kResolve = "resolve";
 /// That of clears which are timed by themselves; no pass can have it.
 inline constexpr const char* kClears = "<clears>";
 
+/// And those that completePlan() adds.
 [[nodiscard]] inline bool isCallers(const std::string& target) {
-    return target == kPicture || target == kPictureDepth || target == kPictureResolved;
+    return target.starts_with('<');
 }
 
 struct ClearStep {
@@ -46,7 +47,8 @@ struct DrawStep {
     DrawKind kind = DrawKind::Geometry;
     std::vector<std::optional<std::string>> colors; // up to the last bound one
     std::optional<std::string> depth;
-    std::map<std::string, double> written; // loop indices and counts at this moment
+    std::map<std::string, double> written;     // loop indices and counts at this moment
+    std::map<std::string, std::string> copies; // targets that the pass samples while it draws into them: what it reads instead
     bool operator==(const DrawStep&) const = default;
 };
 
@@ -56,7 +58,14 @@ struct MipStep {
     bool operator==(const MipStep&) const = default;
 };
 
-using Step = std::variant<ClearStep, DrawStep, MipStep>;
+/// What a target holds goes into its copy, because the next step samples it and draws into it.
+struct CopyStep {
+    std::string from;
+    std::string to;
+    bool operator==(const CopyStep&) const = default;
+};
+
+using Step = std::variant<ClearStep, DrawStep, MipStep, CopyStep>;
 
 struct Plan {
     const Technique* technique = nullptr; // the first that draws; else the one chosen
@@ -84,7 +93,9 @@ struct PassUse {
 ///  * the depth target of a pass that tests neither depth nor stencil is dropped, and so are colour targets of another size or number of
 ///    samples that the pass does not write,
 ///  * TG4024 when a pass samples a target that it has bound, or that its compute shader writes; TG4025 when two of its targets differ in
-///  size, TG4039 in samples a pixel,
+///  size, TG4039 in samples a pixel. With `added`, for effects of other hosts: such a pass samples a copy of what was there before
+///  (warning TG4024), a depth target may be larger than the colours, and where the caller's does not fit, the colour target gets a depth
+///  target of its own,
 ///  * targets that the frame uses before clearing them are cleared first (0, depth 1), so that a frame never depends on the one before;
 ///    warning TG4026 when the first use is sampling. Not so where the first use overwrites every pixel: a full-screen pass with the
 ///    annotation `bool CoversTarget = true` that neither tests, blends, masks nor discards, or a compute pass with it,
@@ -97,9 +108,14 @@ struct TargetShape {
     std::uint32_t samples = 1;
     bool keeps = false; // annotation Keeps: what an earlier frame left may be sampled
 };
+/// Targets that no effect declares, and the one that each goes with.
+struct AddedTargets {
+    std::map<std::string, std::string> copies; // of what
+    std::map<std::string, std::string> depths; // for which colour target
+};
 [[nodiscard]] Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses,
                                         const std::map<std::string, TargetShape>& shapes, const std::array<float, 4>& background,
-                                        std::vector<Diagnostic>& warnings);
+                                        std::vector<Diagnostic>& warnings, AddedTargets* added = nullptr);
 
 /// What of a target a pass with this state can change.
 [[nodiscard]] bool usesDepth(const PipelineState& state);

@@ -15,6 +15,7 @@ struct Completion {
     const std::map<std::string, TargetShape>& shapes;
     const std::array<float, 4>& background;
     std::vector<Diagnostic>& warnings;
+    AddedTargets* added; // null: the effect must do without
 };
 
 bool writesColor(const Pass& pass, const PassUse& use, std::size_t slot) {
@@ -38,6 +39,11 @@ bool coversStored(const Pass& pass) {
 
 bool fit(const TargetShape& a, const TargetShape& b) {
     return a.width == b.width && a.height == b.height && a.samples == b.samples;
+}
+
+/// In Direct3D 9 and Vulkan a depth target may be larger than the colours, which use its upper left part; from Direct3D 10 on it may not.
+bool depthFits(const TargetShape& depth, const TargetShape& size, bool larger) {
+    return fit(depth, size) || (larger && depth.width >= size.width && depth.height >= size.height && depth.samples == size.samples);
 }
 
 /// The target whose size the pass draws at: the first colour it writes, else its depth, else whatever is bound.
@@ -83,18 +89,37 @@ Result<void> fitAttachments(DrawStep& draw, const Completion& with) {
             return inputError(4028, draw.pass->at, fmt::format("pass {} leaves a gap between its colour targets", draw.pass->name),
                               "bind them from 0 upwards");
     if (!usesDepth(draw.pass->state)) draw.depth.reset();
-    if (!draw.depth || fit(with.shapes.at(*draw.depth), size)) return {};
+    if (!draw.depth || depthFits(with.shapes.at(*draw.depth), size, with.added != nullptr)) return {};
+    if (with.added && *draw.depth == kPictureDepth) {
+        draw.depth = fmt::format("<depth of {}>", name);
+        with.added->depths.emplace(*draw.depth, name);
+        return {};
+    }
     return doNotFit(*draw.pass, name, size, *draw.depth, with.shapes.at(*draw.depth));
 }
 
-Result<void> refuseFeedback(const DrawStep& draw, const PassUse& use) {
+/// What the pass samples and draws into is sampled from a copy, where that is allowed.
+Result<void> avoidFeedback(DrawStep& draw, const PassUse& use, const Completion& with, std::vector<Step>& steps) {
     std::vector<std::optional<std::string>> bound = draw.colors;
     bound.push_back(draw.depth);
     bound.insert(bound.end(), use.stored.begin(), use.stored.end());
-    for (const auto& name : bound)
-        if (name && use.sampled.contains(*name))
-            return inputError(4024, draw.pass->at, fmt::format("pass {} samples {} while drawing into it", draw.pass->name, *name),
-                              "draw into a second target and swap the two");
+    for (const auto& name : bound) {
+        if (!name || !use.sampled.contains(*name)) continue;
+        const std::string text = fmt::format("pass {} samples {} while drawing into it", draw.pass->name, *name);
+        if (!with.added || draw.kind == DrawKind::Compute)
+            return inputError(4024, draw.pass->at, text, "draw into a second target and swap the two");
+        const std::string copy = fmt::format("<copy of {}>", *name);
+        if (with.added->copies.emplace(copy, *name).second)
+            with.warnings.push_back(
+                {.severity = Severity::Warning,
+                 .code = 4024,
+                 .at = draw.pass->at,
+                 .text = text + ": it reads a copy of what was there before",
+                 .hint = "what a device of Direct3D does then is not defined; draw into a second target and swap the two",
+                 .sourceLine = {}});
+        draw.copies.emplace(*name, copy);
+        steps.emplace_back(CopyStep{.from = *name, .to = copy});
+    }
     return {};
 }
 
@@ -176,16 +201,18 @@ bool usesDepth(const PipelineState& state) {
 }
 
 Result<void> completePlan(Plan& plan, const std::map<const Pass*, PassUse>& uses, const std::map<std::string, TargetShape>& shapes,
-                          const std::array<float, 4>& background, std::vector<Diagnostic>& warnings) {
-    const Completion with{uses, shapes, background, warnings};
+                          const std::array<float, 4>& background, std::vector<Diagnostic>& warnings, AddedTargets* added) {
+    const Completion with{uses, shapes, background, warnings, added};
     Tracker tracker(with);
     std::vector<Step> steps;
     for (Step& step : plan.steps) {
         if (auto* draw = std::get_if<DrawStep>(&step)) {
             if (draw->kind != DrawKind::Compute)
                 if (const auto fitted = fitAttachments(*draw, with); !fitted) return fitted;
-            if (const auto checked = refuseFeedback(*draw, uses.at(draw->pass)); !checked) return checked;
+            std::vector<Step> copies;
+            if (const auto checked = avoidFeedback(*draw, uses.at(draw->pass), with, copies); !checked) return checked;
             tracker.draw(*draw, steps);
+            steps.insert(steps.end(), std::make_move_iterator(copies.begin()), std::make_move_iterator(copies.end()));
         }
         if (const auto* clear = std::get_if<ClearStep>(&step)) tracker.clear(*clear);
         steps.push_back(std::move(step));

@@ -120,7 +120,17 @@ Result<void> complete(const RunInput& input, Prepared& prepared) {
                                          .depth = isDepth(target.format),
                                          .samples = target.samples,
                                          .keeps = keeps(input.effect, name)});
-    if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings); !done) return done;
+    AddedTargets added;
+    if (const auto done = completePlan(prepared.plan, uses, shapes, background(input.workspace), prepared.warnings,
+                                       input.effect.adopted ? &added : nullptr);
+        !done)
+        return done;
+    for (const auto& [name, original] : added.copies)
+        prepared.targets.emplace(name, prepared.targets.at(original));
+    for (const auto& [name, color] : added.depths) {
+        const TargetDesc& beside = prepared.targets.at(color);
+        prepared.targets.emplace(name, TargetDesc{.extent = beside.extent, .format = PixelFormat::D24S8, .samples = beside.samples});
+    }
     std::set<std::string> needed = prepared.plan.targets();
     needed.insert(kPicture);
     needed.insert(kPictureResolved);

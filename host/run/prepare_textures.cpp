@@ -55,7 +55,7 @@ TextureData fromConstant(const Parameter& parameter, const ConstantSource& const
 
 TextureData fromProcedure(const Parameter& parameter, const std::string& name, bool mips) {
     if (!isCube(parameter)) return fromImage(parameter, plainPicture(name), mips);
-    std::vector<Image> faces = plainSky();
+    std::vector<Image> faces = plainCube(name);
     TextureData texture = fromImage(parameter, faces.front(), false);
     texture.format = PixelFormat::RGBA32F;
     texture.decode = false;
@@ -95,6 +95,18 @@ std::string keyOf(const TextureSource& source, const Parameter& parameter, bool 
     return fmt::format("{} srgb {} mips {}", from, isSrgb(parameter), mips);
 }
 
+/// Another host's effect names a file of a kind that only that host reads.
+Diagnostic notLoaded(const Parameter& parameter, const Error& error, const std::string& standIn) {
+    const std::string why = error.diagnostics.empty() ? std::string("it cannot be read") : error.diagnostics.front().text;
+    const std::string name = parameter.annotations.string("ResourceName").value_or("");
+    return {.severity = Severity::Warning,
+            .code = 4031,
+            .at = parameter.at,
+            .text = fmt::format("{}, the texture of {}: {}; a plain picture, {}, stands in", name, parameter.name, why, standIn),
+            .hint = fmt::format("convert it to PNG and give that: --set {}=FILE", parameter.name),
+            .sourceLine = {}};
+}
+
 Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& source, bool mips, std::vector<Diagnostic>& warnings) {
     if (const auto* constant = std::get_if<ConstantSource>(&source)) return fromConstant(parameter, *constant);
     if (const auto* procedure = std::get_if<ProcedureSource>(&source)) return fromProcedure(parameter, procedure->name, mips);
@@ -103,6 +115,11 @@ Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& 
         return fromImage(parameter, (*embedded)->image, mips);
     }
     auto file = loadNamed(parameter, std::get<FileSource>(source));
+    const auto standIn = parameter.annotations.string("Procedure");
+    if (!file && standIn && std::get<FileSource>(source).namedBy == kResourceName) {
+        warnings.push_back(notLoaded(parameter, file.error(), *standIn));
+        return fromProcedure(parameter, *standIn, mips);
+    }
     if (!file) return file.error();
     TextureData texture = file->texture.images.empty() ? fromImage(parameter, std::move(file->picture), mips)
                                                        : fromDds(parameter, std::move(file->texture), mips);

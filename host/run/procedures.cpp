@@ -78,12 +78,15 @@ Image plainPicture(const std::string& name) {
     return drawn(kSide, checker);
 }
 
-std::vector<Image> plainSky() {
+std::vector<Image> plainCube(const std::string& name) {
     std::vector<Image> faces;
     for (int face = 0; face < 6; ++face)
-        faces.push_back(drawn(kFace, [face](int x, int y) {
+        faces.push_back(drawn(kFace, [face, normals = name == "normals"](int x, int y) {
             const auto along = [](int at) { return (static_cast<float>(at) + 0.5F) / kFace * 2 - 1; };
-            return sky(directionOf(face, along(x), along(y)));
+            const glm::vec3 direction = directionOf(face, along(x), along(y));
+            if (!normals) return sky(direction);
+            const glm::vec3 colour = glm::normalize(direction) * 0.5F + 0.5F;
+            return Texel{colour.x, colour.y, colour.z, 1};
         }));
     return faces;
 }

@@ -12,7 +12,8 @@ namespace tegument::run {
 /// to 1.
 [[nodiscard]] Image plainPicture(const std::string& name);
 
-/// Six faces of a sky in Direct3D's order: blue above, a bright horizon, dark ground.
-[[nodiscard]] std::vector<Image> plainSky();
+/// Six faces in Direct3D's order. "normals": each direction's unit vector, halved and raised by a half; for every other name a sky: blue
+/// above, a bright horizon, dark ground.
+[[nodiscard]] std::vector<Image> plainCube(const std::string& name);
 
 } // namespace tegument::run

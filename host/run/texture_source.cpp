@@ -42,6 +42,7 @@ const EmbeddedTexture* embedded(const Parameter& parameter, const Mesh* mesh) {
 std::optional<fs::path> resource(const Parameter& parameter, const Effect& effect) {
     const auto name = parameter.annotations.string("ResourceName");
     if (!name || name->empty()) return std::nullopt;
+    if (effect.adopted) return findInAnyCase(effect.file.parent_path(), *name);
     const fs::path path = effect.file.parent_path() / *name;
     std::error_code code;
     return fs::is_regular_file(path, code) ? std::optional(path) : std::nullopt;
@@ -71,7 +72,7 @@ Error notFound(const Parameter& parameter, const Mesh* mesh) {
     if (const std::string_view role = roleOf(parameter); mesh && !role.empty()) looked += fmt::format(", the mesh's {} texture", role);
     if (const auto name = parameter.annotations.string("ResourceName"); name && !name->empty())
         looked += fmt::format(", the file {}", *name);
-    if (parameter.annotations.find("Function")) looked += " (this host does not fill textures by a Function)";
+    if (parameter.annotations.find("Function")) looked += " (this host fills textures of two dimensions by a Function)";
     return inputError(4030, parameter.at, fmt::format("no texture for {}: looked in {}", parameter.name, looked),
                       fmt::format("give a file: --set {}=FILE", parameter.name));
 }
@@ -101,7 +102,7 @@ Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effe
     if (const std::string* file = byNameOrSemantic(workspace.textures, parameter))
         return TextureSource(FileSource{workspace.file.parent_path() / *file, fmt::format("the workspace {}", workspace.file.string())});
     if (const EmbeddedTexture* texture = embedded(parameter, mesh)) return TextureSource(texture);
-    if (auto path = resource(parameter, effect)) return TextureSource(FileSource{std::move(*path), "ResourceName"});
+    if (auto path = resource(parameter, effect)) return TextureSource(FileSource{std::move(*path), kResourceName});
     if (parameter.annotations.find("Producer")) return producer(parameter, effect);
     if (const auto generator = parameter.annotations.string("Generator"); generator && mesh && options.meshTextures.make)
         return TextureSource(GeneratorSource{*generator});

@@ -16,9 +16,11 @@
 
 namespace tegument::run {
 
+inline constexpr const char* kResourceName = "ResourceName"; // an annotation, and who names such a file
+
 struct FileSource {
     std::filesystem::path path;
-    std::string namedBy; // "--set", "workspace file.json", "ResourceName"
+    std::string namedBy; // "--set", "workspace file.json", kResourceName
 };
 /// Another effect renders it.
 struct ProducerSource {

@@ -1,6 +1,7 @@
 #include "host/spirv/backend.h"
 
 #include "host/spirv/messages.h"
+#include "host/support/children.h"
 #include "host/support/file.h"
 
 #include <fmt/format.h>
@@ -16,8 +17,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <shared_mutex>
 #endif
 
 namespace tegument::dxc {
@@ -185,26 +188,122 @@ void nameIncludedFiles(std::vector<Diagnostic>& messages, const IncludeReader& i
         message.at.file = includes.pathOf(message.at.file);
 }
 
-Result<RawShader> finish(IDxcResult* result, const ShaderRequest& request, const IncludeReader& includes) {
-    const std::string log = logOf(result);
-    Messages messages = readDxcMessages(log, request.code, request.file);
-    if (log.find("missing entry point definition") != std::string::npos)
-        return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("there is no function {} to start from", request.entry));
-    nameIncludedFiles(messages.errors, includes);
-    nameIncludedFiles(messages.warnings, includes);
+/// What the compiler said and made, in one piece that another process can hand over.
+struct Made {
+    bool started = true;
+    std::string log;
+    std::vector<std::uint32_t> spirv; // empty: it refused
+};
 
+Made madeBy(IDxcResult* result) {
+    Made made{.log = logOf(result)};
     HRESULT status = E_FAIL;
     CComPtr<IDxcBlob> object;
     result->GetStatus(&status);
     if (SUCCEEDED(status)) result->GetOutput(DXC_OUT_OBJECT, __uuidof(IDxcBlob), reinterpret_cast<void**>(&object), nullptr);
-    if (FAILED(status) || !object || object->GetBufferSize() == 0) {
+    if (FAILED(status) || !object) return made;
+    made.spirv.resize(object->GetBufferSize() / 4);
+    std::memcpy(made.spirv.data(), object->GetBufferPointer(), made.spirv.size() * 4);
+    return made;
+}
+
+Made make(const ShaderRequest& request, IncludeReader& includes) {
+    const auto compiler = instance<IDxcCompiler3>(CLSID_DxcCompiler);
+    const auto utils = instance<IDxcUtils>(CLSID_DxcUtils);
+    if (!compiler || !utils) return {.started = false};
+    const std::vector<std::wstring> list = arguments(request);
+    std::vector<LPCWSTR> pointers;
+    pointers.reserve(list.size());
+    for (const std::wstring& argument : list)
+        pointers.push_back(argument.c_str());
+    const DxcBuffer source{request.code.data(), request.code.size(), DXC_CP_UTF8};
+    IncludeHandler handler(includes, utils);
+    CComPtr<IDxcResult> result;
+    compiler->Compile(&source, pointers.data(), static_cast<UINT32>(pointers.size()), &handler, __uuidof(IDxcResult),
+                      reinterpret_cast<void**>(&result));
+    return result ? madeBy(result) : Made{.started = false};
+}
+
+/// Strings one after the other, each behind its length.
+std::string packed(const std::vector<std::string_view>& parts) {
+    std::string bytes;
+    for (const std::string_view part : parts)
+        bytes += fmt::format("{} {}", part.size(), part);
+    return bytes;
+}
+
+std::vector<std::string> unpacked(std::string_view bytes) {
+    std::vector<std::string> parts;
+    while (!bytes.empty()) {
+        std::size_t size = 0;
+        const auto [end, error] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), size);
+        const auto head = static_cast<std::size_t>(end - bytes.data()) + 1;
+        if (error != std::errc() || head + size > bytes.size()) return {};
+        parts.emplace_back(bytes.substr(head, size));
+        bytes.remove_prefix(head + size);
+    }
+    return parts;
+}
+
+/// In the other process. Such code has its includes in it.
+std::string answerTo(std::string_view message) {
+    const std::vector<std::string> parts = unpacked(message);
+    if (parts.size() < 4) return {};
+    ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .defines = {}, .includeFolders = {}, .language2018 = true};
+    request.stage = static_cast<Stage>(std::atoi(parts[3].c_str()));
+    for (std::size_t i = 4; i + 1 < parts.size(); i += 2)
+        request.defines.emplace_back(parts[i], parts[i + 1]);
+    IncludeReader includes(request.file, {});
+    const Made made = make(request, includes);
+    const std::string_view words(reinterpret_cast<const char*>(made.spirv.data()), made.spirv.size() * sizeof(std::uint32_t));
+    return packed({made.started ? "1" : "0", made.log, words});
+}
+
+constexpr double kLongest = 120; // seconds for one shader; the longest seen takes four
+
+/// Held while this process compiles.
+std::shared_mutex& compiling() {
+    static std::shared_mutex kMutex;
+    return kMutex;
+}
+
+Error broughtDown(const ShaderRequest& request, const ChildAnswer& answer) {
+    const std::string how = answer.timedOut      ? fmt::format("did not end in {} s", kLongest)
+                            : answer.signal != 0 ? fmt::format("was ended by signal {} ({})", answer.signal, strsignal(answer.signal))
+                                                 : std::string("left without an answer");
+    return inputError(3008, lastLineDirective(request.code, request.file), fmt::format("DXC {} while it compiled {}", how, request.entry),
+                      "the code is one that DXC does not survive: write it differently, or try --compiler glslang");
+}
+
+/// Code of other hosts, in a process of its own: DXC does not survive every text.
+Result<Made> makeApart(const ShaderRequest& request) {
+    static Children kChildren(answerTo, compiling());
+    const std::string stage = std::to_string(static_cast<int>(request.stage));
+    std::vector<std::string_view> parts{request.code, request.file, request.entry, stage};
+    for (const auto& [name, value] : request.defines)
+        parts.insert(parts.end(), {name, value});
+    const ChildAnswer answer = kChildren.ask(packed(parts), kLongest);
+    if (!answer.answered) return broughtDown(request, answer);
+    const std::vector<std::string> made = unpacked(answer.bytes);
+    if (made.size() != 3) return Made{.started = false};
+    Made result{.started = made[0] == "1", .log = made[1], .spirv = std::vector<std::uint32_t>(made[2].size() / sizeof(std::uint32_t))};
+    std::memcpy(result.spirv.data(), made[2].data(), result.spirv.size() * sizeof(std::uint32_t));
+    return result;
+}
+
+Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeReader& includes) {
+    if (!made.started) return machineError(3002, "DXC could not be started, or gave no result");
+    Messages messages = readDxcMessages(made.log, request.code, request.file);
+    if (made.log.find("missing entry point definition") != std::string::npos)
+        return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("there is no function {} to start from", request.entry));
+    nameIncludedFiles(messages.errors, includes);
+    nameIncludedFiles(messages.warnings, includes);
+    if (made.spirv.empty()) {
         if (messages.errors.empty())
-            return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("DXC rejects {}: {}", request.entry, log));
+            return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("DXC rejects {}: {}", request.entry, made.log));
         return Error{Blame::Input, shortened(std::move(messages.errors))};
     }
-    RawShader raw{.spirv = std::vector<std::uint32_t>(object->GetBufferSize() / 4), .warnings = shortened(std::move(messages.warnings))};
-    std::memcpy(raw.spirv.data(), object->GetBufferPointer(), raw.spirv.size() * 4);
-    return raw;
+    return RawShader{.spirv = std::move(made.spirv), .warnings = shortened(std::move(messages.warnings))};
 }
 
 } // namespace
@@ -240,22 +339,12 @@ std::string flags() {
 }
 
 Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes) {
-    const auto compiler = instance<IDxcCompiler3>(CLSID_DxcCompiler);
-    const auto utils = instance<IDxcUtils>(CLSID_DxcUtils);
-    if (!compiler || !utils) return machineError(3002, "DXC could not be started");
-
-    const std::vector<std::wstring> list = arguments(request);
-    std::vector<LPCWSTR> pointers;
-    pointers.reserve(list.size());
-    for (const std::wstring& argument : list)
-        pointers.push_back(argument.c_str());
-    const DxcBuffer source{request.code.data(), request.code.size(), DXC_CP_UTF8};
-    IncludeHandler handler(includes, utils);
-    CComPtr<IDxcResult> result;
-    compiler->Compile(&source, pointers.data(), static_cast<UINT32>(pointers.size()), &handler, __uuidof(IDxcResult),
-                      reinterpret_cast<void**>(&result));
-    if (!result) return machineError(3002, "DXC gave no result");
-    return finish(result, request, includes);
+    if (!request.language2018 || !request.includeFolders.empty()) {
+        const std::shared_lock busy(compiling());
+        return finish(make(request, includes), request, includes);
+    }
+    auto made = makeApart(request);
+    return made ? finish(std::move(*made), request, includes) : Result<RawShader>(made.error());
 }
 
 #else

@@ -36,6 +36,21 @@ void add(Messages& messages, bool error, SourcePosition at, std::string_view tex
                     .sourceLine = std::move(line)});
 }
 
+struct LineDirective {
+    int line = 1;
+    std::string_view file; // empty: not said
+};
+
+/// Of a line without blanks around it.
+std::optional<LineDirective> lineDirective(std::string_view text) {
+    if (!text.starts_with("#line ")) return std::nullopt;
+    const std::string_view rest = trim(text.substr(6));
+    const std::size_t quote = rest.find('"');
+    LineDirective directive{.line = wholeNumber(trim(rest.substr(0, quote))).value_or(1), .file = {}};
+    if (quote != std::string_view::npos) directive.file = rest.substr(quote + 1, rest.rfind('"') - quote - 1);
+    return directive;
+}
+
 struct Kind {
     std::string_view marker;
     bool error;
@@ -87,6 +102,17 @@ void readGlslangLine(std::string_view line, bool error, std::string_view code, c
 
 } // namespace
 
+SourcePosition lastLineDirective(std::string_view code, const std::string& file) {
+    SourcePosition at{.file = file, .byte = {}};
+    forEachLine(code, [&](std::string_view text) {
+        const auto directive = lineDirective(text);
+        if (!directive || directive->file.empty()) return;
+        at.file = directive->file;
+        at.line = directive->line;
+    });
+    return at;
+}
+
 std::string sourceLine(std::string_view code, std::string_view file, int line) {
     std::string_view current;
     int next = 1;
@@ -95,15 +121,13 @@ std::string sourceLine(std::string_view code, std::string_view file, int line) {
         const std::size_t end = std::min(code.find('\n'), code.size());
         const std::string_view text = code.substr(0, end);
         code.remove_prefix(std::min(end + 1, code.size()));
-        const std::string_view directive = trim(text);
-        if (directive.starts_with("#line ")) {
-            const std::string_view rest = trim(directive.substr(6));
-            const std::size_t quote = rest.find('"');
-            next = wholeNumber(trim(rest.substr(0, quote))).value_or(1);
-            if (quote != std::string_view::npos) current = rest.substr(quote + 1, rest.rfind('"') - quote - 1);
+        const std::string_view trimmed = trim(text);
+        if (const auto directive = lineDirective(trimmed)) {
+            next = directive->line;
+            if (!directive->file.empty()) current = directive->file;
             continue;
         }
-        if (next++ == line && current == file && !directive.empty()) found = text;
+        if (next++ == line && current == file && !trimmed.empty()) found = text;
         if (!found.empty()) return found;
     }
     return found;

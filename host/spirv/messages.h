@@ -24,6 +24,9 @@ struct Messages {
 /// The line of preprocessed source that `#line` directives call `line` of `file`; empty when there is none.
 [[nodiscard]] std::string sourceLine(std::string_view code, std::string_view file, int line);
 
+/// Where the last `#line` directive of preprocessed source says that its author's text stands; `file` alone when there is none.
+[[nodiscard]] SourcePosition lastLineDirective(std::string_view code, const std::string& file);
+
 /// Without repetitions, at most kShownMessages, then one that counts the rest.
 [[nodiscard]] std::vector<Diagnostic> shortened(std::vector<Diagnostic> messages);
 

@@ -1,8 +1,11 @@
 #include "host/support/file.h"
 
+#include "host/support/text.h"
+
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -34,6 +37,25 @@ Result<std::string> readFile(const fs::path& path) {
         return inputError(5001, {.file = path.string(), .byte = {}}, fmt::format("cannot be read: {}", std::strerror(errno ? errno : EIO)));
     }
     return bytes;
+}
+
+std::optional<fs::path> findInAnyCase(fs::path folder, std::string relative) {
+    std::ranges::replace(relative, '\\', '/');
+    std::error_code error;
+    for (const fs::path& part : fs::path(relative).lexically_normal()) {
+        const fs::path exact = folder / part;
+        if (part == ".." || part == "." || part.empty() || fs::exists(exact, error)) {
+            folder = exact;
+            continue;
+        }
+        std::optional<fs::path> next;
+        for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
+             entry.increment(error))
+            if (equalsIgnoreCase(entry->path().filename().string(), part.string())) next = entry->path().filename();
+        if (!next) return std::nullopt;
+        folder /= *next;
+    }
+    return fs::is_regular_file(folder, error) ? std::optional(folder.lexically_normal()) : std::nullopt;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace tegument {
 
 /// The file's bytes. TG5001 if it cannot be read.
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path);
+
+/// What `relative`, written with slashes or backslashes, names below the folder when case does not count; nullopt if there is no such file.
+[[nodiscard]] std::optional<std::filesystem::path> findInAnyCase(std::filesystem::path folder, std::string relative);
 
 /// Writes `<path>.tmp.<host>.<pid>.<n>` and renames it: a reader sees the old file or the whole new one, and many writers on many machines
 /// do not meet. Creates missing folders. TG5002 on failure.

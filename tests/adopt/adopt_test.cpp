@@ -3,7 +3,8 @@
 #include "host/adopt/adopt.h"
 #include "host/adopt/bind.h"
 #include "host/spirv/compile.h"
-#include "tests/effect/support.h"
+#include "tests/adopt/support.h"
+#include "tests/spirv/missing.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +15,6 @@ namespace tegument::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-Effect foreign(const std::string& text) {
-    return loaded(load(Files{{"main.fx", text}}, {.lenient = true}));
-}
 
 std::vector<fs::path> effects() {
     std::vector<fs::path> files;
@@ -42,7 +39,7 @@ Result<Shader> compiled(const Effect& effect, const ShaderReference& shader, Sta
 class ForeignEffects : public testing::TestWithParam<fs::path> {};
 
 TEST_P(ForeignEffects, compile_in_every_pass_and_their_stages_meet) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "the DXC library is not there (./bootstrap build fetches it)";
+    if (const std::string missing = compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     const Result<Effect> effect = loadEffect(GetParam(), {.lenient = true});
     ASSERT_TRUE(effect) << format(effect.error());
     const Adoption adoption = adopted(*effect);
@@ -65,11 +62,8 @@ std::string fileName(const testing::TestParamInfo<fs::path>& tested) {
 
 INSTANTIATE_TEST_SUITE_P(Files, ForeignEffects, testing::ValuesIn(effects()), fileName);
 
-const std::string kRest = "float4 VS(float4 p : POSITION) : POSITION { return p; }\n"
-                          "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }\n";
-
 TEST(ForeignMessages, name_the_authors_line) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "the DXC library is not there (./bootstrap build fetches it)";
+    if (const std::string missing = compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     const Effect effect = adopted(foreign("float a;\n\n\nfloat4 PS() : COLOR\n{\n    return nowhere;\n}\n" + kRest)).effect;
     const auto pixel = compiled(effect, *effect.techniques[0].passes[0].pixelShader, Stage::Pixel);
     ASSERT_FALSE(pixel);
@@ -170,30 +164,44 @@ ParameterBinding binding(const std::string& declaration, const AdoptOptions& opt
     return adopt::bindParameter(effect.parameters[0], options, false);
 }
 
-TEST(ForeignBindings, follow_semantic_annotation_address_and_name_in_this_order) {
-    EXPECT_EQ(binding("float4x4 foo : WorldViewProj;").source, "WORLDVIEWPROJECTION");
+struct BoundCase {
+    std::string name;
+    std::string declaration;
+    std::string source;
+};
+void PrintTo(const BoundCase& tested, std::ostream* out) {
+    *out << tested.declaration;
+}
+class BoundParameters : public testing::TestWithParam<BoundCase> {};
+
+TEST_P(BoundParameters, get) {
+    EXPECT_EQ(binding(GetParam().declaration).source, GetParam().source);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Declared, BoundParameters,
+    testing::Values(BoundCase{"by_semantic", "float4x4 foo : WorldViewProj;", "WORLDVIEWPROJECTION"},
+                    BoundCase{"by_name", "float4x4 g_mWorldViewProjection;", "WORLDVIEWPROJECTION"},
+                    BoundCase{"by_address_before_name", "float4x4 View < string SasBindAddress = \"Sas.Camera.Projection\"; >;",
+                              "PROJECTION"},
+                    BoundCase{"the_lights_place", "float3 p : POSITION < string Object = \"PointLight0\"; >;", "POSITION of the light"},
+                    BoundCase{"the_cameras_place", "float3 p : POSITION < string Object = \"Camera\"; >;", "CAMERAPOSITION"},
+                    BoundCase{"the_eye_by_name", "float3 g_vEyePos;", "CAMERAPOSITION"},
+                    BoundCase{"the_way_of_light", "float3 d : DIRECTION < string Object = \"DirectionalLight0\"; >;", "LIGHTDIRECTION"},
+                    BoundCase{"a_direction_that_nothing_turns_round", "float3 g_LightDir;", "TOLIGHT"},
+                    BoundCase{"a_colour_of_a_directional_light", "float3 DirLight0DiffuseColor;", "white"},
+                    BoundCase{"what_the_author_gave", "float4 diffuseColor = { 1, 0, 0, 1 };", "its default"},
+                    BoundCase{"white", "float4 diffuseColor;", "white"}, BoundCase{"a_power", "float shininess;", "20"},
+                    BoundCase{"what_only_the_scene_knows", "float3 LightPosition = { 1, 2, 3 };", "POSITION of the light"},
+                    BoundCase{"no_bones", "float4x4 gBones[4];", "identities: no bones"}, BoundCase{"zero", "float whatever;", "zero"},
+                    BoundCase{"zero_where_no_matrix_is_declared", "float World;", "zero"},
+                    BoundCase{"zero_where_two_numbers_are_declared", "float2 LightPosition;", "zero"},
+                    BoundCase{"zero_where_integers_are_declared", "int3 CameraPosition;", "zero"}),
+    [](const testing::TestParamInfo<BoundCase>& tested) { return tested.param.name; });
+
+TEST(ForeignBindings, say_their_rule) {
     EXPECT_EQ(binding("float4x4 g_mWorldViewProjection;").rule, "name");
-    EXPECT_EQ(binding("float4x4 View < string SasBindAddress = \"Sas.Camera.Projection\"; >;").source, "PROJECTION");
-    EXPECT_EQ(binding("float3 p : POSITION < string Object = \"PointLight0\"; >;").source, "POSITION of the light");
-    EXPECT_EQ(binding("float3 p : POSITION < string Object = \"Camera\"; >;").source, "CAMERAPOSITION");
-    EXPECT_EQ(binding("float3 g_vEyePos;").source, "CAMERAPOSITION");
-    EXPECT_EQ(binding("float3 d : DIRECTION < string Object = \"DirectionalLight0\"; >;").source, "LIGHTDIRECTION");
-    EXPECT_EQ(binding("float3 g_LightDir;").source, "TOLIGHT") << "nothing turns it round";
-}
-
-TEST(ForeignBindings, keep_a_value_that_the_author_gave_unless_only_the_scene_knows_it) {
-    EXPECT_EQ(binding("float4 diffuseColor = { 1, 0, 0, 1 };").source, "its default");
-    EXPECT_EQ(binding("float4 diffuseColor;").source, "white");
-    EXPECT_EQ(binding("float shininess;").source, "20");
-    EXPECT_EQ(binding("float3 LightPosition = { 1, 2, 3 };").source, "POSITION of the light");
-    EXPECT_EQ(binding("float4x4 gBones[4];").source, "identities: no bones");
-    EXPECT_EQ(binding("float whatever;").source, "zero");
-}
-
-TEST(ForeignBindings, need_a_type_that_fits) {
-    EXPECT_EQ(binding("float World;").source, "zero");
-    EXPECT_EQ(binding("float2 LightPosition;").source, "zero");
-    EXPECT_EQ(binding("int3 CameraPosition;").source, "zero");
+    EXPECT_EQ(binding("float4x4 foo : WorldViewProj;").rule, "semantic WorldViewProj");
 }
 
 TEST(ForeignBindings, obey_the_command_line) {

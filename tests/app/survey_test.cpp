@@ -53,6 +53,37 @@ TEST(ForeignPictures, of_one_colour_are_said) {
     EXPECT_NE(red.err.find("the picture is one colour, (1.00, 0.00, 0.00)"), std::string::npos) << red.err;
 }
 
+TEST(ForeignPictures, take_a_stand_in_where_a_file_is_of_a_kind_that_only_its_host_reads) {
+    std::filesystem::create_directories(scratch() / "Maps");
+    ASSERT_FALSE(write("Maps/Brick.TGA", "no picture").empty());
+    const std::string file =
+        write("brick.fx", "texture t < string ResourceName = \"maps\\\\brick.tga\"; >; sampler2D s = sampler_state { Texture = <t>; };\n"
+                          "float4 PS(float2 uv : TEXCOORD0) : COLOR { return tex2D(s, uv); }\n"
+                          "technique T { pass P { ZEnable = FALSE; PixelShader = compile ps_2_0 PS(); } }\n");
+    const Ran ran = tegument({"render", file, "--size", "16", "-o", (scratch() / "brick.png").string()});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("warning TG4031: maps\\brick.tga, the texture of t"), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.find("TG4070"), std::string::npos) << "a checker is not one colour\n" << ran.err;
+}
+
+TEST(ForeignPictures, read_what_was_there_before_where_a_pass_draws_into_what_it_samples) {
+    const std::string pass = "{ ZEnable = FALSE; VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 ";
+    const std::string file =
+        write("sums.fx",
+              "texture t : RENDERCOLORTARGET < string Format = \"A16B16G16R16F\"; >;\nsampler2D s = sampler_state { Texture = <t>; };\n"
+              "void VS(float4 p : POSITION, float2 uv : TEXCOORD0, out float4 o : POSITION, out float2 u : TEXCOORD0)"
+              " { o = p; u = uv; }\n"
+              "float4 More(float2 uv : TEXCOORD0) : COLOR { return tex2D(s, uv) + 0.25; }\n"
+              "float4 Show(float2 uv : TEXCOORD0) : COLOR { return tex2D(s, uv); }\n"
+              "technique T < string Script = \"RenderColorTarget0=t; Clear=Color; Pass=A; Pass=B; Pass=C; RenderColorTarget0=;"
+              " Pass=D;\"; > { pass A " +
+                  pass + "More(); } pass B " + pass + "More(); } pass C " + pass + "More(); } pass D " + pass + "Show(); } }");
+    const Ran ran = tegument({"render", file, "--size", "16", "-o", (scratch() / "sums.png").string()});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("warning TG4024: pass A samples t while drawing into it: it reads a copy"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("the picture is one colour, (0.75, 0.75, 0.75)"), std::string::npos) << ran.err;
+}
+
 TEST(ForeignPictures, come_with_a_line_for_each_parameter) {
     const std::string file =
         write("bound.fx", "float4x4 strange; float4 tint = { 1, 0, 0, 1 };\n"

@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A sphere of 100 mm with one chart.
-Mesh sphere() {
+/// With one chart.
+Mesh sphere(float radius) {
     constexpr int kRings = 48;
     constexpr int kSectors = 96;
     Mesh mesh;
@@ -25,7 +25,7 @@ Mesh sphere() {
             const float u = static_cast<float>(sector) / kSectors;
             const float theta = std::numbers::pi_v<float> * v;
             const float phi = 2 * std::numbers::pi_v<float> * u;
-            mesh.positions.push_back(100.0F * glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)));
+            mesh.positions.push_back(radius * glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)));
             mesh.uvs.emplace_back(u, v);
         }
     for (std::uint32_t ring = 0; ring < kRings; ++ring)
@@ -123,12 +123,16 @@ const std::vector<Case>& allCases() {
 Result<Mesh> testMesh() {
     const fs::path human = cacheFolder() / "human" / "human.glb";
     std::error_code code;
-    if (!fs::exists(human, code)) return sphere();
+    if (!fs::exists(human, code)) return sphere(100);
     auto mesh = loadMesh(human);
     if (!mesh) return mesh;
     for (EmbeddedTexture& texture : mesh->textures)
         texture.image = reduced(texture.image);
     return mesh;
+}
+
+Mesh ball() {
+    return sphere(1);
 }
 
 Workspace testWorkspace() {

@@ -50,6 +50,8 @@ std::string engineName(Engine engine); // "d3d9"
 
 /// The human where it was made (./bootstrap test), with its maps reduced; else a sphere.
 [[nodiscard]] Result<Mesh> testMesh();
+/// Of radius 1, with one chart: what effects of other hosts are drawn on.
+[[nodiscard]] Mesh ball();
 /// A portrait; its background has values that Direct3D 9 can clear to, eight bits a channel.
 [[nodiscard]] Workspace testWorkspace();
 

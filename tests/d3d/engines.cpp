@@ -60,19 +60,6 @@ void addJobs(const Case& drawn, std::map<std::string, MicrosoftJob>& jobs) {
     }
 }
 
-/// The client with Microsoft's compiler beside it: Wine takes a native library from there, and d3dx9_43 wants one.
-Result<fs::path> clientBesideCompiler() {
-    std::error_code code;
-    const fs::path client = drawings() / "d3d_client.exe";
-    const fs::path library = drawings() / "d3dcompiler_47.dll";
-    fs::remove(client, code);
-    fs::remove(library, code);
-    fs::create_symlink(TEGUMENT_D3D_CLIENT, client, code);
-    if (!code) fs::create_symlink(microsoftCompilerLibrary(), library, code);
-    if (code) return machineError(5002, fmt::format("cannot link the client into {}: {}", drawings().string(), code.message()));
-    return client;
-}
-
 std::vector<std::string> linesOf(const fs::path& file) {
     std::vector<std::string> lines;
     const auto text = readFile(file);
@@ -110,6 +97,18 @@ Result<std::vector<std::string>> drawBatch(Engine engine, const fs::path& client
 
 } // namespace
 
+Result<fs::path> clientIn(const fs::path& folder) {
+    std::error_code code;
+    const fs::path client = folder / "d3d_client.exe";
+    const fs::path library = folder / "d3dcompiler_47.dll";
+    fs::remove(client, code);
+    fs::remove(library, code);
+    fs::create_symlink(TEGUMENT_D3D_CLIENT, client, code);
+    if (!code) fs::create_symlink(microsoftCompilerLibrary(), library, code);
+    if (code) return machineError(5002, fmt::format("cannot link the client into {}: {}", folder.string(), code.message()));
+    return client;
+}
+
 std::string clientsMissing() {
     if (std::string missing = microsoftCompilerMissing(); !missing.empty()) return missing;
     std::error_code code;
@@ -134,7 +133,7 @@ Result<std::vector<std::string>> compileAll(const std::vector<Case>& cases) {
 }
 
 Result<void> drawAll(Engine engine, const std::vector<Case>& cases, const std::vector<std::string>& jobFiles) {
-    const auto client = clientBesideCompiler();
+    const auto client = clientIn(drawings());
     if (!client) return client.error();
     for (std::size_t done = 0; done < cases.size();) {
         const auto lines = drawBatch(engine, *client, std::span(cases).subspan(done), std::span(jobFiles).subspan(done));

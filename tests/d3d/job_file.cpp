@@ -194,7 +194,7 @@ std::string entryFile(const Case& drawn, const ShaderReference& shader) {
     return drawn.effectName() + "." + shader.entry + ".cso";
 }
 
-Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const run::Prepared& prepared) {
+Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const run::Prepared& prepared, const fs::path& folder) {
     std::string lines;
     for (const auto& entry : prepared.textures) {
         gpu::Texture* texture = stage.resources().texture(prepared, entry.first);
@@ -203,8 +203,8 @@ Result<std::string> writeTextures(gpu::Device& device, run::Stage& stage, const 
         if (!bytes) return bytes.error();
         const std::string file = contentHash(*bytes) + ".texture";
         std::error_code code;
-        if (!fs::exists(drawings() / file, code))
-            if (const auto written = writeFile(drawings() / file, *bytes); !written) return written.error();
+        if (!fs::exists(folder / file, code))
+            if (const auto written = writeFile(folder / file, *bytes); !written) return written.error();
         lines += fmt::format("texture {} {}\n", entry.first, file);
     }
     return lines;

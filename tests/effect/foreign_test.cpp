@@ -49,25 +49,33 @@ TEST(ForeignStates, of_samplers_take_them_too) {
     EXPECT_EQ(effect.samplers[0].texture, "t");
 }
 
-TEST(ForeignStates, of_fixed_function_beside_shaders_are_warned_about_and_passed_over) {
-    const Effect effect = foreign("technique T { pass P { Lighting = TRUE; ColorOp[0] = MODULATE; LightEnable[12] = 1; ZEnable = FALSE;"
-                                  " VertexShaderConstant[20] = 3; ShadeMode = Gouraud; MultisampleAntialias = TRUE; } }");
+struct PassedOver {
+    std::string name;
+    std::string before; // the technique
+    std::string states; // of its pass
+};
+class ForeignStatesPassedOver : public testing::TestWithParam<PassedOver> {};
+
+TEST_P(ForeignStatesPassedOver, are_warned_about_and_those_behind_them_hold) {
+    const Effect effect = foreign(GetParam().before + "technique T { pass P { " + GetParam().states + " ZEnable = FALSE; } }");
     EXPECT_TRUE(warns(effect, 2003));
     EXPECT_FALSE(effect.techniques[0].passes[0].state.depthTest);
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, ForeignStatesPassedOver,
+    testing::Values(PassedOver{"fixed_function", "",
+                               "Lighting = TRUE; ColorOp[0] = MODULATE; LightEnable[12] = 1; VertexShaderConstant[20] = 3;"
+                               " ShadeMode = Gouraud; MultisampleAntialias = TRUE;"},
+                    PassedOver{"samplers_in_a_pass", "texture t; sampler s = sampler_state { Texture = <t>; };\n",
+                               "Sampler[0] = (s); Texture[1] = <t>; AddressU[1] = Clamp;"}),
+    [](const testing::TestParamInfo<PassedOver>& tested) { return tested.param.name; });
 
 TEST(ForeignStates, of_the_alpha_test_are_kept) {
     const AlphaTest test = passOf("int gRef = 8;\n", "AlphaTestEnable = TRUE; AlphaRef = <gRef>; AlphaFunc = GreaterEqual;").alphaTest;
     EXPECT_EQ(test, (AlphaTest{true, CompareOp::GreaterEqual, 8}));
     EXPECT_EQ(passOf("", "AlphaTestEnable = FALSE; AlphaFunc = Greater;").alphaTest.enable, false);
     EXPECT_TRUE(passOf("", "SRGBWriteEnable = TRUE;").encodesSrgb);
-}
-
-TEST(ForeignStates, of_samplers_in_a_pass_are_warned_about) {
-    const Effect effect = foreign("texture t; sampler s = sampler_state { Texture = <t>; };\n"
-                                  "technique T { pass P { Sampler[0] = (s); Texture[1] = <t>; AddressU[1] = Clamp; ZEnable = FALSE; } }");
-    EXPECT_TRUE(warns(effect, 2003));
-    EXPECT_FALSE(effect.techniques[0].passes[0].state.depthTest);
 }
 
 TEST(ForeignObjects, come_in_arrays) {

@@ -1,6 +1,8 @@
 #include "host/run/plan.h"
 #include "tests/run/fixture.h"
 
+#include <algorithm>
+
 namespace tegument::run {
 namespace {
 
@@ -93,6 +95,43 @@ TEST_F(Completing, sampling_a_bound_target_is_an_error_that_names_pass_and_textu
     const auto completed = complete();
     ASSERT_EQ(test::code(completed), 4024);
     EXPECT_EQ(completed.error().diagnostics.front().text, "pass P samples gSmall while drawing into it");
+}
+
+TEST_F(Completing, for_other_hosts_a_sampled_target_that_is_bound_is_copied_first) {
+    uses_[&pass_].sampled = {"gSmall", "gOther"};
+    draw({"gSmall"});
+    draw({"gSmall"});
+    AddedTargets added;
+    ASSERT_TRUE(test::succeeded(completePlan(plan_, uses_, shapes_, kGrey, warnings_, &added)));
+    ASSERT_EQ(steps<CopyStep>().size(), 2U) << "before each of the draws";
+    const CopyStep copy = steps<CopyStep>().front();
+    EXPECT_EQ(copy.from, "gSmall");
+    EXPECT_EQ(added.copies, (std::map<std::string, std::string>{{copy.to, "gSmall"}}));
+    for (const DrawStep& step : steps<DrawStep>())
+        EXPECT_EQ(step.copies, (std::map<std::string, std::string>{{"gSmall", copy.to}})) << "gOther is no target of the pass";
+    EXPECT_EQ(std::ranges::count(warnings_, 4024, &Diagnostic::code), 1) << "said once";
+    const auto at = [&](auto is) { return std::ranges::find_if(plan_.steps, is) - plan_.steps.begin(); };
+    EXPECT_LT(at([](const Step& step) { return std::holds_alternative<CopyStep>(step); }),
+              at([](const Step& step) { return std::holds_alternative<DrawStep>(step); }));
+}
+
+TEST_F(Completing, for_other_hosts_depth_may_be_larger_and_the_caller_s_gives_way_to_one_that_fits) {
+    pass_.state.depthTest = true;
+    shapes_["gWide"] = {128, 32, 1, false};
+    draw({"gOther"}, kPictureDepth);
+    draw({"gWide"}, kPictureDepth);
+    AddedTargets added;
+    ASSERT_TRUE(test::succeeded(completePlan(plan_, uses_, shapes_, kGrey, warnings_, &added)));
+    EXPECT_EQ(steps<DrawStep>()[0].depth, kPictureDepth) << "64 x 64 for 32 x 32";
+    ASSERT_EQ(added.depths.size(), 1U);
+    EXPECT_EQ(*added.depths.begin(), (std::pair<const std::string, std::string>{*steps<DrawStep>()[1].depth, "gWide"}));
+}
+
+TEST_F(Completing, for_other_hosts_too_their_own_depth_may_not_be_smaller) {
+    pass_.state.depthTest = true;
+    draw({kPicture}, "gDepth");
+    AddedTargets added;
+    EXPECT_EQ(test::code(completePlan(plan_, uses_, shapes_, kGrey, warnings_, &added)), 4025);
 }
 
 TEST_F(Completing, sampling_a_bound_depth_target_is_an_error) {

@@ -9,6 +9,8 @@
 namespace client {
 
 std::unique_ptr<Engine> openDirect3D9(const Job& job);
+/// Draws an effect of another host by the steps of its job; returns the picture.
+Pixels drawForeign(const Job& job);
 std::unique_ptr<Engine> openDirect3D10(const Job& job);
 std::unique_ptr<Engine> openDirect3D11(const Job& job);
 

@@ -18,6 +18,13 @@ constexpr TargetFormat kFormats[] = {
     {"A32B32G32R32F", D3DFMT_A32B32G32R32F, DXGI_FORMAT_R32G32B32A32_FLOAT, 4, Stored::Floats},
 };
 
+// Of effects of other hosts; the application's is read back.
+constexpr TargetFormat kForeign[] = {
+    {"A8R8G8B8", D3DFMT_A8R8G8B8, DXGI_FORMAT_B8G8R8A8_UNORM, 4, Stored::Shares},
+    {"A8B8G8R8", D3DFMT_A8R8G8B8, DXGI_FORMAT_R8G8B8A8_UNORM, 4, Stored::Shares},
+    {"A2B10G10R10", D3DFMT_A2B10G10R10, DXGI_FORMAT_R10G10B10A2_UNORM, 4, Stored::Shares},
+};
+
 constexpr TargetFormat kDepth = {"D24S8", D3DFMT_D24S8, DXGI_FORMAT_D24_UNORM_S8_UINT, 1, Stored::Floats};
 constexpr TargetFormat kReadableDepth = {"D32F", D3DFMT_D32F_LOCKABLE, DXGI_FORMAT_D32_FLOAT, 1, Stored::Floats};
 
@@ -25,6 +32,8 @@ constexpr TargetFormat kReadableDepth = {"D32F", D3DFMT_D32F_LOCKABLE, DXGI_FORM
 
 const TargetFormat& colorFormat(const std::string& name) {
     for (const TargetFormat& format : kFormats)
+        if (upper(name) == format.name) return format;
+    for (const TargetFormat& format : kForeign)
         if (upper(name) == format.name) return format;
     fail("no target of format '" + name + "'");
 }

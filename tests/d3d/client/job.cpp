@@ -92,6 +92,21 @@ bool readEffect(const std::string& key, std::istream& line, Job& job) {
     return true;
 }
 
+bool readForeign(const std::string& key, std::istream& line, Job& job) {
+    if (key == "foreign") {
+        job.foreign = true;
+    } else if (key == "sized") {
+        line >> job.sized.emplace_back();
+    } else if (key == "step") {
+        auto& words = job.steps.emplace_back();
+        for (std::string word; line >> word;)
+            words.push_back(word);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 bool readPass(const std::string& key, std::istream& line, Job& job) {
     if (key == "compute") {
         PassInfo& pass = job.passes.emplace_back();
@@ -157,7 +172,7 @@ Job readJob(const std::string& folder, const std::string& file) {
         std::istringstream line(text);
         std::string key;
         line >> key;
-        if (!readScene(key, line, job) && !readEffect(key, line, job) && !readPass(key, line, job))
+        if (!readScene(key, line, job) && !readEffect(key, line, job) && !readPass(key, line, job) && !readForeign(key, line, job))
             fail("unknown statement '" + key + "' in " + file);
     }
     return job;

@@ -20,6 +20,20 @@
 //   instances NAME                         likewise: the number that says how often it draws the mesh
 //   state KEY NUMBER...                    of the pass before it
 //   sampler NAME FILTER ADDRESS
+//
+// An effect of another host, for Direct3D 9: its frame is a list of steps, and every parameter has its value by name.
+//
+//   foreign                                passes are numbered; what has no name in the effect is left alone
+//   sized NAME                             a parameter that follows the size of what is drawn into
+//   step bind DEPTH COLOUR...              names of targets; - is the application's, . is none
+//   step color TARGET R G B A              cleared
+//   step depth TARGET DEPTH
+//   step stencil TARGET VALUE
+//   step copy FROM TO                      all of a target
+//   step sample NAME TARGET                a texture parameter reads this target from here on
+//   step number NAME VALUE                 what a loop sets
+//   step mesh PASS                         draws, by the number of the pass
+//   step quad PASS
 
 #include <array>
 #include <map>
@@ -91,6 +105,9 @@ struct Job {
     std::vector<PassInfo> passes;
     std::map<std::string, SamplerInfo> samplers;
     std::map<std::string, std::string> stores; // the names of targets
+    bool foreign = false;
+    std::vector<std::string> sized;
+    std::vector<std::vector<std::string>> steps; // their words
 
     [[nodiscard]] std::string path(const std::string& file) const { return folder + "\\" + file; }
     /// A number of the user's, then the scene's; none: the effect's default holds. A position or a colour gets the fourth number that a

@@ -34,6 +34,7 @@ std::unique_ptr<Engine> open(const std::string& version, const Job& job) {
 
 void run(const std::string& version, const std::string& folder, const std::string& file, const std::string& prefix) {
     const Job job = readJob(folder, file);
+    if (job.foreign) return writePixels(job.path(prefix + "picture.f32"), drawForeign(job));
     const std::unique_ptr<Engine> engine = open(version, job);
     runTechnique(*engine);
     for (const std::string& target : engine->targets())

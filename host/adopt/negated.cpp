@@ -1,0 +1,123 @@
+#include "host/adopt/negated.h"
+
+#include "host/adopt/spelling.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace tegument::adopt {
+
+namespace {
+
+constexpr int kHands = 4; // that a direction goes through
+
+/// What makes something else of a direction.
+constexpr std::array<std::string_view, 9> kOtherwise{"dot", "length", "distance", "reflect", "cross", "pow", "saturate", "lerp", "max"};
+
+bool isVectorType(const Word& word) {
+    const auto shape = shapeOf({word});
+    return shape && shape->columns >= 3;
+}
+
+/// One function: its body's words, the names that it declares, and those that are turned round in it.
+struct Body {
+    const Function* function = nullptr;
+    std::set<std::string> local;   // of any type
+    std::set<std::string> vectors; // of those with three components or more
+    std::set<std::string> negated;
+};
+
+bool isUnaryMinus(const Words& words, std::size_t at) {
+    if (!words[at].is("-")) return false;
+    if (at == 0) return true;
+    const Word& before = words[at - 1];
+    return !(before.kind == TokenKind::Number || before.is(")") || before.is("]") || (before.isName() && !before.is("return")));
+}
+
+Body read(const Function& function) {
+    Body body{.function = &function, .local = {}, .vectors = {}, .negated = {}};
+    const Words& words = function.body;
+    for (const Variable& parameter : function.parameters) {
+        body.local.insert(parameter.name.text);
+        if (!parameter.type.empty() && isVectorType(parameter.type.front())) body.vectors.insert(parameter.name.text);
+    }
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (words[i].isName() && words[i - 1].isName() && !words[i - 1].is("return")) {
+            body.local.insert(words[i].text);
+            if (isVectorType(words[i - 1])) body.vectors.insert(words[i].text);
+        }
+        if (!isUnaryMinus(words, i - 1)) continue;
+        if (words[i].isName()) body.negated.insert(words[i].text);
+        if (i + 2 < words.size() && words[i].isName() && words[i + 1].is("(")) body.negated.insert(words[i + 2].text); // -normalize(light)
+        if (i + 1 < words.size() && words[i].is("(")) body.negated.insert(words[i + 1].text);
+    }
+    return body;
+}
+
+/// `name[i].xyz = value;`: whether what is assigned to a vector that is turned round is a direction as it stands.
+void followAssignments(Body& body) {
+    const Words& words = body.function->body;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (!words[i].isName() || !body.vectors.contains(words[i].text) || !body.negated.contains(words[i].text)) continue;
+        std::size_t at = i + 1;
+        while (at + 1 < words.size() && (words[at].is("[") || words[at].is(".")))
+            at = words[at].is("[") ? behindBracket(words, at) : at + 2;
+        if (at + 1 >= words.size() || !words[at].is("=") || words[at + 1].is("=")) continue;
+        std::vector<std::string> names;
+        bool kept = true;
+        for (++at; at < words.size() && !words[at].is(";"); ++at) {
+            kept = kept && !words[at].is("+") && !words[at].is("-") &&
+                   std::ranges::find(kOtherwise, std::string_view(words[at].text)) == kOtherwise.end();
+            const bool member = at > 0 && words[at - 1].is(".");
+            if (words[at].isName() && !member && !(at + 1 < words.size() && words[at + 1].is("("))) names.push_back(words[at].text);
+        }
+        if (kept) body.negated.insert(names.begin(), names.end());
+    }
+}
+
+/// `shade(normal, lightDirection)`: the argument is turned round where the function turns its parameter round.
+void followCalls(Body& body, const std::map<std::string, std::set<std::size_t>>& turned) {
+    const Words& words = body.function->body;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const auto places = words[i].isName() && words[i + 1].is("(") ? turned.find(words[i].text) : turned.end();
+        if (places == turned.end()) continue;
+        const auto arguments = splitAtCommas(words, i + 2, std::max(i + 2, behindBracket(words, i + 1) - 1));
+        for (const std::size_t place : places->second)
+            if (place < arguments.size() && !arguments[place].empty()) {
+                const Words& argument = arguments[place];
+                const bool inside = argument.size() > 3 && argument[0].isName() && argument[1].is("("); // normalize(light)
+                body.negated.insert(argument[inside ? 2 : 0].text);
+            }
+    }
+}
+
+} // namespace
+
+std::set<std::string> negatedNames(const Code& code) {
+    std::vector<Body> bodies;
+    std::set<std::string> names;
+    for (const Item& item : code.items) {
+        if (const auto* function = std::get_if<Function>(&item); function && !function->body.empty()) bodies.push_back(read(*function));
+        if (const auto* variable = std::get_if<Variable>(&item)) // static float3 toLight = -light;
+            for (std::size_t i = 1; i < variable->initial.size(); ++i)
+                if (isUnaryMinus(variable->initial, i - 1) && variable->initial[i].isName()) names.insert(variable->initial[i].text);
+    }
+    for (int hand = 0; hand < kHands; ++hand) {
+        std::map<std::string, std::set<std::size_t>> turned;
+        for (Body& body : bodies) {
+            followAssignments(body);
+            const std::vector<Variable>& parameters = body.function->parameters;
+            for (std::size_t i = 0; i < parameters.size(); ++i)
+                if (body.vectors.contains(parameters[i].name.text) && body.negated.contains(parameters[i].name.text))
+                    turned[body.function->name.text].insert(i);
+        }
+        for (Body& body : bodies)
+            followCalls(body, turned);
+    }
+    for (const Body& body : bodies)
+        std::ranges::set_difference(body.negated, body.local, std::inserter(names, names.end()));
+    return names;
+}
+
+} // namespace tegument::adopt

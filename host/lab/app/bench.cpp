@@ -35,6 +35,7 @@ struct BenchArguments {
     std::vector<int> shadowSizes;
     int frames = 0;
     std::string reference = "1024";
+    std::string referencePart; // empty: all of it, and the comparison
     std::string keepScenes;
     std::string catalogue = "effects/catalogue.json";
     std::string compiler;
@@ -95,6 +96,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
                                 .compiler = *compiler,
                                 .pixels = *pixels,
+                                .kept = cacheFolder() / "bench" / "light",
                                 .count = arguments.count,
                                 .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
     return options;
@@ -249,6 +251,15 @@ Result<int> motion(const BenchArguments& arguments, const std::vector<bench::Con
     return 0;
 }
 
+Result<int> keep(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto part = batch::shardOf(arguments.referencePart);
+    if (!part) return part.error();
+    const auto pixels = shown([&](const bench::Say& say) { return bench::keepReferences(contenders, work.options, *part, say); });
+    if (!pixels) return pixels.error();
+    print({{"reference_pixels", *pixels}, {"part", arguments.referencePart}});
+    return 0;
+}
+
 Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
     const auto rows = shown([&](const bench::Say& say) {
         return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(ownFile(kFlipScript))});
@@ -312,6 +323,7 @@ Result<int> runChosen(const BenchArguments& arguments) {
     if (arguments.growth) return growth(arguments, *work);
     if (arguments.ablation) return ablation(arguments, *work);
     if (arguments.motion) return motion(arguments, *contenders, *work);
+    if (!arguments.referencePart.empty()) return keep(arguments, *contenders, *work);
     return compare(arguments, *contenders, *work);
 }
 
@@ -339,6 +351,8 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
         ->check(CLI::Range(1, 100000));
     command->add_option("--reference", arguments->reference, "Pixels that get a reference, or 'full'")->capture_default_str();
+    command->add_option("--reference-part", arguments->referencePart,
+                        "Only compute and keep a part of the reference, 3/16, and draw nothing (docs/many.md)");
     command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");
     command->add_option("--catalogue", arguments->catalogue, "What can be compared (docs/bench.md)")->capture_default_str();
     command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")

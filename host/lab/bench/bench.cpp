@@ -49,17 +49,24 @@ Result<std::vector<Scene>> loadScenes(const BenchOptions& options, const Say& sa
     return scenes;
 }
 
-Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>& contenders, const BenchOptions& options, const Say& say) {
+Result<std::unique_ptr<Stage>> stageOf(Scene scene, const std::vector<Contender>& contenders, const BenchOptions& options,
+                                       batch::Shard part, const Say& say) {
     const std::string name = scene.name;
     auto stage = std::make_unique<Stage>(std::move(scene), options);
     if (stage->sample.points.empty())
         return inputError(8075, {.file = stage->scene.file.string(), .byte = {}}, "the camera sees no skin that could be compared",
                           "move the camera of the workspace, or choose a larger --size");
-    stage->light = trueLight(stage->truth, stage->sample, progressOf(say, fmt::format("{}: reference", name)));
-    for (const Contender& contender : contenders)
-        if (!contender.ownDefinition().empty() && !stage->claimed.contains(contender.ownDefinition()))
-            stage->claimed[contender.ownDefinition()] = claimedLight(
-                stage->truth, stage->sample, contender, progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
+    const KeptLight kept = keptFor(options.kept, stage->scene, stage->sample, part);
+    auto light = trueLight(stage->truth, stage->sample, kept, progressOf(say, fmt::format("{}: reference", name)));
+    if (!light) return light.error();
+    stage->light = std::move(*light);
+    for (const Contender& contender : contenders) {
+        if (contender.ownDefinition().empty() || stage->claimed.contains(contender.ownDefinition())) continue;
+        auto claimed = claimedLight(stage->truth, stage->sample, contender, kept,
+                                    progressOf(say, fmt::format("{}: reference of {}", name, contender.technique)));
+        if (!claimed) return claimed.error();
+        stage->claimed[contender.ownDefinition()] = std::move(*claimed);
+    }
     return stage;
 }
 
@@ -171,13 +178,26 @@ void addTraffic(gpu::Device& device, const Contest& contest, const Say& say, Row
 
 } // namespace
 
+Result<std::size_t> keepReferences(const std::vector<Contender>& contenders, const BenchOptions& options, batch::Shard part,
+                                   const Say& say) {
+    auto scenes = loadScenes(options, say);
+    if (!scenes) return scenes.error();
+    std::size_t pixels = 0;
+    for (Scene& scene : *scenes) {
+        const auto stage = stageOf(std::move(scene), contenders, options, part, say);
+        if (!stage) return stage.error();
+        pixels += (*stage)->sample.points.size();
+    }
+    return pixels;
+}
+
 Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contender>& contenders, const BenchOptions& options,
                                   const BenchTools& tools) {
     auto scenes = loadScenes(options, tools.say);
     if (!scenes) return scenes.error();
     std::vector<Row> rows;
     for (Scene& scene : *scenes) {
-        const auto stage = stageOf(std::move(scene), contenders, options, tools.say);
+        const auto stage = stageOf(std::move(scene), contenders, options, {}, tools.say);
         if (!stage) return stage.error();
         for (const int mapSize : options.mapSizes)
             for (const int shadowSize : options.shadowSizes) {

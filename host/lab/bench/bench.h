@@ -1,6 +1,7 @@
 #pragma once
 // Speed against error: techniques on scenes, timed by the device and held against brute force (docs/bench.md).
 
+#include "host/batch/inputs.h"
 #include "host/lab/bench/measure.h"
 
 #include <filesystem>
@@ -20,8 +21,9 @@ struct BenchOptions {
     std::vector<int> shadowSizes = {0}; // 0: as many texels as the maps
     Frames frames;
     Compiler compiler = Compiler::Dxc;
-    std::size_t pixels = 1024; // of the reference; 0: all
-    bool count = false;        // what each frame fetches and moves, too (traffic.h)
+    std::size_t pixels = 1024;  // of the reference; 0: all
+    std::filesystem::path kept; // folder for references of many pixels; empty: none is kept
+    bool count = false;         // what each frame fetches and moves, too (traffic.h)
     MeshTextures meshTextures;
 };
 
@@ -55,6 +57,10 @@ struct BenchTools {
     Say say;
     FlipMeter flip; // null: not measured
 };
+
+/// Computes and keeps this part of the references that `contenders` on every scene need, and draws nothing. How many pixels they have.
+[[nodiscard]] Result<std::size_t> keepReferences(const std::vector<Contender>& contenders, const BenchOptions& options, batch::Shard part,
+                                                 const Say& say);
 
 /// `contenders` on every scene, with every size of maps.
 [[nodiscard]] Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contender>& contenders, const BenchOptions& options,

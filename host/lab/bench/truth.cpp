@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tegument::bench {
 
@@ -86,12 +87,19 @@ std::string identify(const Scene& scene, const reference::Pinhole& camera, const
     return contentHash(bytes).substr(0, 12);
 }
 
-std::vector<glm::dvec3> lightOf(const TruthScene& truth, const Sample& sample, reference::RadialProfile profile, const Progress& progress) {
-    const reference::BssrdfOptions options{.profile = std::move(profile), .progress = progress};
-    std::vector<glm::dvec3> light;
-    for (const reference::Radiance& radiance : reference::radiance(truth.skin, sample.points, truth.camera.eye, options))
-        light.push_back(radiance.total());
-    return light;
+Result<std::vector<glm::dvec3>> lightOf(const TruthScene& truth, const Sample& sample, const std::string& kind,
+                                        reference::RadialProfile profile, KeptLight kept, const Progress& progress) {
+    kept.key += "-" + contentHash(kind).substr(0, 8);
+    reference::BssrdfOptions options{.profile = std::move(profile), .progress = {}};
+    const std::span<const reference::ShadedPoint> points = sample.points;
+    return keptLight(kept, points.size(), [&](std::size_t first, std::size_t last) {
+        if (progress) options.progress = [&](std::size_t done, std::size_t) { progress(first + done, points.size()); };
+        std::vector<glm::dvec3> light;
+        for (const reference::Radiance& radiance :
+             reference::radiance(truth.skin, points.subspan(first, last - first), truth.camera.eye, options))
+            light.push_back(radiance.total());
+        return light;
+    });
 }
 
 /// Every point sends back what enters it.
@@ -136,13 +144,35 @@ Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t cou
     return sample;
 }
 
-std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, const Progress& progress) {
-    return lightOf(truth, sample, reference::radial(reference::skinProfile()), progress);
+KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, batch::Shard part) {
+    if (folder.empty() || sample.points.size() < kKeptFrom) return {};
+    static const auto program = readFile("/proc/self/exe");
+    std::string all = sample.id + (program ? contentHash(*program) : std::string());
+    const auto add = [&](const auto& numbers) {
+        all += contentHash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(numbers[0])});
+    };
+    add(scene.mesh.positions);
+    add(scene.mesh.normals);
+    add(scene.mesh.tangents);
+    add(scene.mesh.uvs);
+    add(scene.mesh.indices);
+    for (const EmbeddedTexture& texture : scene.mesh.textures) {
+        all += texture.role;
+        add(texture.image.pixels);
+    }
+    if (const auto workspace = readFile(scene.file)) all += contentHash(*workspace); // the light, and what it sets of the skin
+    return {.folder = folder, .key = contentHash(all), .part = part};
 }
 
-std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender, const Progress& progress) {
+Result<std::vector<glm::dvec3>> trueLight(const TruthScene& truth, const Sample& sample, const KeptLight& kept, const Progress& progress) {
+    return lightOf(truth, sample, "six Gaussians", reference::radial(reference::skinProfile()), kept, progress);
+}
+
+Result<std::vector<glm::dvec3>> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
+                                             const KeptLight& kept, const Progress& progress) {
     if (contender.claim == Claim::Delta) return undiffusedLight(truth, sample);
-    return lightOf(truth, sample, reference::burley({contender.burley[0], contender.burley[1], contender.burley[2]}), progress);
+    return lightOf(truth, sample, contender.ownDefinition(),
+                   reference::burley({contender.burley[0], contender.burley[1], contender.burley[2]}), kept, progress);
 }
 
 } // namespace tegument::bench

@@ -2,6 +2,7 @@
 // What the pixels of a scene should show: skin that the camera sees, and its light by brute force (host/lab/reference/bssrdf.h).
 
 #include "host/lab/bench/catalogue.h"
+#include "host/lab/bench/kept_light.h"
 #include "host/lab/bench/scenes.h"
 #include "host/lab/reference/bssrdf.h"
 
@@ -34,10 +35,14 @@ struct TruthScene {
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Light of each point by the six Gaussians.
-[[nodiscard]] std::vector<glm::dvec3> trueLight(const TruthScene& truth, const Sample& sample, const Progress& progress);
-/// Of a contender that has a definition of its own.
-[[nodiscard]] std::vector<glm::dvec3> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
-                                                   const Progress& progress);
+/// Where light of this sample may be kept: under a name of all that decides it, the program's own bytes included.
+[[nodiscard]] KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const Sample& sample, batch::Shard part);
+
+/// Light of each point by the six Gaussians. TG5002.
+[[nodiscard]] Result<std::vector<glm::dvec3>> trueLight(const TruthScene& truth, const Sample& sample, const KeptLight& kept,
+                                                        const Progress& progress);
+/// Of a contender that has a definition of its own. TG5002.
+[[nodiscard]] Result<std::vector<glm::dvec3>> claimedLight(const TruthScene& truth, const Sample& sample, const Contender& contender,
+                                                           const KeptLight& kept, const Progress& progress);
 
 } // namespace tegument::bench

@@ -250,4 +250,15 @@ Result<ObjFile> meshfile::parseObj(const Source& source) {
     return ObjParser(source).parse();
 }
 
+std::filesystem::path objFileIn(const std::filesystem::path& folder, std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    return folder / name;
+}
+
+std::string objPictureName(std::string_view rest) {
+    rest = trim(rest);
+    if (rest.starts_with('-')) rest = rest.substr(rest.find_last_of(" \t") + 1);
+    return std::string(rest);
+}
+
 } // namespace tegument

@@ -63,4 +63,10 @@ struct ObjFile {
 /// finite, TG5310 too large; each with its line of `file`.
 [[nodiscard]] Result<ObjFile> parseObj(std::string_view text, const std::filesystem::path& file);
 
+/// A file that an OBJ file or its library names, as seen from a folder: such names often come from Windows.
+[[nodiscard]] std::filesystem::path objFileIn(const std::filesystem::path& folder, std::string name);
+
+/// The picture of a statement `map_... [-option values...] name`: the name may hold spaces, so where options are given it is the last word.
+[[nodiscard]] std::string objPictureName(std::string_view rest);
+
 } // namespace tegument

@@ -4,6 +4,7 @@
 #include "host/image/image.h"
 #include "host/mesh/materials.h"
 #include "host/mesh/mesh_file.h"
+#include "host/mesh/obj_file.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
 
@@ -29,25 +30,12 @@ struct Material {
     fs::path folder;
 };
 
-/// Names in such files often come from Windows.
-fs::path inFolder(const fs::path& folder, std::string name) {
-    std::ranges::replace(name, '\\', '/');
-    return folder / name;
-}
-
-/// `[-option values...] name`: the name may hold spaces, so where options are given it is the last word.
-std::string fileName(std::string_view rest) {
-    rest = trim(rest);
-    if (rest.starts_with('-')) rest = rest.substr(rest.find_last_of(" \t") + 1);
-    return std::string(rest);
-}
-
 class Library {
 public:
     Library(const Source& source, Mesh& mesh) : source_(source), mesh_(mesh) {}
 
     void read(const std::string& name) {
-        const fs::path path = inFolder(source_.path.parent_path(), name);
+        const fs::path path = objFileIn(source_.path.parent_path(), name);
         const auto text = readFile(path);
         if (!text) {
             warn(mesh_, 5328, source_.whole(), fmt::format("the material library '{}' is not there", name.substr(0, 80)),
@@ -139,8 +127,8 @@ private:
 
     void addPicture(const Material& from, const char* key, Json& texture) {
         const auto found = from.statements.find(key);
-        if (found == from.statements.end() || fileName(found->second).empty()) return;
-        const fs::path path = inFolder(from.folder, fileName(found->second));
+        if (found == from.statements.end() || objPictureName(found->second).empty()) return;
+        const fs::path path = objFileIn(from.folder, objPictureName(found->second));
         const auto [entry, isNew] = pictures_.emplace(path, std::nullopt);
         if (isNew) entry->second = load(path, key);
         if (entry->second) texture = {{"index", *entry->second}};

@@ -1,12 +1,12 @@
 // The colour map of an OBJ file: what the materials of its libraries name as map_Kd.
 
 #include "host/mesh/mesh_file.h"
+#include "host/mesh/obj_file.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 namespace tegument::meshfile {
@@ -14,19 +14,6 @@ namespace tegument::meshfile {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Names in such files often come from Windows.
-fs::path beside(const fs::path& file, std::string name) {
-    std::ranges::replace(name, '\\', '/');
-    return file.parent_path() / name;
-}
-
-/// `map_Kd [-option values...] name`: the name may hold spaces, so where options are given it is the last word.
-std::string mapName(std::string_view rest) {
-    rest = trim(rest);
-    if (rest.starts_with('-')) rest = rest.substr(rest.find_last_of(" \t") + 1);
-    return std::string(rest);
-}
 
 /// Material to file.
 std::map<std::string, fs::path> colourMaps(const fs::path& library) {
@@ -40,7 +27,8 @@ std::map<std::string, fs::path> colourMaps(const fs::path& library) {
         left.remove_prefix(std::min(end + 1, left.size()));
         const std::string keyword = toLower(std::string(nextWord(line)));
         if (keyword == "newmtl") material = trim(line);
-        if (keyword == "map_kd" && !mapName(line).empty()) maps.emplace(material, beside(library, mapName(line)));
+        if (keyword == "map_kd" && !objPictureName(line).empty())
+            maps.emplace(material, objFileIn(library.parent_path(), objPictureName(line)));
     }
     return maps;
 }
@@ -50,7 +38,7 @@ std::map<std::string, fs::path> colourMaps(const fs::path& library) {
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
     std::map<std::string, fs::path> maps;
     for (const std::string& library : file.libraries)
-        maps.merge(colourMaps(beside(source.path, library)));
+        maps.merge(colourMaps(objFileIn(source.path.parent_path(), library)));
     fs::path used;
     for (std::size_t i = 0; i < file.sections.size(); ++i) {
         const auto map = maps.find(file.sections[i].material);

@@ -28,7 +28,15 @@ constexpr std::uint32_t kNoHint = UINT32_MAX;
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     std::uint32_t triangle = 0;
+    bool exact = true; // else another triangle may be nearer
+
+    /// That some point is so far, for sure.
+    [[nodiscard]] double reached() const { return exact && std::isfinite(distance) ? distance : 0; }
 };
+
+/// Triangles that are looked at for one point. A surface needs 8 on average and 70 at most; where thousands of triangles cross one another
+/// each point lies in the boxes of half of them.
+constexpr unsigned kMostVisits = 256;
 
 class Surface {
 public:
@@ -50,14 +58,21 @@ public:
         float radius = std::numeric_limits<float>::infinity();
         const auto take = [&](std::uint32_t triangle) {
             const double apart = distanceTo(triangle, point);
-            if (!(apart < found.distance)) return; // not a number where two corners are equal: such a triangle is a side of others
-            found = {.distance = apart, .triangle = triangle};
+            if (!(apart < found.distance) || !found.exact)
+                return; // not a number where two corners are equal: such a triangle is a side of others
+            found = {.distance = apart, .triangle = triangle, .exact = true};
             radius = apart <= enough ? 0 : std::nextafter(static_cast<float>(apart), 1e30f);
         };
         if (hint != kNoHint) take(hint);
         if (found.distance <= enough) return found;
+        unsigned visits = 0;
         tree_.visitNear(glm::vec3(point), radius, [&](std::uint32_t triangle) {
+            if (++visits > kMostVisits) return radius; // boxes that hold the point go on being visited
             take(triangle);
+            if (visits == kMostVisits && radius > 0) {
+                found.exact = found.distance <= enough;
+                radius = 0;
+            }
             return radius;
         });
         return found;
@@ -110,6 +125,7 @@ struct Effort {
     std::size_t atLeast = 0;
 };
 constexpr Effort kThorough{.perTriangle = 8, .atLeast = 30'000};
+constexpr Effort kDear{.perTriangle = 0, .atLeast = 256};
 constexpr Effort kRough{.perTriangle = 1, .atLeast = 3'000};
 
 /// What is further than this share of the greatest distance is worth mending.
@@ -170,6 +186,20 @@ public:
         return reached;
     }
 
+    /// Whether answers take more than they are worth, on a few triangles.
+    [[nodiscard]] bool dear() const {
+        constexpr std::size_t kAsked = 64;
+        constexpr std::size_t kMostInexact = 8;
+        const std::size_t step = own_.size() / kAsked + 1;
+        std::size_t inexact = 0;
+        for (std::size_t i = 0; i < own_.size(); i += step)
+            inexact += !other_.nearest(centroid(own_.triangle(i))).exact;
+        return inexact > kMostInexact;
+    }
+
+    /// No corner is further.
+    [[nodiscard]] double corners() const { return std::ranges::max(places_, {}, &Place::apart).apart; }
+
     void addPeaks(double reached, std::vector<Peak>& peaks) const {
         for (std::uint32_t point = 0; point < places_.size(); ++point)
             if (places_[point].apart > kPeak * reached)
@@ -211,7 +241,7 @@ private:
         const Nearest near = other_.nearest(own_.points()[point], hint, kNear * reached);
         if (!std::isfinite(near.distance)) return 0; // all of the other surface is without area
         places_[point] = {.apart = near.distance, .hint = near.triangle};
-        return near.distance;
+        return near.reached();
     }
 
     const Surface& own_;
@@ -295,7 +325,7 @@ private:
         const Nearest near = other_.nearest(point, hint, kNear * reached_);
         if (std::isfinite(near.distance)) {
             known->second = {.apart = near.distance, .hint = near.triangle};
-            if (near.distance > reached_) {
+            if (near.reached() > reached_) {
                 reached_ = near.distance;
                 highest_ = {.apart = near.distance, .number = triangle, .at = point, .nearest = other_.nearestCorner(near.triangle, point)};
             }
@@ -353,8 +383,9 @@ OneWay::Found OneWay::bound(double reached, const Effort& effort) const {
 /// More would not change the first two digits.
 constexpr std::size_t kMostSamples = 40'000;
 
-double rootMeanSquare(const Surface& from, const Surface& to) {
-    const std::size_t step = std::max<std::size_t>(1, 4 * from.size() / kMostSamples);
+double rootMeanSquare(const Surface& from, const Surface& to, bool dear) {
+    const std::size_t most = dear ? kMostSamples / 64 : kMostSamples;
+    const std::size_t step = std::max<std::size_t>(1, 4 * from.size() / most);
     const std::size_t samples = (from.size() + step - 1) / step;
     struct Sum {
         double squares = 0;
@@ -430,10 +461,14 @@ SurfaceDistance DistanceFrom::to(std::span<const std::uint32_t> triangles) const
     OneWay there(own, other);
     OneWay back(other, own);
     const double reached = back.measureCorners(there.measureCorners(0));
-    const OneWay::Found first = back.bound(reached, kThorough);
-    const OneWay::Found last = there.bound(first.reached, kThorough);
+    const bool dear = there.dear() || back.dear();
+    const Effort& effort = dear ? kDear : kThorough;
+    const OneWay::Found first = back.bound(reached, effort);
+    const OneWay::Found last = there.bound(first.reached, effort);
     const double bound = std::max({first.bound, last.bound, Undecided::closeTo(last.reached)}) + kRounding;
-    return {.greatest = state_->scale * bound, .reached = state_->scale * last.reached, .rms = state_->scale * rootMeanSquare(own, other)};
+    return {.greatest = state_->scale * bound,
+            .reached = state_->scale * last.reached,
+            .rms = state_->scale * rootMeanSquare(own, other, dear)};
 }
 
 RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, std::size_t most) const {
@@ -441,8 +476,10 @@ RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, st
     const Surface other(state_->points, triangles);
     OneWay there(*state_->surface, other);
     const OneWay back(other, *state_->surface);
+    const double ofCorners = there.measureCorners(0);
+    if (there.dear() || back.dear()) return {.greatest = state_->scale * there.corners(), .peaks = {}, .bridges = {}};
     std::vector<OneWay::Peak> peaks, bridges;
-    const OneWay::Found found = back.bound(back.measureMiddles(there.measureCorners(0), bridges), kRough);
+    const OneWay::Found found = back.bound(back.measureMiddles(ofCorners, bridges), kRough);
     const OneWay::Found last = there.bound(found.reached, kRough);
     const double reached = last.reached;
     bridges.insert(bridges.end(), found.highest.begin(), found.highest.end());

@@ -16,7 +16,7 @@ struct SurfaceDistance {
     double rms = 0;      // of corners and centroids of the first surface from the second; of many, a sample in equal steps
 };
 
-/// Soon known, and seldom far from the truth.
+/// Soon known, and seldom far from the truth. Where thousands of triangles cross one another it names no places.
 struct RoughDistance {
     struct Bridge {
         std::uint32_t triangle = 0; // of the second surface

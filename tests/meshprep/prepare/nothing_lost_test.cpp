@@ -166,11 +166,16 @@ TEST_F(NothingLost, floats_that_were_too_coarse_in_the_file_are_told) {
     EXPECT_EQ(warningsOf(far->report.warnings, 5329, "32-bit floats"), 1u);
 }
 
+/// A header for so many vertices and one element with a list of their numbers.
+std::string plyHeader(const char* number, int vertices, const char* element, const char* list) {
+    return fmt::format("ply\nformat ascii 1.0\nelement vertex {1}\nproperty {0} x\nproperty {0} y\nproperty {0} z\nelement {2}\n"
+                       "property list {3} int vertex_indices\nend_header\n",
+                       number, vertices, element, list);
+}
+
 TEST_F(NothingLost, places_that_floats_merge_are_counted_in_a_warning) {
-    const std::string text =
-        "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\nproperty double z\nelement face 2\n"
-        "property list uchar int vertex_indices\nend_header\n"
-        "0 0 0\n1000 0 0\n1000.00001 1000 0\n1000 1000 0\n1000.00001 0 0\n2000 500 0\n3 0 1 3\n3 4 5 2\n";
+    const std::string text = plyHeader("double", 6, "face 2", "uchar") +
+                             "0 0 0\n1000 0 0\n1000.00001 1000 0\n1000 1000 0\n1000.00001 0 0\n2000 500 0\n3 0 1 3\n3 4 5 2\n";
     const prep::Prepared result = prepared(write("dense.ply", text));
     EXPECT_EQ(warningsOf(result.report.warnings, 5329, "2 vertices"), 1u);
 }
@@ -424,10 +429,8 @@ TEST_F(NothingLost, pieces_with_vertices_of_their_own_say_their_stride) {
 }
 
 TEST_F(NothingLost, strips_of_triangles_are_read_as_they_turn) {
-    const std::string text =
-        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\n"
-        "property list int int vertex_indices\nend_header\n0 0 0\n0 10 0\n10 0 0\n10 10 0\n20 0 0\n20 10 0\n"
-        "9 0 1 2 3 -1 2 3 4 5\n";
+    const std::string text = plyHeader("float", 6, "tristrips 1", "int") + "0 0 0\n0 10 0\n10 0 0\n10 10 0\n20 0 0\n20 10 0\n"
+                                                                           "9 0 1 2 3 -1 2 3 4 5\n";
     const prep::Prepared result = prepared(write("strips.ply", text));
     EXPECT_EQ(result.mesh.indices.size() / 3, 4u);
     EXPECT_EQ(result.report.topology.opposedEdges, 0u) << "all face one way";

@@ -8,6 +8,9 @@ static const float3 kLockWaves = float3(1.25, 2.6, 13.0); // a coat's waves in a
 static const float kLockWrap = 0.4;     // cosine beyond the horizon to which light wanders through the coat
 static const float2 kLockShifts = float2(-0.1, 0.2); // of highlights R and TRT, along the normal: 6 and 11 degrees, as tilted scales do
 static const float kLockFade = 8.0;     // one in so many of the strands that are drawn is narrower than it should be
+static const float2 kLockFar = float2(5.0, -0.25); // pixels 0.05 thicknesses wide show places of strands; 0.3 wide, the mean of many strands
+static const float2 kLockMean = float2(0.5, 0.4); // there: place along a strand, height in the coat
+static const float kShadowFirst = 0.5;     // added to ranks of strands that throw shadows: none stands in its own as a rule
 static const float kLockOfUnderfur = 64.0; // noise of its own: number of its first strand
 
 // Numbers in (0, 1) of a strand of a lock.
@@ -105,8 +108,7 @@ LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float
     float share = max(min(length(up.xyz), up.w * frame.perMm / thickness), 0.05) * (1.0 - gCoatShort * ribbon.shortness);
     s.height = thickness * share
         * (under > 0.5 ? gCoatUnderLength * (0.85 + 0.3 * looks.more.x) : 0.75 + 0.3 * looks.more.x + 0.35 * looks.guard);
-    float3 combed = input.tangent.xyz - s.normal * dot(input.tangent.xyz, s.normal);
-    float3 flow = combed + gCoatWaves * 0.5 * looks.waves + gCoatLocks * (looks.lock - 0.5);
+    float3 flow = input.tangent.xyz + gCoatWaves * 0.5 * looks.waves + gCoatLocks * (looks.lock - 0.5);
     flow -= s.normal * dot(flow, s.normal);
     float lie = gCoatLean * (0.7 + 0.15 * looks.waves.z + 0.5 * looks.lock.z) * (1.0 - 0.25 * under);
     s.flow = flow * (1.25 * lie * rsqrt(1.0 + dot(flow, flow)));
@@ -132,12 +134,12 @@ struct LockShare
     float width;
 };
 
-// pixel: across it, at the strand. strands: of the lock; the last of them go first.
-LockShare lockShare(VertexInput input, float child, float strands, float pixel)
+// pixel: across it, at the strand. strands: of the lock; the last of them go first. first: is added to the root's rank.
+LockShare lockShare(VertexInput input, float child, float strands, float pixel, float first)
 {
     LockShare s;
-    s.share = gFurShare * saturate(2.0 * gCoatRadius * gMeshRadius / (gCoatThin * pixel));
-    s.rank = (child + tgRibbonRank(input.uv.y)) * (1.0 / strands);
+    s.share = gFurShare * clamp((2.0 * gCoatRadius * gMeshRadius / gCoatThin) / pixel, gRibbonFewest, 1.0);
+    s.rank = (child + frac(tgRibbonRank(input.uv.y) + first)) * (1.0 / strands);
     s.width = saturate(kLockFade * (s.share - s.rank) / s.share) * (kLockFade / (kLockFade - 0.5)) / s.share;
     return s;
 }
@@ -149,7 +151,8 @@ float lockRadius(LockLooks looks, float along, float under)
     return radius * (1.0 - along * along * along);
 }
 
-float3 lockAlbedo(LockLooks looks, TgRibbon ribbon, float along, float below, float under)
+// variation: from strand to strand.
+float3 lockAlbedo(LockLooks looks, TgRibbon ribbon, float along, float below, float under, float variation)
 {
     float belly = gCoatBelly * saturate(1.6 * (below - 0.25) + 0.2 * looks.waves.y);
     float patches = saturate(0.5 + 0.8 * looks.waves.x);
@@ -160,8 +163,8 @@ float3 lockAlbedo(LockLooks looks, TgRibbon ribbon, float along, float below, fl
     albedo = lerp(albedo, lerp(gCoatUnderColor, 0.6 * gCoatBellyColor, belly), 0.7 * under);
     albedo = lerp(albedo, ribbon.color * (0.35 + 0.65 * along), gCoatPainted);
     albedo *= lerp(1.0, gCoatShortColor, ribbon.shortness);
-    float2 tint = 1.0 + gCoatVariation * (float2(looks.more.x, looks.lock.y) - 0.5);
-    return albedo * (tint.x * tint.y) * (1.0 + 0.2 * gCoatVariation * (looks.random.z - 0.5) * float3(0.0, 0.5, 1.0));
+    float2 tint = 1.0 + variation * (float2(looks.more.x, looks.lock.y) - 0.5);
+    return albedo * (tint.x * tint.y) * (1.0 + 0.2 * variation * (looks.random.z - 0.5) * float3(0.0, 0.5, 1.0));
 }
 
 // A point of a strand, for light. Unit vectors along the mesh's axes.
@@ -196,7 +199,7 @@ float3 lockLight(LockPoint p, float3 toLight, float3 color, float open, float un
 // Light from all sides: of the sky and the ground, less what the coat around hides. up: unit. open: as above.
 float3 lockSurroundings(LockPoint p, float3 up)
 {
-    float3 shaded = tgSafeNormalize(p.normal + 0.4 * p.tangent);
+    float3 shaded = 0.9 * p.normal + 0.36 * p.tangent; // as long as 1 where the tangent stands at 60 degrees
     float gap = lerp(0.2, 1.0, saturate(1.1 * p.height)) * lerp(0.55, 1.0, saturate(1.4 * p.along));
     return p.albedo * lerp(gCoatGround, gCoatSky, 0.5 + 0.5 * dot(shaded, up)) * (gap * gap);
 }
@@ -208,18 +211,28 @@ float3 lockRim(LockPoint p, float3 up)
     return gCoatRim * (0.05 + p.albedo) * (edge * edge * p.along * saturate(0.6 + 0.4 * dot(p.normal, up)));
 }
 
+// 0: a pixel shows places of strands; 1: the mean of many, which is what it is to have then, for else it flickers. pixel: across it.
+float lockFar(float pixel)
+{
+    return saturate(pixel * (kLockFar.x / max(coatThickness(), 1e-20)) + kLockFar.y);
+}
+
 float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
 {
+    float pixel = ribbonPixel() * length(frame.toEye);
+    float far = lockFar(pixel);
+    float thickness = coatThickness() * (1.0 - gCoatShort * ribbon.shortness);
+    float3 seen = lerp(offset, kLockMean.y * thickness * looks.strand.normal, far);
     float3 up = -strandsAxes(gFurDown, input);
     LockPoint p;
     p.normal = looks.strand.normal;
     p.tangent = tangent;
     p.toEye = tgSafeNormalize(frame.toEye - offset);
-    p.along = ribbon.along;
-    p.height = saturate(dot(offset, p.normal) / (0.8 * coatThickness() * (1.0 - gCoatShort * ribbon.shortness)));
-    p.albedo = lockAlbedo(looks, ribbon, ribbon.along, -dot(p.normal, up), under);
+    p.along = lerp(ribbon.along, kLockMean.x, far);
+    p.height = saturate(dot(seen, p.normal) / (0.8 * thickness));
+    p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, up), under, gCoatVariation * (1.0 - far));
     p.shift = 0.12 * (looks.more.y - 0.5);
-    float open = coatOpen(ribbonWorld(frame, offset, input));
+    float open = coatOpen(ribbonWorld(frame, seen, input), pixel);
     float3 color = lockLight(p, tgSafeNormalize(frame.toLight - offset), gLightColor, open, under) + lockSurroundings(p, up);
     if (under < 0.5)
         color += lockRim(p, up);
@@ -231,7 +244,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
-    LockShare share = lockShare(input, child, under > 0.5 ? gCoatUnderfur : gCoatChildren, ribbonPixel() * length(frame.toEye));
+    LockShare share = lockShare(input, child, under > 0.5 ? gCoatUnderfur : gCoatChildren, ribbonPixel() * length(frame.toEye), 0.0);
     [branch] if (ribbonDrawn(input, share.rank, share.share) && ribbonSeen(input, frame))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
@@ -267,7 +280,7 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
     float pixel = tgShadowFootprint(mul(float4(frame.world, 1.0), gLightViewProjection).w, tgLightSpread()) / tgMillimetres(1.0);
     // Nor is drawn what a picture as wide as the map would not show.
     float coarser = max(pixel, ribbonPixel() * length(frame.toEye));
-    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), gCoatShadowStrands, coarser);
+    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), gCoatShadowStrands, coarser, kShadowFirst);
     [branch] if (ribbonDrawn(input, share.rank, share.share))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
@@ -296,21 +309,26 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 {
     float3 normal = tgWorldNormal(input.normal);
     float cosine = dot(normal, gFurDown);
-    float3 albedo = lerp(gCoatRootColor, 0.4 * gCoatBellyColor, gCoatBelly * saturate(1.6 * (cosine - 0.25)));
-    float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world);
+    float belly = gCoatBelly * saturate(1.6 * (cosine - 0.25));
+    float pixel = ribbonPixel() * length(gCameraPosition - input.world);
+    float3 albedo = lerp(gCoatRootColor, 0.4 * gCoatBellyColor, belly);
+    albedo = lerp(albedo, lerp(gCoatMidColor, 0.75 * gCoatBellyColor, belly), 0.5 * lockFar(pixel));
+    float lit = saturate(0.7 * dot(normal, tgLightDirection(input.world)) + 0.3) * coatOpen(input.world, pixel);
     float3 around = lerp(gCoatSky, gCoatGround, 0.5 + 0.5 * cosine);
     return float4(albedo * (gLightColor * (0.5 * lit) + 0.12 * around), 1.0);
 }
 
-#define LOCK_SHARE RIBBON_SHARE string ShareRadius = "gCoatRadius"; string ShareThinnest = "gCoatThin";
+#define LOCK_SHARE string Share = "gFurShare"; string ShareRadius = "gCoatRadius"; string ShareThinnest = "gCoatThin"; LOCK_FEWER
+#define LOCK_FEWER string ShareFewest = "gRibbonFewest"; string Segment = "gCoatSegment"; string SegmentsOf = "gFurLength";
+#define OPACITY_SHARE LOCK_SHARE float SegmentFewest = 2.0; float ShareFirst = 0.5;
 #define COAT_SCRIPT OPACITY_SCRIPT \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
 #define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
-    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH LOCK_SHARE, "gCoatUnderfur", UnderfurVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH LOCK_SHARE, "gCoatChildren", LocksVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH LOCK_SHARE, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH LOCK_SHARE float SegmentScale = 0.5;, "gCoatUnderfur", UnderfurVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
 
 #endif

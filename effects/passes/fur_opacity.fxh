@@ -6,7 +6,8 @@
 
 Texture2D gCoatSkinMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
 Texture2D gCoatFrontMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "R32F") >;
-Texture2D gCoatOpacityMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") >;
+Texture2D gCoatOpacityMap : RENDERCOLORTARGET < int Width = TEGUMENT_MAP_SIZE; int Height = TEGUMENT_MAP_SIZE; int MipLevels = 0;
+    string Format = "A16B16G16R16F"; >;
 TG_SAMPLER2D(gCoatSkin, POINT, CLAMP);
 TG_SAMPLER2D(gCoatFront, POINT, CLAMP);
 TG_SAMPLER2D(gCoatOpacity, LINEAR, CLAMP);
@@ -14,6 +15,8 @@ TG_SAMPLER2D(gCoatOpacity, LINEAR, CLAMP);
 // Where the layers end, in thicknesses of the coat; what is deeper than the last counts for it.
 static const float4 kCoatLayers = float4(0.25, 0.6, 1.2, 2.4);
 static const float kCoatOwn = 0.05;     // a strand does not shadow itself: that many thicknesses before it
+static const float kCoatSoft = 1.4;     // texels of the map across which light is blurred, at least,
+static const float kCoatBlur = 1.25;    // and pixels of the picture
 static const float kCoatSkinSoft = 0.5; // across which the shadow of the skin begins, thicknesses
 
 #define OPACITY_SCRIPT \
@@ -25,7 +28,7 @@ static const float kCoatSkinSoft = 0.5; // across which the shadow of the skin b
 #define OPACITY_PASSES \
     TG_PART_PASS(CoatSkin, "skin", CoatSkinVS, CoatFrontPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(CoatFront, "skin", CoatFrontVS, CoatFrontPS, TG_STATE_TWOSIDED) \
-    TG_SEEN_LAYER_PASS(Opacity, "underfur", LOCK_SHARE, "gCoatShadowStrands", OpacityVS, OpacityPS, TG_STATE_SUM)
+    TG_SEEN_LAYER_PASS(Opacity, "underfur", OPACITY_SHARE, "gCoatShadowStrands", OpacityVS, OpacityPS, TG_STATE_SUM)
 
 float coatThickness()
 {
@@ -85,18 +88,18 @@ float4 OpacityPS(OpacityVarying input) : SV_Target0
     return tgRibbonCoverage(input.edge) * saturate((kCoatLayers - depth) * 16.0 + 0.5);
 }
 
-// Share of the light that comes to a point of the coat.
-float coatOpen(float3 world)
+// Share of the light that comes to a point of the coat. pixel: of the picture there, in the world; what it cannot show would only flicker.
+float coatOpen(float3 world, float pixel)
 {
     float4 lightClip = mul(float4(world, 1.0), gLightViewProjection);
     float2 place = tgShadowCoordinate(lightClip);
     float distance = furFromLight(world);
     float depth = coatDepth(place, distance);
-    // Taps one above the other: a mirror leaves them where they are.
+    float texel = 2.0 / kTgMapSize * (tgLightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar)) * tgLightSpread(); // amid the mesh, mm
+    float4 sums = tex2Dlod(gCoatOpacity, float4(place, 0.0, log2(max(pixel * (kCoatBlur * tgMillimetres(1.0) / texel), kCoatSoft))));
+    float opacity = tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
+    // Behind the skin: soft, for strands stand on it and lean over its edges. Taps one above the other: a mirror leaves them where they are.
     float2 aside = float2(0.0, 0.7 / kTgMapSize);
-    float4 sums = tex2Dlod(gCoatOpacity, float4(place + aside, 0.0, 0.0)) + tex2Dlod(gCoatOpacity, float4(place - aside, 0.0, 0.0));
-    float opacity = 0.5 * tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
-    // Behind the skin: soft, for strands stand on it and lean over its edges.
     float2 skin = float2(tgShadowStored(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0))).x,
                          tgShadowStored(tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0))).x);
     float2 behind = (distance - skin) / max(tgMillimetres(kCoatSkinSoft * coatThickness()), 1e-20);

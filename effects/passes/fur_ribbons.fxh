@@ -4,8 +4,6 @@
 #ifndef TEGUMENT_PASSES_FUR_RIBBONS_FXH
 #define TEGUMENT_PASSES_FUR_RIBBONS_FXH
 
-static const float kRibbonHorizon = -0.62; // least cosine of a root's normal and the way to the eye: what looks further away is hidden
-
 struct RibbonVarying
 {
     float4 position : SV_Position;
@@ -49,10 +47,19 @@ RibbonFrame ribbonFrame(VertexInput input, float4 ball)
     return frame;
 }
 
+// Least cosine of a root's normal and the way to the eye: what looks further away is hidden. Over the horizon of a ball of radius R strands of
+// the length K R reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if they were half as long again; a body bends as a ball of a quarter of
+// the mesh's radius. As the host's horizonOf.
+float ribbonHorizon()
+{
+    float away = 1.0 + 1.5 * max(4.0 * abs(gFurLength), 0.28);
+    return -sqrt(1.0 - 1.0 / (away * away));
+}
+
 // Roots that look away by more than a strand reaches over the horizon are left out before anything is read.
 bool ribbonSeen(VertexInput input, RibbonFrame frame)
 {
-    return dot(input.normal, frame.toEye) > kRibbonHorizon * length(frame.toEye);
+    return dot(input.normal, frame.toEye) > ribbonHorizon() * length(frame.toEye);
 }
 
 float3 ribbonWorld(RibbonFrame frame, float3 offset, VertexInput input)
@@ -85,7 +92,7 @@ RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset,
 
 // No strand is further from its root: four lengths of the coat, whose strands lie and stray.
 #define RIBBON_REACH string Reach = "gFurLength"; float ReachScale = 4.0;
-#define RIBBON_SHARE string Share = "gFurShare";
+#define RIBBON_SHARE string Share = "gFurShare"; string Segment = "gRibbonSegment"; string SegmentsOf = "gFurLength";
 
 static const float kRibbonFaint = 0.004; // less an 8-bit target would not show
 

@@ -96,11 +96,12 @@ RibbonVarying StrandsVS(VertexInput input)
     return output;
 }
 
+#define STRANDS_SHARE RIBBON_SHARE float SegmentFewest = 3.0;
 #define STRANDS_SCRIPT SHADOW_MAP_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
 #define STRANDS_PASSES(core, fringe, coreState) \
     TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
-    TG_SEEN_PASS(Core, "strands", RIBBON_REACH RIBBON_SHARE, StrandsVS, core, coreState) \
-    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH RIBBON_SHARE, StrandsVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_SHARE, StrandsVS, core, coreState) \
+    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH STRANDS_SHARE, StrandsVS, fringe, TG_STATE_FRINGE)
 
 #endif

@@ -30,7 +30,10 @@ Result<std::optional<PartView>> viewOf(const PartRequest& request) {
     if (!reach) return reach.error();
     if (!*reach) return std::optional<PartView>();
     const auto scale = request.pass.annotations.numbers("ReachScale");
-    return std::optional(partView(request.prepared.scene, std::abs(**reach) * (scale ? scale->front() : 1) * meshRadius(request)));
+    const double radii = std::abs(**reach) * (scale ? scale->front() : 1);
+    PartView view = partView(request.prepared.scene, radii * meshRadius(request));
+    view.hidden = horizonOf(radii);
+    return std::optional(view);
 }
 
 /// Of a world that stretches the mesh: its longest axis by its shortest.
@@ -47,13 +50,28 @@ Result<std::optional<StrandShare>> shareOf(const PartRequest& request, std::uint
     if (!width) return width.error();
     const auto thinnest = namedNumber(request, "ShareThinnest");
     if (!thinnest) return thinnest.error();
+    const auto fewest = namedNumber(request, "ShareFewest");
+    if (!fewest) return fewest.error();
+    const auto first = request.pass.annotations.numbers("ShareFirst");
+    const auto segment = namedNumber(request, "Segment");
+    if (!segment) return segment.error();
+    const auto length = namedNumber(request, "SegmentsOf");
+    if (!length) return length.error();
+    const auto scale = request.pass.annotations.numbers("SegmentScale");
+    const auto rows = request.pass.annotations.numbers("SegmentFewest");
     const SceneView& scene = request.prepared.scene;
     const double half = std::tan(0.5 * static_cast<double>(scene.camera.horizontalFov));
+    const double mm = meshRadius(request) * unevenness(scene.world);
     return std::optional(StrandShare{.share = **share,
-                                     .width = 2 * width->value_or(0) * meshRadius(request) * unevenness(scene.world),
+                                     .width = 2 * width->value_or(0) * mm,
                                      .thinnest = thinnest->value_or(0),
+                                     .fewest = fewest->value_or(0),
+                                     .first = first ? first->front() : 0,
                                      .pixel = 2 * half / request.viewport.width,
-                                     .count = instances});
+                                     .count = instances,
+                                     .length = length->value_or(0) * (scale ? scale->front() : 1) * mm,
+                                     .segment = segment->value_or(0),
+                                     .fewestSegments = static_cast<std::uint32_t>(std::clamp(rows ? rows->front() : 1.0, 1.0, 64.0))});
 }
 
 const MeshPart* partOfStrands(const PartRequest& request) {
@@ -66,8 +84,7 @@ const MeshPart* partOfStrands(const PartRequest& request) {
 
 Result<const PartList*> listed(const PartRequest& request, const MeshPart& part, const PartView* view, const StrandShare& share,
                                PartLists& lists) {
-    const PartList::Key key{request.input.mesh, part.name,  view ? view->reach : -1, share.share, share.width, share.thinnest,
-                            share.pixel,        share.count};
+    const PartList::Key key{.mesh = request.input.mesh, .part = part.name, .reach = view ? view->reach : -1, .share = share};
     const auto found = std::ranges::find_if(lists, [&](const auto& list) { return list->key == key; });
     if (found != lists.end()) return static_cast<const PartList*>(found->get());
     auto made = listStrands(*request.input.mesh, part, view, eyeOf(request.prepared.scene), share);

@@ -1,5 +1,5 @@
 #pragma once
-// What a pass draws of a mesh: its part, without what cannot be seen, and of thin strands a share.
+// What a pass draws of a mesh: its part, without what cannot be seen, and of thin strands a share, of short ones fewer rows.
 
 #include "host/gpu/gpu.h"
 #include "host/run/prepare.h"
@@ -7,14 +7,19 @@
 
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace tegument::run {
 
 /// Strands that are listed once and drawn by several passes of a frame.
 struct PartList {
-    using Key = std::tuple<const Mesh*, std::string, double, double, double, double, double, std::uint32_t>;
+    struct Key {
+        const Mesh* mesh = nullptr;
+        std::string part;
+        double reach = 0; // -1: all is listed, seen or not
+        StrandShare share;
+        bool operator==(const Key&) const = default;
+    };
     Key key;
     std::optional<gpu::Buffer> indices; // none: there is nothing to draw
     std::vector<StrandRange> ranges;
@@ -31,7 +36,8 @@ struct PartRequest {
 };
 
 /// Fills in the draw's indices, ranges and instances, which are those of the whole mesh. Annotations of the pass: Part; Reach with
-/// ReachScale; Share with ShareRadius and ShareThinnest (docs/running.md).
+/// ReachScale; Share with ShareRadius, ShareThinnest, ShareFewest and ShareFirst; Segment with SegmentsOf and SegmentScale
+/// (docs/running.md).
 [[nodiscard]] Result<void> chooseTriangles(const PartRequest& request, PartLists& lists, gpu::Draw& draw);
 
 } // namespace tegument::run

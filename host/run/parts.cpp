@@ -71,9 +71,16 @@ glm::dvec3 eyeOf(const SceneView& scene) {
     return glm::dvec3(glm::inverse(scene.world) * glm::dvec4(glm::dvec3(scene.camera.position), 1));
 }
 
+double horizonOf(double reach) {
+    constexpr double kLeast = 0.28;
+    constexpr double kLeaning = 1.5; // a strand that leans reaches further than one that stands
+    const double away = 1 + kLeaning * std::max(reach, kLeast);
+    return -std::sqrt(1 - 1 / (away * away));
+}
+
 bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view) {
     const glm::dvec3 toEye = view.eye - place;
-    const bool hidden = glm::dot(normal, toEye) <= kHidden * glm::length(toEye); // not where that is no number
+    const bool hidden = glm::dot(normal, toEye) <= view.hidden * glm::length(toEye); // not where that is no number
     return !hidden && !outside(view, place, view.reach);
 }
 
@@ -87,7 +94,7 @@ bool canBeSeen(const MeshCluster& cluster, const PartView& view) {
     // The least angle between a normal of the cone and the way to the eye from somewhere in the ball.
     const double between = std::acos(std::clamp(glm::dot(glm::dvec3(cluster.axis), toEye) / distance, -1.0, 1.0));
     const double least = between - std::acos(static_cast<double>(cluster.cosine)) - std::asin(radius / distance);
-    return least <= std::acos(kHidden);
+    return least <= std::acos(view.hidden);
 }
 
 Result<std::vector<IndexRange>> partOf(const Effect& effect, const Pass& pass, const Mesh& mesh, const PartView* view) {

@@ -26,21 +26,24 @@ inline constexpr const char* kSkinPart = "skin";
 struct PartView {
     std::array<glm::dvec4, 4> edges{}; // of the picture: planes, positive inside, of unit normals
     glm::dvec3 eye{0};
-    double reach = 0; // how far from its clusters' vertices something may be drawn
+    double reach = 0;   // how far from its clusters' vertices something may be drawn
+    double hidden = -1; // what looks away from the eye by a lesser cosine is not seen
 };
 /// toClip: out of the mesh's space, GLM's order.
 [[nodiscard]] PartView partView(const glm::dmat4& toClip, const glm::dvec3& eye, double reach);
 [[nodiscard]] PartView partView(const SceneView& scene, double reach);
 [[nodiscard]] glm::dvec3 eyeOf(const SceneView& scene);
 
-/// False only for what lies outside of the picture as a whole, or looks away from the eye as a whole: by more than kHidden, so that what
-/// grows there does not reach over the horizon.
+/// False only for what lies outside of the picture as a whole, or looks away from the eye as a whole: so far that what grows there
+/// does not reach over the horizon.
 [[nodiscard]] bool canBeSeen(const MeshCluster& cluster, const PartView& view);
 /// Of what grows on a vertex.
 [[nodiscard]] bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view);
-/// Least cosine between a normal and the way to the eye at which strands are still drawn: over the horizon of a ball of the radius R those
-/// of the length 0.67 R reach at -0.8. At -0.62 (0.28 R) pixels of long fur on a small body were missing.
-inline constexpr double kHidden = -0.8;
+/// Least cosine between a normal and the way to the eye at which strands are still drawn, for a pass that reaches so many of the mesh's radii:
+/// over the horizon of a ball of radius R strands of the length K R that stand reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if they
+/// were half as long again. K is the reach, 0.28 at least: Reach is four lengths, and a body bends as a ball of a quarter of the mesh's
+/// radius. ribbonHorizon of effects/passes/fur_ribbons.fxh is the same.
+[[nodiscard]] double horizonOf(double reach);
 
 /// In order, those that touch made one; with a view, without the clusters that cannot be seen: perhaps none. TG4060 the mesh has no part of
 /// that name.

@@ -16,8 +16,32 @@ constexpr double kShareTolerance = 1e-4; // relative: of distances in single pre
 struct Seen {
     std::uint32_t first = 0; // of its indices
     std::uint32_t count = 0;
-    double strands = 0; // how many of the root's are drawn, less the root's rank
+    std::uint32_t segments = 0; // that are drawn; 0: all
+    double strands = 0;         // how many of the root's are drawn, less the root's rank
 };
+
+constexpr std::uint32_t kQuad = 6; // indices of a segment, a b c b d c: two vertices of a row, c and d of the next (meshprep/fur/ribbons)
+
+/// Whether the triangles are segments, so that rows may be left out.
+bool inRows(std::span<const std::uint32_t> ribbon) {
+    if (ribbon.size() % kQuad != 0) return false;
+    for (std::size_t at = 0; at < ribbon.size(); at += kQuad) {
+        const bool joined = at == 0 || (ribbon[at] == ribbon[at - kQuad + 2] && ribbon[at + 1] == ribbon[at - kQuad + 4]);
+        if (!joined || ribbon[at + 3] != ribbon[at + 1] || ribbon[at + 5] != ribbon[at + 2]) return false;
+    }
+    return true;
+}
+
+/// The ribbon in fewer segments: some of its rows, the first and the last among them.
+void appendRows(std::span<const std::uint32_t> ribbon, std::uint32_t segments, std::vector<std::uint32_t>& indices) {
+    const auto all = static_cast<std::uint32_t>(ribbon.size()) / kQuad;
+    const auto rowOf = [&](std::uint32_t segment) { return (segment * all + segments / 2) / segments; };
+    for (std::uint32_t segment = 0; segment < segments; ++segment) {
+        const auto from = ribbon.subspan(std::size_t{rowOf(segment)} * kQuad, kQuad);
+        const auto to = ribbon.subspan(std::size_t{rowOf(segment + 1) - 1} * kQuad, kQuad);
+        indices.insert(indices.end(), {from[0], from[1], to[2], from[1], to[4], to[2]});
+    }
+}
 
 class Lister {
 public:
@@ -29,7 +53,7 @@ public:
         StrandLists lists;
         std::size_t indices = 0;
         for (const Seen& ribbon : seen_)
-            indices += ribbon.count;
+            indices += ribbon.segments > 0 ? ribbon.segments * kQuad : ribbon.count;
         const auto wholes = static_cast<std::uint32_t>(std::clamp(fewest_, 0.0, double(share_.count)));
         if (indices == part_.indexCount && wholes == share_.count) return std::nullopt;
         if (wholes > 0) append(lists, 0, wholes);
@@ -76,10 +100,15 @@ private:
     void judge(Seen ribbon, std::uint32_t root, float address, Found& found) const {
         const glm::dvec3 place(mesh_.positions[root]);
         if (view_ && !canBeSeen(place, glm::dvec3(mesh_.normals[root]), *view_)) return;
-        const double strands = shareAt(share_, glm::distance(eye_, place)) * share_.count;
-        ribbon.strands = strands - rankOf(address);
+        const double distance = glm::distance(eye_, place);
+        const double strands = shareAt(share_, distance) * share_.count;
+        const double rank = rankOf(address, share_.first);
+        ribbon.strands = strands - rank;
         if (!(ribbon.strands > -kRankTolerance)) return;
         found.fewest = std::min(found.fewest, std::floor(strands * (1 + 1e-9)));
+        const std::uint32_t all = ribbon.count / kQuad;
+        const std::uint32_t segments = segmentsAt(share_, distance, rank, all);
+        if (segments < all && inRows(std::span(mesh_.indices).subspan(ribbon.first, ribbon.count))) ribbon.segments = segments;
         found.ribbons.push_back(ribbon);
     }
 
@@ -89,7 +118,10 @@ private:
         for (const Seen& ribbon : seen_)
             if (instance + instances <= fewest_ || ribbon.strands > instance - kRankTolerance) {
                 const auto indices = std::span(mesh_.indices).subspan(ribbon.first, ribbon.count);
-                lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
+                if (ribbon.segments > 0)
+                    appendRows(indices, ribbon.segments, lists.indices);
+                else
+                    lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
             }
         const auto count = static_cast<std::uint32_t>(lists.indices.size()) - from;
         if (count > 0)
@@ -111,13 +143,20 @@ private:
 double shareAt(const StrandShare& share, double distance) {
     if (!(share.width > 0) || !(share.thinnest > 0)) return share.share;
     const double pixels = share.width / std::max(share.pixel * distance, 1e-30);
-    return share.share * std::min(pixels / share.thinnest * (1 + kShareTolerance), 1.0);
+    return share.share * std::clamp(pixels / share.thinnest * (1 + kShareTolerance), std::min(share.fewest, 1.0), 1.0);
 }
 
-double rankOf(float address) {
+std::uint32_t segmentsAt(const StrandShare& share, double distance, double rank, std::uint32_t most) {
+    if (!(share.length > 0) || !(share.segment > 0)) return most;
+    constexpr double kOther = 7.13; // of ranks: strands that are left out have the high ones
+    const double segments = share.length / std::max(share.pixel * distance, 1e-30) / share.segment + std::fmod(kOther * rank, 1.0);
+    return segments < most ? std::clamp(static_cast<std::uint32_t>(segments), std::min(share.fewestSegments, most), most) : most;
+}
+
+double rankOf(float address, double first) {
     constexpr double kColumns = 4096;
     const double row = std::floor(static_cast<double>(address) / kColumns);
-    const double sum = (static_cast<double>(address) - kColumns * row) * 0.6180340 + row * 0.7548777;
+    const double sum = (static_cast<double>(address) - kColumns * row) * 0.6180340 + row * 0.7548777 + first;
     const double rank = sum - std::floor(sum);
     return rank < 1 - kRankTolerance ? rank : 0; // of a number just below the next whole one a shader may find 0
 }

@@ -87,6 +87,9 @@ Workspace furWorkspace() {
     workspace.parameters = {{"gFurLayers", {16}},  {"gFurTaper", {1}},      {"gFurFill", {0.1, 0.2, 0.3}},
                             {"gFurCurl", {0.01}},  {"gFurSpacing", {0.03}}, {"gFurDeviation", {0.19}}, // outlines are seen as from afar
                             {"gFurGrain", {0.03}}, {"gFurShadow", {1}}};
+    // The clients list no ribbons, so they draw every row. Of thin strands few: rounding decides at pixels between core and fringe.
+    for (const char* name : {"gRibbonSegment", "gCoatSegment", "gRibbonFewest"})
+        workspace.parameters[name] = {0};
     return workspace;
 }
 

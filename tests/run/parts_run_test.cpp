@@ -98,7 +98,8 @@ TEST(PartClusters, that_show_anything_are_never_left_out) {
         Mesh mesh;
         const glm::dvec3 place = 150.0 * random.inBall(), way = glm::normalize(random.inBall());
         const double size = random.number(1, 20), bend = random.number(0, 1);
-        const run::PartView view = run::partView(toClip, {0, 0, 300}, random.number(0, 10));
+        run::PartView view = run::partView(toClip, {0, 0, 300}, random.number(0, 10));
+        view.hidden = random.number(-0.9, -0.6);
         bool shows = false;
         for (std::uint32_t i = 0; i < 30; ++i) {
             const glm::dvec3 vertex = place + size * random.inBall(), normal = glm::normalize(way + bend * random.inBall());
@@ -108,7 +109,7 @@ TEST(PartClusters, that_show_anything_are_never_left_out) {
             const glm::dvec3 tip = vertex + view.reach * glm::normalize(random.inBall());
             const glm::dvec4 clip = toClip * glm::dvec4(tip, 1);
             const bool inside = clip.w > 0 && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w;
-            shows = shows || (inside && glm::dot(normal, glm::normalize(view.eye - vertex)) > run::kHidden);
+            shows = shows || (inside && glm::dot(normal, glm::normalize(view.eye - vertex)) > view.hidden);
         }
         MeshPart part{.name = "strands", .firstIndex = 0, .indexCount = 30, .clusters = {{.firstIndex = 0, .indexCount = 30}}};
         computeClusters(mesh, part);
@@ -121,6 +122,14 @@ TEST(PartClusters, that_show_anything_are_never_left_out) {
     }
     EXPECT_GT(shown, 800);
     EXPECT_GT(hidden, 800) << "leaving nothing out would pass as well";
+}
+
+TEST(PartHorizon, is_where_a_strand_ends_that_grows_on_the_far_side_of_a_ball) {
+    for (const double length : {0.28, 0.5, 2.0}) {
+        const double cosine = run::horizonOf(length), sine = std::sqrt(1 - cosine * cosine);
+        EXPECT_NEAR((1 + 1.5 * length) * sine, 1, 1e-12) << "a strand half as long again ends at the ball's outline, seen from afar";
+    }
+    EXPECT_EQ(run::horizonOf(0.05), run::horizonOf(0.28)) << "ears and toes bend more";
 }
 
 TEST_F(Parts, of_which_nothing_can_be_seen_draw_nothing) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <random>
+#include <ranges>
 #include <set>
 
 namespace tegument::run {
@@ -70,7 +71,94 @@ float shaderRank(float address) {
 }
 
 PartView viewFrom(const glm::dvec3& eye, double reach) {
-    return partView(glm::perspective(0.5, 1.5, 1.0, 10000.0) * glm::lookAt(eye, glm::dvec3(10, 0, 0), glm::dvec3(0, 1, 0)), eye, reach);
+    PartView view =
+        partView(glm::perspective(0.5, 1.5, 1.0, 10000.0) * glm::lookAt(eye, glm::dvec3(10, 0, 0), glm::dvec3(0, 1, 0)), eye, reach);
+    view.hidden = horizonOf(reach / kRadius);
+    return view;
+}
+
+/// Ribbons of `segments` on the roots of furryBall, as meshprep/fur/ribbons writes them: a b c b d c.
+Mesh ribbonsInRows(std::uint32_t segments) {
+    Mesh mesh;
+    MeshPart part{.name = kStrandsPart, .firstIndex = 0, .indexCount = kRoots * 6 * segments};
+    for (const Mesh ball = furryBall(0); const std::uint32_t root : std::views::iota(0U, kRoots)) {
+        for (std::uint32_t vertex = 0; vertex < 2 * segments + 2; ++vertex) {
+            mesh.positions.push_back(ball.positions[root * (kTriangles + 2)]);
+            mesh.normals.push_back(ball.normals[root * (kTriangles + 2)]);
+            mesh.uvs.emplace_back(static_cast<float>(vertex), 4096.0F + 3.0F * static_cast<float>(root));
+        }
+        for (std::uint32_t segment = 0; segment < segments; ++segment)
+            for (const std::uint32_t corner : {0U, 1U, 2U, 1U, 3U, 2U})
+                mesh.indices.push_back(2 * (root * (segments + 1) + segment) + corner);
+    }
+    mesh.parts = {part};
+    computeBounds(mesh);
+    return mesh;
+}
+
+TEST(SegmentsOfAPass, join_root_and_tip_by_rows_of_one_ribbon_and_are_as_long_as_asked) {
+    constexpr std::uint32_t kSegments = 6;
+    const Mesh mesh = ribbonsInRows(kSegments);
+    double before = kSegments;
+    for (const double distance : {100.0, 300.0, 450.0, 900.0, 2000.0, 20000.0}) {
+        const StrandShare asked{.pixel = 0.001, .count = 2, .length = 6, .segment = 4, .fewestSegments = 2};
+        const glm::dvec3 eye(0, 0, distance);
+        const auto lists = listStrands(mesh, mesh.parts[0], nullptr, eye, asked);
+        std::vector<std::uint32_t> rows(kRoots, 0);
+        const std::vector<std::uint32_t>& indices = lists ? lists->indices : mesh.indices;
+        for (std::size_t at = 0; at < indices.size(); at += 6) {
+            const std::uint32_t a = indices[at], c = indices[at + 2], root = a / (2 * kSegments + 2);
+            ASSERT_EQ(a % 2, 0U);
+            ASSERT_LT(a, c);
+            ASSERT_EQ(c / (2 * kSegments + 2), root) << "a triangle between two ribbons";
+            EXPECT_EQ(std::vector(indices.begin() + static_cast<long>(at), indices.begin() + static_cast<long>(at) + 6),
+                      (std::vector{a, a + 1, c, a + 1, c + 1, c}));
+            const bool first = rows[root]++ == 0;
+            ASSERT_EQ(a, first ? root * (2 * kSegments + 2) : indices[at - 4]) << "a gap in the ribbon";
+            if (at + 6 == indices.size() || indices[at + 6] / (2 * kSegments + 2) != root) {
+                ASSERT_EQ(c, (root + 1) * (2 * kSegments + 2) - 2) << "the tip is missing";
+            }
+        }
+        double mean = 0;
+        for (const std::uint32_t segments : rows) {
+            ASSERT_GE(segments, 2U);
+            mean += segments / double(kRoots);
+        }
+        const double wanted = std::clamp(6 / (0.001 * distance) / 4, 2.0, double(kSegments));
+        EXPECT_NEAR(mean, wanted, 0.2) << "from " << distance << "; roots stand up to 50 nearer or further";
+        EXPECT_LE(mean, before + 1e-9);
+        before = mean;
+    }
+    EXPECT_NEAR(before, 2, 1e-9);
+}
+
+TEST(SegmentsOfAPass, are_all_where_none_may_be_left_out) {
+    const Mesh mesh = ribbonsInRows(3);
+    EXPECT_FALSE(listStrands(mesh, mesh.parts[0], nullptr, {0, 0, 20000}, {.pixel = 0.001, .length = 6, .segment = 0}));
+    const Mesh other = furryBall(0); // of triangles in another order
+    EXPECT_FALSE(listStrands(other, other.parts[0], nullptr, {0, 0, 20000}, {.pixel = 0.001, .length = 6, .segment = 4}));
+}
+
+TEST(ShareOfAPass, that_distance_leaves_are_the_share_asked_and_begin_with_the_rank_asked) {
+    const Mesh mesh = furryBall(0);
+    const StrandShare asked{.width = 0.2, .thinnest = 0.7, .fewest = 0.3, .pixel = 0.001, .count = 1};
+    const auto rootsOf = [&](const StrandShare& share) {
+        const auto lists = listStrands(mesh, mesh.parts[0], nullptr, {0, 0, 20000}, share);
+        std::set<std::uint32_t> roots;
+        for (const std::uint32_t index : lists ? lists->indices : mesh.indices)
+            roots.insert(rootOf(index));
+        return roots;
+    };
+    const auto first = rootsOf(asked);
+    EXPECT_NEAR(static_cast<double>(first.size()), 0.3 * kRoots, 0.01 * kRoots);
+    StrandShare later = asked;
+    later.first = 0.5;
+    const auto second = rootsOf(later);
+    EXPECT_NEAR(static_cast<double>(second.size()), 0.3 * kRoots, 0.01 * kRoots);
+    std::size_t both = 0;
+    for (const std::uint32_t root : second)
+        both += first.contains(root);
+    EXPECT_LT(both, kRoots / 100) << "shares of 0.3 that begin half-way apart have no root in common but for rounding";
 }
 
 class StrandsOfAPass : public testing::TestWithParam<std::uint32_t> {};

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <new>
 
 namespace tegument::prep {
@@ -208,19 +209,47 @@ private:
         surface_.point = {}; // vertices are numbered anew from here on
         const std::vector<std::uint32_t> before = mesh.indices;
         measureReuse(&CacheComparison::before);
-        if (options_.order) {
-            begin("order");
-            if (auto error = reorderParts(mesh.indices, mesh.parts)) return error;
-            std::size_t moved = 0;
-            for (std::size_t i = 0; i < before.size(); i += 3)
-                moved += !std::equal(&before[i], &before[i] + 3, &mesh.indices[i]);
-            end("order", moved,
-                fmt::format("{} triangles moved: {} for {}", moved, order::name(*options_.order), order::name(options_.cache)));
-        }
+        Levels levels;
+        double levelSeconds = 0;
+        if (auto error = orderBesideLevels(before, levels, levelSeconds)) return error;
         if (options_.overdraw) orderByDepth();
-        count("fetch order", "vertices moved to the order of their use", [&] { return orderVertices(mesh); });
+        std::vector<std::vector<std::uint32_t>*> lists;
+        for (Level& level : levels.levels)
+            lists.push_back(&level.mesh.indices);
+        count("fetch order", "vertices moved to the order of their use", [&] { return orderVertices(mesh, lists); });
         measureReuse(&CacheComparison::after);
-        return options_.levels > 1 ? addLevels() : std::nullopt;
+        return options_.levels > 1 ? addLevels(std::move(levels), levelSeconds) : std::nullopt;
+    }
+
+    /// Levels are made of the surface, whatever its order: at the same time, as long as memory allows.
+    std::optional<Error> orderBesideLevels(const std::vector<std::uint32_t>& before, Levels& levels, double& levelSeconds) {
+        constexpr std::size_t kMostAtOnce = 4'000'000;
+        Mesh& mesh = surface_.mesh;
+        begin(options_.order ? "order" : "levels");
+        std::vector<std::uint32_t> ordered = mesh.indices;
+        std::optional<Error> error;
+        double orderSeconds = 0;
+        const auto timed = [](double& seconds, const auto& work) {
+            const auto start = Clock::now();
+            work();
+            seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        };
+        forEachInParallel(
+            2,
+            [&](std::size_t i) {
+                if (i == 0 && options_.levels > 1)
+                    timed(levelSeconds, [&] { levels = makeLevels(mesh, options_.levels, options_.levelMethod); });
+                if (i == 1 && options_.order) timed(orderSeconds, [&] { error = reorderParts(ordered, mesh.parts); });
+            },
+            {}, mesh.indices.size() / 3 > kMostAtOnce ? 1 : 0);
+        if (error || !options_.order) return error;
+        mesh.indices = std::move(ordered);
+        std::size_t moved = 0;
+        for (std::size_t i = 0; i < before.size(); i += 3)
+            moved += !std::equal(&before[i], &before[i] + 3, &mesh.indices[i]);
+        end("order", moved, fmt::format("{} triangles moved: {} for {}", moved, order::name(*options_.order), order::name(options_.cache)));
+        report_.steps.back().seconds = orderSeconds;
+        return std::nullopt;
     }
 
     /// Each part is a draw of its own, which begins with an empty cache.
@@ -247,18 +276,36 @@ private:
 
     /// Parts are drawn one by one, so each is ordered by itself.
     std::optional<Error> reorderParts(std::vector<std::uint32_t>& indices, const std::vector<MeshPart>& parts) const {
-        LocalVertices local(surface_.mesh.positions.size());
-        for (const MeshPart& part : parts) {
-            const auto own = std::span(indices).subspan(part.firstIndex, part.indexCount);
-            const auto& triangles = local.enter(own);
-            const std::vector<glm::vec3> positions = local.gathered(surface_.mesh.positions);
-            const auto ordered = order::reorder(triangles, local.global().size(), *options_.order, options_.cache,
-                                                {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()});
-            if (!ordered) return ordered.error();
-            assert(order::samePermutation(triangles, *ordered));
-            std::ranges::transform(*ordered, own.begin(), [&](std::uint32_t corner) { return local.global()[corner]; });
-        }
-        return std::nullopt;
+        std::mutex mutex;
+        std::vector<LocalVertices> idle; // as many as work at once: each has a number for every vertex
+        const auto done = tryEachInParallel(parts.size(), [&](std::size_t i) -> Result<void> {
+            std::optional<LocalVertices> local;
+            {
+                const std::lock_guard lock(mutex);
+                if (!idle.empty()) {
+                    local = std::move(idle.back());
+                    idle.pop_back();
+                }
+            }
+            if (!local) local.emplace(surface_.mesh.positions.size());
+            const auto own = std::span(indices).subspan(parts[i].firstIndex, parts[i].indexCount);
+            auto reordered = reorderPart(own, *local);
+            const std::lock_guard lock(mutex);
+            idle.push_back(std::move(*local));
+            return reordered;
+        });
+        return done ? std::nullopt : std::optional<Error>(done.error());
+    }
+
+    Result<void> reorderPart(std::span<std::uint32_t> own, LocalVertices& local) const {
+        const auto& triangles = local.enter(own);
+        const std::vector<glm::vec3> positions = local.gathered(surface_.mesh.positions);
+        const auto ordered = order::reorder(triangles, local.global().size(), *options_.order, options_.cache,
+                                            {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()});
+        if (!ordered) return ordered.error();
+        assert(order::samePermutation(triangles, *ordered));
+        std::ranges::transform(*ordered, own.begin(), [&](std::uint32_t corner) { return local.global()[corner]; });
+        return {};
     }
 
     void orderByDepth() {
@@ -268,9 +315,8 @@ private:
             fmt::format("{:.3f} fragments per pixel before, {:.3f} after", report_.overdraw->before, report_.overdraw->after));
     }
 
-    std::optional<Error> addLevels() {
+    std::optional<Error> addLevels(Levels made, double seconds) {
         begin("levels");
-        Levels made = makeLevels(surface_.mesh, options_.levels, options_.levelMethod);
         std::string text = fmt::format("{} coarser", made.levels.size());
         if (made.leftOver > 0) text += fmt::format("; {} parts with seams or of no manifold went to meshoptimizer", made.leftOver);
         for (Level& level : made.levels) {
@@ -283,6 +329,7 @@ private:
         }
         if (!made.whyEarly.empty()) text += "; no more: " + made.whyEarly;
         end("levels", made.levels.size(), std::move(text));
+        report_.steps.back().seconds += seconds;
         return std::nullopt;
     }
 

@@ -64,7 +64,7 @@ std::size_t weldVertices(Surface& surface) {
     return gone;
 }
 
-std::size_t orderVertices(Mesh& mesh) {
+std::size_t orderVertices(Mesh& mesh, std::span<std::vector<std::uint32_t>* const> others) {
     constexpr std::uint32_t kNone = UINT32_MAX;
     std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
     std::vector<std::uint32_t> from;
@@ -78,7 +78,11 @@ std::size_t orderVertices(Mesh& mesh) {
         }
         index = number[index];
     }
-    if (moved > 0) gatherVertices(mesh, from);
+    if (moved == 0) return 0;
+    gatherVertices(mesh, from);
+    for (std::vector<std::uint32_t>* list : others)
+        for (std::uint32_t& index : *list)
+            index = number[index];
     return moved;
 }
 

@@ -1,14 +1,17 @@
-// mesh_table FILE...: a line for each mesh: how often the vertex shader runs after `best` and after meshoptimizer's best order, the times,
-// the errors of levels. Below the table: where ours loses. Generated meshes come first.
+// mesh_table [--files-only] [--gltfpack FOLDER] FILE...: a line for each mesh: how often the vertex shader runs after `best`, after
+// meshoptimizer's best order and after gltfpack; the times; the errors of levels. Below the table: where ours loses. Generated meshes come
+// first. tests/tools/mesh_table.py calls it with all the meshes of docs/design/mesh-table.md.
 #include "meshprep/prepare/distance.h"
 #include "meshprep/prepare/prepare.h"
 #include "meshprep/prepare/shapes.h"
+#include "tests/meshprep/table/gltfpack.h"
 #include "tests/meshprep/table/peer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 
@@ -32,10 +35,13 @@ struct Figures {
 struct Row {
     std::string name;
     std::size_t triangles = 0;
-    std::vector<Figures> reuse;  // of each model: transformed vertices per vertex
-    Figures milliseconds;        // fifo:16, wall, beside meshoptimizer's vertex cache order
-    double processor = 0;        // the same, of all threads
-    std::vector<Figures> levels; // greatest distance in per cent of the radius
+    std::vector<Figures> reuse;         // of each model: transformed vertices per vertex
+    Figures milliseconds;               // fifo:16, wall, beside meshoptimizer's vertex cache order
+    double processor = 0;               // the same, of all threads
+    std::vector<Figures> levels;        // greatest distance in per cent of the radius, each with as many triangles as the other
+    std::optional<Figures> packedReuse; // gltfpack: fifo:16 and warp
+    std::vector<double> shares;         // of the triangles in each level
+    double packedLevel = NAN;           // its level with as many triangles as our second
 };
 
 /// One part of a mesh by itself, as it is drawn.
@@ -114,33 +120,68 @@ void measureLevels(const Mesh& mesh, Row& row) {
              testing_prep::peerLevels(mesh.indices, mesh.positions, mesh.normals, mesh.uvs, level.mesh.indices.size() / 3))
             if (theirs.size() <= level.mesh.indices.size() * 21 / 20) least = std::min(least, distance.to(theirs).reached);
         const double radius = static_cast<double>(mesh.bounds.radius);
+        row.shares.push_back(static_cast<double>(level.mesh.indices.size()) / static_cast<double>(mesh.indices.size()));
         row.levels.push_back({100 * level.error.reached / radius, least > 1e29 ? NAN : 100 * least / radius});
     }
 }
 
-std::optional<Row> rowOf(const std::string& name, Mesh mesh) {
+std::size_t missesOf(const order::CacheModel& model, const Mesh& mesh) {
+    std::size_t misses = 0;
+    for (const Part& part : partsOf(mesh))
+        misses += order::measure(model, part.indices, part.positions.size()).misses;
+    return misses;
+}
+
+/// gltfpack numbers vertices anew and merges what is equal: runs count per vertex of the mesh that it was given.
+void measurePacked(const std::filesystem::path& tools, const Mesh& mesh, Row& row) {
+    if (mesh.parts.size() > 64) return;
+    if (const auto whole = testing_prep::packedBy(tools, mesh, 1)) {
+        std::size_t vertices = 0;
+        for (const Part& part : partsOf(mesh))
+            vertices += part.positions.size();
+        const auto runs = [&](const order::CacheModel& model) {
+            return static_cast<double>(missesOf(model, whole->mesh)) / static_cast<double>(vertices);
+        };
+        row.packedReuse = {runs(order::fifo(16)), runs(order::kWarp)};
+    }
+    if (row.shares.size() < 2) return;
+    const auto level = testing_prep::packedBy(tools, mesh, row.shares[1]);
+    const double most = 1.05 * row.shares[1] * static_cast<double>(mesh.indices.size());
+    if (!level || level->mesh.indices.empty() || static_cast<double>(level->mesh.indices.size()) > most) return;
+    std::vector<glm::vec3> positions = mesh.positions;
+    Indices theirs;
+    for (const std::uint32_t index : level->mesh.indices)
+        theirs.push_back(static_cast<std::uint32_t>(positions.size()) + index);
+    positions.insert(positions.end(), level->mesh.positions.begin(), level->mesh.positions.end());
+    row.packedLevel = 100 * distance(positions, mesh.indices, theirs).reached / static_cast<double>(mesh.bounds.radius);
+}
+
+std::optional<Row> rowOf(const std::string& name, const Mesh& mesh, const std::filesystem::path& tools) {
     if (mesh.indices.size() < 300) return std::nullopt;
-    Row row{.name = name, .triangles = mesh.indices.size() / 3, .reuse = {}, .milliseconds = {}, .levels = {}};
+    Row row;
+    row.name = name;
+    row.triangles = mesh.indices.size() / 3;
     measureOrders(partsOf(mesh), row);
     measureLevels(mesh, row);
+    if (!tools.empty()) measurePacked(tools, mesh, row);
     return row;
 }
 
-std::optional<Row> rowOf(const std::filesystem::path& file) {
+std::optional<Row> rowOf(const std::filesystem::path& file, const std::filesystem::path& tools) {
     PrepOptions options;
     options.order = std::nullopt;
     options.levels = 1;
     options.read.dropNotFinite = true;
     auto prepared = prepareMesh(file, options);
     if (!prepared) return std::nullopt;
-    return rowOf(file.filename().string(), std::move(prepared->mesh));
+    return rowOf(file.filename().string(), prepared->mesh, tools);
 }
 
 std::vector<std::pair<std::string, Mesh>> generated() {
     std::vector<std::pair<std::string, Mesh>> meshes;
-    for (const auto& [name, shape, details] :
-         {std::tuple("sphere", Shape::Sphere, std::array{12, 40, 70}), std::tuple("terrain", Shape::Terrain, std::array{20, 90, 200}),
-          std::tuple("torus", Shape::Torus, std::array{0, 0, 0})})
+    for (const auto& [name, shape, details] : {std::tuple("sphere", Shape::Sphere, std::array{12, 20, 30, 40, 55, 70}),
+                                               std::tuple("terrain", Shape::Terrain, std::array{20, 35, 60, 90, 140, 200}),
+                                               std::tuple("torus", Shape::Torus, std::array{0, 0, 0, 0, 0, 0})})
         for (const int detail : details) {
             Mesh mesh = makeShape(shape, detail);
             Surface surface{.mesh = std::move(mesh), .point = {}};
@@ -158,8 +199,10 @@ void print(const Row& row) {
     for (const Figures& figures : row.reuse)
         line += fmt::format(" {:.3f} {:.3f} |", figures.ours, figures.theirs);
     line += fmt::format(" {:.1f} ({:.1f}) {:.1f} |", row.milliseconds.ours, row.processor, row.milliseconds.theirs);
+    line += row.packedReuse ? fmt::format(" {:.3f}, {:.3f} |", row.packedReuse->ours, row.packedReuse->theirs) : " |";
     for (std::size_t i = 0; i < 3; ++i)
         line += i < row.levels.size() ? fmt::format(" {:.2f} {:.2f} |", row.levels[i].ours, row.levels[i].theirs) : std::string(" |");
+    line += std::isnan(row.packedLevel) ? " |" : fmt::format(" {:.2f} |", row.packedLevel);
     fmt::print("{}\n", line);
     std::fflush(stdout);
 }
@@ -173,6 +216,15 @@ void printLosses(const std::vector<Row>& rows) {
             if (row.levels[i].ours > 1.05 * row.levels[i].theirs)
                 fmt::print("loses: {}, level {}: {:.3f} against {:.3f} % of the radius\n", row.name, i + 1, row.levels[i].ours,
                            row.levels[i].theirs);
+        if (row.packedReuse && row.reuse[0].ours > row.packedReuse->ours)
+            fmt::print("loses: {}, {}: {:.4f} against gltfpack's {:.4f}\n", row.name, kModels[0].first, row.reuse[0].ours,
+                       row.packedReuse->ours);
+        if (row.packedReuse && row.reuse.back().ours > row.packedReuse->theirs)
+            fmt::print("loses: {}, {}: {:.4f} against gltfpack's {:.4f}\n", row.name, kModels.back().first, row.reuse.back().ours,
+                       row.packedReuse->theirs);
+        if (row.packedLevel * 1.05 < row.levels[std::min<std::size_t>(1, row.levels.size() - 1)].ours)
+            fmt::print("loses: {}, level 2: {:.3f} against gltfpack's {:.3f} % of the radius\n", row.name, row.levels[1].ours,
+                       row.packedLevel);
         if (row.milliseconds.ours > 3 * row.milliseconds.theirs && row.milliseconds.ours > 50)
             fmt::print("loses: {}, time: {:.1f} against {:.1f} ms\n", row.name, row.milliseconds.ours, row.milliseconds.theirs);
     }
@@ -180,14 +232,25 @@ void printLosses(const std::vector<Row>& rows) {
 
 } // namespace
 
-/// `--files-only`: no generated meshes.
 int main(int count, char** arguments) {
-    const bool filesOnly = count > 1 && std::string_view(arguments[1]) == "--files-only";
-    fmt::print("ours, then {}: vertices transformed per vertex; ms for fifo:16 (of all threads) beside its vertex cache order; levels: per "
-               "cent of the radius\n\n",
-               testing_prep::peerName());
-    fmt::print("| mesh | triangles | fifo:16 | fifo:24 | fifo:32 | lru:16 | warp | ms | level 1 | level 2 | level 3 "
-               "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    bool filesOnly = false;
+    std::filesystem::path tools;
+    std::vector<std::filesystem::path> files;
+    for (int i = 1; i < count; ++i) {
+        if (std::string_view(arguments[i]) == "--files-only")
+            filesOnly = true;
+        else if (std::string_view(arguments[i]) == "--gltfpack" && i + 1 < count)
+            tools = arguments[++i];
+        else
+            files.emplace_back(arguments[i]);
+    }
+    fmt::print(
+        "Ours, then {}. Runs of the vertex shader per vertex; warp: NVIDIA-like batches. ms: `best` for fifo:16 (of all threads), then "
+        "its vertex cache order. gltfpack: fifo:16, warp. Levels: greatest distance in per cent of the radius.\n\n",
+        testing_prep::peerName());
+    fmt::print(
+        "| mesh | triangles | fifo:16 | fifo:24 | fifo:32 | lru:16 | warp | ms | gltfpack | level 1 | level 2 | level 3 | gltfpack's "
+        "level 2 |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     std::vector<Row> rows;
     const auto take = [&](std::optional<Row> row) {
         if (!row) return;
@@ -195,10 +258,10 @@ int main(int count, char** arguments) {
         rows.push_back(std::move(*row));
     };
     if (!filesOnly)
-        for (auto& [name, mesh] : generated())
-            take(rowOf(name, std::move(mesh)));
-    for (int i = filesOnly ? 2 : 1; i < count; ++i)
-        take(rowOf(std::filesystem::path(arguments[i])));
+        for (const auto& [name, mesh] : generated())
+            take(rowOf(name, mesh, tools));
+    for (const std::filesystem::path& file : files)
+        take(rowOf(file, tools));
     fmt::print("\n{} meshes\n", rows.size());
     printLosses(rows);
     return EXIT_SUCCESS;

@@ -26,6 +26,9 @@ TG_SAMPLER2D(gAtlasMetric, POINT, CLAMP);
 // Levels of the chart's mip chain that are looked through for the density around a gap; beyond any chain: its last level.
 static const int kGapLevels = 4;
 static const float kLastLevel = 20.0;
+// Cells along a side, and the level of the chain that has so many.
+static const float kSmoothCells = 128.0;
+static const float kSmoothLevel = log2(max(TEGUMENT_MAP_SIZE / kSmoothCells, 1.0));
 // Texels of this size (mm) are shown white.
 static const float kShownTexel = 0.1;
 
@@ -80,6 +83,22 @@ float4 ChartsPS(AtlasVarying input) : SV_Target0
     return float4(tgMetric(ddx(input.world), ddy(input.world)), 1.0);
 }
 
+// The density of what lies around, evenly weighed down over two cells of a grid of 128 x 128: from facet to facet it jumps, and levels of a
+// pyramid that were weighed by different ones would not sum to the light. 0: nothing near is covered.
+float smoothDensity(float2 uv)
+{
+    float2 cell = floor(uv * kSmoothCells);
+    float2 sum = 0.0;
+    [unroll] for (int j = -2; j <= 2; j++)
+        [unroll] for (int i = -2; i <= 2; i++)
+        {
+            float2 at = (cell + float2(i, j) + 0.5) / kSmoothCells;
+            float2 share = saturate(1.0 - abs(at - uv) * (0.5 * kSmoothCells));
+            sum += share.x * share.y * tex2Dlod(gAtlasCharts, float4(at, 0.0, kSmoothLevel)).zw;
+        }
+    return sum.y > 0.0 ? sum.x / max(sum.y, 1e-6) : 0.0;
+}
+
 // Outside the charts: the density of what is near, round.
 float4 MetricPS(QuadVarying input) : SV_Target0
 {
@@ -90,6 +109,8 @@ float4 MetricPS(QuadVarying input) : SV_Target0
         if (texel.w < 0.5 && wide.w > 0.0)
             texel = float4(0.0, 0.0, wide.z / max(wide.w, 1e-6), 1.0);
     }
+    float smooth = smoothDensity(input.uv);
+    texel.z = smooth > 0.0 ? smooth : texel.z;
     float4 all = tex2Dlod(gAtlasCharts, float4(0.5, 0.5, 0.0, kLastLevel));
     return texel.w > 0.5 ? texel : float4(0.0, 0.0, all.z / max(all.w, 1e-6), 0.0);
 }

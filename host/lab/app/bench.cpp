@@ -43,6 +43,7 @@ struct BenchArguments {
     std::string json;
     std::string csv;
     std::string plot;
+    std::string pictures;
     bool count = false;
     bool pick = false;
     double maxError = 0;
@@ -97,6 +98,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .compiler = *compiler,
                                 .pixels = *pixels,
                                 .kept = cacheFolder() / "bench" / "light",
+                                .pictures = arguments.pictures,
                                 .count = arguments.count,
                                 .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
     return options;
@@ -302,8 +304,10 @@ Result<void> checkFiles(const BenchArguments& arguments) {
     for (const std::string& file : {arguments.json, arguments.csv})
         if (file != "-")
             if (const auto can = checkOutput(file, {}); !can) return can.error();
-    if (arguments.plot.empty()) return {};
-    return checkFolder(arguments.plot);
+    for (const std::string& folder : {arguments.plot, arguments.pictures})
+        if (!folder.empty())
+            if (const auto can = checkFolder(folder); !can) return can.error();
+    return {};
 }
 
 Result<int> runChosen(const BenchArguments& arguments) {
@@ -360,6 +364,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
     command->add_option("--json", arguments->json, "Write the results as JSON; -: to standard output");
     command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
+    command->add_option("--pictures", arguments->pictures, "Folder for the truth and the pictures held against it, EXR, known pixels only");
     command->add_flag("--count", arguments->count, "Count look-ups, bytes read and bytes written of a frame, too");
     CLI::Option* pick = command->add_flag("--pick", arguments->pick, "Name the technique to take, and the command that draws with it");
     command->add_option("--max-error", arguments->maxError, "With --pick: the cheapest within this relative L2")

@@ -151,11 +151,36 @@ void addFlip(std::vector<Row>& rows, std::size_t first, const Stage& stage, cons
         theirs[i]->errors.flip = values[i];
 }
 
-void runContest(gpu::Device& device, const Stage& stage, const Contest& contest, const std::vector<Contender>& contenders,
-                const Frames& frames, const BenchTools& tools, std::vector<Row>& rows) {
+/// The pixels that are known, of the truth or of a picture.
+Result<void> keepPicture(const std::filesystem::path& folder, const Stage& stage, const Contest& contest, const std::string& name,
+                         const Image& image, const Image& mask) {
+    Image known = mask;
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                known.at(x, y, c) *= image.at(x, y, c);
+    return writeExr(folder / fmt::format("{}-{}-{}.exr", stage.scene.name, contest.mapSize, name), known);
+}
+
+Result<void> keepPictures(const std::filesystem::path& folder, const Stage& stage, const Contest& contest,
+                          const std::vector<Contender>& contenders, const std::vector<Result<Drawn>>& drawn) {
+    if (folder.empty()) return {};
+    const TruthPicture truth = truthPicture(stage, contest.width, contest.height);
+    if (const auto kept = keepPicture(folder, stage, contest, "truth", truth.light, truth.mask); !kept) return kept;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (!drawn[i]) continue;
+        std::string name = contenders[i].name() + "-" + contenders[i].setting;
+        std::ranges::replace(name, ' ', '_');
+        if (const auto kept = keepPicture(folder, stage, contest, name, (*drawn[i]).picture, truth.mask); !kept) return kept;
+    }
+    return {};
+}
+
+Result<void> runContest(gpu::Device& device, const Stage& stage, const Contest& contest, const std::vector<Contender>& contenders,
+                        const BenchOptions& options, const BenchTools& tools, std::vector<Row>& rows) {
     const std::string place = fmt::format("{}, maps of {}, shadows of {}", stage.scene.name, contest.mapSize,
                                           contest.shadowSize > 0 ? contest.shadowSize : contest.mapSize);
-    const auto drawn = drawInTurns(device, entriesOf(contest, contenders), frames,
+    const auto drawn = drawInTurns(device, entriesOf(contest, contenders), options.frames,
                                    [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
     const std::size_t first = rows.size();
     for (std::size_t i = 0; i < contenders.size(); ++i) {
@@ -163,6 +188,7 @@ void runContest(gpu::Device& device, const Stage& stage, const Contest& contest,
         if (const auto judged = judge(rows.back(), stage, drawn[i]); !judged) rows.back().failure = judged.error();
     }
     addFlip(rows, first, stage, drawn, tools);
+    return keepPictures(options.pictures, stage, contest, contenders, drawn);
 }
 
 /// By shaders that count, behind all that is timed.
@@ -209,7 +235,7 @@ Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contend
                                       .shadowSize = shadowSize,
                                       .meshTextures = options.meshTextures};
                 const std::size_t first = rows.size();
-                runContest(device, **stage, contest, contenders, options.frames, tools, rows);
+                if (const auto run = runContest(device, **stage, contest, contenders, options, tools, rows); !run) return run.error();
                 for (std::size_t i = first; options.count && i < rows.size(); ++i)
                     addTraffic(device, contest, tools.say, rows[i]);
             }

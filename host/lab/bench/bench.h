@@ -21,9 +21,10 @@ struct BenchOptions {
     std::vector<int> shadowSizes = {0}; // 0: as many texels as the maps
     Frames frames;
     Compiler compiler = Compiler::Dxc;
-    std::size_t pixels = 1024;  // of the reference; 0: all
-    std::filesystem::path kept; // folder for references of many pixels; empty: none is kept
-    bool count = false;         // what each frame fetches and moves, too (traffic.h)
+    std::size_t pixels = 1024;      // of the reference; 0: all
+    std::filesystem::path kept;     // folder for references of many pixels; empty: none is kept
+    std::filesystem::path pictures; // folder for the truth and what each technique draws of it, as EXR; empty: none
+    bool count = false;             // what each frame fetches and moves, too (traffic.h)
     MeshTextures meshTextures;
 };
 

@@ -113,6 +113,27 @@ glm::dvec4 metricOf(const Mesh& mesh, const reference::SurfacePoint& point, int 
     return {along * dense.x * dense.x, along * dense.x * dense.y, along * dense.y * dense.y, 1 / (longest * longest)};
 }
 
+/// Of channel 3, where texels count: the mean around each, evenly weighed down to 0 over a 64th of the map.
+Image smoothed(const Image& whole, const std::vector<std::uint8_t>& covered) {
+    Image mean = blank(whole.width, whole.height, 1);
+    const int reach = std::max(whole.width / 64, 1);
+    const auto share = [&](int offset) { return 1 - std::abs(offset) / static_cast<double>(reach); };
+    for (int y = 0; y < whole.height; ++y)
+        for (int x = 0; x < whole.width; ++x) {
+            double sum = 0;
+            double weight = 0;
+            for (int v = std::max(0, y - reach); v <= std::min(whole.height - 1, y + reach); ++v)
+                for (int u = std::max(0, x - reach); u <= std::min(whole.width - 1, x + reach); ++u) {
+                    if (covered[static_cast<std::size_t>(v * whole.width + u)] == 0) continue;
+                    const double w = share(u - x) * share(v - y);
+                    sum += w * whole.at(u, v, 3);
+                    weight += w;
+                }
+            mean.at(x, y, 0) = weight > 0 ? static_cast<float>(sum / weight) : 0;
+        }
+    return mean;
+}
+
 Image metricTerms(const Image& metric) {
     Image terms = blank(metric.width, metric.height, 3);
     for (int y = 0; y < metric.height; ++y)
@@ -158,7 +179,7 @@ Result<void> verifyAtlas(ModuleReport& report, const Context& context, const Pyr
     const Limits edges{
         .relativeL2 = 5e-3, .bias = 3e-3, .why = "halves, truncated; differences within two by two texels, which may lie on two triangles"};
     if (const auto done = held("gAtlasMetricMap: direction", metricTerms(metric), rgb(whole), edges); !done) return done;
-    return held("gAtlasMetricMap: density", channel(metric, 2), channel(whole, 3), edges);
+    return held("gAtlasMetricMap: density", channel(metric, 2), smoothed(whole, covered(at.texels)), edges);
 }
 
 /// What enters, times coverage: nothing outside the charts.

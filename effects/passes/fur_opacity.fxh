@@ -100,10 +100,11 @@ float coatOpen(float3 world, float pixel)
     float opacity = tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
     // Behind the skin: soft, for strands stand on it and lean over its edges. Taps one above the other: a mirror leaves them where they are.
     float2 aside = float2(0.0, 0.7 / kTgMapSize);
-    float2 skin = float2(tgShadowStored(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0))).x,
-                         tgShadowStored(tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0))).x);
-    float2 behind = (distance - skin) / max(tgMillimetres(kCoatSkinSoft * coatThickness()), 1e-20);
-    return exp(-gCoatShadow * opacity) * (1.0 - 0.5 * dot(saturate(behind), 1.0));
+    float2 skin = float2(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0)).x,
+                         tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0)).x);
+    // 0: there is none. Not tgShadowStored: vertex shader model 3 selects by c + (b - c), which loses what a large c stands beside.
+    float2 behind = saturate((distance - skin) / max(tgMillimetres(kCoatSkinSoft * coatThickness()), 1e-20)) * step(1e-6, skin);
+    return exp(-gCoatShadow * opacity) * (1.0 - 0.5 * dot(behind, 1.0));
 }
 
 #endif

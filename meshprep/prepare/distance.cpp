@@ -6,8 +6,7 @@
 #include "meshprep/prepare/distance.h"
 
 #include "host/support/parallel.h"
-#include "host/support/rays/surface_tree.h"
-#include "meshprep/prepare/nearest.h"
+#include "meshprep/prepare/near_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -22,77 +21,8 @@ namespace tegument::prep {
 namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
-
-constexpr std::uint32_t kNoHint = UINT32_MAX;
-
-struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();
-    std::uint32_t triangle = 0;
-    bool exact = true; // else another triangle may be nearer
-
-    /// That some point is so far, for sure.
-    [[nodiscard]] double reached() const { return exact && std::isfinite(distance) ? distance : 0; }
-};
-
-/// Triangles that are looked at for one point. A surface needs 8 on average and 70 at most; where thousands of triangles cross one another
-/// each point lies in the boxes of half of them.
-constexpr unsigned kMostVisits = 256;
-
-class Surface {
-public:
-    Surface(const std::vector<glm::dvec3>& points, std::span<const std::uint32_t> triangles)
-        : points_(points), triangles_(triangles),
-          tree_(std::vector<glm::vec3>(points.begin(), points.end()), triangles, {.quick = true, .threads = 0}) {}
-
-    [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
-    [[nodiscard]] std::span<const std::uint32_t> corners() const { return triangles_; }
-    [[nodiscard]] std::size_t size() const { return triangles_.size() / 3; }
-    [[nodiscard]] Triangle triangle(std::size_t i) const {
-        const std::uint32_t* t = &triangles_[3 * i];
-        return {points_[t[0]], points_[t[1]], points_[t[2]]};
-    }
-
-    /// `hint`: a triangle that is probably near. What is no further than `enough` will do.
-    [[nodiscard]] Nearest nearest(const glm::dvec3& point, std::uint32_t hint = kNoHint, double enough = 0) const {
-        Nearest found;
-        float radius = std::numeric_limits<float>::infinity();
-        const auto take = [&](std::uint32_t triangle) {
-            const double apart = distanceTo(triangle, point);
-            if (!(apart < found.distance) || !found.exact)
-                return; // not a number where two corners are equal: such a triangle is a side of others
-            found = {.distance = apart, .triangle = triangle, .exact = true};
-            radius = apart <= enough ? 0 : std::nextafter(static_cast<float>(apart), 1e30f);
-        };
-        if (hint != kNoHint) take(hint);
-        if (found.distance <= enough) return found;
-        unsigned visits = 0;
-        tree_.visitNear(glm::vec3(point), radius, [&](std::uint32_t triangle) {
-            if (++visits > kMostVisits) return radius; // boxes that hold the point go on being visited
-            take(triangle);
-            if (visits == kMostVisits && radius > 0) {
-                found.exact = found.distance <= enough;
-                radius = 0;
-            }
-            return radius;
-        });
-        return found;
-    }
-
-    [[nodiscard]] double distanceTo(std::uint32_t triangle, const glm::dvec3& point) const {
-        const std::uint32_t* t = &triangles_[3 * std::size_t{triangle}];
-        return glm::distance(nearestOnTriangle(point, points_[t[0]], points_[t[1]], points_[t[2]]), point);
-    }
-
-    [[nodiscard]] std::uint32_t nearestCorner(std::uint32_t triangle, const glm::dvec3& point) const {
-        return *std::ranges::min_element(corners().subspan(3 * std::size_t{triangle}, 3), {},
-                                         [&](std::uint32_t corner) { return glm::distance(points_[corner], point); });
-    }
-
-private:
-    const std::vector<glm::dvec3>& points_;
-    std::span<const std::uint32_t> triangles_;
-    SurfaceTree tree_;
-};
+using Nearest = NearestTriangle;
+using Surface = NearSurface;
 
 glm::dvec3 centroid(const Triangle& t) {
     return (t[0] + t[1] + t[2]) / 3.0;

@@ -1,6 +1,6 @@
-// mesh_table [--files-only] [--gltfpack FOLDER] FILE...: a line for each mesh: how often the vertex shader runs after `best`, after
-// meshoptimizer's best order and after gltfpack; the times; the errors of levels. Below the table: where ours loses. Generated meshes come
-// first. tests/tools/mesh_table.py calls it with all the meshes of docs/design/mesh-table.md.
+// mesh_table [--files-only] [--no-levels] [--gltfpack FOLDER] FILE...: a line for each mesh: how often the vertex shader runs after `best`,
+// after meshoptimizer's best order and after gltfpack; the times; the errors of levels. Below the table: where ours loses. Generated meshes
+// come first. tests/tools/mesh_table.py calls it with all the meshes of docs/design/mesh-table.md.
 #include "meshprep/prepare/distance.h"
 #include "meshprep/prepare/prepare.h"
 #include "meshprep/prepare/shapes.h"
@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -73,13 +72,14 @@ std::vector<Part> partsOf(const Mesh& mesh) {
     return parts;
 }
 
+/// Of the processor, all threads together: what else runs on the machine does not count. The least of three.
 template <class Work>
 double milliseconds(Work work) {
     double least = 1e30;
     for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         work();
-        least = std::min(least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        least = std::min(least, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
     return least;
 }
@@ -99,12 +99,10 @@ void measureOrders(const std::vector<Part>& parts, Row& row) {
         row.reuse.push_back(
             {static_cast<double>(ours) / static_cast<double>(vertices), static_cast<double>(theirs) / static_cast<double>(vertices)});
     }
-    const std::clock_t before = std::clock();
     row.milliseconds.ours = milliseconds([&] {
         for (const Part& part : parts)
             (void)order::reorder(part.indices, part.positions.size(), order::Method::Best, order::fifo(16), placesOf(part));
     });
-    row.processor = 1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC / 3;
     row.milliseconds.theirs = milliseconds([&] {
         for (const Part& part : parts)
             (void)testing_prep::peerVertexCache(part.indices, part.positions.size());
@@ -132,12 +130,12 @@ std::size_t missesOf(const order::CacheModel& model, const Mesh& mesh) {
     return misses;
 }
 
-/// gltfpack numbers vertices anew and merges what is equal: runs count per vertex of the mesh that it was given.
+/// gltfpack merges parts and vertices that are equal: its runs count per vertex of what it makes.
 void measurePacked(const std::filesystem::path& tools, const Mesh& mesh, Row& row) {
     if (mesh.parts.size() > 64) return;
     if (const auto whole = testing_prep::packedBy(tools, mesh, 1)) {
         std::size_t vertices = 0;
-        for (const Part& part : partsOf(mesh))
+        for (const Part& part : partsOf(whole->mesh))
             vertices += part.positions.size();
         const auto runs = [&](const order::CacheModel& model) {
             return static_cast<double>(missesOf(model, whole->mesh)) / static_cast<double>(vertices);
@@ -156,25 +154,25 @@ void measurePacked(const std::filesystem::path& tools, const Mesh& mesh, Row& ro
     row.packedLevel = 100 * distance(positions, mesh.indices, theirs).reached / static_cast<double>(mesh.bounds.radius);
 }
 
-std::optional<Row> rowOf(const std::string& name, const Mesh& mesh, const std::filesystem::path& tools) {
+std::optional<Row> rowOf(const std::string& name, const Mesh& mesh, const std::filesystem::path& tools, bool levels) {
     if (mesh.indices.size() < 300) return std::nullopt;
     Row row;
     row.name = name;
     row.triangles = mesh.indices.size() / 3;
     measureOrders(partsOf(mesh), row);
-    measureLevels(mesh, row);
+    if (levels) measureLevels(mesh, row);
     if (!tools.empty()) measurePacked(tools, mesh, row);
     return row;
 }
 
-std::optional<Row> rowOf(const std::filesystem::path& file, const std::filesystem::path& tools) {
+std::optional<Row> rowOf(const std::filesystem::path& file, const std::filesystem::path& tools, bool levels) {
     PrepOptions options;
     options.order = std::nullopt;
     options.levels = 1;
     options.read.dropNotFinite = true;
     auto prepared = prepareMesh(file, options);
     if (!prepared) return std::nullopt;
-    return rowOf(file.filename().string(), prepared->mesh, tools);
+    return rowOf(file.filename().string(), prepared->mesh, tools, levels);
 }
 
 std::vector<std::pair<std::string, Mesh>> generated() {
@@ -198,7 +196,7 @@ void print(const Row& row) {
     std::string line = fmt::format("| {} | {} |", row.name, row.triangles);
     for (const Figures& figures : row.reuse)
         line += fmt::format(" {:.3f} {:.3f} |", figures.ours, figures.theirs);
-    line += fmt::format(" {:.1f} ({:.1f}) {:.1f} |", row.milliseconds.ours, row.processor, row.milliseconds.theirs);
+    line += fmt::format(" {:.1f} {:.1f} |", row.milliseconds.ours, row.milliseconds.theirs);
     line += row.packedReuse ? fmt::format(" {:.3f}, {:.3f} |", row.packedReuse->ours, row.packedReuse->theirs) : " |";
     for (std::size_t i = 0; i < 3; ++i)
         line += i < row.levels.size() ? fmt::format(" {:.2f} {:.2f} |", row.levels[i].ours, row.levels[i].theirs) : std::string(" |");
@@ -222,7 +220,7 @@ void printLosses(const std::vector<Row>& rows) {
         if (row.packedReuse && row.reuse.back().ours > row.packedReuse->theirs)
             fmt::print("loses: {}, {}: {:.4f} against gltfpack's {:.4f}\n", row.name, kModels.back().first, row.reuse.back().ours,
                        row.packedReuse->theirs);
-        if (row.packedLevel * 1.05 < row.levels[std::min<std::size_t>(1, row.levels.size() - 1)].ours)
+        if (row.levels.size() > 1 && row.packedLevel * 1.05 < row.levels[1].ours)
             fmt::print("loses: {}, level 2: {:.3f} against gltfpack's {:.3f} % of the radius\n", row.name, row.levels[1].ours,
                        row.packedLevel);
         if (row.milliseconds.ours > 3 * row.milliseconds.theirs && row.milliseconds.ours > 50)
@@ -234,11 +232,14 @@ void printLosses(const std::vector<Row>& rows) {
 
 int main(int count, char** arguments) {
     bool filesOnly = false;
+    bool levels = true;
     std::filesystem::path tools;
     std::vector<std::filesystem::path> files;
     for (int i = 1; i < count; ++i) {
         if (std::string_view(arguments[i]) == "--files-only")
             filesOnly = true;
+        else if (std::string_view(arguments[i]) == "--no-levels")
+            levels = false;
         else if (std::string_view(arguments[i]) == "--gltfpack" && i + 1 < count)
             tools = arguments[++i];
         else
@@ -259,9 +260,9 @@ int main(int count, char** arguments) {
     };
     if (!filesOnly)
         for (const auto& [name, mesh] : generated())
-            take(rowOf(name, mesh, tools));
+            take(rowOf(name, mesh, tools, levels));
     for (const std::filesystem::path& file : files)
-        take(rowOf(file, tools));
+        take(rowOf(file, tools, levels));
     fmt::print("\n{} meshes\n", rows.size());
     printLosses(rows);
     return EXIT_SUCCESS;

@@ -12,7 +12,8 @@ float gRibbonSegment < UI_SLIDER("Pixels of a segment", 0.0, 64.0, 0.5)
     string UIHelp = "strands that are shorter have fewer segments, so that these are as long"; > = 3.7;
 float gRibbonFewest < UI_SLIDER("Fewest strands", 0.0, 1.0, 0.01)
     string UIHelp = "share that distance leaves where thin strands are drawn fewer and wider"; > = 0.33;
-float gCoatSegment < UI_SLIDER("Pixels of a coat's segment", 0.0, 64.0, 0.5) string UIHelp = "the same of locks and their underfur"; > = 16.0;
+float gCoatSegment < UI_SLIDER("Pixels of a coat's segment", 0.0, 64.0, 0.5)
+    string UIHelp = "the same of locks and their underfur"; > = 16.0;
 float gRibbonSpare < string UIWidget = "None"; > = 0.0;
 float gFurChild < string UIWidget = "None"; > = 0.0;
 

@@ -47,9 +47,9 @@ RibbonFrame ribbonFrame(VertexInput input, float4 ball)
     return frame;
 }
 
-// Least cosine of a root's normal and the way to the eye: what looks further away is hidden. Over the horizon of a ball of radius R strands of
-// the length K R reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if they were half as long again; a body bends as a ball of a quarter of
-// the mesh's radius. As the host's horizonOf.
+// Least cosine of a root's normal and the way to the eye: what looks further away is hidden. Over the horizon of a ball of radius R strands
+// of the length K R reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if they were half as long again; a body bends as a ball of a quarter
+// of the mesh's radius. As the host's horizonOf.
 float ribbonHorizon()
 {
     float away = 1.0 + 1.5 * max(4.0 * abs(gFurLength), 0.28);

@@ -131,7 +131,7 @@ void addSubmit(CLI::App& program, Action& action) {
     repeatable(command->add_option("--sbatch", options->sbatch, "One more option of sbatch, --sbatch=--partition=short; may be repeated"));
     command->add_flag("--go", options->go, "Submit, and follow until it has ended");
     addExamples(*command,
-                {{"submit --slurm --shards 100 --list scans.txt --results done -- prep {} -o prepared/{name}.glb --json", "the script"},
+                {{"submit --slurm --shards 100 -i 'scans/*.ply' --results done -- prep {} -o out/{name}.glb", "the script"},
                  {"submit --slurm --go -i '*.fx' --results checked -- check {} --json", "submitted and followed"}},
                 "The folder of --results, the inputs and the outputs lie where every node sees them. The same command\n"
                 "again does what is missing, failed or changed (docs/many.md).");

@@ -39,10 +39,10 @@ struct PartView {
 [[nodiscard]] bool canBeSeen(const MeshCluster& cluster, const PartView& view);
 /// Of what grows on a vertex.
 [[nodiscard]] bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view);
-/// Least cosine between a normal and the way to the eye at which strands are still drawn, for a pass that reaches so many of the mesh's radii:
-/// over the horizon of a ball of radius R strands of the length K R that stand reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if they
-/// were half as long again. K is the reach, 0.28 at least: Reach is four lengths, and a body bends as a ball of a quarter of the mesh's
-/// radius. ribbonHorizon of effects/passes/fur_ribbons.fxh is the same.
+/// Least cosine between a normal and the way to the eye at which strands are still drawn, for a pass that reaches so many of the mesh's
+/// radii: over the horizon of a ball of radius R strands of the length K R that stand reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if
+/// they were half as long again. K is the reach, 0.28 at least: Reach is four lengths, and a body bends as a ball of a quarter of the
+/// mesh's radius. ribbonHorizon of effects/passes/fur_ribbons.fxh is the same.
 [[nodiscard]] double horizonOf(double reach);
 
 /// In order, those that touch made one; with a view, without the clusters that cannot be seen: perhaps none. TG4060 the mesh has no part of

@@ -8,7 +8,7 @@ static const float3 kLockWaves = float3(1.25, 2.6, 13.0); // a coat's waves in a
 static const float kLockWrap = 0.4;     // cosine beyond the horizon to which light wanders through the coat
 static const float2 kLockShifts = float2(-0.1, 0.2); // of highlights R and TRT, along the normal: 6 and 11 degrees, as tilted scales do
 static const float kLockFade = 8.0;     // one in so many of the strands that are drawn is narrower than it should be
-static const float2 kLockFar = float2(5.0, -0.25); // pixels 0.05 thicknesses wide show places of strands; 0.3 wide, the mean of many strands
+static const float2 kLockFar = float2(5.0, -0.25); // pixels 0.05 thicknesses wide show places of strands; 0.3 wide, the mean of many
 static const float2 kLockMean = float2(0.5, 0.4); // there: place along a strand, height in the coat
 static const float kShadowFirst = 0.5;     // added to ranks of strands that throw shadows: none stands in its own as a rule
 static const float kLockOfUnderfur = 64.0; // noise of its own: number of its first strand
@@ -325,10 +325,11 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
+#define LOCK_SEGMENTS float SegmentFewest = 2.0;
 #define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
     TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH LOCK_SHARE float SegmentScale = 0.5;, "gCoatUnderfur", UnderfurVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;, "gCoatChildren", LocksVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH LOCK_SHARE LOCK_SEGMENTS, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH LOCK_SHARE LOCK_SEGMENTS, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
 
 #endif

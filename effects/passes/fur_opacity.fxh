@@ -98,7 +98,7 @@ float coatOpen(float3 world, float pixel)
     float texel = 2.0 / kTgMapSize * (tgLightParallel() ? 1.0 : 0.5 * (gLightNear + gLightFar)) * tgLightSpread(); // amid the mesh, mm
     float4 sums = tex2Dlod(gCoatOpacity, float4(place, 0.0, log2(max(pixel * (kCoatBlur * tgMillimetres(1.0) / texel), kCoatSoft))));
     float opacity = tgFurOpacity(sums, kCoatLayers, depth - kCoatOwn);
-    // Behind the skin: soft, for strands stand on it and lean over its edges. Taps one above the other: a mirror leaves them where they are.
+    // Behind the skin: soft, for strands stand on it and lean over its edges. Taps stand one above the other: a mirror leaves them there.
     float2 aside = float2(0.0, 0.7 / kTgMapSize);
     float2 skin = float2(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0)).x,
                          tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0)).x);

@@ -325,11 +325,12 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
-#define LOCK_SEGMENTS float SegmentFewest = 2.0;
+#define LOCK_SEEN RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;
+#define UNDERFUR_SEEN RIBBON_REACH LOCK_SHARE float SegmentScale = 0.5;
 #define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
-    TG_SEEN_LAYER_PASS(Underfur, "underfur", RIBBON_REACH LOCK_SHARE float SegmentScale = 0.5;, "gCoatUnderfur", UnderfurVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", RIBBON_REACH LOCK_SHARE LOCK_SEGMENTS, "gCoatChildren", LocksVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Fringe, "underfur", RIBBON_REACH LOCK_SHARE LOCK_SEGMENTS, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_LAYER_PASS(Underfur, "underfur", UNDERFUR_SEEN, "gCoatUnderfur", UnderfurVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
 
 #endif

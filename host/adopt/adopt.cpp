@@ -181,8 +181,10 @@ private:
     void chooseShown() {
         Effect& effect = adoption_.effect;
         const Technique* first = effect.defaultTechnique();
-        const auto shows = [](const Technique& technique) {
-            return toLower(technique.annotations.string("MMDPass").value_or("object")).starts_with("object") && drawable(technique);
+        const auto coloured = [](const Pass& pass) { return pass.pixelShader.has_value(); }; // others write depth alone
+        const auto shows = [&](const Technique& technique) {
+            return std::ranges::any_of(technique.passes, coloured) &&
+                   toLower(technique.annotations.string("MMDPass").value_or("object")).starts_with("object") && drawable(technique);
         };
         if (!first || shows(*first)) return;
         auto better = std::ranges::find_if(effect.techniques, shows);
@@ -361,7 +363,8 @@ private:
 
 bool needsRespelling(const Effect& effect) {
     if (effect.ownDialect) return false;
-    if (direct3D9Intrinsic(effect)) return true;
+    const auto structure = [](const Parameter& parameter) { return parameter.type.members != nullptr; };
+    if (direct3D9Intrinsic(effect) || std::ranges::any_of(effect.parameters, structure)) return true;
     const auto old = [](const std::optional<ShaderReference>& shader) {
         return shader && (!shader->arguments.empty() || adopt::profileOf(shader->profile).direct3D9());
     };

@@ -32,7 +32,8 @@ struct Adoption {
     std::vector<Diagnostic> notes; // stand-ins for what the effect or the mesh does not have
 };
 
-/// Whether DXC and glslang cannot take the effect as it is: words of Direct3D 9, shaders compiled with arguments, profiles before 4.
+/// Whether DXC and glslang cannot take the effect as it is, or this host not what they make of it: words of Direct3D 9, shaders compiled
+/// with arguments, profiles before 4, structures among the parameters.
 [[nodiscard]] bool needsRespelling(const Effect& effect);
 
 /// Effects that are written for this host (Effect::ownDialect) come back as they are. A shader that cannot be respelt keeps its name and

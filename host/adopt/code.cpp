@@ -244,7 +244,9 @@ private:
     bool structure(const Words& modifiers) {
         const std::size_t first = at_;
         take();
-        const Word name = peek().isName() ? take() : Word{.text = fmt::format("tg_anonymous{}", code_.items.size())};
+        const Word name = peek().isName()
+                              ? take()
+                              : Word{.text = fmt::format("tg_anonymous{}", code_.items.size()), .kind = TokenKind::Word, .space = true};
         if (peek().is(";")) return accept(";"); // declared only: the definition follows
         if (!peek().is("{") && !peek().is(":")) return declarators(modifiers, {name}, {});
         const bool derived = peek().is(":");
@@ -287,15 +289,15 @@ private:
         return list;
     }
 
+    /// Its members are globals to the code, and to this host: they may be structures, have values, be written.
     bool buffer() {
-        Buffer made;
-        made.head = until({"{", ";"});
+        until({"{", ";"});
         if (!peek().is("{")) return false;
-        made.members = members(bracket());
-        const std::size_t index = code_.items.size();
-        for (const Variable& member : made.members)
-            code_.byName[member.name.text].push_back(index);
-        code_.items.emplace_back(std::move(made));
+        for (Variable& member : members(bracket())) {
+            if (member.name.text.empty()) continue;
+            const std::string name = member.name.text;
+            add(name, std::move(member));
+        }
         return true;
     }
 

@@ -59,19 +59,13 @@ struct Function {
     [[nodiscard]] const std::string& typeName() const { return type.front().text; }
 };
 
-/// A cbuffer: its head, and the variables in it.
-struct Buffer {
-    Words head;
-    std::vector<Variable> members;
-};
-
 /// typedef, using, what is not understood: copied.
 struct Other {
     std::string name; // what it declares; may be empty
     Words words;
 };
 
-using Item = std::variant<Structure, Function, Variable, Buffer, Other>;
+using Item = std::variant<Structure, Function, Variable, Other>;
 
 struct Code {
     std::vector<std::string> files;

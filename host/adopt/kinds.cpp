@@ -163,9 +163,6 @@ std::set<std::string> namesIn(const Item& item) {
             addVariable(parameter, names);
     } else if (const auto* variable = std::get_if<Variable>(&item)) {
         addVariable(*variable, names);
-    } else if (const auto* buffer = std::get_if<Buffer>(&item)) {
-        for (const Variable& member : buffer->members)
-            addVariable(member, names);
     } else {
         addWords(std::get<Other>(item).words, names);
     }

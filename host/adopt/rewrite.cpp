@@ -78,7 +78,6 @@ bool Rewriter::readsMatrix(const ShaderReference& shader) const {
         };
         const Item& item = code_.items[index];
         if (const auto* variable = std::get_if<Variable>(&item); variable && isMatrix(*variable)) return true;
-        if (const auto* buffer = std::get_if<Buffer>(&item); buffer && std::ranges::any_of(buffer->members, isMatrix)) return true;
         if (const auto* variable = std::get_if<Variable>(&item))
             if (const auto leaves = structures_.find(variable->name.text); leaves != structures_.end())
                 for (const LeafPlan& leaf : leaves->second)
@@ -92,19 +91,6 @@ void Rewriter::print(Printer& printer, const Spelling& spelling, std::size_t ite
     if (const auto* structure = std::get_if<Structure>(&what)) return printStructure(printer, spelling, *structure);
     if (const auto* function = std::get_if<Function>(&what)) return printFunction(printer, spelling, *function);
     if (const auto* variable = std::get_if<Variable>(&what)) return printVariable(printer, spelling, *variable, textures);
-    if (const auto* buffer = std::get_if<Buffer>(&what)) {
-        Words words = buffer->head;
-        words.push_back(own("{"));
-        for (const Variable& member : buffer->members) {
-            append(words, spelling.respelt(kept(member.modifiers, {"row_major", "column_major"})));
-            append(words, spelling.respelt(member.type));
-            append(words, spelling.respelt({member.name}));
-            append(words, spelling.respelt(arrayOf(member)));
-            words.push_back({.text = ";"});
-        }
-        words.push_back(own("};"));
-        return printer.print(words);
-    }
     const Other& other = std::get<Other>(what);
     printer.print(spelling.respelt(other.words));
 }

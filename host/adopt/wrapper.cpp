@@ -34,6 +34,8 @@ std::string textOf(const Words& words) {
     return text;
 }
 
+constexpr std::string_view kCentroid = "_CENTROID"; // behind a semantic: where samples are taken
+
 const char* firstComponents(int count) {
     constexpr std::array kSwizzles{"", ".x", ".xy", ".xyz", ""};
     return kSwizzles[static_cast<std::size_t>(std::clamp(count, 0, 4))];
@@ -147,7 +149,8 @@ private:
         constexpr int kDeepest = 16;
         std::vector<Leaf> leaves;
         const Words type = job_.code.resolved(variable.type);
-        const std::string semantic = variable.semantic.empty() ? outer : variable.semantic;
+        std::string semantic = variable.semantic.empty() ? outer : variable.semantic;
+        if (upper(semantic).ends_with(kCentroid)) semantic.resize(semantic.size() - kCentroid.size());
         if (const Structure* structure = job_.code.structure(type.front().text); structure && depth < kDeepest) {
             for (const Variable& member : structure->members) {
                 const auto more = flatten(member, path + "." + spelt(member.name.text), {}, depth + 1);
@@ -159,7 +162,6 @@ private:
         if (!shape || semantic.empty()) return leaves;
         const std::size_t digits = semantic.find_last_not_of("0123456789") + 1;
         Leaf leaf{.path = path, .shape = *shape, .semantic = upper(semantic.substr(0, digits)), .type = textOf(spelling_.respelt(type))};
-        if (leaf.semantic.ends_with("_CENTROID")) leaf.semantic.resize(leaf.semantic.size() - 9);
         if (digits < semantic.size()) leaf.index = std::atoi(semantic.c_str() + digits);
         for (const std::string_view modifier : {"nointerpolation", "noperspective", "centroid", "linear", "sample"})
             if (variable.has(modifier)) leaf.modifiers += std::string(modifier) + " ";

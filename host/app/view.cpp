@@ -3,6 +3,7 @@
 #include "host/view/view.h"
 #include "host/app/command_line.h"
 #include "host/app/dropped.h"
+#include "host/app/foreign.h"
 #include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
@@ -31,6 +32,8 @@ std::vector<std::string> renderArguments(const JobOptions& options) {
     for (const std::string& folder : options.effect.includeFolders)
         words.insert(words.end(), {"-I", folder});
     if (options.effect.mapSize > 0) words.insert(words.end(), {"--map-size", std::to_string(options.effect.mapSize)});
+    for (const std::string& bind : options.binds)
+        words.insert(words.end(), {"--bind", bind});
     if (options.samples > 0) words.insert(words.end(), {"--samples", std::to_string(options.samples)});
     if (!options.compiler.empty()) words.insert(words.end(), {"--compiler", options.compiler});
     if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});
@@ -47,6 +50,7 @@ void warnOf(const Job& job) {
 ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progress) {
     const auto job = std::make_shared<const Job>(std::move(read));
     RunOptions run = job->run;
+    const auto rules = bindRules(options.job.binds); // loadJob() has read them
     run.meshTextures = furTextures([&progress](const std::string& made) {
         progress.clear();
         fmt::print(stderr, "{}\n", made);
@@ -56,6 +60,7 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
     };
     return {.effect = job->effect.file,
             .load = loadOptions(options.job.effect),
+            .binds = rules ? *rules : std::map<std::string, std::string>(),
             .scene = sessionScene(job->scene),
             .workspace = job->scene.workspace,
             .run = std::move(run),

@@ -165,7 +165,7 @@ void adopt(ViewState& state, const Effect& effect) {
     state.setting = effect.settings ? effect.settings->current : std::string();
     state.techniques.clear();
     for (const Technique& technique : effect.techniques)
-        state.techniques.push_back(technique.name);
+        if (!technique.name.starts_with('<')) state.techniques.push_back(technique.name); // adopted() adds such
     const Technique* chosen = state.technique.empty() ? nullptr : effect.findTechnique(state.technique);
     if (!chosen) chosen = effect.defaultTechnique();
     state.technique = chosen ? chosen->name : std::string();

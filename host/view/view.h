@@ -4,13 +4,16 @@
 #include "host/run/session.h"
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 
 namespace tegument {
 
 struct ViewRequest {
     std::filesystem::path effect;
     LoadOptions load;
+    std::map<std::string, std::string> binds; // of effects of other hosts: AdoptOptions::bind
     SessionScene scene;
     Workspace workspace;
     RunOptions run;     // technique, size of the window, compiler, values

@@ -1,5 +1,6 @@
 #include "host/view/viewer.h"
 
+#include "host/adopt/adopt.h"
 #include "host/run/read_back.h"
 #include "host/run/scene_bounds.h"
 #include "host/scene/workspace_write.h"
@@ -34,7 +35,10 @@ std::string firstLine(const std::string& text) {
 Result<Effect> readEffect(const ViewRequest& request, const std::string& setting) {
     LoadOptions load = request.load;
     load.setting = setting;
-    return loadEffect(request.effect, load);
+    auto effect = loadEffect(request.effect, load);
+    if (!effect) return effect;
+    return adopted(std::move(*effect), {.bind = request.binds, .technique = {}, .width = request.run.width, .height = request.run.height})
+        .effect;
 }
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
@@ -278,7 +282,8 @@ Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) 
         fmt::format("{} {} {} {} {}", static_cast<int>(state_.show), state_.pass, name, state_.technique, state_.setting);
     if (what == levelled_) return {};
     levelled_ = what;
-    levels_ = {.toneMap = true, .encode = true};
+    const bool radiance = !loaded_->effect.adopted; // colours of other hosts' effects are a display's
+    levels_ = {.toneMap = radiance, .encode = radiance};
     if (name.empty() && !gpu::isDepth(texture.desc().format)) return {};
     const auto image = run::readBack(device_, texture);
     if (!image) return image.error();

@@ -41,6 +41,27 @@ TEST(ShownTechnique, is_said_where_it_is_not_the_first) {
         adoption.notes, [](const Diagnostic& note) { return note.text == "technique B is drawn where none is named, not Empty"; }));
 }
 
+TEST(ShownTechnique, has_colours) {
+    EXPECT_EQ(
+        shown("technique10 Depth { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(NULL); } }\n"
+              "technique10 Lit { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, PS())); } }"),
+        "Lit");
+}
+
+TEST(ShownPasses, over_the_target_have_the_half_pixel_of_direct3d_9) {
+    const auto moves = [](const std::string& place, const std::string& profile) {
+        const Effect effect =
+            adopted(foreign("float4x4 m : WORLDVIEWPROJECTION;\nfloat4 VS(float4 p : POSITION) : SV_Position { return " + place +
+                            "; }\nfloat4 PS() : COLOR { return 1; }\ntechnique T { pass P { VertexShader = compile vs_" + profile +
+                            " VS(); PixelShader = compile ps_" + profile + " PS(); } }"))
+                .effect;
+        return effect.techniques[0].passes[0].vertexShader->code.find("tg_ViewportSize") != std::string::npos;
+    };
+    EXPECT_TRUE(moves("p", "3_0"));
+    EXPECT_FALSE(moves("p", "4_0")) << "later ones have it at the corner, as Vulkan has";
+    EXPECT_FALSE(moves("mul(p, m)", "3_0")) << "a mesh stays where it is";
+}
+
 TEST(ShownPasses, run_behind_a_script_that_names_none) {
     const Effect effect = adopted(foreign(kShaders + "technique T < string Script = \"RenderColorTarget0=;\"; > { " + kPass + " }")).effect;
     ASSERT_EQ(effect.techniques[0].script.commands.size(), 2U);

@@ -51,7 +51,7 @@ def ball(rings=24, radius=80.0):
 class View:
     """The program with a copy of the effects of its own, so that they can be broken."""
 
-    def __init__(self):
+    def __init__(self, arguments=("effects/Main.fx", "-w", "ball.json", "--map-size", "64"), files=()):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="tegument-view-"))
         for name in ("effects", "hlsl"):
             shutil.copytree(REPOSITORY / name, self.folder / name)
@@ -60,7 +60,9 @@ class View:
         (self.folder / "ball.json").write_text(json.dumps(scene))
         self.screen = screens.Screen(2 * SIZE, SIZE)
         self.errors = open(self.folder / "stderr.txt", "w+")
-        command = [PROGRAM, "view", "effects/Main.fx", "-w", "ball.json", "--size", f"{SIZE}x{SIZE}", "--map-size", "64", "--validate"]
+        for name, text in files:
+            (self.folder / name).write_text(text)
+        command = [PROGRAM, "view", *arguments, "--size", f"{SIZE}x{SIZE}", "--validate"]
         environment = {**os.environ, "DISPLAY": self.screen.name}
         environment.pop("WAYLAND_DISPLAY", None)
         self.process = subprocess.Popen(command, cwd=self.folder, env=environment, stderr=self.errors)
@@ -335,6 +337,59 @@ class NoWindowSystem(unittest.TestCase):
                                  env=environment, capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(ran.returncode, 3, ran.stderr)
         self.assertEqual(len([line for line in ran.stderr.splitlines() if "error TG6060" in line]), 1, ran.stderr)
+
+
+FOREIGN = """float4x4 wvp : WORLDVIEWPROJECTION;
+float4 tint = { 1, 0, 0, 1 };
+float4 VS(float4 p : POSITION) : POSITION { return mul(p, wvp); }
+float4 PS() : COLOR { return tint; }
+float4 Other() : COLOR { return float4(0, 1, 0, 1); }
+technique Red { pass { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }
+technique Green { pass { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 Other(); } }
+"""
+
+
+class ForeignWindow(unittest.TestCase):
+    """An effect of Direct3D 9, on the ball that stands in for a mesh."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.view = View(("foreign.fx",), (("foreign.fx", FOREIGN),))
+        cls.view.title("foreign.fx Red [")
+        cls.view.screen.press("i")
+        cls.first = cls.view.still()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.view.end()
+        shutil.rmtree(cls.view.folder)
+
+    def middle(self, picture):
+        at = (SIZE // 2 * picture.width + SIZE // 2) * 3
+        return tuple(picture.pixels[at:at + 3])
+
+    def test_is_shown_in_its_own_colours(self):
+        self.assertEqual(self.middle(self.first), (255, 0, 0))
+
+    def test_t_shows_its_next_technique(self):
+        self.view.screen.press("t")
+        self.view.title("foreign.fx Green [")
+        self.assertEqual(self.middle(self.view.still(unlike=self.first)), (0, 255, 0))
+        self.view.screen.press("T")
+        self.view.title("foreign.fx Red [")
+        self.assertEqual(self.view.still(), self.first)
+
+    def test_an_edit_is_seen_and_a_broken_one_keeps_the_picture(self):
+        source = self.view.folder / "foreign.fx"
+        source.write_text(FOREIGN.replace("{ 1, 0, 0, 1 }", "{ 0, 0, 1, 1 }"))
+        blue = self.view.still(unlike=self.first)
+        self.assertEqual(self.middle(blue), (0, 0, 255))
+        source.write_text(FOREIGN.replace("return tint;", "return nowhere;"))
+        self.view.title("error TG3001")
+        self.assertIn("foreign.fx(4,", self.view.said())
+        source.write_text(FOREIGN)
+        self.view.title("foreign.fx Red [")
+        self.assertEqual(self.view.still(unlike=blue), self.first)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ namespace tegument::app {
 
 namespace {
 
-struct RunOptions {
+struct ShardOptions {
     BatchOptions batch;
     std::string shard = "1/1";
     bool dryRun = false;
@@ -28,7 +28,7 @@ void tell(const batch::Record& record, bool json) {
     fmt::print("{}: {} {}\n", record.input, stateOf(record), row.rows.front().back());
 }
 
-int runPart(const RunOptions& options, const std::vector<std::string>& part, const batch::Batch& batch) {
+int runPart(const ShardOptions& options, const std::vector<std::string>& part, const batch::Batch& batch) {
     Progress progress;
     std::size_t heard = 0;
     const auto sums = batch::runBatch(part, batch, [&](const batch::Record& record, bool) {
@@ -45,7 +45,7 @@ int runPart(const RunOptions& options, const std::vector<std::string>& part, con
     return sums->failed == 0 ? 0 : sums->worst == kMachine ? kMachine : 1;
 }
 
-int runShard(const RunOptions& options, const CLI::App& program) {
+int runShard(const ShardOptions& options, const CLI::App& program) {
     const auto shard = batch::shardOf(options.shard);
     if (!shard) return fail(shard.error(), options.json);
     const auto inputs = batch::inputsOf(options.batch.inputs, options.batch.list);
@@ -65,7 +65,7 @@ int runShard(const RunOptions& options, const CLI::App& program) {
 } // namespace
 
 void addBatch(CLI::App& program, Action& action) {
-    auto options = std::make_shared<RunOptions>();
+    auto options = std::make_shared<ShardOptions>();
     CLI::App* command = program.add_subcommand("batch", "Run a command for many inputs; again, only for what is missing or failed");
     addBatchOptions(*command, options->batch);
     command->add_option("--shard", options->shard, "Part of the inputs, 3/100: every hundredth from the third on")->capture_default_str();

@@ -94,7 +94,7 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     command
         .add_option("--samples", options.samples,
                     "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
-                    "cannot have several, and for render --frames")
+                    "cannot have several or has Direct3D 9's half pixel, and for render --frames")
         ->check(CLI::IsMember({1, 2, 4, 8}));
     command
         .add_option("--picture", options.picture,
@@ -134,7 +134,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     job.run.technique = options.technique;
     job.run.width = size->first;
     job.run.height = size->second;
-    job.run.samples = options.samples > 0 ? options.samples : kUsualSamples;
+    job.run.samples = options.samples > 0 ? options.samples : foreign.halfPixel ? 1 : kUsualSamples;
     job.run.halfPicture = options.picture == "half";
     job.run.samplesAreAsked = options.samples > 0;
     job.run.plainSkin = {0.53F, 0.34F, 0.27F, 1}; // the mean of the default human's colour map

@@ -43,8 +43,10 @@ TEST(ShownTechnique, is_said_where_it_is_not_the_first) {
 
 TEST(ShownTechnique, has_colours) {
     EXPECT_EQ(
-        shown("technique10 Depth { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(NULL); } }\n"
-              "technique10 Lit { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); SetPixelShader(CompileShader(ps_4_0, PS())); } }"),
+        shown(
+            "float4 Place(float4 p : POSITION) : SV_Position { return mul(p, m); }\n"
+            "technique10 Depth { pass P { SetVertexShader(CompileShader(vs_4_0, Place())); SetPixelShader(NULL); } }\n"
+            "technique10 Lit { pass P { SetVertexShader(CompileShader(vs_4_0, Place())); SetPixelShader(CompileShader(ps_4_0, PS())); } }"),
         "Lit");
 }
 

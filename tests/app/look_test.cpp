@@ -56,6 +56,8 @@ TEST(Look, a_picture_has_four_samples_a_pixel_unless_another_number_is_asked_for
 
 TEST(Look, a_technique_that_cannot_have_several_samples_is_drawn_with_one_unless_they_are_asked_for) {
     const std::string effect = write("effects/Mixed.fx", R"(
+#ifndef FX_ENTRY
+#endif
 float4x4 gView : WORLDVIEWPROJECTION;
 Texture2D gOwnMap : RENDERCOLORTARGET < string Format = "A8R8G8B8"; >;
 float gScript : STANDARDSGLOBAL < string Script = "Technique=Mixed;"; >;

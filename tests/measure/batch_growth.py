@@ -122,6 +122,8 @@ def plot(files, folder):
     axes.plot([1, 16], [1, 16], color="#999999", linewidth=0.8, label="as many as shards")
     axes.set_xscale("log", base=2)
     axes.set_yscale("log", base=2)
+    axes.set_xticks(SHARDS, SHARDS)
+    axes.set_yticks(SHARDS, SHARDS)
     finish(figure, axes, "batch_speed_up", "shards", "times as fast as one")
 
     figure, axes = plt.subplots(figsize=(5, 3.4))
@@ -131,6 +133,7 @@ def plot(files, folder):
             axes.plot([row["shards"] for row in rows], [1000 * (row["seconds"] * row["shards"] - row["inside"]) / row["inputs"] for row in rows],
                       style, color=colour, label=f"{command}, {one['cores']} cores")
     axes.set_ylim(bottom=0)
+    axes.set_xticks(SHARDS, SHARDS)
     finish(figure, axes, "batch_overhead", "shards", "ms that the batch adds to an input")
 
     figure, axes = plt.subplots(figsize=(5, 3.4))

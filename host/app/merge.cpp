@@ -50,7 +50,7 @@ Result<void> writeAll(const MergeOptions& options, const batch::Table& table, co
 }
 
 /// The messages stand behind the table: they are of any length.
-void print(batch::Table all, const std::string& sums) {
+void printTable(batch::Table all, const std::string& sums) {
     std::vector<std::string> messages;
     all.header.pop_back();
     for (auto& row : all.rows) {
@@ -85,7 +85,7 @@ int merge(const MergeOptions& options) {
         for (const batch::Record& record : *records)
             fmt::print("{}\n", lineOf(record));
     } else if (options.output.empty() && options.joined.empty()) {
-        print(all, sums);
+        printTable(all, sums);
     }
     return 0;
 }

@@ -99,12 +99,76 @@ void EntryCS(uint3 thread : SV_DispatchThreadID)
     gEntry0Store[thread.xy] = light;
 }
 
-PYRAMID_CS(Reduce1, gEntry1Store, kPyramidSize1)
-PYRAMID_CS(Reduce2, gEntry2Store, kPyramidSize2)
-PYRAMID_CS(Reduce3, gEntry3Store, kPyramidSize3)
-PYRAMID_CS(Reduce4, gEntry4Store, kPyramidSize4)
-PYRAMID_CS(Reduce5, gEntry5Store, kPyramidSize5)
-PYRAMID_CS(Reduce6, gEntry6Store, kPyramidSize6)
+// Three reductions in one pass: a group makes 4 x 4 texels of the last map, and shares what these need of the two before, 10 x 10 and 22 x 22.
+static const uint kFirstSide = 22;
+static const uint kSecondSide = 10;
+static const uint kReduceThreads = 8 * 8;
+groupshared float4 gFirstReduced[22 * 22];
+groupshared float4 gSecondReduced[10 * 10];
+
+// What tgPyramidReduce reads of a finer map: `at`, in its texels, and 3 x 3 more.
+float2 reducedFrom(int2 texel, float size, float finer)
+{
+    return (texel + 0.5) * (finer / size) - 1.25;
+}
+
+// tgPyramidReduce of a map that is shared, from its texel `origin` on.
+#define SHARED_REDUCE(name, map, side) \
+float4 name(int2 texel, float size, float finer, int2 origin) \
+{ \
+    float4 sum = 0.0; \
+    [unroll] for (int tap = 0; tap < 4; tap++) \
+    { \
+        float2 at = reducedFrom(texel, size, finer) + 1.5 * float2(tap % 2, tap / 2); \
+        float2 part = frac(at); \
+        uint2 corner = uint2(int2(floor(at)) - origin); \
+        uint first = corner.y * side + corner.x; \
+        sum += lerp(lerp(map[first], map[first + 1], part.x), lerp(map[first + side], map[first + side + 1], part.x), part.y); \
+    } \
+    return 0.25 * sum; \
+}
+SHARED_REDUCE(secondReduced, gFirstReduced, kFirstSide)
+SHARED_REDUCE(thirdReduced, gSecondReduced, kSecondSide)
+
+// Whether a group writes this texel of a map of which it has so many along a side.
+bool reducesTexel(int2 texel, int2 group, int along)
+{
+    return all(texel >= group * along) && all(texel < (group + 1) * along);
+}
+
+#define PYRAMID_REDUCE_CS(name, from, first, second, third) \
+[numthreads(8, 8, 1)] \
+void name##CS(uint3 inMap : SV_GroupID, uint inGroup : SV_GroupIndex) \
+{ \
+    int2 group = int2(inMap.xy); \
+    int2 origin2 = int2(floor(reducedFrom(4 * group, kPyramidSize##third, kPyramidSize##second))); \
+    int2 origin1 = int2(floor(reducedFrom(origin2, kPyramidSize##second, kPyramidSize##first))); \
+    [loop] for (uint i = inGroup; i < kFirstSide * kFirstSide; i += kReduceThreads) \
+    { \
+        int2 texel = origin1 + int2(i % kFirstSide, i / kFirstSide); \
+        float2 uv = (clamp(texel, 0, int(kPyramidSize##first) - 1) + 0.5) / kPyramidSize##first; \
+        gFirstReduced[i] = tgPyramidReduce(TG_SAMPLER2D_ARG(gEntry##from), uv, kPyramidSize##from); \
+        [branch] if (reducesTexel(texel, group, 16)) \
+            gEntry##first##Store[texel] = gFirstReduced[i]; \
+    } \
+    GroupMemoryBarrierWithGroupSync(); \
+    [loop] for (uint k = inGroup; k < kSecondSide * kSecondSide; k += kReduceThreads) \
+    { \
+        int2 texel = origin2 + int2(k % kSecondSide, k / kSecondSide); \
+        int2 within = clamp(texel, 0, int(kPyramidSize##second) - 1); \
+        gSecondReduced[k] = secondReduced(within, kPyramidSize##second, kPyramidSize##first, origin1); \
+        [branch] if (reducesTexel(texel, group, 8)) \
+            gEntry##second##Store[texel] = gSecondReduced[k]; \
+    } \
+    GroupMemoryBarrierWithGroupSync(); \
+    [branch] if (inGroup < 16) \
+    { \
+        int2 texel = 4 * group + int2(inGroup % 4, inGroup / 4); \
+        gEntry##third##Store[texel] = thirdReduced(texel, kPyramidSize##third, kPyramidSize##second, origin2); \
+    } \
+}
+PYRAMID_REDUCE_CS(ReduceFine, 0, 1, 2, 3)
+PYRAMID_REDUCE_CS(ReduceCoarse, 3, 4, 5, 6)
 PYRAMID_CS(LinkedLight6, gLight6Store, kPyramidSize6)
 PYRAMID_CS(LinkedLight5, gLight5Store, kPyramidSize5)
 PYRAMID_CS(LinkedLight4, gLight4Store, kPyramidSize4)
@@ -248,12 +312,16 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
 
 #define COMPUTE_LEVEL_PASS(name, map) TG_COMPUTE_PASS(name, name##CS, map)
 #define COMPUTE_PASSES \
-    COMPUTE_LEVEL_PASS(Entry, "gEntry0Map") COMPUTE_LEVEL_PASS(Reduce1, "gEntry1Map") COMPUTE_LEVEL_PASS(Reduce2, "gEntry2Map") \
-    COMPUTE_LEVEL_PASS(Reduce3, "gEntry3Map") COMPUTE_LEVEL_PASS(Reduce4, "gEntry4Map") COMPUTE_LEVEL_PASS(Reduce5, "gEntry5Map") \
-    COMPUTE_LEVEL_PASS(Reduce6, "gEntry6Map") COMPUTE_LEVEL_PASS(LinkedLight6, "gLight6Map") \
+    COMPUTE_LEVEL_PASS(Entry, "gEntry0Map") COMPUTE_LEVEL_PASS(ReduceFine, "gEntry2Map") \
+    COMPUTE_LEVEL_PASS(ReduceCoarse, "gEntry5Map") COMPUTE_LEVEL_PASS(LinkedLight6, "gLight6Map") \
     COMPUTE_LEVEL_PASS(LinkedLight5, "gLight5Map") COMPUTE_LEVEL_PASS(LinkedLight4, "gLight4Map") \
     COMPUTE_LEVEL_PASS(LinkedLight3, "gLight3Map") COMPUTE_LEVEL_PASS(LinkedLight2, "gLight2Map") \
     COMPUTE_LEVEL_PASS(LinkedLight1, "gLight1Map") COMPUTE_LEVEL_PASS(LinkedLight0, "gLight0Map") FINE_COMPUTE_PASSES
+#if TEGUMENT_MAP_SIZE >= 2048
+#define COMPUTE_SCRIPT LINKED_STEPS("Pass=ReduceFine; Pass=ReduceCoarse;", "")
+#else
+#define COMPUTE_SCRIPT LINKED_STEPS("Pass=ReduceFine;", "Pass=ReduceCoarse;")
+#endif
 #define PLACE_SCRIPT \
     "RenderColorTarget0=gPlaceMap; RenderDepthStencilTarget=gPlaceDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=Place; Pass=Final;"

@@ -16,6 +16,7 @@
 #include "passes/fur_ribbons.fxh"
 #include "passes/fur_root_strands.fxh"
 #include "passes/fur_lock_parameters.fxh"
+#include "passes/relight.fxh"
 #include "passes/fur_opacity.fxh"
 #include "passes/fur_locks.fxh"
 
@@ -35,11 +36,11 @@ technique StrandsSoft < string Script = STRANDS_SCRIPT; >
 
 technique Coat < string Script = COAT_SCRIPT; >
 {
-    COAT_PASSES(RibbonCorePS, RibbonFringePS, TG_STATE_TWOSIDED)
+    COAT_PASSES(UnderfurPS, RibbonCorePS, RibbonFringePS, TG_STATE_TWOSIDED)
 }
 
 technique CoatSoft < string Script = COAT_SCRIPT; >
 {
-    COAT_PASSES(RibbonSoftCorePS, RibbonSoftFringePS, TG_STATE_STRAND)
+    COAT_PASSES(UnderfurSoftPS, RibbonSoftCorePS, RibbonSoftFringePS, TG_STATE_STRAND)
 }
 #endif

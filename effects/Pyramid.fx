@@ -25,6 +25,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/profile.fxh"
 #include "passes/planar_shadow.fxh"
 #include "passes/atlas.fxh"
+#include "passes/relight.fxh"
 #include "passes/pyramid_maps.fxh"
 #include "passes/pyramid.fxh"
 #include "passes/pyramid_links.fxh"

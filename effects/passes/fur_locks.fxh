@@ -268,6 +268,20 @@ RibbonVarying UnderfurVS(TG_LAYER_INPUT(VertexInput, input))
     return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0);
 }
 
+// Underfur is drawn once: what is below it hides its edges.
+float4 UnderfurPS(RibbonVarying input) : SV_Target0
+{
+    clip(tgRibbonCoverage(ribbonEdge(input)) - max(gFurCut, 0.5));
+    return float4(input.color.rgb, 1.0);
+}
+
+float4 UnderfurSoftPS(RibbonVarying input) : SV_Target0
+{
+    float coverage = tgRibbonCoverage(ribbonEdge(input));
+    clip(coverage - gFurCut);
+    return float4(input.color.rgb, coverage);
+}
+
 // From the light: the strands that throw shadows, as opaque as all of their lock.
 OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
 {
@@ -321,16 +335,19 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 #define LOCK_SHARE string Share = "gFurShare"; string ShareRadius = "gCoatRadius"; string ShareThinnest = "gCoatThin"; LOCK_FEWER
 #define LOCK_FEWER string ShareFewest = "gRibbonFewest"; string Segment = "gCoatSegment"; string SegmentsOf = "gFurLength";
 #define OPACITY_SHARE LOCK_SHARE float SegmentFewest = 2.0; float ShareFirst = 0.5;
-#define COAT_SCRIPT OPACITY_SCRIPT \
+#define COAT_SCRIPT LIGHT_SCRIPT(OPACITY_SCRIPT) \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
 #define LOCK_SEEN RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;
-#define UNDERFUR_SEEN RIBBON_REACH LOCK_SHARE float SegmentScale = 0.5;
-#define COAT_PASSES(core, fringe, coreState) OPACITY_PASSES \
+// Least: of the widest that a lock has, lockRadius of a guard hair, lockShare; without underfur that no pixel shows.
+#define LOCK_CORE LOCK_SEEN string Least = "gRibbonThin"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.74;
+#define LOCK_UNDER RIBBON_REACH LOCK_SHARE LOCK_LEAST float SegmentScale = 0.5;
+#define LOCK_LEAST string Least = "gFurCut"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.01;
+#define COAT_PASSES(under, core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
-    TG_SEEN_LAYER_PASS(Underfur, "underfur", UNDERFUR_SEEN, "gCoatUnderfur", UnderfurVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Underfur, "underfur", LOCK_UNDER, "gCoatUnderfur", UnderfurVS, under, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksVS, core, coreState) \
     TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
 
 #endif

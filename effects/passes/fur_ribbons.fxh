@@ -4,12 +4,19 @@
 #ifndef TEGUMENT_PASSES_FUR_RIBBONS_FXH
 #define TEGUMENT_PASSES_FUR_RIBBONS_FXH
 
+// centroid: with several samples a pixel, light would be taken at the pixel's centre, outside of a triangle that is narrower than a pixel,
+// far beyond what its corners hold. The distance from the axis is the same plane everywhere, and is taken at the centre.
 struct RibbonVarying
 {
     float4 position : SV_Position;
-    float3 color : TEXCOORD0;
-    float3 edge : TEXCOORD1; // of tgRibbonCoverage
+    centroid float4 color : TEXCOORD0; // and tgRibbonWidth's faintness
+    float2 edge : TEXCOORD1; // distance from the axis, half of the width: with the faintness what tgRibbonCoverage asks for
 };
+
+float3 ribbonEdge(RibbonVarying input)
+{
+    return float3(input.edge, input.color.w);
+}
 
 // A root where it stands in the world, and what is seen from it.
 struct RibbonFrame
@@ -85,45 +92,66 @@ RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset,
     position.z = tgFurNearDepth(position.z, position.w);
     RibbonVarying output;
     output.position = TG_HALF_PIXEL(position, gViewportSize);
-    output.color = color;
-    output.edge = float3(drawn / pixel, width.x / pixel, width.y);
+    output.color = float4(color, width.y);
+    output.edge = float2(drawn, width.x) / pixel;
     return output;
 }
 
-// No strand is further from its root: four lengths of the coat, whose strands lie and stray.
+static const float kRibbonReach = 4.0; // no strand is further from its root, lengths of the coat: strands lie and stray
+
+// Pass Core has nothing of a strand that is narrower than gRibbonThin from its root on. radius: there, as it is drawn. As the host's Least.
+bool ribbonThin(RibbonFrame frame, float radius)
+{
+    float nearest = length(frame.toEye) - kRibbonReach * abs(gFurLength) * gMeshRadius;
+    return 2.0 * radius < gRibbonThin * ribbonPixel() * nearest;
+}
+
 #define RIBBON_REACH string Reach = "gFurLength"; float ReachScale = 4.0;
 #define RIBBON_SHARE string Share = "gFurShare"; string Segment = "gRibbonSegment"; string SegmentsOf = "gFurLength";
 
 static const float kRibbonFaint = 0.004; // less an 8-bit target would not show
 
+// Where a strand is narrower than gRibbonThin its coverage is a mean over the pixel: there it hides nothing, and all of it is fringe.
+float ribbonCore(float3 edge, float cut)
+{
+    return edge.z < gRibbonThin ? -1.0 : tgRibbonCoverage(edge) - cut;
+}
+
+// Share of a pixel that pass Core leaves to pass Fringe; below 0: none that shows.
+float ribbonFringe(float3 edge, float cut)
+{
+    float coverage = tgRibbonCoverage(edge);
+    return coverage < cut || edge.z < gRibbonThin ? coverage - kRibbonFaint : -1.0;
+}
+
 // Covered by half and more, as opaque.
 float4 RibbonCorePS(RibbonVarying input) : SV_Target0
 {
-    clip(tgRibbonCoverage(input.edge) - 0.5);
-    return float4(input.color, 1.0);
+    clip(ribbonCore(ribbonEdge(input), 0.5));
+    return float4(input.color.rgb, 1.0);
 }
 
 // What pass Core leaves.
 float4 RibbonFringePS(RibbonVarying input) : SV_Target0
 {
-    float coverage = tgRibbonCoverage(input.edge);
-    clip(coverage < 0.5 ? coverage - kRibbonFaint : -1.0);
-    return float4(input.color, coverage);
+    float left = ribbonFringe(ribbonEdge(input), 0.5);
+    clip(left);
+    return float4(input.color.rgb, left + kRibbonFaint);
 }
 
 // Covered by gFurCut and more, blended over what is there.
 float4 RibbonSoftCorePS(RibbonVarying input) : SV_Target0
 {
-    float coverage = tgRibbonCoverage(input.edge);
-    clip(coverage - gFurCut);
-    return float4(input.color, coverage);
+    float covered = ribbonCore(ribbonEdge(input), gFurCut);
+    clip(covered);
+    return float4(input.color.rgb, covered + gFurCut);
 }
 
 float4 RibbonSoftFringePS(RibbonVarying input) : SV_Target0
 {
-    float coverage = tgRibbonCoverage(input.edge);
-    clip(coverage < gFurCut ? coverage - kRibbonFaint : -1.0);
-    return float4(input.color, coverage);
+    float left = ribbonFringe(ribbonEdge(input), gFurCut);
+    clip(left);
+    return float4(input.color.rgb, left + kRibbonFaint);
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOT_STRANDS_FXH
 #define TEGUMENT_PASSES_FUR_ROOT_STRANDS_FXH
 
-static const float kStrandTuftSteps = 3.0;
+static const float kStrandTuftSteps = 3.0; // from a root on; less from where a tuft is known near by
 static const float kStrandBefore = 0.02; // of the coat: from there to the axis runs its tangent
 
 // As FurRoots bends it. Lengths in mm.
@@ -44,16 +44,16 @@ RootStrand rootStrand(VertexInput input, float4 ball, float rows)
     return strand;
 }
 
-// From the root's axis at this height to where the strand is. Height 0: the root.
-float3 rootStrandBend(RootStrand strand, float height)
+// From the root's axis at this height to where the strand is. Height 0: the root. tuft: how far aside, spacings, once it has been found;
+// before, a guess, from which `steps` rounds lead there.
+float3 rootStrandBend(RootStrand strand, float height, float steps, inout float3 tuft)
 {
     float2 turn = tgFurWave(gFurTurns * height + float3(0.0, 0.75, 0.5)).xy;
     float2 bend = height * (float2(gFurScatter * height, 0.0) + gFurCurls * turn);
     float3 stray = bend.x * strand.side + bend.y * strand.across;
     // FurRoots looks its strands up at a place that goes aside by the tuft there: the place from which it comes to this one.
     float3 place = strand.root / strand.spacing + stray;
-    float3 tuft = 0.0;
-    [unroll] for (float i = 0.0; i < kStrandTuftSteps; i += 1.0)
+    [unroll] for (float i = 0.0; i < steps; i += 1.0)
     {
         tuft = gFurTufts * height * height * tgFurTuft((place - tuft) / gFurTuftSize);
         tuft -= strand.normal * dot(tuft, strand.normal);
@@ -76,32 +76,47 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     return direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple);
 }
 
-RibbonVarying StrandsVS(VertexInput input)
+// core: only where a part of the strand is wide enough for pass Core.
+RibbonVarying strandVarying(VertexInput input, bool core)
 {
     RibbonVarying output = ribbonNowhere();
-    [branch] if (ribbonDrawn(input, tgRibbonRank(input.uv.y), gFurShare))
+    float4 ball = furRootsHeader(4.0);
+    RibbonFrame frame = ribbonFrame(input, ball);
+    // Of a root, spacings, shares of the widest: those that are drawn stand for all.
+    float widest = gFurRadius * rsqrt(max(furRootsHeader(3.0).w, 1e-10)) * frame.perMm / gFurShare;
+    [branch] if (ribbonDrawn(input, tgRibbonRank(input.uv.y), gFurShare) && !(core && ribbonThin(frame, widest)))
     {
-        float4 ball = furRootsHeader(4.0);
-        RibbonFrame frame = ribbonFrame(input, ball);
         RootStrand strand = rootStrand(input, ball, furRootsHeader(2.0).x);
         float along = tgRibbon(input.uv.x).along;
         float height = along * strand.share;
-        float3 offset = rootStrandBend(strand, height);
-        float3 tangent = tgSafeNormalize(offset - rootStrandBend(strand, height - kStrandBefore));
+        float3 tuft = 0.0;
+        float3 offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
+        float3 tangent = tgSafeNormalize(offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
         offset *= frame.perMm;
         float3 color = rootStrandColor(strand, frame, offset, along, input);
-        float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare; // those that are drawn stand for all
+        float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
         output = ribbonVarying(input, frame, offset, tangent, radius, color);
     }
     return output;
 }
 
+RibbonVarying StrandsVS(VertexInput input)
+{
+    return strandVarying(input, false);
+}
+
+RibbonVarying StrandsCoreVS(VertexInput input)
+{
+    return strandVarying(input, true);
+}
+
 #define STRANDS_SHARE RIBBON_SHARE float SegmentFewest = 3.0;
-#define STRANDS_SCRIPT SHADOW_MAP_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
+#define STRANDS_CORE STRANDS_SHARE string Least = "gRibbonThin"; string LeastSpacings = "gFurRadius";
+#define STRANDS_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
 #define STRANDS_PASSES(core, fringe, coreState) \
     TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
-    TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_SHARE, StrandsVS, core, coreState) \
+    TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_CORE, StrandsCoreVS, core, coreState) \
     TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH STRANDS_SHARE, StrandsVS, fringe, TG_STATE_FRINGE)
 
 #endif

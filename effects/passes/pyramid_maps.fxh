@@ -19,10 +19,6 @@ PYRAMID_MAPS(4, 16)
 PYRAMID_MAPS(5, 32)
 PYRAMID_MAPS(6, 64)
 
-int gRelight < string UIName = "Light, pose or skin have changed"; string UIWidget = "CheckBox"; int UIMin = 0; int UIMax = 1;
-    string UIHelp = "0 where they stand still: the light of the picture before serves, whatever the camera does"; > = 1;
-#define LIGHT_SCRIPT(script) "LoopByCount=gRelight;" script "LoopEnd;"
-
 Texture2D gLadderMap < string Producer = "Ladder.fx/gLadderMap"; string ResourceName = "ladder.dds"; >;
 TG_SAMPLER2D(gLadder, LINEAR, CLAMP);
 

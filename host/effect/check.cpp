@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 54> kAnnotations{{
+constexpr std::array<KnownAnnotation, 58> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -68,6 +68,10 @@ constexpr std::array<KnownAnnotation, 54> kAnnotations{{
     {"SegmentsOf", kText},
     {"SegmentScale", kNumber},
     {"SegmentFewest", kNumber},
+    {"Least", kText},
+    {"LeastRadius", kText},
+    {"LeastSpacings", kText},
+    {"LeastScale", kNumber},
     {"Stores", kText},
     {"Threads", kText},
     {"Groups", kNumber, 1, 3},
@@ -270,8 +274,8 @@ private:
 
     /// The names of parameters in a pass's annotations get the spelling of their declaration, like those in scripts.
     void namedNumbers(Pass& pass) {
-        constexpr std::array kNames = {"Instances",     "Reach",       "Share",   "ShareRadius",
-                                       "ShareThinnest", "ShareFewest", "Segment", "SegmentsOf"};
+        constexpr std::array kNames = {"Instances", "Reach",      "Share", "ShareRadius", "ShareThinnest", "ShareFewest",
+                                       "Segment",   "SegmentsOf", "Least", "LeastRadius", "LeastSpacings"};
         for (Annotation& annotation : pass.annotations.list)
             if (auto* name = std::get_if<std::string>(&annotation.value);
                 name != nullptr && std::ranges::any_of(kNames, [&](const char* own) { return equalsIgnoreCase(annotation.name, own); }))

@@ -42,6 +42,37 @@ double unevenness(const glm::dmat4& world) {
     return *std::ranges::max_element(lengths) / std::max(*std::ranges::min_element(lengths), 1e-30);
 }
 
+/// Mean distance of the roots of the part, mm, at least what it is where they stand as densely as anywhere.
+double spacingOf(const Mesh& mesh, const MeshPart& strands) {
+    if (strands.indexCount == 0) return 0;
+    const auto rootAt = [&](std::size_t i) { return mesh.uvs[mesh.indices[strands.firstIndex + i]].y; };
+    std::size_t ribbon = 3;
+    while (ribbon < strands.indexCount && rootAt(ribbon) == rootAt(0))
+        ribbon += 3;
+    const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.indices[i]]); };
+    double area = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) // ribbons have none
+        area += 0.5 * glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i)));
+    return std::sqrt(area * static_cast<double>(ribbon) / strands.indexCount);
+}
+
+/// Which strands are too thin for the pass, as the annotations Least, LeastRadius or LeastSpacings, and LeastScale say.
+Result<void> addLeast(const PartRequest& request, const MeshPart* strands, StrandShare& share) {
+    const auto least = namedNumber(request, "Least");
+    if (!least) return least.error();
+    const auto radius = namedNumber(request, "LeastRadius");
+    if (!radius) return radius.error();
+    const auto spacings = namedNumber(request, "LeastSpacings");
+    if (!spacings) return spacings.error();
+    if (!*least || !strands) return {};
+    const auto scale = request.pass.annotations.numbers("LeastScale");
+    const double unit = *spacings ? spacingOf(*request.input.mesh, *strands) : meshRadius(request);
+    share.least = **least;
+    share.widest =
+        2 * (*spacings ? **spacings : radius->value_or(0)) * unit * (scale ? scale->front() : 1) * unevenness(request.prepared.scene.world);
+    return {};
+}
+
 Result<std::optional<StrandShare>> shareOf(const PartRequest& request, std::uint32_t instances) {
     const auto share = namedNumber(request, "Share");
     if (!share) return share.error();
@@ -113,9 +144,11 @@ void drawList(const PartList& list, gpu::Draw& draw) {
 Result<void> chooseTriangles(const PartRequest& request, PartLists& lists, gpu::Draw& draw) {
     const auto view = viewOf(request);
     if (!view) return view.error();
-    const auto share = shareOf(request, draw.instances);
+    auto share = shareOf(request, draw.instances);
     if (!share) return share.error();
     const MeshPart* strands = partOfStrands(request);
+    if (*share)
+        if (const auto added = addLeast(request, strands, **share); !added) return added;
     if (strands && draw.instances > 0 && (*view || *share)) {
         const auto list =
             listed(request, *strands, *view ? &**view : nullptr, share->value_or(StrandShare{.count = draw.instances}), lists);

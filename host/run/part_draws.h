@@ -36,8 +36,8 @@ struct PartRequest {
 };
 
 /// Fills in the draw's indices, ranges and instances, which are those of the whole mesh. Annotations of the pass: Part; Reach with
-/// ReachScale; Share with ShareRadius, ShareThinnest, ShareFewest and ShareFirst; Segment with SegmentsOf and SegmentScale
-/// (docs/running.md).
+/// ReachScale; Share with ShareRadius, ShareThinnest, ShareFewest and ShareFirst; Segment with SegmentsOf and SegmentScale;
+/// Least with LeastRadius or LeastSpacings and LeastScale (docs/running.md).
 [[nodiscard]] Result<void> chooseTriangles(const PartRequest& request, PartLists& lists, gpu::Draw& draw);
 
 } // namespace tegument::run

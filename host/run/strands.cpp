@@ -101,6 +101,7 @@ private:
         const glm::dvec3 place(mesh_.positions[root]);
         if (view_ && !canBeSeen(place, glm::dvec3(mesh_.normals[root]), *view_)) return;
         const double distance = glm::distance(eye_, place);
+        if (isThin(share_, distance, view_ ? view_->reach : distance)) return;
         const double strands = shareAt(share_, distance) * share_.count;
         const double rank = rankOf(address, share_.first);
         ribbon.strands = strands - rank;
@@ -144,6 +145,12 @@ double shareAt(const StrandShare& share, double distance) {
     if (!(share.width > 0) || !(share.thinnest > 0)) return share.share;
     const double pixels = share.width / std::max(share.pixel * distance, 1e-30);
     return share.share * std::clamp(pixels / share.thinnest * (1 + kShareTolerance), std::min(share.fewest, 1.0), 1.0);
+}
+
+bool isThin(const StrandShare& share, double distance, double reach) {
+    if (!(share.least > 0) || !(share.widest > 0) || distance <= reach) return false;
+    const double drawn = share.widest / std::max(shareAt(share, distance) * (1 - kShareTolerance) * (1 - kShareTolerance), 1e-30);
+    return drawn < share.least * share.pixel * (distance - reach);
 }
 
 std::uint32_t segmentsAt(const StrandShare& share, double distance, double rank, std::uint32_t most) {

@@ -24,6 +24,8 @@ struct StrandShare {
     double length = 0;       // of a strand, mm
     double segment = 0;      // pixels: of a shorter strand rows are left out, so that its segments are as long; 0: none is
     std::uint32_t fewestSegments = 1;
+    double widest = 0; // of a strand, mm, before a share makes it wider
+    double least = 0;  // pixels: strands that are drawn narrower from near their roots on are left out; 0: none is
     bool operator==(const StrandShare&) const = default;
 };
 
@@ -42,6 +44,9 @@ struct StrandLists {
 
 /// Share of the strands of a root at this distance in mm, at least what a shader finds.
 [[nodiscard]] double shareAt(const StrandShare& share, double distance);
+
+/// Whether nothing of a strand at this distance is as wide as the share asks; it may come nearer to the eye by `reach`, mm.
+[[nodiscard]] bool isThin(const StrandShare& share, double distance, double reach);
 
 /// How many segments the ribbon of this root has, 1 to `most`. Roots differ, so that not all change at one distance.
 [[nodiscard]] std::uint32_t segmentsAt(const StrandShare& share, double distance, double rank, std::uint32_t most);

@@ -181,7 +181,8 @@ private:
         for (Pass& pass : technique.passes)
             if (!flat(pass)) pass.state.cull = CullMode::Back;
         adoption_.turned.insert(technique.name);
-        note(adoption_, technique.at, fmt::format("technique {} leaves out clockwise faces in every pass: its host winds them the other way", technique.name));
+        note(adoption_, technique.at,
+             fmt::format("technique {} leaves out clockwise faces in every pass: its host winds them the other way", technique.name));
     }
 
     [[nodiscard]] static bool drawable(const Technique& technique) {

@@ -75,8 +75,8 @@ Result<void> uploadTextures(const RunInput&, const Prepared& prepared, Resources
 /// Mesa's software device (22.3 with LLVM 15) dies of an anisotropic look-up that brings gradients of its own.
 bool diesOfAnisotropy(const gpu::Device& device, const Prepared& prepared) {
     return device.info().driver.starts_with("llvmpipe") && std::ranges::any_of(prepared.programs, [](const auto& program) {
-        return program.second->pixel && spirv::readsByGradient(program.second->pixel->spirv);
-    });
+               return program.second->pixel && spirv::readsByGradient(program.second->pixel->spirv);
+           });
 }
 
 Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Resources& resources) {

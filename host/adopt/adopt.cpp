@@ -1,6 +1,7 @@
 #include "host/adopt/adopt.h"
 
 #include "host/adopt/bind.h"
+#include "host/adopt/columns.h"
 #include "host/adopt/fill.h"
 #include "host/adopt/negated.h"
 #include "host/adopt/rewrite.h"
@@ -81,6 +82,7 @@ public:
             for (std::size_t i = 0; i < technique.passes.size(); ++i)
                 pass(technique, technique.passes[i], i);
             runPassesAtAll(technique);
+            turnFaces(technique);
         }
         chooseShown();
         fillTextures();
@@ -167,6 +169,21 @@ private:
         if (!technique.script.given || std::ranges::any_of(technique.script.commands, runs)) return;
         for (const Pass& pass : technique.passes)
             technique.script.commands.push_back({.kind = CommandKind::Pass, .options = {pass.name}, .at = technique.at});
+    }
+
+    /// `CullMode = CW` in every pass that draws the mesh: its host winds front faces the other way, as modelling programs do. Outlines and
+    /// shells have it in some of their passes only.
+    void turnFaces(Technique& technique) {
+        const auto flat = [](const Pass& pass) { return !drawsGeometry(pass); };
+        const auto inside = [&](const Pass& pass) { return flat(pass) || pass.state.cull == CullMode::Front; };
+        if (technique.kind != TechniqueKind::D3D9 || std::ranges::all_of(technique.passes, flat) ||
+            !std::ranges::all_of(technique.passes, inside))
+            return;
+        for (Pass& pass : technique.passes)
+            if (!flat(pass)) pass.state.cull = CullMode::Back;
+        adoption_.turned.insert(technique.name);
+        note(adoption_, technique.at,
+             fmt::format("technique {} leaves out clockwise faces in every pass: its host winds them the other way", technique.name));
     }
 
     [[nodiscard]] static bool drawable(const Technique& technique) {
@@ -302,6 +319,25 @@ private:
                 ParameterBinding bound = bindParameter(parameter, options_, negated.contains(parameter.name));
                 if (shown.contains(parameter.name) && parameter.name != kTargetSize) adoption_.bindings.push_back(std::move(bound));
             }
+        }
+        turnMatrices();
+    }
+
+    /// Hosts that count in columns hand over transposes. What the user binds stays as he says.
+    void turnMatrices() {
+        const auto turns = [&](const Parameter& parameter) {
+            return parameter.type.rows > 1 && !parameter.semantic.empty() && parameter.name != kPlainMatrix &&
+                   !options_.bind.contains(parameter.name);
+        };
+        std::set<std::string> projections;
+        for (const Parameter& parameter : adoption_.effect.parameters)
+            if (turns(parameter) && parameter.semantic.find("PROJECTION") != std::string::npos) projections.insert(parameter.name);
+        if (!multipliesColumns(rewriter_.code(), projections)) return;
+        for (Parameter& parameter : adoption_.effect.parameters) {
+            if (!turns(parameter)) continue;
+            parameter.semantic = transposedSemantic(parameter.semantic);
+            for (ParameterBinding& binding : adoption_.bindings)
+                if (binding.parameter == parameter.name) binding.source += ", for columns";
         }
     }
 

@@ -275,7 +275,7 @@ private:
         if (holds(address, {"camera.projection"})) return matrix("PROJECTION");
         if (holds(address, {"camera.position"})) return position(false);
         if (holds(address, {"light"}) && address.ends_with("position")) return position(true);
-        if (holds(address, {"direction"})) return lightDirection(true);
+        if (address.ends_with("direction")) return lightDirection(true);
         if (holds(address, {"numpointlights", "numdirectionallights"})) return constant({1}, "one");
         if (holds(address, {"numspotlights"})) return constant({0}, "none");
         if (holds(address, {"color", "ambient"})) return constant({1, 1, 1, 1}, "white");
@@ -345,7 +345,8 @@ private:
         if (auto found = matrix(text)) return found;
         if (isMatrix(parameter_.type)) return std::nullopt;
         if (text == "POSITION") return position(ofLight());
-        if (holds(text, {"LIGHTPOS"})) return position(true);
+        if (holds(text, {"LIGHT"}) && holds(text, {"COL", "DIFFUSE", "SPECULAR", "AMBIENT", "INTENSITY"})) return colour(text);
+        if (holds(text, {"LIGHTPOS"}) || (text.starts_with("LIGHT") && text.ends_with("POSITION"))) return position(true);
         if (holds(text, {"CAMERAPOS", "VIEWPOS", "EYEPOS", "EYELOC", "CAMERALOC", "EYEPOINT"})) return position(false);
         if (text == "DIRECTION") return ofLight() ? lightDirection(true) : directionOfCamera();
         if (holds(text, {"LIGHTDIR"})) return lightDirection(true);

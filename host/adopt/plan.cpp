@@ -141,6 +141,9 @@ void Rewriter::planLeaves(Effect& effect, const Parameter& whole, const Type& ty
     LeafPlan leaf{.name = path, .type = resolved, .array = {}};
     if (type.elements > 0) leaf.array = {Word{.text = fmt::format("[{}]", type.elements)}};
     Parameter made{.name = path, .type = type, .semantic = {}, .annotations = whole.annotations, .at = whole.at};
+    for (Annotation& annotation : made.annotations.list) // of the whole: "Sas.PointLight[0]" and its ".Position"
+        if (auto* address = std::get_if<std::string>(&annotation.value); address && equalsIgnoreCase(annotation.name, "SasBindAddress"))
+            *address += "." + path.substr(path.rfind('_') + 1);
     const auto count = static_cast<std::size_t>(type.scalarCount());
     if (const auto* numbers = numbersOf(whole); numbers && next + count <= numbers->size())
         made.defaultValue = std::vector<double>(numbers->begin() + static_cast<std::ptrdiff_t>(next),

@@ -22,6 +22,7 @@ struct CheckArguments {
     std::vector<std::string> targets = {"all"};
     EffectOptions effect;
     bool allSettings = false;
+    bool compatible = false;
     std::string emitFolder;
     std::vector<std::string> emitKinds = {"all"};
     bool resources = false;
@@ -72,6 +73,7 @@ CheckOptions checkOptions(const CheckArguments& arguments) {
     CheckOptions options{.variants = {Variant{.name = load.setting, .defines = load.defines, .setting = load.setting}},
                          .includeFolders = load.includeFolders};
     options.allSettings = arguments.allSettings;
+    options.compatible = arguments.compatible;
     if (options.allSettings) options.variants.front() = {.name = {}, .defines = load.defines};
     return options;
 }
@@ -290,6 +292,8 @@ void addCheck(CLI::App& program, Action& action) {
                                    "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang or all; may be repeated"))
         ->capture_default_str();
     command->add_flag("--all-settings", arguments->allSettings, "Check every setting that an effect has");
+    command->add_flag("--gec", arguments->compatible,
+                      "Microsoft's compiler with its option /Gec: models 1, changed parameters, byte order marks");
     addEffectOptions(*command, arguments->effect);
     CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
     repeatable(

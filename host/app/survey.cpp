@@ -6,12 +6,17 @@
 #include "host/app/output.h"
 #include "host/app/picture_files.h"
 #include "host/check/check.h"
+#include "host/support/children.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <future>
 #include <map>
 #include <memory>
+#include <thread>
 
 namespace tegument::app {
 
@@ -35,8 +40,11 @@ struct Row {
     std::string read;                           // "read", "refused: TG1101"
     std::map<std::string, std::string> targets; // verdict by target
     std::string drawn;                          // "drawn", "black", "one colour", "not drawn: TG4003"
-    std::string why;                            // the first message of what went wrong
+    std::string why;                            // the first message of what went wrong, with its place
+    std::string construct;                      // its text alone
 };
+
+constexpr double kLongestFile = 300; // seconds for one file; the longest seen takes 9
 
 Result<std::vector<fs::path>> effectsIn(const fs::path& folder) {
     std::error_code error;
@@ -57,6 +65,12 @@ std::string firstLine(const Error& error) {
     return text.substr(0, text.find('\n'));
 }
 
+void blame(Row& row, const Error& error) {
+    if (!row.why.empty()) return;
+    row.why = firstLine(error);
+    row.construct = error.diagnostics.empty() ? std::string() : error.diagnostics.front().text;
+}
+
 /// Whether every pixel of the picture is the same, and black.
 std::string pictureOf(const Image& image) {
     const auto plain = plainPictureNote(image, {});
@@ -73,7 +87,7 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
     auto job = loadJob(wanted, MeshFor::Technique);
     const auto refused = [&](const Error& error) {
         row.drawn = "not drawn: " + codeOf(error);
-        row.why = firstLine(error);
+        blame(row, error);
     };
     if (!job) return refused(job.error());
     const auto result = runScene(device, job->effect, job->scene, job->run);
@@ -84,10 +98,10 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
     std::string name = fs::relative(file, options.folder).replace_extension(".png").string();
     std::ranges::replace(name, '/', '.');
     if (const auto written = writePicture(pictures, fs::path(options.pictures) / name, result->image); !written)
-        row.why = firstLine(written.error());
+        blame(row, written.error());
 }
 
-/// The targets' verdicts of all files at once: Microsoft's compiler is started once for many.
+/// The targets' verdicts of all these files at once: Microsoft's compiler is started once for many.
 void check(const std::vector<fs::path>& files, const std::vector<Target>& targets, const SurveyOptions& options, std::vector<Row>& rows) {
     if (targets.empty()) return;
     const LoadOptions load = loadOptions(options.effect);
@@ -98,39 +112,64 @@ void check(const std::vector<fs::path>& files, const std::vector<Target>& target
             if (row.file != file.file.string()) continue;
             for (const TargetCheck& target : file.targets) {
                 row.targets[std::string(targetName(target.target))] = std::string(verdictName(target.verdict));
-                if (target.verdict == Verdict::Failed && row.why.empty())
-                    for (const Diagnostic& diagnostic : target.diagnostics)
-                        if (diagnostic.severity == Severity::Error && row.why.empty()) row.why = firstLine({Blame::Input, {diagnostic}});
+                if (target.verdict != Verdict::Failed) continue;
+                for (const Diagnostic& diagnostic : target.diagnostics)
+                    if (diagnostic.severity == Severity::Error) blame(row, {Blame::Input, {diagnostic}});
             }
         }
 }
 
-void count(const std::string& what, const std::map<std::string, int>& counts) {
-    for (const auto& [name, number] : counts)
+/// How often each reason, the most frequent first.
+using Reasons = std::map<std::string, std::map<std::string, int>>; // of a verdict, by its text
+
+void printCounts(const std::string& what, const std::map<std::string, int>& counts, const Reasons& reasons) {
+    constexpr std::size_t kMost = 8; // reasons of one verdict
+    for (const auto& [name, number] : counts) {
         fmt::print("{:<14} {:<28} {}\n", what, name, number);
+        const auto found = reasons.find(name);
+        if (found == reasons.end()) continue;
+        std::vector<std::pair<std::string, int>> list(found->second.begin(), found->second.end());
+        std::ranges::stable_sort(list, std::greater<>{}, &std::pair<std::string, int>::second);
+        for (std::size_t i = 0; i < std::min(list.size(), kMost); ++i)
+            fmt::print("    {:>6}  {}\n", list[i].second, list[i].first);
+        if (list.size() > kMost) fmt::print("            and {} more\n", list.size() - kMost);
+    }
 }
 
 void printSums(const std::vector<Row>& rows) {
     std::map<std::string, int> read;
     std::map<std::string, std::map<std::string, int>> targets;
     std::map<std::string, int> drawn;
+    Reasons refused;
+    Reasons notDrawn;
+    std::map<std::string, Reasons> failed; // by target
     for (const Row& row : rows) {
         ++read[row.read];
-        for (const auto& [target, verdict] : row.targets)
+        if (row.read != "read") ++refused[row.read][row.construct];
+        for (const auto& [target, verdict] : row.targets) {
             ++targets[target][verdict];
-        if (!row.drawn.empty()) ++drawn[row.drawn];
+            if (verdict == verdictName(Verdict::Failed)) ++failed[target][verdict][row.construct];
+        }
+        if (row.drawn.empty()) continue;
+        ++drawn[row.drawn];
+        if (row.drawn.starts_with("not drawn")) ++notDrawn[row.drawn][row.construct];
     }
     fmt::print("\n{} files\n", rows.size());
-    count("reading", read);
+    printCounts("reading", read, refused);
     for (const auto& [target, counts] : targets)
-        count(target, counts);
-    count("drawing", drawn);
+        printCounts(target, counts, failed[target]);
+    printCounts("drawing", drawn, notDrawn);
 }
 
 Json rowsJson(const std::vector<Row>& rows) {
     Json json = Json::array();
     for (const Row& row : rows)
-        json.push_back({{"file", row.file}, {"read", row.read}, {"targets", row.targets}, {"drawn", row.drawn}, {"why", row.why}});
+        json.push_back({{"file", row.file},
+                        {"read", row.read},
+                        {"targets", row.targets},
+                        {"drawn", row.drawn},
+                        {"why", row.why},
+                        {"construct", row.construct}});
     return json;
 }
 
@@ -156,33 +195,92 @@ Result<std::vector<Target>> targetsOf(const SurveyOptions& options) {
     return targets;
 }
 
+bool isSpirv(Target target) {
+    return target == Target::SpirvDxc || target == Target::SpirvGlslang;
+}
+
+/// In another process: what brings it down is said of this file, and the next one gets a new process.
+std::string answerFor(const SurveyOptions& options, const std::vector<Target>& targets, std::string_view file) {
+    static auto device = gpu::Device::create({.validation = false, .prefer = options.device});
+    std::vector<Row> rows{{.file = std::string(file)}};
+    Row& row = rows.front();
+    const auto effect = loadEffect(row.file, loadOptions(options.effect));
+    if (!effect) {
+        row.read = "refused: " + codeOf(effect.error());
+        blame(row, effect.error());
+    } else {
+        row.read = "read";
+        if (device) {
+            draw(options, row.file, *device, row);
+        } else {
+            row.drawn = "not drawn: " + codeOf(device.error());
+            blame(row, device.error());
+        }
+        check({row.file}, targets, options, rows);
+    }
+    return rowsJson(rows).front().dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Row rowOf(const ChildAnswer& answer, const std::string& file) {
+    Row row{.file = file};
+    const Json json = answer.answered ? Json::parse(answer.bytes, nullptr, false) : Json();
+    if (json.is_object()) {
+        row.read = json.value("read", "");
+        row.drawn = json.value("drawn", "");
+        row.targets = json.value("targets", std::map<std::string, std::string>());
+        row.why = json.value("why", "");
+        row.construct = json.value("construct", "");
+        return row;
+    }
+    row.read = "read";
+    row.drawn = "not drawn: TG4071";
+    row.construct = answer.timedOut      ? fmt::format("did not end in {} s", kLongestFile)
+                    : answer.signal != 0 ? fmt::format("the process was ended by signal {} ({})", answer.signal, strsignal(answer.signal))
+                                         : std::string("the process left without an answer");
+    row.why = fmt::format("{}: error TG4071: {}", file, row.construct);
+    return row;
+}
+
+/// One process for each processor. Threads of host/support/parallel.h would leave locks held in the copies of this process.
+std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path>& files, const std::vector<Target>& targets) {
+    std::shared_mutex busy; // nothing else of this program runs meanwhile
+    Children workers([&](std::string_view file) { return answerFor(options, targets, file); }, busy);
+    std::vector<Row> rows(files.size());
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> done = 0;
+    std::mutex mutex;
+    Progress progress;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < files.size(); i = next++) {
+            rows[i] = rowOf(workers.ask(files[i].string(), kLongestFile), files[i].string());
+            const std::lock_guard lock(mutex);
+            progress.count("reading, compiling and drawing", ++done, files.size());
+        }
+    };
+    std::vector<std::future<void>> threads;
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+        threads.push_back(std::async(std::launch::async, work));
+    work();
+    for (std::future<void>& thread : threads)
+        thread.get();
+    progress.clear();
+    return rows;
+}
+
 int survey(const SurveyOptions& options) {
     const auto targets = targetsOf(options);
     if (!targets) return fail(targets.error(), options.json);
     const auto files = effectsIn(options.folder);
     if (!files) return fail(files.error(), options.json);
-    auto device = gpu::Device::create({.validation = false, .prefer = options.device});
-    if (!device) return fail(device.error(), options.json);
-    Progress progress;
-    std::vector<Row> rows;
+    std::vector<Target> here;
+    std::vector<Target> inWine; // once for all files
+    for (const Target target : *targets)
+        (isSpirv(target) ? here : inWine).push_back(target);
+    std::vector<Row> rows = rowsOf(options, *files, here);
     std::vector<fs::path> good;
-    for (std::size_t i = 0; i < files->size(); ++i) {
-        progress.count("reading and drawing", i + 1, files->size());
-        Row row{.file = (*files)[i].string()};
-        const auto effect = loadEffect((*files)[i], loadOptions(options.effect));
-        if (!effect) {
-            row.read = "refused: " + codeOf(effect.error());
-            row.why = firstLine(effect.error());
-        } else {
-            row.read = "read";
-            good.push_back((*files)[i]);
-            draw(options, (*files)[i], *device, row);
-        }
-        rows.push_back(std::move(row));
-    }
-    progress.say("compiling");
-    check(good, *targets, options, rows);
-    progress.clear();
+    for (const Row& row : rows)
+        if (row.read == "read") good.emplace_back(row.file);
+    check(good, inWine, options, rows);
     if (options.json) {
         print({{"files", rowsJson(rows)}});
     } else {

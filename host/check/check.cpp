@@ -178,6 +178,7 @@ TargetCheck* Work::find(Target target) {
 
 Work load(const std::filesystem::path& file, const Variant& variant, const std::vector<Target>& targets, const CheckOptions& options) {
     Work work{.file = file, .variant = variant, .includeFolders = options.includeFolders, .pairs = {}, .report = {}};
+    work.compatible = options.compatible;
     work.report.file = file;
     work.report.variant = variant.name;
     for (const Target target : targets)

@@ -63,7 +63,8 @@ void addJob(Work& work, TargetCheck& report, EntryPoint* entry, std::string prof
                           .defines = definesFor(work, report.target),
                           .output = {},
                           .includeFolders = work.includeFolders,
-                          .shader = {}});
+                          .shader = {},
+                          .compatible = work.compatible});
     batch.tickets.push_back({&work, &report, entry});
 }
 

@@ -18,6 +18,7 @@ struct Work {
     /// The file distinguishes the targets by FX_D3D10, as hlsl/platform.fxh does: its techniques exist on all of them.
     bool dialect = false;
     std::vector<StagePair> pairs; // each once
+    bool compatible = false;      // CheckOptions
     bool respelt = false;         // DXC gets the sources of host/adopt
     FileReport report;
 

@@ -169,7 +169,7 @@ private:
                                        windowsPath(file(index, "bin")), isSm3(job) ? windowsPath(file(index, "asm")) : "", folders);
         for (const auto& [name, value] : job.defines)
             text += fmt::format("\t{}={}", name, value);
-        return text + "\n";
+        return text + (job.compatible ? "\t/Gec=1\n" : "\n");
     }
 
     static std::string broughtDown(const MicrosoftJob& job, bool timedOut) {

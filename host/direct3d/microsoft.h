@@ -25,6 +25,7 @@ struct MicrosoftJob {
     std::filesystem::path output;                      // empty: only in the result
     std::vector<std::filesystem::path> includeFolders; // empty: Microsoft's own include handler, as in most engines
     std::string shader;                                // of a listing
+    bool compatible = false;                           // fxc's option /Gec; a byte order mark is left out
 };
 
 /// What ps_3_0 or vs_3_0 used, read from the disassembly: the SM3 limits are asserted by us because the compiler does not hold all of them.

@@ -82,6 +82,10 @@ std::string sourceLineAt(const SourcePosition& at) {
 std::string hintFor(std::string_view text) {
     if (text.find("error initializing the compiler") != std::string_view::npos)
         return "a technique10 or technique11 block stops fx_2_0: keep techniques inside #ifdef FX_TECHNIQUES, written `technique`";
+    for (const std::string_view old :
+         {"use /Gec", "enable compatibility mode", "not in dx9 compatibility mode", "Illegal character in shader file"})
+        if (text.find(old) != std::string_view::npos)
+            return "tegument check --gec compiles it as fxc does with /Gec, without a byte order mark";
     return {};
 }
 

@@ -1,6 +1,7 @@
 #include "host/run/resources.h"
 
 #include "host/run/pixels.h"
+#include "host/spirv/reflect.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,13 @@ Result<void> uploadTextures(const RunInput&, const Prepared& prepared, Resources
     return run ? Result<void>() : Result<void>(run.error());
 }
 
+/// Mesa's software device (22.3 with LLVM 15) dies of an anisotropic look-up that brings gradients of its own.
+bool diesOfAnisotropy(const gpu::Device& device, const Prepared& prepared) {
+    return device.info().driver.starts_with("llvmpipe") && std::ranges::any_of(prepared.programs, [](const auto& program) {
+               return program.second->pixel && spirv::readsByGradient(program.second->pixel->spirv);
+           });
+}
+
 Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Resources& resources) {
     std::set<std::string> names;
     for (const auto& program : prepared.programs)
@@ -85,7 +93,9 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
             return inputError(4005, {.file = input.effect.file.string(), .byte = {}},
                               fmt::format("a shader samples with {}, which the effect does not declare outside FX_ENTRY", name),
                               didYouMean(name, declared));
-        auto made = resources.device.createSampler(sampler->state);
+        SamplerState state = sampler->state;
+        if (diesOfAnisotropy(resources.device, prepared)) state.maxAnisotropy = 1;
+        auto made = resources.device.createSampler(state);
         if (!made) return made.error();
         resources.kit.samplers.emplace(name, std::move(*made));
     }

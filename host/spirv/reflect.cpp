@@ -1,5 +1,7 @@
 #include "host/spirv/reflect.h"
 
+#include "host/spirv/instructions.h"
+
 #include "host/spirv/reader.h"
 
 #include <fmt/format.h>
@@ -254,6 +256,16 @@ bool writesPosition(std::span<const std::uint32_t> words) {
     } catch (const spirv_cross::CompilerError&) {
         return false;
     }
+}
+
+bool readsByGradient(std::span<const std::uint32_t> words) {
+    bool found = false;
+    forEachInstruction(words, [&](spv::Op op, std::span<const std::uint32_t> instruction) {
+        constexpr std::size_t kOperands = 5; // behind the word, the type, the result, the picture and the place
+        const bool explicitly = op == spv::OpImageSampleExplicitLod || op == spv::OpImageSampleProjExplicitLod;
+        if (explicitly && instruction.size() > kOperands) found = found || (instruction[kOperands] & spv::ImageOperandsGradMask) != 0;
+    });
+    return found;
 }
 
 } // namespace tegument::spirv

@@ -15,6 +15,9 @@ namespace tegument::spirv {
 /// Whether a vertex shader has the position among its outputs.
 [[nodiscard]] bool writesPosition(std::span<const std::uint32_t> words);
 
+/// Whether some look-up brings gradients of its own (tex2Dgrad, SampleGrad).
+[[nodiscard]] bool readsByGradient(std::span<const std::uint32_t> words);
+
 /// "normal" -> "NORMAL0".
 [[nodiscard]] std::string canonicalSemantic(std::string_view written, std::uint32_t element = 0);
 

@@ -33,6 +33,8 @@ using hlslc::wide;
 struct Api {
     HRESULT(WINAPI* preprocess)(LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO*, ID3DInclude*, ID3DBlob**, ID3DBlob**);
     HRESULT(WINAPI* compileFromFile)(LPCWSTR, const D3D_SHADER_MACRO*, ID3DInclude*, LPCSTR, LPCSTR, UINT, UINT, ID3DBlob**, ID3DBlob**);
+    HRESULT(WINAPI* compile)
+    (LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO*, ID3DInclude*, LPCSTR, LPCSTR, UINT, UINT, ID3DBlob**, ID3DBlob**);
     HRESULT(WINAPI* disassemble)(LPCVOID, SIZE_T, UINT, LPCSTR, ID3DBlob**);
     hlslc::Reflect reflect;
 };
@@ -45,6 +47,7 @@ struct Job {
     std::string listing;
     std::vector<std::string> folders;
     std::vector<std::pair<std::string, std::string>> defines;
+    bool compatible = false; // as fxc has it with /Gec, and without a byte order mark
 };
 
 template <class Function>
@@ -64,8 +67,12 @@ std::vector<std::string> split(const std::string& text, char separator) {
 Job readJob(const std::string& line) {
     std::vector<std::string> fields = split(line, '\t');
     if (fields.size() < 6) fields.resize(6);
-    Job job{fields[0], fields[1], fields[2], fields[3], fields[4], split(fields[5], '|'), {}};
+    Job job{fields[0], fields[1], fields[2], fields[3], fields[4], split(fields[5], '|'), {}, false};
     for (std::size_t i = 6; i < fields.size(); ++i) {
+        if (fields[i] == "/Gec=1") {
+            job.compatible = true;
+            continue;
+        }
         const std::size_t equals = fields[i].find('=');
         job.defines.emplace_back(fields[i].substr(0, equals), equals == std::string::npos ? "1" : fields[i].substr(equals + 1));
     }
@@ -178,14 +185,30 @@ void lose(Outcome& outcome, const char* why) {
     outcome.compiled.messages += why;
 }
 
-Outcome compile(const Api& api, const Job& job) {
+bool readSource(const Job& job, std::string& text) {
+    if (!readFile(job.source, text)) return false;
+    if (job.compatible && text.rfind("\xef\xbb\xbf", 0) == 0) text.erase(0, 3);
+    return true;
+}
+
+HRESULT compiled(const Api& api, const Job& job, ID3DBlob** binary, ID3DBlob** messages) {
     Includes own(job);
     ID3DInclude* includes = job.folders.empty() ? D3D_COMPILE_STANDARD_FILE_INCLUDE : &own;
+    const char* entry = job.entry.empty() ? nullptr : job.entry.c_str();
+    const std::vector<D3D_SHADER_MACRO> macros = macrosOf(job);
+    if (!job.compatible)
+        return api.compileFromFile(wide(job.source).c_str(), macros.data(), includes, entry, job.profile.c_str(), 0, 0, binary, messages);
+    std::string text;
+    if (!readSource(job, text)) return E_FAIL;
+    return api.compile(text.data(), text.size(), job.source.c_str(), macros.data(), includes, entry, job.profile.c_str(),
+                       D3DCOMPILE_ENABLE_BACKWARDS_COMPATIBILITY, 0, binary, messages);
+}
+
+Outcome compile(const Api& api, const Job& job) {
     ID3DBlob* binary = nullptr;
     ID3DBlob* messages = nullptr;
     Outcome outcome;
-    outcome.result = api.compileFromFile(wide(job.source).c_str(), macrosOf(job).data(), includes,
-                                         job.entry.empty() ? nullptr : job.entry.c_str(), job.profile.c_str(), 0, 0, &binary, &messages);
+    outcome.result = compiled(api, job, &binary, &messages);
     outcome.compiled.messages = textOf(messages);
     outcome.ok = SUCCEEDED(outcome.result) && binary != nullptr;
     if (outcome.ok) outcome.compiled.binary = bytesOf(*binary);
@@ -217,7 +240,7 @@ Text preprocess(const Api& api, const Job& job) {
     ID3DBlob* code = nullptr;
     ID3DBlob* messages = nullptr;
     Text text;
-    if (readFile(job.source, source) &&
+    if (readSource(job, source) &&
         SUCCEEDED(api.preprocess(source.data(), source.size(), job.source.c_str(), macrosOf(job).data(), includes, &code, &messages)))
         text.placed = textOf(code), text.bare = withoutPlaces(text.placed);
     if (code != nullptr) code->Release();
@@ -228,7 +251,7 @@ Text preprocess(const Api& api, const Job& job) {
 /// Entry points of one file share its text.
 const Text& textFor(const Api& api, const Job& job) {
     static std::map<std::string, Text> known;
-    std::string name = job.source;
+    std::string name = job.source + (job.compatible ? "|/Gec" : "");
     for (const std::string& folder : job.folders)
         name += '|' + folder;
     for (const auto& [macro, value] : job.defines)
@@ -239,7 +262,8 @@ const Text& textFor(const Api& api, const Job& job) {
 
 std::string keyFor(const Job& job, const std::string& text) {
     if (text.empty()) return {};
-    return hlslc::hash(job.profile + '\n' + job.entry + '\n' + (job.listing.empty() ? "" : "listing") + '\n' + text);
+    return hlslc::hash(job.profile + '\n' + job.entry + '\n' + (job.listing.empty() ? "" : "listing") + '\n' +
+                       (job.compatible ? "/Gec\n" : "") + text);
 }
 
 /// Without the one that every effect gets: effects are deprecated.
@@ -309,7 +333,8 @@ int wmain(int count, wchar_t** arguments) {
     const HMODULE module = LoadLibraryW(L"d3dcompiler_47.dll");
     Api api{};
     if (module == nullptr || !load(module, "D3DCompileFromFile", api.compileFromFile) || !load(module, "D3DDisassemble", api.disassemble) ||
-        !load(module, "D3DReflect", api.reflect) || !load(module, "D3DPreprocess", api.preprocess))
+        !load(module, "D3DReflect", api.reflect) || !load(module, "D3DPreprocess", api.preprocess) ||
+        !load(module, "D3DCompile", api.compile))
         return 3;
     std::string list;
     FILE* jobs = _wfopen(arguments[1], L"rb");

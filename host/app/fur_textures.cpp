@@ -1,6 +1,7 @@
 #include "host/app/fur_textures.h"
 
 #include "host/app/skin_links.h"
+#include "host/app/surroundings.h"
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
@@ -67,14 +68,16 @@ Result<DdsTexture> drawRoots(const Mesh& mesh) {
 
 Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say& say) {
     if (generator == kSkinLinksGenerator) return cachedSkinLinks(mesh, say);
+    if (generator == kStudioGenerator || generator == kSkyGenerator) return cachedEnvironment(generator, say);
+    if (generator == kOcclusionGenerator) return cachedOcclusion(mesh, say);
     const bool roots = generator == kRoots;
     if (roots && hasRibbons(mesh))
         return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
                           "tegument fur strands has written them beside the mesh: give that file");
     if (!roots && generator != kCubeMap && generator != kSphereMap)
         return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
-                          fmt::format("the annotation Generator knows \"{}\", \"{}\", \"{}\" and \"{}\"", kCubeMap, kSphereMap, kRoots,
-                                      kSkinLinksGenerator));
+                          fmt::format("the annotation Generator knows \"{}\", \"{}\", \"{}\", \"{}\", \"{}\", \"{}\" and \"{}\"", kCubeMap,
+                                      kSphereMap, kRoots, kSkinLinksGenerator, kStudioGenerator, kSkyGenerator, kOcclusionGenerator));
     const fs::path file =
         cacheFolder() / "fur" / "made" /
         (roots ? fmt::format("roots_{}.dds", keyOf(mesh)) : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));

@@ -13,6 +13,7 @@ void addPrep(CLI::App& program, Action& action) {
     addPrepHuman(*command, action);
     addPrepBunny(*command, action);
     addPrepLinks(*command, action);
+    addPrepLight(*command, action);
     addExamples(*command, {{"prep human", "the default head, once"},
                            {"prep scan.ply -o scan.glb", "cleaned, with normals, ordered, with levels of detail"},
                            {"prep scan.obj --unit-mm 1000 --dry-run --report out/report.json", "what would change"}});

@@ -20,6 +20,7 @@ struct Encoded {
 [[nodiscard]] Result<Image> decodePng(const Encoded& in);
 [[nodiscard]] Result<Image> decodeJpeg(const Encoded& in);
 [[nodiscard]] Result<Image> decodeExr(const Encoded& in);
+[[nodiscard]] Result<Image> decodeHdr(const Encoded& in);
 
 /// Eight-bit samples, row by row, ready to be stored.
 struct Samples8 {

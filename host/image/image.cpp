@@ -53,8 +53,8 @@ Error unknownFormat(const codec::Encoded& in) {
     for (std::size_t i = 0; i < std::min<std::size_t>(8, in.bytes.size()); ++i)
         start += fmt::format("{}{:02x}", i ? " " : "", std::to_integer<unsigned>(in.bytes[i]));
     const std::string text =
-        in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG, EXR or DDS image: it starts with {}", start);
-    return inputError(5200, {.file = in.name, .byte = 0}, text, "convert it to PNG, JPEG, EXR or DDS");
+        in.bytes.empty() ? "the file is empty" : fmt::format("not a PNG, JPEG, EXR, HDR or DDS image: it starts with {}", start);
+    return inputError(5200, {.file = in.name, .byte = 0}, text, "convert it to PNG, JPEG, EXR, HDR or DDS");
 }
 
 /// The largest level of a two-dimensional DDS texture.
@@ -69,6 +69,7 @@ Result<Image> decodeByContent(const codec::Encoded& in) {
     if (startsWith(in.bytes, {0x89, 'P', 'N', 'G'})) return codec::decodePng(in);
     if (startsWith(in.bytes, {0xff, 0xd8})) return codec::decodeJpeg(in);
     if (startsWith(in.bytes, {0x76, 0x2f, 0x31, 0x01})) return codec::decodeExr(in);
+    if (startsWith(in.bytes, {'#', '?', 'R', 'A'}) || startsWith(in.bytes, {'#', '?', 'R', 'G'})) return codec::decodeHdr(in);
     if (isDds(in.bytes)) return flatDds(in);
     return unknownFormat(in);
 }

@@ -14,8 +14,6 @@ struct SurfaceTree::State {
 
 namespace {
 
-constexpr float kForever = std::numeric_limits<float>::infinity();
-
 /// Buffers of Embree's own: it reads 16 bytes at the last vertex.
 void fill(RTCGeometry geometry, std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices, std::size_t corners) {
     auto* points = static_cast<float*>(
@@ -53,8 +51,8 @@ std::optional<RayHit> SurfaceTree::nearest(const glm::vec3& origin, const glm::v
     return RayHit{.face = query.hit.primID, .distance = query.ray.tfar};
 }
 
-bool SurfaceTree::meetsAny(const glm::vec3& origin, const glm::vec3& direction) const {
-    RTCRay ray = rayFrom(origin, direction, 0, kForever);
+bool SurfaceTree::meetsAny(const glm::vec3& origin, const glm::vec3& direction, const RayRange& range) const {
+    RTCRay ray = rayFrom(origin, direction, range.first, range.last);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(state_->embree.scene, &context, &ray);

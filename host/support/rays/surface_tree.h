@@ -40,7 +40,7 @@ public:
     /// The first face within `range` along the ray, seen from either side. Safe to call from several threads, as all that follow.
     [[nodiscard]] std::optional<RayHit> nearest(const glm::vec3& origin, const glm::vec3& direction, const RayRange& range = {}) const;
 
-    [[nodiscard]] bool meetsAny(const glm::vec3& origin, const glm::vec3& direction) const;
+    [[nodiscard]] bool meetsAny(const glm::vec3& origin, const glm::vec3& direction, const RayRange& range = {}) const;
 
     /// `visit(face)` for every face that comes nearer to `point` than `radius`, near boxes first, and perhaps for a few that do not. It
     /// returns the radius to go on with: the same, or a smaller one.

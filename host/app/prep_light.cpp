@@ -33,7 +33,7 @@ Result<Image> panoramaOf(const EnvironmentArguments& arguments) {
     return loadImage(arguments.input);
 }
 
-Json toJson(const glm::dvec3& v) {
+Json lightJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -55,9 +55,9 @@ int prepEnvironment(const EnvironmentArguments& arguments) {
     if (arguments.json) {
         Json coefficients = Json::array();
         for (const glm::dvec3& c : harmonics)
-            coefficients.push_back(toJson(c));
+            coefficients.push_back(lightJson(c));
         print({{"file", arguments.output},
-               {"irradiance_over_pi", {{"up", toJson(up)}, {"front", toJson(front)}}},
+               {"irradiance_over_pi", {{"up", lightJson(up)}, {"front", lightJson(front)}}},
                {"harmonics", coefficients},
                {"harmonics_error", error}});
         return 0;

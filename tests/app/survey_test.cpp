@@ -32,6 +32,19 @@ TEST(Survey, counts_what_is_refused_by_its_code) {
     EXPECT_NE(ran.out.find("refused: TG2001"), std::string::npos) << ran.out;
 }
 
+TEST(Survey, goes_on_where_a_driver_brings_the_process_down) {
+    std::filesystem::create_directories(scratch() / "down");
+    const std::string effect =
+        write("down/plain.fx", "float4 VS(float4 p : POSITION) : POSITION { return p; }\nfloat4 PS() : COLOR { return 1; }\n"
+                               "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }");
+    const Json driver = {{"file_format_version", "1.0.0"}, {"ICD", {{"library_path", CRASHING_DRIVER}, {"api_version", "1.3.0"}}}};
+    const std::string icd = write("down.json", driver.dump());
+    const Ran ran =
+        tegument({"survey", effect.substr(0, effect.rfind('/')), "--size", "16", "--target", "none"}, {{"VK_DRIVER_FILES", icd}});
+    EXPECT_NE((ran.out + ran.err).find("TG4071"), std::string::npos) << ran.out << ran.err;
+    EXPECT_NE((ran.out + ran.err).find("signal 6"), std::string::npos) << ran.out << ran.err;
+}
+
 TEST(Survey, has_an_example_for_continuous_integration_that_runs) {
     const std::string run = std::string("TEGUMENT=") + TEGUMENT_PROGRAM + " sh docs/samples/ci/check-effects.sh ";
     EXPECT_EQ(std::system((run + "tests/adopt/effects >/dev/null 2>&1").c_str()), 0);

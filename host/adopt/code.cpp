@@ -135,7 +135,7 @@ private:
         return result;
     }
 
-    void add(std::string name, Item item) {
+    void add(const std::string& name, Item item) {
         if (!name.empty()) code_.byName[name].push_back(code_.items.size());
         code_.items.push_back(std::move(item));
     }

@@ -109,6 +109,6 @@ Result<batch::Batch> batchOf(const BatchOptions& options, const std::vector<std:
                         .maxBytes = static_cast<std::size_t>(options.maxMemory * kMiB),
                         .jobs = options.jobs,
                         .keepsFailed = options.keepsFailed};
-}
+} // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function owns what it was given
 
 } // namespace tegument::app

@@ -129,11 +129,11 @@ std::vector<Rgb> paletteOf(std::span<const std::uint8_t> rgb) {
     while (parts.size() < kPaletteSize) {
         const auto widest = std::ranges::max_element(parts, {}, [](const Part& part) { return part.cells.size() > 1 ? part.spread : -1; });
         if (widest->cells.size() < 2) break;
-        const auto upper =
-            std::ranges::partition(widest->cells, [&](const Cell& cell) { return cell.mean(widest->channel) <= widest->middle; });
-        if (upper.empty()) break; // all alike, within rounding
-        std::vector<Cell> taken(upper.begin(), upper.end());
-        widest->cells.erase(upper.begin(), upper.end());
+        const auto upper = std::partition(widest->cells.begin(), widest->cells.end(),
+                                          [&](const Cell& cell) { return cell.mean(widest->channel) <= widest->middle; });
+        if (upper == widest->cells.end()) break; // all alike, within rounding
+        std::vector<Cell> taken(upper, widest->cells.end());
+        widest->cells.erase(upper, widest->cells.end());
         *widest = partOf(std::move(widest->cells));
         parts.push_back(partOf(std::move(taken)));
     }

@@ -332,8 +332,9 @@ private:
     /// folders.
     [[nodiscard]] std::vector<fs::path> foldersFrom(const std::string& from) const {
         std::vector<fs::path> folders{fs::path(from).parent_path()};
-        for (auto folder = including_.rbegin(); folder != including_.rend(); ++folder)
-            if (std::ranges::find(folders, *folder) == folders.end()) folders.push_back(*folder);
+        const std::vector<fs::path> upwards(including_.rbegin(), including_.rend());
+        for (const fs::path& folder : upwards)
+            if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
         folders.insert(folders.end(), options_.includeFolders.begin(), options_.includeFolders.end());
         return folders;
     }

@@ -3,8 +3,8 @@
 
 #include "host/spirv/compile.h"
 
-#include <compare>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace tegument {
@@ -16,7 +16,10 @@ struct AccessCounter {
     Access access = Access::Call; // Call: the texture's place means nothing
     std::uint32_t set = 0;        // of the texture
     std::uint32_t binding = 0;
-    auto operator<=>(const AccessCounter&) const = default;
+    bool operator==(const AccessCounter&) const = default;
+    bool operator<(const AccessCounter& other) const {
+        return std::tie(access, set, binding) < std::tie(other.access, other.set, other.binding);
+    }
 };
 
 struct CountedShader {

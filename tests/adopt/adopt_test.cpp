@@ -6,6 +6,7 @@
 #include "tests/adopt/support.h"
 #include "tests/spirv/missing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,8 +81,8 @@ TEST(ForeignMessages, say_what_no_later_model_has) {
 }
 
 TEST(ForeignMessages, refuse_what_dxc_does_not_survive) {
-    for (const std::string body : {"VertexShader v[2] = 1; return 1;", "Nothing v[2] = 1; return 1;"}) {
-        const Effect effect = adopted(foreign("float4 PS() : COLOR { " + body + " }\n" + kRest)).effect;
+    for (const char* const body : {"VertexShader v[2] = 1; return 1;", "Nothing v[2] = 1; return 1;"}) {
+        const Effect effect = adopted(foreign(fmt::format("float4 PS() : COLOR {{ {} }}\n{}", body, kRest))).effect;
         ASSERT_TRUE(effect.techniques[0].passes[0].pixelShader->obstacle) << body;
         EXPECT_EQ(effect.techniques[0].passes[0].pixelShader->obstacle->code, 3405);
         EXPECT_FALSE(effect.techniques[0].passes[0].vertexShader->obstacle) << "the other stage is respelt all the same";

@@ -43,7 +43,8 @@ EdgeErrors errorsOf(const Image& ladder, int column, const std::array<reference:
     for (const reference::Gaussian& gaussian : profile)
         sum -= gaussian.weight;
     errors.weights = std::max({std::abs(sum.x), std::abs(sum.y), std::abs(sum.z)});
-    for (double x = -10; x <= 10; x += 0.02) {
+    for (int at = -500; at <= 500; ++at) {
+        const double x = 0.02 * at;
         glm::dvec3 answer(0);
         for (int c = 0; c < 3; ++c) {
             answer[c] = ladder.at(column, 0, c) * 0.5 * std::erfc(-x / std::sqrt(2 * profile.front().variance));

@@ -103,12 +103,12 @@ def plot(files, folder):
     measured = [json.loads(pathlib.Path(file).read_text()) for file in files]
     folder = pathlib.Path(folder)
 
-    def finish(figure, axes, name, x, y):
+    def finish(figure, axes, name, x, y, legend="best"):
         axes.set_xlabel(x)
         axes.set_ylabel(y)
         axes.spines[["top", "right"]].set_visible(False)
         axes.grid(color="#E4E4E4", linewidth=0.6)
-        axes.legend(frameon=False)
+        axes.legend(frameon=False, loc=legend)
         figure.savefig(folder / f"{name}.png", dpi=120, bbox_inches="tight")
         print(folder / f"{name}.png")
 
@@ -128,10 +128,9 @@ def plot(files, folder):
 
     figure, axes = plt.subplots(figsize=(5, 3.4))
     for one, colour in zip(measured, colours):
-        for command, style in (("prep", "o-"), ("info", "s--")):
-            rows = [row for row in one["rows"] if row["command"] == command and row["shards"] <= one["cores"]]
-            axes.plot([row["shards"] for row in rows], [1000 * (row["seconds"] * row["shards"] - row["inside"]) / row["inputs"] for row in rows],
-                      style, color=colour, label=f"{command}, {one['cores']} cores")
+        rows = [row for row in one["rows"] if row["command"] == "info" and row["shards"] <= one["cores"]]
+        axes.plot([row["shards"] for row in rows], [1000 * (row["seconds"] * row["shards"] - row["inside"]) / row["inputs"] for row in rows], "o-",
+                  color=colour, label=f"{one['cores']} cores, {rows[0]['inputs']} inputs")
     axes.set_ylim(bottom=0)
     axes.set_xticks(SHARDS, SHARDS)
     finish(figure, axes, "batch_overhead", "shards", "ms that the batch adds to an input")
@@ -157,7 +156,7 @@ def plot(files, folder):
         print(f"\n10,000 inputs on 100 nodes: {at:.1f} s, {100 * ideal / at:.0f} % of it in commands")
     axes.set_xscale("log")
     axes.set_yscale("log")
-    finish(figure, axes, "batch_model", "nodes", "s for 10,000 inputs")
+    finish(figure, axes, "batch_model", "nodes", "s for 10,000 inputs", "lower left")
 
 
 def main():

@@ -26,6 +26,9 @@ constexpr double kFineShare = 0.75;
 /// No Gaussian is narrower, in squares of a finest cell's side: what it gives to the cells of a grid is then within 1.1 % of 1 wherever it
 /// stands (Poisson's sum: 4 exp(-2 pi^2 kFelt)). Below that it would fall between their middles, and large bodies would lose light.
 constexpr double kFelt = 0.3;
+/// Sources that a pyramid misses for the fourth Gaussian by more than this share of its peak are at most so many of its widths large.
+constexpr float kMissed = 0.05F;
+constexpr double kMissedSource = 1.0;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
 constexpr int kBeside = 2;
 /// A texel counts as at most so many usual ones along a side.
@@ -47,27 +50,39 @@ struct Gathered {
 
 /// Where light arrives, and what is left of the Gaussians for links there: receivers are read by a spline.
 struct Receiver {
-    glm::vec3 place{0};
+    LinkCells::Middle middle;
     std::array<double, 2> variances{}; // mm^2
-    float reach = 0;                   // mm: sources farther away do not count
+    double fourth = 0;                 // mm^2
+    float fourthReach = 0;
+    float reach = 0; // mm: sources farther away do not count
 };
 
-/// `side`: of the texel that receives, mm.
-Receiver receiverAt(const glm::vec3& place, double side, const LinkOptions& options) {
+Receiver receiverAt(const LinkCells::Middle& middle, const LinkOptions& options) {
+    const auto side = static_cast<double>(middle.side);
     const double finest = side / (1 << kDestinationLevel);
-    Receiver receiver{.place = place};
+    const auto left = [&](double variance) {
+        return std::max({variance - kReceived * side * side, kLeast * variance, kFelt * finest * finest});
+    };
+    Receiver receiver{.middle = middle, .fourth = left(options.fourth)};
+    receiver.fourthReach = static_cast<float>(kReach * std::sqrt(receiver.fourth));
     for (std::size_t i = 0; i < 2; ++i)
-        receiver.variances[i] =
-            std::max({options.variances[i] - kReceived * side * side, kLeast * options.variances[i], kFelt * finest * finest});
+        receiver.variances[i] = left(options.variances[i]);
     const double widest = std::max(std::ranges::max(receiver.variances), std::ranges::max(options.variances));
     receiver.reach = static_cast<float>(kReach * std::sqrt(widest));
     return receiver;
 }
 
+/// Texels that are wider than the fourth Gaussian would blur what it brings.
+bool bringsFourth(const LinkCells& cells, const LinkOptions& options) {
+    return static_cast<double>(cells.usualSide(kDestinationLevel)) <= std::sqrt(options.fourth);
+}
+
 class Gatherer {
 public:
     Gatherer(const LinkCells& cells, const LinkOptions& options) : cells_(cells), options_(options) {
+        brings_ = bringsFourth(cells, options);
         fine_ = static_cast<float>(kFineShare * std::sqrt(std::min(options.variances[0], options.variances[1])));
+        finest_ = static_cast<float>(kFineShare * std::sqrt(options.fourth));
     }
 
     /// Means of the Gaussians over a cell, 1/mm^2.
@@ -91,11 +106,12 @@ private:
     void visit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
-        const float distance = glm::length(cell.place - receiver.place);
+        const float distance = glm::length(cell.place - receiver.middle.place);
         if (distance - cell.radius > receiver.reach) return;
         const float extent = std::numbers::sqrt2_v<float> * cell.radius;
-        const float allowed =
-            static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
+        float allowed = static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
+        if (brings_ && misses(receiver, cell, distance * distance))
+            allowed = std::min(allowed, static_cast<float>(kMissedSource * std::sqrt(receiver.fourth)));
         if (level > 0 && extent > allowed) {
             for (int i = 0; i < 4; ++i)
                 visit(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, gathered);
@@ -115,7 +131,8 @@ private:
         gathered.links.push_back(link);
     }
 
-    /// The cell, or its parts where it is large.
+    /// The cell, or its parts where it is large: all as fine as each other, for a Gaussian's sum over a grid is exact, over a mixed one
+    /// not.
     void add(const Receiver& receiver, int level, int x, int y, std::array<double, 2>& sum) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
@@ -124,10 +141,37 @@ private:
                 add(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, sum);
             return;
         }
-        const glm::vec3 offset = cell.place - receiver.place;
+        const glm::vec3 offset = cell.place - receiver.middle.place;
         const float squared = glm::dot(offset, offset);
         for (std::size_t i = 0; i < 2; ++i)
             sum[i] += cell.area * gaussian(squared, receiver.variances[i]);
+        if (brings_) sum[0] += options_.fourthShare * missed(receiver, level, x, y);
+    }
+
+    /// What a pyramid misses of the fourth Gaussian from a cell.
+    [[nodiscard]] double missed(const Receiver& receiver, int level, int x, int y) const {
+        const LinkCell& cell = cells_.at(level, x, y);
+        if (!(cell.area > 0)) return 0;
+        const float distance = glm::length(cell.place - receiver.middle.place);
+        if (distance - cell.radius > receiver.fourthReach) return 0;
+        if (level == 0 || cell.radius * std::numbers::sqrt2_v<float> <= finest_)
+            return cell.area * unseen(receiver, cell, distance * distance);
+        double sum = 0;
+        for (int i = 0; i < 4; ++i)
+            sum += missed(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2);
+        return sum;
+    }
+
+    static bool misses(const Receiver& receiver, const LinkCell& cell, float squared) {
+        return std::abs(unseen(receiver, cell, squared)) > kMissed * gaussian(0, receiver.fourth);
+    }
+
+    /// What a pyramid misses of the fourth Gaussian, 1/mm^2: it takes the distance in the map, in the receiver's own plane, for that in
+    /// space. Below 0 for what is near in the map only.
+    [[nodiscard]] static double unseen(const Receiver& receiver, const LinkCell& cell, float squared) {
+        const glm::vec2 way = cell.uv - receiver.middle.uv;
+        const glm::vec3 flat = way.x * receiver.middle.alongU + way.y * receiver.middle.alongV;
+        return gaussian(squared, receiver.fourth) - gaussian(glm::dot(flat, flat), receiver.fourth);
     }
 
     static float gaussian(float squared, double variance) {
@@ -137,12 +181,16 @@ private:
 
     const LinkCells& cells_;
     const LinkOptions& options_;
+    bool brings_ = false;
     float fine_ = 0;
+    float finest_ = 0; // the same of the fourth Gaussian
 };
 
 /// Leaves out the least links.
 void leaveOut(std::vector<Link>& links, const LinkOptions& options) {
-    const auto worth = [&](const Link& link) { return options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1]; };
+    const auto worth = [&](const Link& link) {
+        return std::max(options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1], 0.0);
+    };
     std::ranges::sort(links, [&](const Link& a, const Link& b) { return worth(a) > worth(b); });
     double all = 0;
     for (const Link& link : links)
@@ -163,7 +211,7 @@ LinkSource sourceOf(const Link& link) {
 
 /// The links that are kept, so weighed that their sources, as wide as they are, make the Gaussians, and each list has all of its light.
 std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkCells::Middle& middle, const LinkOptions& options) {
-    const Receiver receiver = receiverAt(middle.place, static_cast<double>(middle.side), options);
+    const Receiver receiver = receiverAt(middle, options);
     Gathered gathered = gatherer.at(receiver);
     std::vector<Link>& links = gathered.links;
     leaveOut(links, options);
@@ -194,15 +242,15 @@ using Lists = std::vector<std::vector<Link>>;
 Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const LinkOptions& options) {
     const Gatherer gatherer(cells, options);
     Lists lists(static_cast<std::size_t>(kLinkSide) * kLinkSide);
-    const auto usual = static_cast<double>(cells.usualSide(kDestinationLevel));
+    const auto usual = static_cast<float>(kMostSide) * cells.usualSide(kDestinationLevel);
     forEachInParallel(
         kLinkSide,
         [&](std::size_t y) {
             for (std::size_t x = 0; x < kLinkSide; ++x) {
-                const auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
+                auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
                 if (!middle) continue;
-                const auto side = static_cast<float>(std::min(static_cast<double>(middle->side), kMostSide * usual));
-                lists[y * kLinkSide + x] = weighed(cells, gatherer, {.place = middle->place, .side = side}, options);
+                middle->side = std::min(middle->side, usual);
+                lists[y * kLinkSide + x] = weighed(cells, gatherer, *middle, options);
             }
         },
         {}, options.threads);
@@ -239,8 +287,9 @@ void draw(const Lists& lists, SkinLinks& links) {
                         texel[static_cast<std::size_t>(c)];
             }
         }
-    // The last texel of all says how many tiles there are, in place of the last link of a corner.
-    const std::array<float, 4> last = {static_cast<float>(links.tiles), 0, 0, 0};
+    // The last texel of all says how many tiles there are, and whether the fourth Gaussian comes along, in place of the last link of a
+    // corner.
+    const std::array<float, 4> last = {static_cast<float>(links.tiles), links.fourth ? 1.0F : 0.0F, 0, 0};
     for (int c = 0; c < 4; ++c)
         links.sheet.at(side - 1, side - 1, c) = last[static_cast<std::size_t>(c)];
 }
@@ -271,6 +320,7 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
                           "tegument prep MESH --unwrap makes them");
     const Lists lists = gatherAll(mesh, cells, options);
     links.seconds.links = watch.lap();
+    links.fourth = bringsFourth(cells, options);
     links.sideMm = static_cast<double>(cells.usualSide(kDestinationLevel));
     draw(lists, links);
     links.seconds.sheet = watch.lap();

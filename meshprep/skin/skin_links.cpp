@@ -31,8 +31,9 @@ constexpr float kMissed = 0.05F;
 constexpr double kMissedSource = 1.0;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
 constexpr int kBeside = 2;
-/// A texel counts as at most so many usual ones along a side.
+/// A texel counts as at most so many usual ones along a side; for kFelt, which loses light where it is less, twice as many.
 constexpr double kMostSide = 1.5;
+constexpr double kMostFelt = 3;
 /// Half floats below this are 0.
 constexpr float kTinyWeight = 1e-7F;
 
@@ -57,9 +58,10 @@ struct Receiver {
     float reach = 0; // mm: sources farther away do not count
 };
 
-Receiver receiverAt(const LinkCells::Middle& middle, const LinkOptions& options) {
-    const auto side = static_cast<double>(middle.side);
-    const double finest = side / (1 << kDestinationLevel);
+Receiver receiverAt(const LinkCells& cells, const LinkCells::Middle& middle, const LinkOptions& options) {
+    const auto usual = static_cast<double>(cells.usualSide(kDestinationLevel));
+    const double side = std::min(static_cast<double>(middle.side), kMostSide * usual);
+    const double finest = std::min(static_cast<double>(middle.side), kMostFelt * usual) / (1 << kDestinationLevel);
     const auto left = [&](double variance) {
         return std::max({variance - kReceived * side * side, kLeast * variance, kFelt * finest * finest});
     };
@@ -211,7 +213,7 @@ LinkSource sourceOf(const Link& link) {
 
 /// The links that are kept, so weighed that their sources, as wide as they are, make the Gaussians, and each list has all of its light.
 std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkCells::Middle& middle, const LinkOptions& options) {
-    const Receiver receiver = receiverAt(middle, options);
+    const Receiver receiver = receiverAt(cells, middle, options);
     Gathered gathered = gatherer.at(receiver);
     std::vector<Link>& links = gathered.links;
     leaveOut(links, options);
@@ -230,7 +232,8 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
         for (const Link& link : links)
             weights.push_back(std::max(link.weight[i], kTinyWeight));
         fit.improve(wanted[i], weights);
-        const auto scale = static_cast<float>(gathered.whole[i] / std::accumulate(weights.begin(), weights.end(), 0.0));
+        const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+        const auto scale = sum > 0 ? static_cast<float>(gathered.whole[i] / sum) : 0.0F; // a Gaussian that does not get here sends nothing
         for (std::size_t k = 0; k < links.size(); ++k)
             links[k].weight[i] = std::max(weights[k] * scale, kTinyWeight);
     }
@@ -242,14 +245,12 @@ using Lists = std::vector<std::vector<Link>>;
 Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const LinkOptions& options) {
     const Gatherer gatherer(cells, options);
     Lists lists(static_cast<std::size_t>(kLinkSide) * kLinkSide);
-    const auto usual = static_cast<float>(kMostSide) * cells.usualSide(kDestinationLevel);
     forEachInParallel(
         kLinkSide,
         [&](std::size_t y) {
             for (std::size_t x = 0; x < kLinkSide; ++x) {
-                auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
+                const auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
                 if (!middle) continue;
-                middle->side = std::min(middle->side, usual);
                 lists[y * kLinkSide + x] = weighed(cells, gatherer, *middle, options);
             }
         },

@@ -29,6 +29,9 @@ constexpr double kFelt = 0.3;
 /// Sources that a pyramid misses for the fourth Gaussian by more than this share of its peak are at most so many of its widths large.
 constexpr float kMissed = 0.05F;
 constexpr double kMissedSource = 1.0;
+/// Every so manieth texel is asked for it, and so much more is to be sent than taken back.
+constexpr int kProbes = 8;
+constexpr double kSentOverTaken = 10;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
 constexpr int kBeside = 2;
 /// A texel counts as at most so many usual ones along a side; for kFelt, which loses light where it is less, twice as many.
@@ -56,6 +59,12 @@ struct Receiver {
     double fourth = 0;                 // mm^2
     float fourthReach = 0;
     float reach = 0; // mm: sources farther away do not count
+
+    /// Distance in the map, mm in the receiver's own plane.
+    [[nodiscard]] float flat(const LinkCell& cell) const {
+        const glm::vec2 way = cell.uv - middle.uv;
+        return glm::length(way.x * middle.alongU + way.y * middle.alongV);
+    }
 };
 
 Receiver receiverAt(const LinkCells& cells, const LinkCells::Middle& middle, const LinkOptions& options) {
@@ -74,18 +83,36 @@ Receiver receiverAt(const LinkCells& cells, const LinkCells::Middle& middle, con
     return receiver;
 }
 
-/// Texels that are wider than the fourth Gaussian would blur what it brings.
-bool bringsFourth(const LinkCells& cells, const LinkOptions& options) {
-    return static_cast<double>(cells.usualSide(kDestinationLevel)) <= std::sqrt(options.fourth);
-}
+/// What a pyramid does not know of the fourth Gaussian: light from where space is near and the map is not, and the reverse.
+struct Missed {
+    double sent = 0;
+    double taken = 0;
+};
 
 class Gatherer {
 public:
     Gatherer(const LinkCells& cells, const LinkOptions& options) : cells_(cells), options_(options) {
-        brings_ = bringsFourth(cells, options);
         fine_ = static_cast<float>(kFineShare * std::sqrt(std::min(options.variances[0], options.variances[1])));
         finest_ = static_cast<float>(kFineShare * std::sqrt(options.fourth));
     }
+
+    /// Whether the fourth Gaussian comes along: texels are no wider than it is, or they would blur it, and most of what pyramids do not
+    /// know of it is light to be sent, for what they take too much weights that are not below 0 do not give back.
+    void decide(const Mesh& mesh) {
+        if (static_cast<double>(cells_.usualSide(kDestinationLevel)) > std::sqrt(options_.fourth)) return;
+        Missed missed;
+        const int top = kLinkLevels - 1;
+        for (int y = kProbes / 2; y < kLinkSide; y += kProbes)
+            for (int x = kProbes / 2; x < kLinkSide; x += kProbes) {
+                const auto middle = cells_.middle(mesh, kDestinationLevel, x, y, 0);
+                if (!middle) continue;
+                const Receiver receiver = receiverAt(cells_, *middle, options_);
+                for (int i = 0; i < LinkCells::side(top) * LinkCells::side(top); ++i)
+                    addMissed(receiver, top, i % LinkCells::side(top), i / LinkCells::side(top), missed);
+            }
+        brings_ = missed.sent > kSentOverTaken * missed.taken;
+    }
+    [[nodiscard]] bool bringsFourth() const { return brings_; }
 
     /// Means of the Gaussians over a cell, 1/mm^2.
     [[nodiscard]] std::array<double, 2> means(const Receiver& receiver, const LinkSource& cell) const {
@@ -147,21 +174,26 @@ private:
         const float squared = glm::dot(offset, offset);
         for (std::size_t i = 0; i < 2; ++i)
             sum[i] += cell.area * gaussian(squared, receiver.variances[i]);
-        if (brings_) sum[0] += options_.fourthShare * missed(receiver, level, x, y);
+        if (!brings_) return;
+        Missed missed;
+        addMissed(receiver, level, x, y, missed);
+        sum[0] += options_.fourthShare * (missed.sent - missed.taken);
     }
 
-    /// What a pyramid misses of the fourth Gaussian from a cell.
-    [[nodiscard]] double missed(const Receiver& receiver, int level, int x, int y) const {
+    /// What a pyramid misses of the fourth Gaussian from a cell, and takes from it that it should not.
+    void addMissed(const Receiver& receiver, int level, int x, int y, Missed& missed) const {
         const LinkCell& cell = cells_.at(level, x, y);
-        if (!(cell.area > 0)) return 0;
+        if (!(cell.area > 0)) return;
         const float distance = glm::length(cell.place - receiver.middle.place);
-        if (distance - cell.radius > receiver.fourthReach) return 0;
-        if (level == 0 || cell.radius * std::numbers::sqrt2_v<float> <= finest_)
-            return cell.area * unseen(receiver, cell, distance * distance);
-        double sum = 0;
+        const float apart = std::min(distance, receiver.flat(cell)) - 2 * cell.radius;
+        if (apart > receiver.fourthReach) return;
+        if (level == 0 || cell.radius * std::numbers::sqrt2_v<float> <= finest_) {
+            const double light = cell.area * unseen(receiver, cell, distance * distance);
+            (light > 0 ? missed.sent : missed.taken) += std::abs(light);
+            return;
+        }
         for (int i = 0; i < 4; ++i)
-            sum += missed(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2);
-        return sum;
+            addMissed(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, missed);
     }
 
     static bool misses(const Receiver& receiver, const LinkCell& cell, float squared) {
@@ -171,9 +203,8 @@ private:
     /// What a pyramid misses of the fourth Gaussian, 1/mm^2: it takes the distance in the map, in the receiver's own plane, for that in
     /// space. Below 0 for what is near in the map only.
     [[nodiscard]] static double unseen(const Receiver& receiver, const LinkCell& cell, float squared) {
-        const glm::vec2 way = cell.uv - receiver.middle.uv;
-        const glm::vec3 flat = way.x * receiver.middle.alongU + way.y * receiver.middle.alongV;
-        return gaussian(squared, receiver.fourth) - gaussian(glm::dot(flat, flat), receiver.fourth);
+        const float flat = receiver.flat(cell);
+        return gaussian(squared, receiver.fourth) - gaussian(flat * flat, receiver.fourth);
     }
 
     static float gaussian(float squared, double variance) {
@@ -242,8 +273,7 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
 
 using Lists = std::vector<std::vector<Link>>;
 
-Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const LinkOptions& options) {
-    const Gatherer gatherer(cells, options);
+Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const Gatherer& gatherer, const LinkOptions& options) {
     Lists lists(static_cast<std::size_t>(kLinkSide) * kLinkSide);
     forEachInParallel(
         kLinkSide,
@@ -319,9 +349,11 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
     if (!(cells.usualSide(0) > 0))
         return inputError(7044, {.file = mesh.name, .byte = {}}, "links need texture coordinates in the unit square, and there are none",
                           "tegument prep MESH --unwrap makes them");
-    const Lists lists = gatherAll(mesh, cells, options);
+    Gatherer gatherer(cells, options);
+    gatherer.decide(mesh);
+    const Lists lists = gatherAll(mesh, cells, gatherer, options);
     links.seconds.links = watch.lap();
-    links.fourth = bringsFourth(cells, options);
+    links.fourth = gatherer.bringsFourth();
     links.sideMm = static_cast<double>(cells.usualSide(kDestinationLevel));
     draw(lists, links);
     links.seconds.sheet = watch.lap();

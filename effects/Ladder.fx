@@ -1,6 +1,6 @@
 // Ladder: what each level of a pyramid weighs in the diffusion profile, over the density of texels (x). Rows: the pixel's own Gaussian and
-// levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels). Shown on a grey
-// ground.
+// levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels), then for what
+// links bring of the fourth, in the colour of the fifth. Shown on a grey ground.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"
@@ -12,27 +12,32 @@
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("Ladder") > = 0.8;
 
-Texture2D gLadderMap : RENDERCOLORTARGET < int Width = 160; int Height = 16; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
+Texture2D gLadderMap : RENDERCOLORTARGET < int Width = 160; int Height = 32; int MipLevels = 1; string Format = "A16B16G16R16F"; >;
 TG_SAMPLER2D(gLadder, POINT, CLAMP);
 
-// The first Gaussian is the pixel's own.
-float3 profileOn(float step, float density, float count, float top)
+// In links the fourth Gaussian comes along with the fifth, with as much red as it has itself (meshprep/skin/skin_links.h).
+static const float kFourthInFifth = 0.113 / 0.358;
+
+// Colours of a Gaussian in a profile: 0 the whole, 1 what is on the ladder beside links, 2 what links bring of the fourth.
+float3 colourIn(float profile, int gaussian)
 {
-    float3 sum = step < 0.5 ? gGaussianWeight[0].rgb : float3(0.0, 0.0, 0.0);
-    [unroll] for (int i = 1; i < 6; i++)
-    {
-        float weight = tgLadderWeight(gGaussianWeight[i].w, step, gGaussianWeight[0].w, density, top);
-        sum += i < count ? gGaussianWeight[i].rgb * weight : float3(0.0, 0.0, 0.0);
-    }
-    return sum;
+    float3 own = gaussian < 4 || profile < 0.5 ? gGaussianWeight[gaussian].rgb : float3(0.0, 0.0, 0.0);
+    float3 brought = gaussian == 3 ? kFourthInFifth * gGaussianWeight[4].rgb : float3(0.0, 0.0, 0.0);
+    return profile > 1.5 ? brought : own;
 }
 
+// The first Gaussian is the pixel's own.
 float4 LadderPS(QuadVarying input) : SV_Target0
 {
-    float row = floor(input.uv.y * 2.0 * kTgLadderSteps);
-    bool linked = row > kTgLadderSteps - 0.5;
-    float step = linked ? row - kTgLadderSteps : row;
-    return float4(profileOn(step, tgLadderDensity(input.uv.x), linked ? 4.0 : 6.0, linked ? linkedTop() : kTgLadderTop), 1.0);
+    float row = floor(input.uv.y * kTgLadderRows);
+    float profile = floor((row + 0.5) / kTgLadderSteps);
+    float step = row - profile * kTgLadderSteps;
+    float density = tgLadderDensity(input.uv.x);
+    float top = profile > 0.5 ? linkedTop() : kTgLadderTop;
+    float3 sum = step < 0.5 ? colourIn(profile, 0) : float3(0.0, 0.0, 0.0);
+    [unroll] for (int i = 1; i < 6; i++)
+        sum += colourIn(profile, i) * tgLadderWeight(gGaussianWeight[i].w, step, gGaussianWeight[0].w, density, top);
+    return float4(sum, 1.0);
 }
 
 float4 ShowPS(QuadVarying input) : SV_Target0

@@ -55,13 +55,17 @@ float4 EntryPS(QuadVarying input) : SV_Target0
     return entryLight(input.uv, tex2D(gSkin, input.uv));
 }
 
-// A level by itself, weighed: alpha keeps the density, below 0 where links bring the widest Gaussians.
-float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, float linked)
+// A level by itself, weighed: alpha keeps the density, below 0 where links bring the widest Gaussians. fourth: 1 where they
+// bring, too, what other charts send by the fourth, of which only what the chart itself sends then counts, not divided by coverage.
+float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, float linked, float fourth)
 {
     float3 metric = tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).xyz;
-    float3 light = tgPyramidRound(TG_SAMPLER2D_ARG(map), uv, size, level, metric.xy);
+    float4 light = tgPyramidRound(TG_SAMPLER2D_ARG(map), uv, size, level, metric.xy);
     float density = clamp(metric.z, 1e-4, kLargestDensity);
-    return float4(light * ladderWeight(linked * kTgLadderSteps + level + 1.0, density), linked > 0.5 ? -density : density);
+    float3 weight = ladderWeight(linked * kTgLadderSteps + level + 1.0, density);
+    [branch] if (fourth > 0.5 && light.w < 1.0)
+        weight += (light.w - 1.0) * ladderWeight(2.0 * kTgLadderSteps + level + 1.0, density);
+    return float4(light.rgb * weight, linked > 0.5 ? -density : density);
 }
 
 // What the coarser levels have added up to.
@@ -78,7 +82,7 @@ float4 Reduce##level##PS(QuadVarying input) : SV_Target0 \
 #define PYRAMID_LEVEL(level, wider) \
 float4 Light##level##PS(QuadVarying input) : SV_Target0 \
 { \
-    return levelLight(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level, 0.0) + \
+    return levelLight(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level, 0.0, 0.0) + \
            coarser(TG_SAMPLER2D_ARG(gLight##wider), input.uv); \
 }
 
@@ -91,7 +95,7 @@ PYRAMID_REDUCE(6, 5)
 
 float4 Light6PS(QuadVarying input) : SV_Target0
 {
-    return levelLight(TG_SAMPLER2D_ARG(gEntry6), input.uv, kPyramidSize6, 6, 0.0);
+    return levelLight(TG_SAMPLER2D_ARG(gEntry6), input.uv, kPyramidSize6, 6, 0.0, 0.0);
 }
 PYRAMID_LEVEL(5, 6)
 PYRAMID_LEVEL(4, 5)

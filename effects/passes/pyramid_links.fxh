@@ -73,10 +73,10 @@ static const float kLeastSource = 1e-4;
 #define WIDE_0(light) 0.0
 #endif
 
-// 1 where the mesh has links: as many tiles as lie side by side.
-float linkTiles()
+// x: as many tiles as lie side by side, 0 where the mesh has no links; y: 1 where the fourth Gaussian comes along.
+float2 linkSheet()
 {
-    return tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).x;
+    return tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xy;
 }
 
 // Link number k of the texel.
@@ -142,7 +142,7 @@ float4 anySource(float4 link)
 #define LINKED_SUM(name, sourceOf) \
 float4 name(float2 uv, float first, float apart) \
 { \
-    float tiles = linkTiles(); \
+    float tiles = linkSheet().x; \
     float3 sum = 0.0; \
     float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0; \
     [loop] for (float k = first; k <= last; k += apart) \
@@ -158,7 +158,8 @@ LINKED_SUM(anyLinks, anySource)
 
 float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
 {
-    return levelLight(TG_SAMPLER2D_ARG(map), uv, size, level, linkTiles() > 0.5 ? 1.0 : 0.0);
+    float2 sheet = linkSheet();
+    return levelLight(TG_SAMPLER2D_ARG(map), uv, size, level, sheet.x > 0.5 ? 1.0 : 0.0, sheet.y);
 }
 
 #define LINKED_LEVEL(name, level, more, links) \

@@ -22,7 +22,7 @@ PYRAMID_MAPS(6, 64)
 Texture2D gLadderMap < string Producer = "Ladder.fx/gLadderMap"; string ResourceName = "ladder.dds"; >;
 TG_SAMPLER2D(gLadder, LINEAR, CLAMP);
 
-// Weight (RGB) of a step of the ladder; row: counted over both profiles.
+// Weight (RGB) of a step of the ladder; row: counted over all profiles.
 float3 ladderWeight(float row, float density)
 {
     return tex2Dlod(gLadder, float4(tgLadderCoordinate(row, density), 0.0, 0.0)).rgb;

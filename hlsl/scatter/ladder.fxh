@@ -9,11 +9,13 @@
 // Levels above the base.
 static const float kTgLadderTop = 6.0;
 // Columns of a table over the binary logarithm of the density, from kTgLadderFirst in steps of 1 / kTgLadderFineness; its rows are the
-// steps, once for the whole profile and once for its first four Gaussians.
+// steps, for the whole profile, for its first four Gaussians and for what links bring of the fourth; a power of two of them, so that the
+// middle of each is a number without rounding.
 static const float kTgLadderColumns = 160.0;
 static const float kTgLadderFirst = -6.0;
 static const float kTgLadderFineness = 8.0;
 static const float kTgLadderSteps = 8.0;
+static const float kTgLadderRows = 32.0;
 // Present in every level: a texel's own square (1/12) and the bilinear look-up (1/6), texels^2 of the base.
 static const float kTgLadderPresent = 1.0 / 12.0 + 1.0 / 6.0;
 // A level that is hardly wider than the pixel's own Gaussian is left out. Where the first level is wider than so many of it, nothing lies
@@ -67,11 +69,11 @@ float tgLadderWeight(float variance, float step, float pixel, float density, flo
     return weight;
 }
 
-// Where a table of weights has a step: `row` counted over both profiles.
+// Where a table of weights has a step: `row` counted over all profiles.
 float2 tgLadderCoordinate(float row, float density)
 {
     float column = (log2(max(density, 1e-6)) - kTgLadderFirst) * kTgLadderFineness;
-    return float2(column / kTgLadderColumns, (row + 0.5) / (2.0 * kTgLadderSteps));
+    return float2(column / kTgLadderColumns, (row + 0.5) / kTgLadderRows);
 }
 
 // The density that a table's column stands for.

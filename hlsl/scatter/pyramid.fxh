@@ -34,15 +34,20 @@ float4 tgPyramidAround(TG_SAMPLER2D_PARAM(map), float2 uv, float size)
 }
 
 // Light of a level through a kernel that is round on the surface: where texels are denser along one direction than across it, 1 2 1 along
-// that direction brings the variance there to that of the other. metric: surface/metric.fxh, of the base; level: of the map.
-float3 tgPyramidRound(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, float2 metric)
+// that direction brings the variance there to that of the other. Alpha: the share of the kernel that lies on charts. metric:
+// surface/metric.fxh, of the base; level: of the map.
+float4 tgPyramidRound(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, float2 metric)
 {
     float2 step = sqrt(2.0 * tgLadderVariance(level) * exp2(-2.0 * level)) / size * metric;
     float4 sum = 0.5 * TG_TEX2DLOD(map, float4(uv, 0.0, 0.0)) +
                  0.25 * (TG_TEX2DLOD(map, float4(uv + step, 0.0, 0.0)) + TG_TEX2DLOD(map, float4(uv - step, 0.0, 0.0)));
+    float covered = sum.w;
     if (sum.w < kTgLeastCoverage)
+    {
         sum = tgPyramidAround(TG_SAMPLER2D_ARG(map), uv, size);
-    return sum.w > 1e-6 ? sum.rgb / max(sum.w, 1e-6) : float3(0.0, 0.0, 0.0);
+        covered = 0.125 * sum.w;
+    }
+    return float4(sum.w > 1e-6 ? sum.rgb / max(sum.w, 1e-6) : float3(0.0, 0.0, 0.0), covered);
 }
 
 #endif

@@ -22,8 +22,8 @@ std::string_view bytesOf(const std::vector<T>& values) {
 }
 
 std::string keyOf(const Mesh& mesh, const LinkOptions& options) {
-    std::string all = fmt::format("{} {} {} {} {} {} ", kLinkVersion, options.variances[0], options.variances[1], options.lost,
-                                  options.nearest, options.growth);
+    std::string all = fmt::format("{} {} {} {} {} {} {} {} ", kLinkVersion, options.variances[0], options.variances[1], options.fourth,
+                                  options.fourthShare, options.lost, options.nearest, options.growth);
     for (const std::string_view part : {bytesOf(mesh.positions), bytesOf(mesh.uvs), bytesOf(mesh.indices)})
         all += contentHash(part);
     return contentHash(all + contentHash(bytesOf(skinMask(mesh))));
@@ -48,6 +48,7 @@ Json toJson(const Mesh& mesh, const SkinLinks& links, const LinkOptions& options
         {"profile", {{"variances_mm2", options.variances}}},
         {"map", {{"side", kLinkSide}, {"texel_mm", links.sideMm}}},
         {"sheet", {{"tiles", links.tiles}, {"width", links.sheet.width}, {"height", links.sheet.height}, {"format", "R16G16B16A16_FLOAT"}}},
+        {"fourth", links.fourth},
         {"lists", links.lists},
         {"links", links.links},
         {"mean", mean},

@@ -54,13 +54,16 @@ void draw(const Mesh& mesh, std::size_t corner, std::vector<Sample>& samples) {
 LinkCell joined(const std::array<LinkCell, 4>& parts) {
     LinkCell cell;
     glm::vec3 sum(0);
+    glm::vec2 uv(0);
     for (const LinkCell& part : parts) {
         cell.area += part.area;
         cell.covered += part.covered / 4;
         sum += part.area * part.place;
+        uv += part.area * part.uv;
     }
     if (!(cell.area > 0)) return {};
     cell.place = sum / cell.area;
+    cell.uv = uv / cell.area;
     for (const LinkCell& part : parts)
         if (part.area > 0) cell.radius = std::max(cell.radius, glm::length(part.place - cell.place) + part.radius);
     return cell;
@@ -117,8 +120,11 @@ LinkCells::LinkCells(const Mesh& mesh, const std::vector<std::uint8_t>& skin) {
     static_assert(kSamplesAlongCell == 2);
     levels_[0] = joinedCells(side(0), [&](int x, int y) {
         const Sample& sample = samples[index(x, y, kSamples)];
-        return LinkCell{
-            .place = sample.place, .area = sample.area, .radius = halfDiagonal(sample.area), .covered = sample.area > 0 ? 1.0F : 0.0F};
+        return LinkCell{.place = sample.place,
+                        .uv = {x, y},
+                        .area = sample.area,
+                        .radius = halfDiagonal(sample.area),
+                        .covered = sample.area > 0 ? 1.0F : 0.0F};
     });
     for (int level = 1; level < kLinkLevels; ++level)
         levels_[static_cast<std::size_t>(level)] = joinedCells(side(level), [&](int x, int y) { return at(level - 1, x, y); });
@@ -186,7 +192,10 @@ std::optional<LinkCells::Middle> LinkCells::middle(const Mesh& mesh, int level, 
     const Plane plane = planeOf(mesh, corner);
     const glm::dvec2 way = centre - plane.uv;
     return Middle{.place = glm::vec3(plane.place + way.x * plane.alongU + way.y * plane.alongV),
-                  .side = static_cast<float>(samples * std::sqrt(glm::length(glm::cross(plane.alongU, plane.alongV))))};
+                  .side = static_cast<float>(samples * std::sqrt(glm::length(glm::cross(plane.alongU, plane.alongV)))),
+                  .uv = centre,
+                  .alongU = plane.alongU,
+                  .alongV = plane.alongV};
 }
 
 } // namespace tegument

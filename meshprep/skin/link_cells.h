@@ -16,6 +16,7 @@ namespace tegument {
 /// mm and mm^2.
 struct LinkCell {
     glm::vec3 place{0}; // centre of its surface
+    glm::vec2 uv{0};    // the same in the map, in samples
     float area = 0;     // 0: no chart
     float radius = 0;   // around `place`, over all of its surface
     float covered = 0;  // share of its square that lies on charts
@@ -46,6 +47,9 @@ public:
     struct Middle {
         glm::vec3 place{0};
         float side = 0;
+        glm::vec2 uv{0};     // in samples
+        glm::vec3 alongU{0}; // mm from sample to sample
+        glm::vec3 alongV{0};
     };
     [[nodiscard]] std::optional<Middle> middle(const Mesh& mesh, int level, int x, int y, int beside) const;
     /// Side of a usual cell, mm: the square root of the median area of those that lie wholly on charts; 0 without charts.

@@ -26,10 +26,17 @@ constexpr double kFineShare = 0.75;
 /// No Gaussian is narrower, in squares of a finest cell's side: what it gives to the cells of a grid is then within 1.1 % of 1 wherever it
 /// stands (Poisson's sum: 4 exp(-2 pi^2 kFelt)). Below that it would fall between their middles, and large bodies would lose light.
 constexpr double kFelt = 0.3;
+/// Sources that a pyramid misses for the fourth Gaussian by more than this share of its peak are at most so many of its widths large.
+constexpr float kMissed = 0.05F;
+constexpr double kMissedSource = 1.0;
+/// Every so manieth texel is asked for it, and so much more is to be sent than taken back.
+constexpr int kProbes = 8;
+constexpr double kSentOverTaken = 10;
 /// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
 constexpr int kBeside = 2;
-/// A texel counts as at most so many usual ones along a side.
+/// A texel counts as at most so many usual ones along a side; for kFelt, which loses light where it is less, twice as many.
 constexpr double kMostSide = 1.5;
+constexpr double kMostFelt = 3;
 /// Half floats below this are 0.
 constexpr float kTinyWeight = 1e-7F;
 
@@ -47,28 +54,65 @@ struct Gathered {
 
 /// Where light arrives, and what is left of the Gaussians for links there: receivers are read by a spline.
 struct Receiver {
-    glm::vec3 place{0};
+    LinkCells::Middle middle;
     std::array<double, 2> variances{}; // mm^2
-    float reach = 0;                   // mm: sources farther away do not count
+    double fourth = 0;                 // mm^2
+    float fourthReach = 0;
+    float reach = 0; // mm: sources farther away do not count
+
+    /// Distance in the map, mm in the receiver's own plane.
+    [[nodiscard]] float flat(const LinkCell& cell) const {
+        const glm::vec2 way = cell.uv - middle.uv;
+        return glm::length(way.x * middle.alongU + way.y * middle.alongV);
+    }
 };
 
-/// `side`: of the texel that receives, mm.
-Receiver receiverAt(const glm::vec3& place, double side, const LinkOptions& options) {
-    const double finest = side / (1 << kDestinationLevel);
-    Receiver receiver{.place = place};
+Receiver receiverAt(const LinkCells& cells, const LinkCells::Middle& middle, const LinkOptions& options) {
+    const auto usual = static_cast<double>(cells.usualSide(kDestinationLevel));
+    const double side = std::min(static_cast<double>(middle.side), kMostSide * usual);
+    const double finest = std::min(static_cast<double>(middle.side), kMostFelt * usual) / (1 << kDestinationLevel);
+    const auto left = [&](double variance) {
+        return std::max({variance - kReceived * side * side, kLeast * variance, kFelt * finest * finest});
+    };
+    Receiver receiver{.middle = middle, .fourth = left(options.fourth)};
+    receiver.fourthReach = static_cast<float>(kReach * std::sqrt(receiver.fourth));
     for (std::size_t i = 0; i < 2; ++i)
-        receiver.variances[i] =
-            std::max({options.variances[i] - kReceived * side * side, kLeast * options.variances[i], kFelt * finest * finest});
+        receiver.variances[i] = left(options.variances[i]);
     const double widest = std::max(std::ranges::max(receiver.variances), std::ranges::max(options.variances));
     receiver.reach = static_cast<float>(kReach * std::sqrt(widest));
     return receiver;
 }
 
+/// What a pyramid does not know of the fourth Gaussian: light from where space is near and the map is not, and the reverse.
+struct Missed {
+    double sent = 0;
+    double taken = 0;
+};
+
 class Gatherer {
 public:
     Gatherer(const LinkCells& cells, const LinkOptions& options) : cells_(cells), options_(options) {
         fine_ = static_cast<float>(kFineShare * std::sqrt(std::min(options.variances[0], options.variances[1])));
+        finest_ = static_cast<float>(kFineShare * std::sqrt(options.fourth));
     }
+
+    /// Whether the fourth Gaussian comes along: texels are no wider than it is, or they would blur it, and most of what pyramids do not
+    /// know of it is light to be sent, for what they take too much weights that are not below 0 do not give back.
+    void decide(const Mesh& mesh) {
+        if (static_cast<double>(cells_.usualSide(kDestinationLevel)) > std::sqrt(options_.fourth)) return;
+        Missed missed;
+        const int top = kLinkLevels - 1;
+        for (int y = kProbes / 2; y < kLinkSide; y += kProbes)
+            for (int x = kProbes / 2; x < kLinkSide; x += kProbes) {
+                const auto middle = cells_.middle(mesh, kDestinationLevel, x, y, 0);
+                if (!middle) continue;
+                const Receiver receiver = receiverAt(cells_, *middle, options_);
+                for (int i = 0; i < LinkCells::side(top) * LinkCells::side(top); ++i)
+                    addMissed(receiver, top, i % LinkCells::side(top), i / LinkCells::side(top), missed);
+            }
+        brings_ = missed.sent > kSentOverTaken * missed.taken;
+    }
+    [[nodiscard]] bool bringsFourth() const { return brings_; }
 
     /// Means of the Gaussians over a cell, 1/mm^2.
     [[nodiscard]] std::array<double, 2> means(const Receiver& receiver, const LinkSource& cell) const {
@@ -91,11 +135,12 @@ private:
     void visit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
-        const float distance = glm::length(cell.place - receiver.place);
+        const float distance = glm::length(cell.place - receiver.middle.place);
         if (distance - cell.radius > receiver.reach) return;
         const float extent = std::numbers::sqrt2_v<float> * cell.radius;
-        const float allowed =
-            static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
+        float allowed = static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
+        if (brings_ && misses(receiver, cell, distance * distance))
+            allowed = std::min(allowed, static_cast<float>(kMissedSource * std::sqrt(receiver.fourth)));
         if (level > 0 && extent > allowed) {
             for (int i = 0; i < 4; ++i)
                 visit(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, gathered);
@@ -115,7 +160,8 @@ private:
         gathered.links.push_back(link);
     }
 
-    /// The cell, or its parts where it is large.
+    /// The cell, or its parts where it is large: all as fine as each other, for a Gaussian's sum over a grid is exact, over a mixed one
+    /// not.
     void add(const Receiver& receiver, int level, int x, int y, std::array<double, 2>& sum) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
@@ -124,10 +170,41 @@ private:
                 add(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, sum);
             return;
         }
-        const glm::vec3 offset = cell.place - receiver.place;
+        const glm::vec3 offset = cell.place - receiver.middle.place;
         const float squared = glm::dot(offset, offset);
         for (std::size_t i = 0; i < 2; ++i)
             sum[i] += cell.area * gaussian(squared, receiver.variances[i]);
+        if (!brings_) return;
+        Missed missed;
+        addMissed(receiver, level, x, y, missed);
+        sum[0] += options_.fourthShare * (missed.sent - missed.taken);
+    }
+
+    /// What a pyramid misses of the fourth Gaussian from a cell, and takes from it that it should not.
+    void addMissed(const Receiver& receiver, int level, int x, int y, Missed& missed) const {
+        const LinkCell& cell = cells_.at(level, x, y);
+        if (!(cell.area > 0)) return;
+        const float distance = glm::length(cell.place - receiver.middle.place);
+        const float apart = std::min(distance, receiver.flat(cell)) - 2 * cell.radius;
+        if (apart > receiver.fourthReach) return;
+        if (level == 0 || cell.radius * std::numbers::sqrt2_v<float> <= finest_) {
+            const double light = cell.area * unseen(receiver, cell, distance * distance);
+            (light > 0 ? missed.sent : missed.taken) += std::abs(light);
+            return;
+        }
+        for (int i = 0; i < 4; ++i)
+            addMissed(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, missed);
+    }
+
+    static bool misses(const Receiver& receiver, const LinkCell& cell, float squared) {
+        return std::abs(unseen(receiver, cell, squared)) > kMissed * gaussian(0, receiver.fourth);
+    }
+
+    /// What a pyramid misses of the fourth Gaussian, 1/mm^2: it takes the distance in the map, in the receiver's own plane, for that in
+    /// space. Below 0 for what is near in the map only.
+    [[nodiscard]] static double unseen(const Receiver& receiver, const LinkCell& cell, float squared) {
+        const float flat = receiver.flat(cell);
+        return gaussian(squared, receiver.fourth) - gaussian(flat * flat, receiver.fourth);
     }
 
     static float gaussian(float squared, double variance) {
@@ -137,12 +214,16 @@ private:
 
     const LinkCells& cells_;
     const LinkOptions& options_;
+    bool brings_ = false;
     float fine_ = 0;
+    float finest_ = 0; // the same of the fourth Gaussian
 };
 
 /// Leaves out the least links.
 void leaveOut(std::vector<Link>& links, const LinkOptions& options) {
-    const auto worth = [&](const Link& link) { return options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1]; };
+    const auto worth = [&](const Link& link) {
+        return std::max(options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1], 0.0);
+    };
     std::ranges::sort(links, [&](const Link& a, const Link& b) { return worth(a) > worth(b); });
     double all = 0;
     for (const Link& link : links)
@@ -163,7 +244,7 @@ LinkSource sourceOf(const Link& link) {
 
 /// The links that are kept, so weighed that their sources, as wide as they are, make the Gaussians, and each list has all of its light.
 std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkCells::Middle& middle, const LinkOptions& options) {
-    const Receiver receiver = receiverAt(middle.place, static_cast<double>(middle.side), options);
+    const Receiver receiver = receiverAt(cells, middle, options);
     Gathered gathered = gatherer.at(receiver);
     std::vector<Link>& links = gathered.links;
     leaveOut(links, options);
@@ -182,7 +263,8 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
         for (const Link& link : links)
             weights.push_back(std::max(link.weight[i], kTinyWeight));
         fit.improve(wanted[i], weights);
-        const auto scale = static_cast<float>(gathered.whole[i] / std::accumulate(weights.begin(), weights.end(), 0.0));
+        const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+        const auto scale = sum > 0 ? static_cast<float>(gathered.whole[i] / sum) : 0.0F; // a Gaussian that does not get here sends nothing
         for (std::size_t k = 0; k < links.size(); ++k)
             links[k].weight[i] = std::max(weights[k] * scale, kTinyWeight);
     }
@@ -191,18 +273,15 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
 
 using Lists = std::vector<std::vector<Link>>;
 
-Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const LinkOptions& options) {
-    const Gatherer gatherer(cells, options);
+Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const Gatherer& gatherer, const LinkOptions& options) {
     Lists lists(static_cast<std::size_t>(kLinkSide) * kLinkSide);
-    const auto usual = static_cast<double>(cells.usualSide(kDestinationLevel));
     forEachInParallel(
         kLinkSide,
         [&](std::size_t y) {
             for (std::size_t x = 0; x < kLinkSide; ++x) {
                 const auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
                 if (!middle) continue;
-                const auto side = static_cast<float>(std::min(static_cast<double>(middle->side), kMostSide * usual));
-                lists[y * kLinkSide + x] = weighed(cells, gatherer, {.place = middle->place, .side = side}, options);
+                lists[y * kLinkSide + x] = weighed(cells, gatherer, *middle, options);
             }
         },
         {}, options.threads);
@@ -239,8 +318,9 @@ void draw(const Lists& lists, SkinLinks& links) {
                         texel[static_cast<std::size_t>(c)];
             }
         }
-    // The last texel of all says how many tiles there are, in place of the last link of a corner.
-    const std::array<float, 4> last = {static_cast<float>(links.tiles), 0, 0, 0};
+    // The last texel of all says how many tiles there are, and whether the fourth Gaussian comes along, in place of the last link of a
+    // corner.
+    const std::array<float, 4> last = {static_cast<float>(links.tiles), links.fourth ? 1.0F : 0.0F, 0, 0};
     for (int c = 0; c < 4; ++c)
         links.sheet.at(side - 1, side - 1, c) = last[static_cast<std::size_t>(c)];
 }
@@ -269,8 +349,11 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
     if (!(cells.usualSide(0) > 0))
         return inputError(7044, {.file = mesh.name, .byte = {}}, "links need texture coordinates in the unit square, and there are none",
                           "tegument prep MESH --unwrap makes them");
-    const Lists lists = gatherAll(mesh, cells, options);
+    Gatherer gatherer(cells, options);
+    gatherer.decide(mesh);
+    const Lists lists = gatherAll(mesh, cells, gatherer, options);
     links.seconds.links = watch.lap();
+    links.fourth = gatherer.bringsFourth();
     links.sideMm = static_cast<double>(cells.usualSide(kDestinationLevel));
     draw(lists, links);
     links.seconds.sheet = watch.lap();

@@ -181,8 +181,9 @@ Result<void> verifyLinks(ModuleReport& report, const Context& context, const Pyr
     Weights weights{};
     weights[4].r = weights[5].g = 1;
     weights[4].b = weights[5].b = 0.5;
-    return hold(report, context, at, {.technique = "PyramidLinked", .weights = weights, .links = links}, "Gaussians 5, 6 by links",
-                someOf(covered(at.texels)),
+    weights[3] = LinkOptions{}.fourthShare * weights[4];
+    return hold(report, context, at, {.technique = "PyramidLinked", .weights = weights, .links = links},
+                "Gaussians 4, 5, 6 by levels and links", someOf(covered(at.texels)),
                 {.relativeL2 = 0.025,
                  .bias = 0.01,
                  .why = "sources as large as 1.3 mm, 64 at most; what is received is interpolated between texels of 256 x 256"});

@@ -150,6 +150,31 @@ TEST(SkinLinks, HalfOfTheLightReachesTheBorderAndLessWhatLiesBeyond) {
     EXPECT_EQ(listOf(*links, 128 + 3, 128).count, 0U) << "nothing farther out";
 }
 
+/// Two halves of a plane, each in a chart of its own.
+Mesh cutPlane(double side) {
+    Mesh mesh;
+    addSheet(mesh, side, 0, {0.02, 0.02}, 0.45);
+    addSheet(mesh, side, 0, {0.02, 0.53}, 0.45);
+    for (std::size_t i = 4; i < 8; ++i)
+        mesh.positions[i].x += static_cast<float>(side);
+    return mesh;
+}
+
+TEST(SkinLinks, WhatPyramidsMissOfTheFourthGaussianBeyondTheBorderOfAChartComesAlongWithTheFifth) {
+    constexpr double kSide = 45;
+    const LinkOptions options;
+    const auto links = makeSkinLinks(cutPlane(kSide), options);
+    ASSERT_TRUE(links) << format(links.error());
+    const double texel = kSide / 0.45 / kLinkSide;
+    for (const int x : {110, 117, 118, 119, 120, 121}) {
+        const double away = (0.47 * kLinkSide - x - 0.5) * texel; // of the border from the texel's middle
+        const Read read = listOf(*links, x, 62);
+        const double beyond = 0.5 * std::erfc(away / std::sqrt(2 * lessened(options.fourth, texel)));
+        EXPECT_NEAR(read.sum[0], 1 + options.fourthShare * beyond, 0.02) << away << " mm";
+        EXPECT_NEAR(read.sum[1], 1, 0.02) << away << " mm";
+    }
+}
+
 TEST(SkinLinks, WhatTheMeshCallsNoSkinSendsNothing) {
     Mesh plane;
     addSheet(plane, 100, 0, {0, 0}, 1);

@@ -9,6 +9,7 @@
 #include "passes/shadow_map.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"
+#include "passes/fur_roots_map.fxh"
 #include "passes/fur_roots_texture.fxh"
 #include "passes/fur_rounds.fxh"
 #include "passes/fur_coat.fxh"

@@ -27,6 +27,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/atlas.fxh"
 #include "passes/relight.fxh"
 #include "passes/pyramid_maps.fxh"
+#include "passes/bare_skin.fxh"
 #include "passes/pyramid.fxh"
 #include "passes/pyramid_links.fxh"
 #include "passes/pyramid_final.fxh"

@@ -2,10 +2,6 @@
 #ifndef TEGUMENT_PASSES_FUR_ROOTS_TEXTURE_FXH
 #define TEGUMENT_PASSES_FUR_ROOTS_TEXTURE_FXH
 
-Texture2D gFurRootsMap < string Generator = "fur roots"; float4 Fallback = { 0.0, 0.0, 0.0, 0.0 }; string UIName = "Roots";
-    string UIHelp = "from tegument fur roots, made from this mesh"; >;
-TG_SAMPLER2D(gFurRoots, POINT, CLAMP);
-
 // The first row of the texture, as far as each pixel needs it.
 struct FurRootGrid
 {

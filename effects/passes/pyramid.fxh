@@ -45,7 +45,7 @@ float4 entryLight(float2 uv, float4 albedo)
     float4 place = tex2Dlod(gAtlasPosition, float4(uv, 0.0, 0.0));
     float4 normal = tex2Dlod(gAtlasNormal, float4(uv, 0.0, 0.0));
     LitPoint p = entryPoint(uv, albedo, place.xyz, normal.xyz);
-    p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z);
+    p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z) * skinOpen(tgWorldPosition(place.xyz));
     float covered = place.w * normal.w;
     return float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);
 }

@@ -60,7 +60,7 @@ float finalShadow(LitPoint p)
 
 float4 finalColour(FinalVarying input, LitPoint p)
 {
-    p.shadow = finalShadow(p);
+    p.shadow = finalShadow(p) * skinOpen(input.world);
     float4 wide = tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0));
     float3 own = ladderWeight(wide.w < 0.0 ? kTgLadderSteps : 0.0, abs(wide.w));
     float3 diffused = max(enteringLight(p) * own + wide.rgb, 0.0);

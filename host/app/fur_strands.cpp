@@ -9,6 +9,7 @@
 #include "host/support/file.h"
 #include "host/support/text.h"
 #include "meshprep/fur/ribbons/ribbons.h"
+#include "meshprep/fur/roots/head_hair.h"
 #include "meshprep/fur/roots/vertex_maps.h"
 
 #include <fmt/format.h>
@@ -189,10 +190,15 @@ void addShape(CLI::App& command, StrandArguments& arguments) {
         ->excludes(region);
 }
 
-/// The texture that strands read: the one with the generator "fur roots".
+std::string generatorOf(const Parameter& parameter) {
+    return parameter.annotations.string("Generator").value_or("");
+}
+
+/// The texture that strands read: the one whose generator makes roots.
 const Parameter* rootsOf(const Effect& effect) {
-    const auto found = std::ranges::find_if(
-        effect.parameters, [](const Parameter& parameter) { return parameter.annotations.string("Generator") == "fur roots"; });
+    const auto found = std::ranges::find_if(effect.parameters, [](const Parameter& parameter) {
+        return generatorOf(parameter) == kRootsGenerator || generatorOf(parameter) == kHairGenerator;
+    });
     return found == effect.parameters.end() ? nullptr : &*found;
 }
 
@@ -202,7 +208,7 @@ Result<fs::path> rootsFile(const Parameter& roots, const RunOptions& options, co
     if (const auto set = options.textures.find(roots.name); set != options.textures.end()) return fs::path(set->second);
     if (const auto named = workspace.textures.find(roots.name); named != workspace.textures.end())
         return workspace.file.parent_path() / named->second;
-    return textures.make("fur roots", mesh);
+    return textures.make(generatorOf(roots), mesh);
 }
 
 /// Of ribbons that are grown here: what the parameter with the generator "fur strands segments" says.
@@ -231,7 +237,7 @@ void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, con
 Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene& scene, const fs::path& meshFile,
                          const std::function<void(const std::string&)>& say) {
     const Parameter* roots = rootsOf(effect);
-    if (!run::drawsPart(effect, kStrandsPart) || !roots) return {};
+    if (!roots || (!run::drawsPart(effect, kStrandsPart) && !run::drawsPart(effect, kUnderfurPart))) return {};
     const MeshTextures textures = furTextures(say);
     for (Mesh& mesh : scene.meshes) {
         const auto object = std::ranges::find_if(scene.objects, [&](const RunObject& own) { return own.mesh == &mesh; });
@@ -246,7 +252,10 @@ Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene&
         if (!file) return file.error();
         const auto image = loadRoots(file->string(), mesh);
         if (!image) return image.error();
-        const auto grown = addRibbons(mesh, *image, ribbonsFor(effect, options, workspace));
+        RibbonOptions ribbons = ribbonsFor(effect, options, workspace);
+        if (generatorOf(*roots) == kHairGenerator)
+            if (auto hair = hairOfHead(mesh)) ribbons.flowMap = FurMap(std::move(hair->direction));
+        const auto grown = addRibbons(mesh, *image, ribbons);
         if (!grown) return grown.error();
         nameRoots(scene, mesh, roots->name, *file); // none can be made any more for a mesh with strands
     }

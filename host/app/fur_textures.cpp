@@ -8,6 +8,7 @@
 #include "meshprep/fur/cube_texture.h"
 #include "meshprep/fur/fur_map.h"
 #include "meshprep/fur/ribbons/ribbons.h"
+#include "meshprep/fur/roots/head_hair.h"
 #include "meshprep/fur/roots/root_texture.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,6 @@ using Say = std::function<void(const std::string&)>;
 
 constexpr const char* kCubeMap = "fur cube map";
 constexpr const char* kSphereMap = "fur sphere map";
-constexpr const char* kRoots = "fur roots";
 
 /// Cones that stand 3 texels apart, as ./bootstrap demo makes them.
 constexpr int kMapSide = 2048;
@@ -34,6 +34,10 @@ constexpr FurOptions kMapOptions{.density = 0.05, .spacing = 2.8, .radius = 3.4,
 /// What `tegument fur texture` prints for these: tests/app/own_mesh_test.cpp.
 const std::map<std::string, std::vector<double>> kMapParameters = {
     {"gFurTaper", {1}}, {"gFurDeviation", {0.194}}, {"gFurGrain", {0.00473}}};
+
+bool growsRoots(const std::string& generator) {
+    return generator == kRootsGenerator || generator == kHairGenerator;
+}
 
 /// Part of every name in the cache: a change of what is made takes another number.
 constexpr int kVersion = 1;
@@ -58,8 +62,21 @@ Result<DdsTexture> drawMap(const std::string& generator) {
     return makeDds(drawSphereMap(*strands, side, kMapOptions), DdsFormat::Rgba8, true);
 }
 
-Result<DdsTexture> drawRoots(const Mesh& mesh) {
-    auto roots = makeRoots(mesh, {.shortest = 0.5}); // lengths as of the Bunny in ./bootstrap demo
+Result<RootOptions> hairOptions(const Mesh& mesh) {
+    auto hair = hairOfHead(mesh);
+    if (!hair)
+        return inputError(4054, {.file = mesh.name, .byte = {}}, "no hair is known for this mesh: it has no part 'eyes' to measure from",
+                          "take the default head, or give roots: tegument fur roots MESH --density-map MAP -o FILE.dds");
+    constexpr std::size_t kLocks = 150'000; // if all of the head were scalp; about a third of them is left
+    return RootOptions{
+        .count = kLocks, .shortest = 0.75, .densityMap = FurMap(std::move(hair->density)), .lengthMap = FurMap(std::move(hair->length))};
+}
+
+Result<DdsTexture> drawRoots(const std::string& generator, const Mesh& mesh) {
+    Result<RootOptions> options = RootOptions{.shortest = 0.5}; // lengths as of the Bunny in ./bootstrap demo
+    if (generator == kHairGenerator) options = hairOptions(mesh);
+    if (!options) return options.error();
+    auto roots = makeRoots(mesh, *options);
     if (!roots) return roots.error();
     auto texture = buildRootTexture(*roots);
     if (!texture) return texture.error();
@@ -70,21 +87,22 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
     if (generator == kSkinLinksGenerator) return cachedSkinLinks(mesh, say);
     if (generator == kStudioGenerator || generator == kSkyGenerator) return cachedEnvironment(generator, say);
     if (generator == kOcclusionGenerator) return cachedOcclusion(mesh, say);
-    const bool roots = generator == kRoots;
+    const bool roots = growsRoots(generator);
     if (roots && hasRibbons(mesh))
         return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
                           "tegument fur strands has written them beside the mesh: give that file");
     if (!roots && generator != kCubeMap && generator != kSphereMap)
         return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
                           fmt::format("the annotation Generator knows \"{}\", \"{}\", \"{}\", \"{}\", \"{}\", \"{}\" and \"{}\"", kCubeMap,
-                                      kSphereMap, kRoots, kSkinLinksGenerator, kStudioGenerator, kSkyGenerator, kOcclusionGenerator));
-    const fs::path file =
-        cacheFolder() / "fur" / "made" /
-        (roots ? fmt::format("roots_{}.dds", keyOf(mesh)) : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));
+                                      kSphereMap, kRootsGenerator, kSkinLinksGenerator, kStudioGenerator, kSkyGenerator,
+                                      kOcclusionGenerator));
+    const fs::path file = cacheFolder() / "fur" / "made" /
+                          (roots ? fmt::format("{}_{}.dds", generator == kHairGenerator ? "hair" : "roots", keyOf(mesh))
+                                 : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));
     std::error_code code;
     if (fs::is_regular_file(file, code)) return file;
     const auto start = std::chrono::steady_clock::now();
-    const auto texture = roots ? drawRoots(mesh) : drawMap(generator);
+    const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
     if (!texture) return texture.error();
     if (const auto written = writeDds(file, *texture); !written) return written.error();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -95,7 +113,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
 /// Files that do not hold roots are left to who loads them.
 Result<void> check(const std::string& generator, const fs::path& file, const Mesh& mesh) {
     if (generator == kSkinLinksGenerator) return checkSkinLinks(file, mesh);
-    if (generator != kRoots) return {};
+    if (!growsRoots(generator)) return {};
     const auto texture = loadDds(file);
     if (!texture || texture->isCube()) return {};
     if (const auto other = hasRibbons(mesh) ? whyNotItsRoots(mesh, texture->at(0, 0)) : std::nullopt)

@@ -8,6 +8,10 @@
 
 namespace tegument::app {
 
+/// Annotations Generator of textures of roots: on the whole mesh, and on a head where hair grows (meshprep/fur/roots/head_hair.h).
+inline constexpr const char* kRootsGenerator = "fur roots";
+inline constexpr const char* kHairGenerator = "hair roots";
+
 /// Generators `fur cube map` and `fur sphere map` make one map for all meshes, `fur roots` and `skin links` a file for each; one of another
 /// mesh is TG4055. `say` is told what was made.
 [[nodiscard]] MeshTextures furTextures(std::function<void(const std::string&)> say);

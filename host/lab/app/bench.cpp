@@ -9,6 +9,7 @@
 #include "host/lab/app/bench_stability.h"
 #include "host/lab/app/commands.h"
 #include "host/lab/bench/choice.h"
+#include "host/lab/bench/fur.h"
 #include "host/lab/bench/python.h"
 #include "host/lab/bench/report.h"
 #include "host/support/file.h"
@@ -52,6 +53,7 @@ struct BenchArguments {
     bool growth = false;
     bool ablation = false;
     bool motion = false;
+    bool fur = false;
     bool stability = false;
     std::vector<std::string> parts;
     std::vector<std::string> modules;
@@ -274,6 +276,16 @@ Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Co
     return grown ? code : grown;
 }
 
+Result<int> fur(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto rows =
+        shown([&](const bench::Say& say) { return bench::runFur(work.device, contenders, work.options, {.say = say, .flip = nullptr}); });
+    if (!rows) return rows.error();
+    auto code = report(arguments, *rows, work.machine);
+    if (!code || arguments.plot.empty()) return code;
+    const auto plotted = plot(arguments, "pareto", bench::toJson(*rows, work.machine));
+    return plotted ? code : plotted.error();
+}
+
 Result<int> writeMarkdown(const std::string& file) {
     const auto json = readFile(file);
     if (!json) return json.error();
@@ -327,11 +339,16 @@ Result<int> runChosen(const BenchArguments& arguments) {
     if (arguments.growth) return growth(arguments, *work);
     if (arguments.ablation) return ablation(arguments, *work);
     if (arguments.motion) return motion(arguments, *contenders, *work);
+    if (arguments.fur) return fur(arguments, *contenders, *work);
     if (!arguments.referencePart.empty()) return keep(arguments, *contenders, *work);
     return compare(arguments, *contenders, *work);
 }
 
-int run(const BenchArguments& arguments) {
+int run(BenchArguments arguments) {
+    if (arguments.fur) {
+        if (arguments.scenes == std::vector<std::string>{"head"}) arguments.scenes = {"effects/workspaces/bunny_roots.json"};
+        if (arguments.catalogue == BenchArguments().catalogue) arguments.catalogue = "effects/fur_catalogue.json";
+    }
     const auto result = runChosen(arguments);
     return result ? *result : fail(result.error(), arguments.json == "-");
 }
@@ -388,6 +405,9 @@ void addBench(CLI::App& program, Action& action) {
         ->excludes(pick)
         ->excludes(growth)
         ->excludes(ablation);
+    command->add_flag("--fur", arguments->fur, "Only time every technique of fur, and hold its picture against exact strands by rays")
+        ->excludes(growth)
+        ->excludes(ablation);
     CLI::Option* stability =
         command->add_flag("--stability", arguments->stability,
                           "Only draw every module's hard cases: values that are not finite, largest errors and their causes");
@@ -402,7 +422,8 @@ void addBench(CLI::App& program, Action& action) {
         *command,
         {{"bench", "every technique on the default head"},
          {"bench --scene sphere-10 head@90+4px --technique Main", "some of it"},
-         {"bench --pick --max-error 0.02", "which one to take"}},
+         {"bench --pick --max-error 0.02", "which one to take"},
+         {"bench --fur --plot out/fur", "every technique of fur, near and far"}},
         "Scenes: plane-edge, plane-disc, sphere-5, sphere-10, sphere-20, cylinder, lobes, head; each as NAME[@LIGHT][+shadow][+bumps]"
         "[+checker][+Npx] with LIGHT in degrees from the camera or 'behind', and N pixels to the mm. docs/bench.md explains the columns.");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

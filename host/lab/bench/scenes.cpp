@@ -214,7 +214,7 @@ Result<void> takeTextures(Scene& scene) {
     return {};
 }
 
-Result<Scene> read(const std::string& name, const fs::path& file) {
+Result<Scene> read(const std::string& name, const fs::path& file, bool needsUvs) {
     auto workspace = loadWorkspace(file);
     if (!workspace) return workspace.error();
     if (!workspace->objects.empty())
@@ -222,7 +222,7 @@ Result<Scene> read(const std::string& name, const fs::path& file) {
                           "give a workspace of one mesh");
     auto mesh = loadMesh(file.parent_path() / workspace->meshPath, [&] {
         MeshOptions options = meshOptions(*workspace);
-        options.requireUvs = true;
+        options.requireUvs = needsUvs;
         return options;
     }());
     if (!mesh) return mesh.error();
@@ -263,12 +263,12 @@ Result<void> checkSceneName(const std::string& text) {
 }
 
 Result<Scene> loadScene(const std::string& text, const SceneOptions& options) {
-    if (isFile(text)) return read(fs::path(text).stem().string(), text);
+    if (isFile(text)) return read(fs::path(text).stem().string(), text, options.needsUvs);
     const auto name = parseSceneName(text);
     if (!name) return name.error();
     const auto file = name->shape == "head" ? makeHead(*name, text, options) : makeShape(*name, text, options);
     if (!file) return file.error();
-    return read(text, *file);
+    return read(text, *file, options.needsUvs);
 }
 
 } // namespace tegument::bench

@@ -37,6 +37,7 @@ struct SceneOptions {
     std::filesystem::path folder;  // where the named scenes go; empty: cacheFolder()/bench/scenes
     int width = 0;                 // of the picture: the scale of a named scene depends on it
     int height = 0;
+    bool needsUvs = true; // of the mesh: skin is lit in texture space
 };
 
 /// Whether `text` names a scene or a file, without reading or making any. TG8072, TG8073.

@@ -16,14 +16,20 @@ namespace {
 using reference::FurExact;
 using reference::FurFragment;
 
+int heightOf(const FurWindow& window) {
+    return window.height > 0 ? window.height : window.size;
+}
+
 /// The window as one sees it who knows only strands, skin and light.
 struct Sight {
     Sight(const FurWindow& window, const VerifyOptions& options)
         : scene(window.strands), truth(truthOf(window.strands.scene, options)), samples(window.samples), rays(truth.camera),
           strands(truth.skin.rays(), window.shape, strandsOf(window, truth.skin.rays(), truth.camera), window.pieces),
           light{truth.light.eye, truth.skin.lightColour()} {
+        const int height = heightOf(window);
+        rays.tangentY *= static_cast<double>(height) / rays.height;
         rays.width *= samples;
-        rays.height *= samples;
+        rays.height = height * samples;
     }
 
     const StrandsScene& scene;
@@ -88,20 +94,21 @@ ExactPicture drawExact(const FurWindow& window, const VerifyOptions& options) {
     VerifyOptions own = options;
     own.pictureSize = window.size;
     const Sight sight(window, own);
-    const auto side = static_cast<std::size_t>(window.size);
-    ExactPicture exact{.picture = blank(window.size, window.size, 3),
-                       .counts = std::vector<std::uint8_t>(side * side),
-                       .covered = std::vector<std::uint8_t>(side * side)};
-    forEachInParallel(side * side, [&](std::size_t pixel) {
-        const int x = static_cast<int>(pixel % side);
-        const int y = static_cast<int>(pixel / side);
+    const auto width = static_cast<std::size_t>(window.size);
+    const std::size_t pixels = width * static_cast<std::size_t>(heightOf(window));
+    ExactPicture exact{.picture = blank(window.size, heightOf(window), 3),
+                       .counts = std::vector<std::uint8_t>(pixels),
+                       .covered = std::vector<std::uint8_t>(pixels)};
+    forEachInParallel(pixels, [&](std::size_t pixel) {
+        const int x = static_cast<int>(pixel % width);
+        const int y = static_cast<int>(pixel / width);
         glm::dvec3 sum(0);
         bool told = true;
         bool covered = false;
         for (int j = 0; j < window.samples; ++j)
             for (int i = 0; i < window.samples; ++i) {
                 // Every other sample along each side asks what shadows are near: they are wider than that.
-                const bool asks = i % 2 == 0 && j % 2 == 0;
+                const bool asks = window.asks && i % 2 == 0 && j % 2 == 0;
                 const Sight::Seen seen = sight.look(x * window.samples + i, y * window.samples + j, asks);
                 sum += seen.radiance;
                 told = told && seen.told;

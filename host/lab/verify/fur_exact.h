@@ -1,5 +1,5 @@
 #pragma once
-// Inside host/lab/verify: effects/FurRoots.fx beside exact strands in space (host/lab/reference/fur_exact.h), which is what it
+// Inside host/lab: effects/FurRoots.fx beside exact strands in space (host/lab/reference/fur_exact.h), which is what it
 // approximates.
 
 #include "host/lab/verify/fur_windows.h"

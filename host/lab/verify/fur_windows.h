@@ -1,5 +1,5 @@
 #pragma once
-// Inside host/lab/verify: what FurRoots is judged on: pieces of a plane, a ball, a torus and a rough surface, so near that pixels are an
+// Inside host/lab: what FurRoots is judged on: pieces of a plane, a ball, a torus and a rough surface, so near that pixels are an
 // eighth of a spacing of strands, and a ball so far away that they hold several; as the effect sees it, and as strands in space.
 
 #include "host/lab/reference/fur_exact.h"
@@ -22,6 +22,8 @@ struct FurWindow {
     reference::FurStrandShape shape;
     bool lattice = false; // technique Cellular
     int size = 128;       // pixels a side
+    int height = 0;       // where it is another; 0: as wide
+    bool asks = true;     // which pixels the shadow map can tell; else all count
     int pieces = 12;      // of a strand, each straight
     int samples = 4;      // of the truth, along each side of a pixel
     WindowLimits limits;

@@ -417,6 +417,7 @@ void Wrapping::finishColours() {
     if (colour == given_.end()) return;
     for (std::string& line : colourCode(*job_.pass, colour->second))
         after_.push_back(std::move(line));
+    if (job_.saturates) after_.push_back(fmt::format("{0} = saturate({0});", colour->second));
 }
 
 } // namespace

@@ -140,6 +140,20 @@ TEST(ForeignPasses, keep_the_alpha_test_as_code) {
     EXPECT_NE(code.find("> 7)) discard;"), std::string::npos) << code;
 }
 
+TEST(ForeignPasses, blend_no_more_than_one_into_a_picture) {
+    const auto saturates = [](const std::string& states, const std::string& script) {
+        const Effect effect = adopted(foreign("texture R : RENDERCOLORTARGET; float4 PS() : COLOR { return 2; }\n"
+                                              "float4 VS(float4 p : POSITION) : POSITION { return p; }\ntechnique T < string Script = \"" +
+                                              script + "Pass=P;\"; > { pass P { " + states +
+                                              " VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }"))
+                                  .effect;
+        return effect.techniques[0].passes[0].pixelShader->code.find("o0 = saturate(o0);") != std::string::npos;
+    };
+    EXPECT_TRUE(saturates("AlphaBlendEnable = TRUE;", "RenderColorTarget0=;"));
+    EXPECT_FALSE(saturates("", "")) << "without blending the display does it";
+    EXPECT_FALSE(saturates("AlphaBlendEnable = TRUE;", "RenderColorTarget0=R;")) << "the target has a format of its own";
+}
+
 struct NameCase {
     std::string name;
     std::string matrix; // empty: none

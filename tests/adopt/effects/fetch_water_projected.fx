@@ -7,7 +7,7 @@ float4x4 matWVP : WORLDVIEWPROJECTION; float4x4 matW : WORLD; float3 eye : CAMER
 static const float kTurn = cos(radians(30)), kSide = sin(radians(30));
 texture tReflect < string ResourceName = ("reflect.dds"); >; texture tBump < string ResourceName = ("bump.dds"); string ResourceType = ("2D"); >;
 sampler2D sReflect = sampler_state { Texture = <tReflect>; MinFilter = <gFilter>; MagFilter = (gFilter); MipFilter = gFilter; AddressU = (gAddress); AddressV = <gAddress>; MipMapLodBias = (gBias * 0.5); BorderColor = <gEdge>; };
-sampler2D sBump = sampler_state { Texture = (tBump); MaxAnisotropy = (2 * gFilter); MinFilter = Anisotropic; AddressU = Border; BorderColor = { 0.5, 0.5, 1, 1 }; };
+sampler2D sBump = sampler_state { Texture = (tBump); MaxAnisotropy = (2 * gFilter); MinFilter = Anisotropic; AddressU = Border; BorderColor = 0xff8080ff; };
 struct V { float4 p : POSITION; float4 s : TEXCOORD0; float2 t : TEXCOORD1; float3 e : TEXCOORD2; float3 n : NORMAL; };
 V VS(float4 p : POSITION, float3 n : NORMAL, float2 t : TEXCOORD0)
 {

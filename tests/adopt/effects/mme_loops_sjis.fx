@@ -2,7 +2,7 @@
 float4x4 WorldViewProjMatrix : WORLDVIEWPROJECTION; float3 LightDir : DIRECTION < string Object = "Light"; >;
 int Loops = 2; int Index; float4 ClearColor = {0, 0, 0.2, 1}; float ClearDepth = 1;
 texture Target : RENDERCOLORTARGET < float2 ViewPortRatio = {1, 1}; string Format = "A8R8G8B8"; string Comment = "•`‰ææ"; >;
-sampler TargetSamp = sampler_state { texture = <Target>; FILTER = LINEAR; };
+sampler TargetSamp = sampler_state { texture = <Target>; MINFILTER = LINEAR; MAGFILTER = LINEAR; };
 texture Depth : RENDERDEPTHSTENCILTARGET < float2 ViewPortRatio = {1, 1}; string Format = "D24S8"; >;
 struct VO { float4 p : POSITION; float3 n : TEXCOORD0; };
 VO VS(float4 p : POSITION, float3 n : NORMAL) { VO o; p.xyz *= 1 - 0.25 * Index; o.p = mul(p, WorldViewProjMatrix); o.n = n; return o; } /* ’¸“_ */

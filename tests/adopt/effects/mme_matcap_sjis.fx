@@ -8,7 +8,7 @@ float3 LightDirection : DIRECTION < string Object = "Light"; >;
 float3 CameraPosition : POSITION < string Object = "Camera"; >;
 float4 MaterialDiffuse : DIFFUSE < string Object = "Geometry"; >;
 texture MatcapTex < String ResourceName = (CAT("maps/", "matcap.bmp")); string UIName = STR(MAT); >;
-sampler MatcapSamp = sampler_state { texture = <MatcapTex>; FILTER = LINEAR; ADDRESSU = CLAMP; ADDRESSV = CLAMP; };
+sampler MatcapSamp = sampler_state { texture = <MatcapTex>; MINFILTER = LINEAR; MAGFILTER = LINEAR; ADDRESSU = CLAMP; ADDRESSV = CLAMP; };
 bool use_subtexture; bool parthf; bool transp; bool opadd;
 struct O { float4 p : POSITION; float3 n : TEXCOORD0; float3 e : TEXCOORD1; };
 O VS(float4 p : POSITION, float3 n : NORMAL) { O o; o.p = mul(p, WorldViewProjMatrix); o.n = mul(n, (float3x3)WorldMatrix); o.e = CameraPosition - mul(p, WorldMatrix).xyz; return o; }

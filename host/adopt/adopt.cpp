@@ -79,6 +79,7 @@ public:
         Effect& effect = adoption_.effect;
         effect.adopted = true;
         for (Technique& technique : effect.techniques) {
+            onPicture_ = drawsIntoPicture(technique);
             for (std::size_t i = 0; i < technique.passes.size(); ++i)
                 pass(technique, technique.passes[i], i);
             runPassesAtAll(technique);
@@ -113,6 +114,16 @@ private:
         if (!known || (pass.pixelShader && !pixel)) return;
         if (!pass.vertexShader) standInVertex(pass, pixel, quad);
         if (!pass.pixelShader && !depthOnly) standInPixel(pass, written);
+    }
+
+    /// Whether no script of it names a target: its author's picture had eight bits, into which nothing above one is blended.
+    [[nodiscard]] static bool drawsIntoPicture(const Technique& technique) {
+        const auto named = [](const Script& script) {
+            return std::ranges::any_of(script.commands, [](const Command& command) {
+                return command.kind == CommandKind::RenderColorTarget && !command.options.front().empty();
+            });
+        };
+        return !named(technique.script) && std::ranges::none_of(technique.passes, named, &Pass::script);
     }
 
     /// False: its shader says why.
@@ -240,6 +251,7 @@ private:
         job.available = available;
         job.covers = covers;
         job.pass = vertex ? nullptr : &pass;
+        job.saturates = onPicture_ && pass.state.targets[0].enable;
         auto made = rewriter_.wrapped(job);
         if (!made) {
             shader.obstacle = std::make_shared<const Diagnostic>(made.error().diagnostics.front());
@@ -390,8 +402,9 @@ private:
     const AdoptOptions& options_;
     Rewriter rewriter_;
     std::set<std::pair<int, std::string>> said_;
-    bool plain_ = false; // something is placed by kPlainMatrix
-    bool sized_ = false; // something reads kTargetSize
+    bool onPicture_ = false; // drawsIntoPicture() of the technique in hand
+    bool plain_ = false;     // something is placed by kPlainMatrix
+    bool sized_ = false;     // something reads kTargetSize
 };
 
 } // namespace

@@ -226,7 +226,7 @@ private:
             assign(leaf, fmt::format("{}({} ? 1.0 : -1.0)", cast, system_["SV_IsFrontFace"]));
             return true;
         }
-        if (leaf.semantic == "SV_POSITION" || (nine && isPosition(leaf))) {
+        if (leaf.semantic == "SV_POSITION" || (isPosition(leaf) && (nine || !provided(fmt::format("{}{}", leaf.semantic, leaf.index))))) {
             systemInput("float4", "SV_Position");
             assign(leaf, fmt::format("{}({}{})", cast, system_["SV_Position"], firstComponents(leaf.shape.columns)));
             return true;
@@ -306,7 +306,10 @@ private:
     }
 
     Result<void> giveVarying(const Leaf& leaf, const std::string& key) {
-        const bool position = leaf.semantic == "SV_POSITION" || (profile_.direct3D9() && isPosition(leaf));
+        // Later models compiled with /Gec have POSITION for the system's, too; elsewhere it stands beside that.
+        const bool position =
+            leaf.semantic == "SV_POSITION" ||
+            (isPosition(leaf) && (profile_.direct3D9() || std::ranges::find(results_, "SV_POSITION", &Leaf::semantic) == results_.end()));
         if (position) {
             if (given_.contains("SV_Position")) return {};
             const std::string place = declareOutput("float4", "SV_Position");
@@ -414,6 +417,7 @@ void Wrapping::finishColours() {
     if (colour == given_.end()) return;
     for (std::string& line : colourCode(*job_.pass, colour->second))
         after_.push_back(std::move(line));
+    if (job_.saturates) after_.push_back(fmt::format("{0} = saturate({0});", colour->second));
 }
 
 } // namespace

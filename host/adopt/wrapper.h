@@ -39,6 +39,7 @@ struct WrapperJob {
     const Pass* pass = nullptr;                   // of a pixel shader: alpha test and encoding
     std::map<std::string, std::string> renamed;   // as in Spelling
     bool covers = false;                          // of a vertex shader: it draws over the target, texel by texel
+    bool saturates = false;                       // of a pixel shader: what it blends into holds 0 to 1, as a display's picture does
 };
 
 /// TG3401 no function of that name, TG3402 a parameter that nothing gives a value, TG3403 a semantic that this stage cannot have.

@@ -46,6 +46,8 @@ TEST_P(ForeignEffects, compile_in_every_pass_and_their_stages_meet) {
     const Adoption adoption = adopted(*effect);
     for (const Technique& technique : adoption.effect.techniques)
         for (const Pass& pass : technique.passes) {
+            if (pass.geometryShader || pass.hullShader || pass.domainShader || pass.streamOutput) continue; // drawing says TG4003
+            if (pass.assemblyShaders > 0) continue;
             ASSERT_TRUE(pass.vertexShader) << pass.name;
             const auto vertex = compiled(adoption.effect, *pass.vertexShader, Stage::Vertex);
             ASSERT_TRUE(vertex) << format(vertex.error()) << pass.vertexShader->code;
@@ -139,6 +141,20 @@ TEST(ForeignPasses, keep_the_alpha_test_as_code) {
     EXPECT_NE(code.find("> 7)) discard;"), std::string::npos) << code;
 }
 
+TEST(ForeignPasses, blend_no_more_than_one_into_a_picture) {
+    const auto saturates = [](const std::string& states, const std::string& script) {
+        const Effect effect = adopted(foreign("texture R : RENDERCOLORTARGET; float4 PS() : COLOR { return 2; }\n"
+                                              "float4 VS(float4 p : POSITION) : POSITION { return p; }\ntechnique T < string Script = \"" +
+                                              script + "Pass=P;\"; > { pass P { " + states +
+                                              " VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }"))
+                                  .effect;
+        return effect.techniques[0].passes[0].pixelShader->code.find("o0 = saturate(o0);") != std::string::npos;
+    };
+    EXPECT_TRUE(saturates("AlphaBlendEnable = TRUE;", "RenderColorTarget0=;"));
+    EXPECT_FALSE(saturates("", "")) << "without blending the display does it";
+    EXPECT_FALSE(saturates("AlphaBlendEnable = TRUE;", "RenderColorTarget0=R;")) << "the target has a format of its own";
+}
+
 struct NameCase {
     std::string name;
     std::string matrix; // empty: none
@@ -190,6 +206,10 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundCase{"the_eye_by_name", "float3 g_vEyePos;", "CAMERAPOSITION"},
                     BoundCase{"the_way_of_light", "float3 d : DIRECTION < string Object = \"DirectionalLight0\"; >;", "LIGHTDIRECTION"},
                     BoundCase{"a_direction_that_nothing_turns_round", "float3 g_LightDir;", "TOLIGHT"},
+                    BoundCase{"a_light_with_a_number_s_way", "float3 d : LIGHTDIR0_DIRECTION;", "LIGHTDIRECTION"},
+                    BoundCase{"a_light_with_a_number_s_colour", "float3 c : LIGHTDIR0_COLOR;", "white"},
+                    BoundCase{"a_light_with_a_number_s_place", "float3 p : LIGHTPOINT0_POSITION;", "POSITION of the light"},
+                    BoundCase{"a_colour_by_address", "float3 c < string SasBindAddress = \"Sas.DirectionalLight[0].Color\"; >;", "white"},
                     BoundCase{"a_colour_of_a_directional_light", "float3 DirLight0DiffuseColor;", "white"},
                     BoundCase{"what_the_author_gave", "float4 diffuseColor = { 1, 0, 0, 1 };", "its default"},
                     BoundCase{"white", "float4 diffuseColor;", "white"}, BoundCase{"a_power", "float shininess;", "20"},
@@ -208,6 +228,40 @@ TEST(ForeignBindings, say_their_rule) {
 TEST(ForeignBindings, obey_the_command_line) {
     EXPECT_EQ(binding("float4x4 strange;", {.bind = {{"strange", "WORLDVIEWPROJECTION"}}}).source, "WORLDVIEWPROJECTION");
     EXPECT_EQ(binding("float4x4 World : WORLD;", {.bind = {{"World", "default"}}}).source, "the identity");
+}
+
+TEST(ForeignBindings, follow_the_members_of_a_structure_with_an_address) {
+    const Adoption adoption = adopted(foreign("struct D { float3 Color; float3 Direction; };\n"
+                                              "D sun < string SasBindAddress = \"Sas.DirectionalLight[0]\"; >;\n"
+                                              "float4 PS() : COLOR { return float4(sun.Color * sun.Direction, 1); }\n" +
+                                              kRest));
+    const auto got = [&](const std::string& name) {
+        return std::ranges::find(adoption.bindings, name, &ParameterBinding::parameter)->source;
+    };
+    EXPECT_EQ(got("sun_Color"), "white");
+    EXPECT_EQ(got("sun_Direction"), "LIGHTDIRECTION");
+}
+
+/// The semantic of `m`, which these words of a vertex shader multiply with.
+std::string semanticOf(const std::string& product, const AdoptOptions& options = {}) {
+    const std::string text = "float4x4 m : WORLDVIEWPROJECTION; float4x4 w : WORLD; float4x4 p : PROJECTION;\n"
+                             "float4 VS(float4 v : POSITION) : POSITION { return " +
+                             product +
+                             "; }\nfloat4 PS() : COLOR { return 1; }\n"
+                             "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }";
+    return adopted(foreign(text), options).effect.findParameter("m")->semantic;
+}
+
+TEST(ForeignMatrices, are_transposed_where_they_stand_before_what_they_project) {
+    EXPECT_EQ(semanticOf("mul(m, v)"), "WORLDVIEWPROJECTIONTRANSPOSE");
+    EXPECT_EQ(semanticOf("mul((float4x4)m, mul(w, v))"), "WORLDVIEWPROJECTIONTRANSPOSE");
+    EXPECT_EQ(semanticOf("mul(v, m)"), "WORLDVIEWPROJECTION");
+    EXPECT_EQ(semanticOf("mul(w, mul(v, m))"), "WORLDVIEWPROJECTION");
+}
+
+TEST(ForeignMatrices, stay_where_the_code_has_both_orders_or_the_user_binds_them) {
+    EXPECT_EQ(semanticOf("mul(m, v) + mul(v, p)"), "WORLDVIEWPROJECTION");
+    EXPECT_EQ(semanticOf("mul(m, v)", {.bind = {{"m", "WORLDVIEWPROJECTION"}}}), "WORLDVIEWPROJECTION");
 }
 
 } // namespace

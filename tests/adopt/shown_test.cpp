@@ -64,6 +64,19 @@ TEST(ShownPasses, over_the_target_have_the_half_pixel_of_direct3d_9) {
     EXPECT_FALSE(moves("mul(p, m)", "3_0")) << "a mesh stays where it is";
 }
 
+TEST(ShownPasses, of_later_models_take_POSITION_where_nothing_is_SV_Position) {
+    const auto writes = [](const std::string& outputs) {
+        const Effect effect = adopted(foreign("void VS(float4 p : POSITION, " + outputs +
+                                              ") { a = p; b = p; }\nfloat4 PS(float4 b : POSITION) : SV_Target { return b; }\n"
+                                              "technique10 T { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); "
+                                              "SetPixelShader(CompileShader(ps_4_0, PS())); } }"))
+                                  .effect;
+        return effect.techniques[0].passes[0].vertexShader->code;
+    };
+    EXPECT_EQ(writes("out float4 a : TEXCOORD0, out float4 b : POSITION").find(": POSITION0"), std::string::npos);
+    EXPECT_NE(writes("out float4 a : SV_Position, out float4 b : POSITION").find(": POSITION0"), std::string::npos);
+}
+
 TEST(ShownPasses, run_behind_a_script_that_names_none) {
     const Effect effect = adopted(foreign(kShaders + "technique T < string Script = \"RenderColorTarget0=;\"; > { " + kPass + " }")).effect;
     ASSERT_EQ(effect.techniques[0].script.commands.size(), 2U);
@@ -80,6 +93,15 @@ TEST(ShownPasses, without_vertex_shader_and_depth_test_cover_the_target) {
     };
     EXPECT_EQ(draws("ZEnable = FALSE;"), "Buffer");
     EXPECT_EQ(draws(""), "Geometry");
+}
+
+TEST(ShownPasses, that_all_leave_out_clockwise_faces_are_wound_the_other_way) {
+    const auto cull = [](const std::string& passes) {
+        return adopted(foreign(kShaders + "technique T { " + passes + " }")).effect.techniques[0].passes[0].state.cull;
+    };
+    const std::string inside = "pass A { CullMode = CW; VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } ";
+    EXPECT_EQ(cull(inside), CullMode::Back);
+    EXPECT_EQ(cull(inside + kPass), CullMode::Front) << "an outline";
 }
 
 struct TurnedCase {

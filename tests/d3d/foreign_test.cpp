@@ -37,6 +37,10 @@ const std::map<std::string, std::string>& explained() {
         {"cloth_volume", "a picture of two dimensions stands in for volumes, which Direct3D 9 reads otherwise"},
         {"volume_noise", "likewise"},
         {"fetches", "tex1D of a picture of two dimensions: the column that Direct3D 9 reads is what else stands in the register"},
+        {"fetch_water_projected",
+         "anisotropic look-ups with gradients of the shader's own: Mesa's software device draws nothing of use, and dies of "
+         "them on Vulkan, where this host leaves the anisotropy out"},
+        {"odd_spelling", "Microsoft's compiler takes a switch over a constant for its default in shader model 3"},
     };
     return kAll;
 }
@@ -173,7 +177,8 @@ Result<std::string> drawOne(gpu::Device& device, const Mesh& mesh, const Drawn& 
     auto read = loadEffect(drawn.file, {.lenient = true});
     if (!read) return read.error();
     const auto theirs = authorsNumbers(*read);
-    const Effect effect = adopted(std::move(*read), {.bind = {}, .technique = {}, .width = kSide, .height = kSide}).effect;
+    const Adoption adoption = adopted(std::move(*read), {.bind = {}, .technique = {}, .width = kSide, .height = kSide});
+    const Effect& effect = adoption.effect;
     const Technique* technique = effect.defaultTechnique();
     if (!technique || technique->kind != TechniqueKind::D3D9) return inputError(5260, {.file = drawn.name, .byte = {}}, "not Direct3D 9's");
     const Workspace workspace = workspaceFor();
@@ -190,9 +195,9 @@ Result<std::string> drawOne(gpu::Device& device, const Mesh& mesh, const Drawn& 
     if (const auto written = writeFloats(folder() / (drawn.name + ".vulkan.f32"), *picture); !written) return written.error();
     const auto textures = writeTextures(device, stage, prepared, folder());
     if (!textures) return textures.error();
-    const std::string job =
-        fmt::format("foreign\neffect {0}.fxo\ntechnique {1}\npicture {2} {2} 0 0 0\nmesh ball.bin\n", drawn.name, technique->name, kSide) +
-        valueLines(effect, prepared, theirs) + *textures + targetLines(prepared) + *steps;
+    const std::string job = fmt::format("foreign\neffect {0}.fxo\ntechnique {1}\npicture {2} {2} 0 0 0\nmesh {3}\n", drawn.name,
+                                        technique->name, kSide, adoption.turned.contains(technique->name) ? "turned.bin" : "ball.bin") +
+                            valueLines(effect, prepared, theirs) + *textures + targetLines(prepared) + *steps;
     if (const auto written = writeFile(folder() / (drawn.name + ".job"), job); !written) return written.error();
     return fmt::format("{0}.job {0}.\n", drawn.name);
 }
@@ -215,7 +220,9 @@ void compile(std::vector<Drawn>& list) {
                         .source = drawn.file,
                         .defines = {},
                         .output = folder() / (drawn.name + ".fxo"),
-                        .includeFolders = {}});
+                        .includeFolders = {drawn.file.parent_path()},
+                        .shader = {},
+                        .compatible = true});
     const auto results = compileWithMicrosoft(jobs);
     ASSERT_TRUE(results) << format(results.error());
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -275,6 +282,10 @@ TEST(ForeignPicture, is_that_of_microsofts_binary) {
     fs::create_directories(folder());
     const Mesh mesh = ball();
     ASSERT_TRUE(writeMeshFile(folder() / "ball.bin", mesh));
+    Mesh turned = mesh;
+    for (std::size_t i = 0; i + 2 < turned.indices.size(); i += 3)
+        std::swap(turned.indices[i], turned.indices[i + 1]);
+    ASSERT_TRUE(writeMeshFile(folder() / "turned.bin", turned));
     std::vector<Drawn> list = all();
     for (Drawn& drawn : list) {
         const auto line = drawOne(*device, mesh, drawn);

@@ -1,0 +1,192 @@
+// A Vulkan layer that fails on purpose: TEGUMENT_FAULT=KIND:N makes the N-th call of a kind fail, and of "lost" all behind it.
+//   memory  vkAllocateMemory: VK_ERROR_OUT_OF_DEVICE_MEMORY
+//   host    vkCreateImage, vkCreateBuffer: VK_ERROR_OUT_OF_HOST_MEMORY
+//   lost    vkQueueSubmit, vkQueueSubmit2, vkWaitForFences, vkWaitSemaphores: VK_ERROR_DEVICE_LOST
+//   crash   vkCreateGraphicsPipelines: the process is ended by a signal, as by a driver's own fault
+
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+
+#define EXPORTED extern "C" __attribute__((visibility("default"))) VKAPI_ATTR
+
+namespace {
+
+struct Fault {
+    std::string kind;
+    int at = 0; // 1: the first call
+    std::atomic<int> calls = 0;
+
+    Fault() {
+        const char* given = std::getenv("TEGUMENT_FAULT");
+        const std::string text = given != nullptr ? given : "";
+        const std::size_t colon = text.find(':');
+        if (colon == std::string::npos) return;
+        kind = text.substr(0, colon);
+        at = std::atoi(text.c_str() + colon + 1);
+    }
+
+    /// Whether this call of the kind fails.
+    bool strikes(std::string_view asked, bool forEver = false) {
+        if (kind != asked) return false;
+        const int call = ++calls;
+        return call == at || (forEver && call > at);
+    }
+};
+
+Fault& fault() {
+    static Fault fault;
+    return fault;
+}
+
+/// What lies below, by name. One instance and one device are enough for the program under test; further ones share the driver's functions.
+std::mutex mutex;
+PFN_vkGetInstanceProcAddr nextInstance = nullptr;
+PFN_vkGetDeviceProcAddr nextDevice = nullptr;
+VkInstance theInstance = VK_NULL_HANDLE;
+VkDevice theDevice = VK_NULL_HANDLE;
+
+template <class Function>
+Function below(const char* name) {
+    return reinterpret_cast<Function>(nextDevice(theDevice, name));
+}
+
+/// The loader's link for this layer, in the chain behind a create info.
+template <class Info, class Link>
+Link* linkOf(const Info* info, VkStructureType type) {
+    auto* link = static_cast<Link*>(const_cast<void*>(info->pNext));
+    while (link != nullptr && !(link->sType == type && link->function == VK_LAYER_LINK_INFO))
+        link = static_cast<Link*>(const_cast<void*>(link->pNext));
+    return link;
+}
+
+/// A lost device has no work left: what the driver still does must end before the program takes its memory away.
+bool isLost() {
+    if (!fault().strikes("lost", true)) return false;
+    below<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(theDevice);
+    return true;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkInstance* instance) {
+    auto* link = linkOf<VkInstanceCreateInfo, VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
+    nextInstance = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstance(VK_NULL_HANDLE, "vkCreateInstance"));
+    const VkResult result = create(info, allocator, instance);
+    theInstance = *instance;
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator, VkDevice* device) {
+    auto* link = linkOf<VkDeviceCreateInfo, VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
+    nextDevice = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create = reinterpret_cast<PFN_vkCreateDevice>(nextInstance(theInstance, "vkCreateDevice"));
+    const VkResult result = create(physical, info, allocator, device);
+    theDevice = *device;
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkDeviceMemory* memory) {
+    if (fault().strikes("memory")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    return below<PFN_vkAllocateMemory>("vkAllocateMemory")(device, info, allocator, memory);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createImage(VkDevice device, const VkImageCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                           VkImage* image) {
+    if (fault().strikes("host")) return VK_ERROR_OUT_OF_HOST_MEMORY;
+    return below<PFN_vkCreateImage>("vkCreateImage")(device, info, allocator, image);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createBuffer(VkDevice device, const VkBufferCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                            VkBuffer* buffer) {
+    if (fault().strikes("host")) return VK_ERROR_OUT_OF_HOST_MEMORY;
+    return below<PFN_vkCreateBuffer>("vkCreateBuffer")(device, info, allocator, buffer);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
+    if (isLost()) return VK_ERROR_DEVICE_LOST;
+    return below<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL submit2(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
+    if (isLost()) return VK_ERROR_DEVICE_LOST;
+    return below<PFN_vkQueueSubmit2>("vkQueueSubmit2")(queue, count, infos, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, std::uint32_t count, const VkFence* fences, VkBool32 all,
+                                             std::uint64_t limit) {
+    if (isLost()) return VK_ERROR_DEVICE_LOST;
+    return below<PFN_vkWaitForFences>("vkWaitForFences")(device, count, fences, all, limit);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL waitSemaphores(VkDevice device, const VkSemaphoreWaitInfo* info, std::uint64_t limit) {
+    if (isLost()) return VK_ERROR_DEVICE_LOST;
+    return below<PFN_vkWaitSemaphores>("vkWaitSemaphores")(device, info, limit);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createPipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                               const VkGraphicsPipelineCreateInfo* infos, const VkAllocationCallbacks* allocator,
+                                               VkPipeline* pipelines) {
+    if (fault().strikes("crash")) {
+        std::signal(SIGSEGV, SIG_DFL);
+        ::kill(::getpid(), SIGSEGV);
+    }
+    return below<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(device, cache, count, infos, allocator, pipelines);
+}
+
+PFN_vkVoidFunction ours(std::string_view name) {
+    static const std::map<std::string_view, PFN_vkVoidFunction> kOurs = {
+        {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(createInstance)},
+        {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(createDevice)},
+        {"vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(allocateMemory)},
+        {"vkCreateImage", reinterpret_cast<PFN_vkVoidFunction>(createImage)},
+        {"vkCreateBuffer", reinterpret_cast<PFN_vkVoidFunction>(createBuffer)},
+        {"vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(submit)},
+        {"vkQueueSubmit2", reinterpret_cast<PFN_vkVoidFunction>(submit2)},
+        {"vkWaitForFences", reinterpret_cast<PFN_vkVoidFunction>(waitForFences)},
+        {"vkWaitSemaphores", reinterpret_cast<PFN_vkVoidFunction>(waitSemaphores)},
+        {"vkCreateGraphicsPipelines", reinterpret_cast<PFN_vkVoidFunction>(createPipelines)},
+    };
+    const auto found = kOurs.find(name);
+    return found == kOurs.end() ? nullptr : found->second;
+}
+
+} // namespace
+
+EXPORTED PFN_vkVoidFunction VKAPI_CALL faultDeviceProcAddr(VkDevice device, const char* name) {
+    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0) return reinterpret_cast<PFN_vkVoidFunction>(faultDeviceProcAddr);
+    const std::scoped_lock lock(mutex);
+    if (const auto own = ours(name)) return own;
+    return nextDevice(device, name);
+}
+
+EXPORTED PFN_vkVoidFunction VKAPI_CALL faultInstanceProcAddr(VkInstance instance, const char* name) {
+    if (std::strcmp(name, "vkGetInstanceProcAddr") == 0) return reinterpret_cast<PFN_vkVoidFunction>(faultInstanceProcAddr);
+    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0) return reinterpret_cast<PFN_vkVoidFunction>(faultDeviceProcAddr);
+    const std::scoped_lock lock(mutex);
+    if (const auto own = ours(name)) return own;
+    return nextInstance != nullptr ? nextInstance(instance, name) : nullptr;
+}
+
+EXPORTED VkResult VKAPI_CALL vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* versions) {
+    versions->loaderLayerInterfaceVersion = 2;
+    versions->pfnGetInstanceProcAddr = faultInstanceProcAddr;
+    versions->pfnGetDeviceProcAddr = faultDeviceProcAddr;
+    versions->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}

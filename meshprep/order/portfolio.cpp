@@ -175,9 +175,8 @@ private:
 
     void runBatched() {
         const bool many = faces() > kManyFaces;
-        const auto misses =
-            tryAll({inOne([this](const Piece& p) { return batches(p, linkFaces(p), cache_.batchVertices, cache_.batchTriangles); }),
-                    many ? inOne([this](const Piece& p) { return meshopt(p, entries_); }) : meshoptAsItCame()});
+        const auto misses = tryAll({inOne([this](const Piece& p) { return batched(p); }),
+                                    many ? inOne([this](const Piece& p) { return meshopt(p, entries_); }) : meshoptAsItCame()});
         // meshoptimizer's orders differ by so much among themselves
         constexpr double kAmongSmall = 1.04;
         constexpr double kAmongLarge = 1.01;
@@ -202,8 +201,14 @@ private:
                                       meshoptSorted(),
                                       byMethod(Method::LinYu),
                                       byMethod(Method::Hoppe)};
-        if (cache_.batched()) all.push_back([this] { return meshoptFifo(asItCame(indices_, vertexCount_), entries_); });
+        if (!cache_.batched()) return all;
+        all.push_back([this] { return meshoptFifo(asItCame(indices_, vertexCount_), entries_); });
+        all.push_back([this] { return batched(asItCame(indices_, vertexCount_)); });
         return all;
+    }
+
+    [[nodiscard]] Corners batched(const Piece& piece) const {
+        return batches(piece, linkFaces(piece), cache_.batchVertices, cache_.batchTriangles);
     }
 
     [[nodiscard]] Candidate byMethod(Method method) const {

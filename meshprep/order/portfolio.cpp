@@ -203,12 +203,15 @@ private:
                                       byMethod(Method::Hoppe)};
         if (!cache_.batched()) return all;
         all.push_back([this] { return meshoptFifo(asItCame(indices_, vertexCount_), entries_); });
-        all.push_back([this] { return batched(asItCame(indices_, vertexCount_)); });
+        for (std::size_t variation = 0; variation < (faces() > kFewFaces ? 1 : kBatchVariations); ++variation) {
+            all.push_back([this, variation] { return batched(asItCame(indices_, vertexCount_), variation); });
+            if (variation > 0) all.push_back(inOne([this, variation](const Piece& p) { return batched(p, variation); }));
+        }
         return all;
     }
 
-    [[nodiscard]] Corners batched(const Piece& piece) const {
-        return batches(piece, linkFaces(piece), cache_.batchVertices, cache_.batchTriangles);
+    [[nodiscard]] Corners batched(const Piece& piece, std::size_t variation = 0) const {
+        return batches(piece, linkFaces(piece), cache_.batchVertices, cache_.batchTriangles, variation);
     }
 
     [[nodiscard]] Candidate byMethod(Method method) const {

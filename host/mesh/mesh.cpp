@@ -115,13 +115,8 @@ double greatestSide(const Bounds& bounds) {
     return std::max({size.x, size.y, size.z});
 }
 
-MeshOptions withUnit(MeshOptions options, double unitMm) {
-    options.unitMm = unitMm;
-    return options;
-}
-
 Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options) {
-    Result<ReadMesh> file = readMesh(path, {.unitMm = options.unitMm});
+    Result<ReadMesh> file = readMesh(path, {.unitMm = options.unitMm, .guessUnit = options.guessUnit});
     if (!file) return file.error();
     Mesh mesh = std::move(file->mesh);
     const Source source{.path = path, .bytes = {}, .unitMm = mesh.unitMm};
@@ -133,11 +128,6 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     if (mesh.indices.empty()) return meshfile::noTriangles(source.whole());
     keepReferenced(mesh); // so that a stray point cannot stretch the bounds
     computeBounds(mesh);
-    if (const auto likely = options.guessUnit && !options.unitMm ? likelyUnit(mesh.bounds, mesh.unitMm) : std::nullopt) {
-        Result<Mesh> again = loadMesh(path, withUnit(options, *likely));
-        if (again) again->warnings.push_back(guessedUnit(path, mesh.bounds, mesh.unitMm, *likely));
-        return again;
-    }
     if (options.expectHead)
         if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
     if (auto error = checkUvs(mesh, source, options)) return *error;

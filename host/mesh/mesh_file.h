@@ -60,6 +60,12 @@ void carryObjMaterials(const Source& source, const ObjFile& file, const std::vec
 /// Chooses `mesh.origin` and fills the positions anew where floats would not hold them, and warns where even then they do not (TG5329).
 void settlePlace(const std::filesystem::path& path, ReadMesh& file);
 
+/// The box round what triangles use, from its own corner on. Before `settlePlace`.
+[[nodiscard]] Bounds sizeOf(const ReadMesh& file);
+
+/// As if the file, read with 1 mm per unit, had been read with another unit. Before `settlePlace`.
+void changeUnit(ReadMesh& file, double unitMm);
+
 void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string hint = {});
 
 /// The whole word as a number, whatever the locale. Too large is infinity, too small is 0; "nan" and "inf" are numbers (and refused later

@@ -5,7 +5,9 @@
 
 #include "host/mesh/normals.h"
 #include "host/mesh/welding.h"
+#include "host/support/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tegument {
@@ -20,6 +22,18 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
 glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 0 ? v / length : otherwise;
+}
+
+struct FaceAtCorners {
+    glm::dvec3 normal{0};
+    std::array<double, 3> angles{};
+};
+
+FaceAtCorners faceAtCorners(const std::array<glm::dvec3, 3>& p) {
+    FaceAtCorners face{.normal = faceNormal(p)};
+    for (std::size_t c = 0; c < 3; ++c)
+        face.angles[c] = angleBetween(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
+    return face;
 }
 
 } // namespace
@@ -39,15 +53,21 @@ std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh, std::span<const st
         groups = std::max<std::size_t>(groups, std::size_t{group} + 1);
     std::vector<glm::dvec3> sums(groups, glm::dvec3(0));
     std::vector<glm::vec3> anyFace(groups, glm::vec3(0, 0, 1)); // where the sum cancels: one of the faces, never NaN
-    for (std::size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
-        const auto p = cornersOf(mesh, triangle);
-        const glm::dvec3 face = faceNormal(p);
-        if (face == glm::dvec3(0)) continue;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint32_t group = groupOfVertex[mesh.indices[3 * triangle + c]];
-            sums[group] += face * angleBetween(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
-            anyFace[group] = face;
-        }
+    const std::size_t triangles = mesh.indices.size() / 3;
+    constexpr std::size_t kBlock = 65'536; // at a time, on all processors; the sums are made in the triangles' order
+    std::vector<FaceAtCorners> faces(std::min(triangles, kBlock));
+    for (std::size_t block = 0; block < triangles; block += kBlock) {
+        const std::size_t count = std::min(kBlock, triangles - block);
+        inChunks(count, 0, [&](std::size_t first, std::size_t last, std::size_t) {
+            for (std::size_t i = first; i < last; ++i)
+                faces[i] = faceAtCorners(cornersOf(mesh, block + i));
+        });
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t c = 0; c < 3 && faces[i].normal != glm::dvec3(0); ++c) {
+                const std::uint32_t group = groupOfVertex[mesh.indices[3 * (block + i) + c]];
+                sums[group] += faces[i].normal * faces[i].angles[c];
+                anyFace[group] = faces[i].normal;
+            }
     }
     std::vector<glm::vec3> normals;
     normals.reserve(mesh.positions.size());

@@ -40,6 +40,13 @@ struct Box {
     }
 };
 
+Box boxOf(const ReadMesh& file) {
+    Box box;
+    for (const std::uint32_t index : file.mesh.indices)
+        box.add(file.exact.empty() ? glm::dvec3(file.mesh.positions[index]) : file.exactFrom + file.exact[index]);
+    return box;
+}
+
 /// Whole millimetres, so that the numbers are short; not of a mesh that is itself no larger.
 glm::dvec3 shortNumbers(const Box& box) {
     return box.side() > 100 ? glm::round(box.centre()) : box.centre();
@@ -58,12 +65,23 @@ std::size_t merged(const ReadMesh& file, double reach) {
 
 } // namespace
 
+Bounds sizeOf(const ReadMesh& file) {
+    const Box box = boxOf(file);
+    return {.maximum = file.mesh.indices.empty() ? glm::vec3(0) : glm::vec3(box.high - box.low)};
+}
+
+void changeUnit(ReadMesh& file, double unitMm) {
+    for (std::size_t i = 0; i < file.mesh.positions.size(); ++i)
+        file.mesh.positions[i] = scaled(file.exact.empty() ? glm::dvec3(file.mesh.positions[i]) : file.exact[i], unitMm);
+    for (glm::dvec3& position : file.exact)
+        position *= unitMm;
+    file.exactFrom *= unitMm;
+}
+
 void settlePlace(const std::filesystem::path& path, ReadMesh& file) {
     Mesh& mesh = file.mesh;
     const bool exact = !file.exact.empty();
-    Box box; // of what triangles use
-    for (const std::uint32_t index : mesh.indices)
-        box.add(exact ? file.exactFrom + file.exact[index] : glm::dvec3(mesh.positions[index]));
+    const Box box = boxOf(file);
     const SourcePosition at{.file = path.string(), .byte = {}};
     if (!exact && file.floats && box.side() > 0 && box.reach() > kLost * box.side())
         warn(mesh, 5329, at,

@@ -80,6 +80,22 @@ void mendLines(std::string& bytes, const MeshFormat* format) {
     std::replace(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(end), '\r', '\n');
 }
 
+/// Where the size is implausible, the same file with a likely unit, and a warning. What was read in another unit than millimetres is read
+/// again, so that each number is rounded once.
+std::optional<Diagnostic> takeLikelyUnit(const MeshFormat& format, Source& source, Result<ReadMesh>& file) {
+    const Bounds size = meshfile::sizeOf(*file);
+    const std::optional<double> likely = likelyUnit(size, source.unitMm);
+    if (!likely) return std::nullopt;
+    Diagnostic warning = guessedUnit(source.path, size, source.unitMm, *likely);
+    const bool inMillimetres = source.unitMm == 1;
+    source.unitMm = *likely;
+    if (inMillimetres)
+        meshfile::changeUnit(*file, *likely);
+    else
+        file = format.read(source);
+    return warning;
+}
+
 Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& options) {
     Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
@@ -89,15 +105,20 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
     if (!(unit > 0 && std::isfinite(unit)))
         return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");
     mendLines(*bytes, format);
-    Result<ReadMesh> file = format->read({.path = path,
-                                          .bytes = *bytes,
-                                          .unitMm = unit,
-                                          .dropBadFaces = options.dropBadFaces,
-                                          .keepNotFinite = options.dropNotFinite,
-                                          .carryMaterials = options.carryMaterials});
+    Source source{.path = path,
+                  .bytes = *bytes,
+                  .unitMm = unit,
+                  .dropBadFaces = options.dropBadFaces,
+                  .keepNotFinite = options.dropNotFinite,
+                  .carryMaterials = options.carryMaterials};
+    Result<ReadMesh> file = format->read(source);
+    if (!file) return file;
+    std::optional<Diagnostic> guessed;
+    if (options.guessUnit && !options.unitMm) guessed = takeLikelyUnit(*format, source, file);
     if (!file) return file;
     meshfile::settlePlace(path, *file);
-    file->mesh.unitMm = unit;
+    file->mesh.unitMm = source.unitMm;
+    if (guessed) file->mesh.warnings.push_back(std::move(*guessed));
     if (file->mesh.name.empty()) file->mesh.name = path.stem().string();
     if (options.dropNotFinite) dropNotFinite(*file);
     return file;

@@ -9,6 +9,7 @@ namespace tegument {
 
 struct ReadOptions {
     std::optional<double> unitMm; // as MeshOptions::unitMm
+    bool guessUnit = false;       // as MeshOptions::guessUnit
     bool dropBadFaces = false;    // leave out faces that refer to no vertex, with a count, instead of refusing the file
     bool dropNotFinite = false;   // leave out faces with a corner at NaN or infinity, with a count, instead of refusing the file
     bool carryMaterials = false;  // keep materials and their pictures as they are in the file, instead of decoding a few of them

@@ -14,8 +14,11 @@ using Corners = std::vector<std::uint32_t>;
 /// next. `links`: of `linkFaces`.
 [[nodiscard]] Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit);
 
-/// For batches of at most so many vertices and triangles that share nothing.
-[[nodiscard]] Corners batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles);
+inline constexpr std::size_t kBatchVariations = 6;
+/// For batches of at most so many vertices and triangles that share nothing. `variation`: which of the rules; the first is the best of
+/// most.
+[[nodiscard]] Corners batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles,
+                              std::size_t variation = 0);
 
 /// For a FIFO cache of `entries` vertices.
 [[nodiscard]] Corners tipsify(const Piece& piece, unsigned entries);

@@ -6,6 +6,7 @@
 #include "meshprep/order/open_faces.h"
 
 #include <algorithm>
+#include <array>
 
 namespace tegument::order {
 
@@ -13,20 +14,25 @@ namespace {
 
 /// What counts against taking a face, by search on two scans (Bunny, Dragon_res2): the result is flat round these. A vertex that comes;
 /// less for each face that this vertex completes but for one corner, which makes patches round; a little for the faces that the vertex
-/// leaves outside, so that no islands remain; for the open faces beside; and for the age of the corners already there.
-constexpr int kPerGain = 225;
-constexpr int kPerOutsideFace = 10;
-constexpr int kPerNeighbour = 100;
-constexpr int kPerAge = 1;
+/// leaves outside, so that no islands remain; for the open faces beside; and for the age of the corners already there. The others are
+/// for small meshes, where chance decides.
+struct Weights {
+    int gain;
+    int outsideFace;
+    int neighbour;
+    int age;
+};
+constexpr std::array<Weights, kBatchVariations> kWeights = {
+    {{225, 10, 100, 1}, {225, 10, 100, 0}, {225, 40, 100, 1}, {150, 10, 150, 1}, {300, 10, 50, 2}, {225, 10, 0, 4}}};
 
 /// A vertex of more faces is not looked round: its neighbours bring the faces that matter.
 constexpr std::uint32_t kMostLookedAt = 64;
 
 class Batches {
 public:
-    Batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles)
-        : piece_(piece), links_(links), open_(links), mostVertices_(vertices), mostTriangles_(triangles), vertices_(piece.vertexCount),
-          touchedIn_(piece.faceCount(), 0) {
+    Batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles, const Weights& weights)
+        : weights_(weights), piece_(piece), links_(links), open_(links), mostVertices_(vertices), mostTriangles_(triangles),
+          vertices_(piece.vertexCount), touchedIn_(piece.faceCount(), 0) {
         for (std::uint32_t v = 0; v < piece.vertexCount; ++v)
             vertices_[v].live = piece.around.count(v);
         out_.reserve(piece.corners.size());
@@ -93,12 +99,12 @@ private:
     }
 
     [[nodiscard]] int costOf(std::uint32_t f) const {
-        int cost = kPerNeighbour * static_cast<int>(open_.neighbours(f));
+        int cost = weights_.neighbour * static_cast<int>(open_.neighbours(f));
         for (const std::uint32_t v : piece_.face(f)) {
             if (inside(v))
-                cost += kPerAge * static_cast<int>(vertices_[v].place);
+                cost += weights_.age * static_cast<int>(vertices_[v].place);
             else
-                cost += kPerOutsideFace * static_cast<int>(vertices_[v].live) - kPerGain * gain(v);
+                cost += weights_.outsideFace * static_cast<int>(vertices_[v].live) - weights_.gain * gain(v);
         }
         return cost;
     }
@@ -142,6 +148,7 @@ private:
         }
     }
 
+    Weights weights_;
     const Piece& piece_;
     std::span<const std::uint32_t> links_;
     OpenFaces open_;
@@ -159,8 +166,8 @@ private:
 
 } // namespace
 
-Corners batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles) {
-    return Batches(piece, links, vertices, triangles).run();
+Corners batches(const Piece& piece, std::span<const std::uint32_t> links, unsigned vertices, unsigned triangles, std::size_t variation) {
+    return Batches(piece, links, vertices, triangles, kWeights[variation]).run();
 }
 
 } // namespace tegument::order

@@ -175,9 +175,8 @@ private:
 
     void runBatched() {
         const bool many = faces() > kManyFaces;
-        const auto misses =
-            tryAll({inOne([this](const Piece& p) { return batches(p, linkFaces(p), cache_.batchVertices, cache_.batchTriangles); }),
-                    many ? inOne([this](const Piece& p) { return meshopt(p, entries_); }) : meshoptAsItCame()});
+        const auto misses = tryAll({inOne([this](const Piece& p) { return batched(p); }),
+                                    many ? inOne([this](const Piece& p) { return meshopt(p, entries_); }) : meshoptAsItCame()});
         // meshoptimizer's orders differ by so much among themselves
         constexpr double kAmongSmall = 1.04;
         constexpr double kAmongLarge = 1.01;
@@ -202,8 +201,17 @@ private:
                                       meshoptSorted(),
                                       byMethod(Method::LinYu),
                                       byMethod(Method::Hoppe)};
-        if (cache_.batched()) all.push_back([this] { return meshoptFifo(asItCame(indices_, vertexCount_), entries_); });
+        if (!cache_.batched()) return all;
+        all.push_back([this] { return meshoptFifo(asItCame(indices_, vertexCount_), entries_); });
+        for (std::size_t variation = 0; variation < (faces() > kFewFaces ? 1 : kBatchVariations); ++variation) {
+            all.push_back([this, variation] { return batched(asItCame(indices_, vertexCount_), variation); });
+            if (variation > 0) all.push_back(inOne([this, variation](const Piece& p) { return batched(p, variation); }));
+        }
         return all;
+    }
+
+    [[nodiscard]] Corners batched(const Piece& piece, std::size_t variation = 0) const {
+        return batches(piece, linkFaces(piece), cache_.batchVertices, cache_.batchTriangles, variation);
     }
 
     [[nodiscard]] Candidate byMethod(Method method) const {

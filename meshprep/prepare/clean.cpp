@@ -2,8 +2,11 @@
 
 #include "host/mesh/triangles.h"
 #include "host/mesh/welding.h"
+#include "host/support/parallel.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 
 namespace tegument::prep {
 
@@ -68,19 +71,35 @@ std::size_t dropUnreferenced(Surface& surface) {
 }
 
 std::vector<std::uint32_t> backToBack(const Surface& surface) {
+    struct Side {
+        std::uint32_t second = 0, third = 0; // after the smallest point
+        std::uint32_t triangle = 0;
+
+        auto operator<=>(const Side&) const = default;
+    };
     const auto count = static_cast<std::uint32_t>(surface.triangles());
-    UniqueItems sides(count); // by turned corners
-    const auto keyOf = [&](std::uint32_t triangle) { return turned(pointsOf(surface, triangle)); };
+    std::vector<std::uint32_t> last(std::size_t{surface.pointCount} + 1, 0); // of the sides at each smallest point
+    for (std::uint32_t i = 0; i < count; ++i)
+        ++last[turned(pointsOf(surface, i))[0] + 1];
+    for (std::size_t point = 1; point < last.size(); ++point)
+        last[point] += last[point - 1];
+    std::vector<Side> sides(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Triple key = keyOf(i);
-        sides.findOrAdd(hashWords(key), i, [&](std::uint32_t other) { return keyOf(other) == key; });
+        const Triple t = turned(pointsOf(surface, i));
+        sides[last[t[0]]++] = {.second = t[1], .third = t[2], .triangle = i};
     }
     std::vector<std::uint32_t> other(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Triple key = keyOf(i);
-        const Triple back = {key[0], key[2], key[1]};
-        other[i] = sides.find(hashWords(back), [&](std::uint32_t candidate) { return keyOf(candidate) == back; }).value_or(i);
-    }
+    inChunks(surface.pointCount, 0, [&](std::size_t first, std::size_t end, std::size_t) {
+        for (std::size_t point = first; point < end; ++point) {
+            const auto here = std::span(sides).subspan(point == 0 ? 0 : last[point - 1], last[point] - (point == 0 ? 0 : last[point - 1]));
+            std::ranges::sort(here);
+            for (const Side& side : here) {
+                const auto back = std::ranges::lower_bound(here, Side{.second = side.third, .third = side.second, .triangle = 0});
+                const bool found = back != here.end() && back->second == side.third && back->third == side.second;
+                other[side.triangle] = found ? back->triangle : side.triangle;
+            }
+        }
+    });
     return other;
 }
 

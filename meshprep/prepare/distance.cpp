@@ -1,7 +1,7 @@
 // The Hausdorff distance by branch and bound: no point of a triangle is further away than its farthest corner and the distance to that
 // corner, nor than its farthest corner is from one triangle of the other surface. Triangles that cannot hold the greatest distance are left
-// alone, others are cut in four. Nearest points come from a tree of boxes in single precision, so the surfaces are brought to unit size
-// around the origin first. All is done in runs that do not depend on one another, so that the result does not depend on the processors.
+// alone, others are cut in four. Nearest points come from a tree of boxes in single precision, so the surfaces are brought into the unit
+// cube first. All is done in runs that do not depend on one another, so that the result does not depend on the processors.
 
 #include "meshprep/prepare/distance.h"
 
@@ -47,7 +47,7 @@ constexpr double kClose = 1.02;    // the bound need not be nearer to the truth
 constexpr double kRounding = 1e-6; // of the tree's floats, the surface being of unit size
 
 /// A point nearer than this share of what was reached cannot matter: where it is exactly is not asked.
-constexpr double kNear = 0.1;
+constexpr double kNear = 0.3;
 
 /// How many nearest points are asked for: so that the time stays linear. What is left then is bounded as it is.
 struct Effort {
@@ -72,14 +72,15 @@ public:
     /// The greatest distance of the corners that the other surface does not have, and of every triangle's middle.
     double measureCorners(double reached) {
         std::vector<std::uint32_t> asked;
-        for (const std::uint32_t corner : own_.corners()) {
-            Place& place = places_[corner];
-            if (place.apart != Place::kUnknown) continue;
-            place.apart = 0; // so that it is asked once
-            asked.push_back(corner);
-        }
-        constexpr std::size_t kSamples = 512; // their greatest distance spares most others an exact answer
-        const std::size_t step = asked.size() / kSamples + 1;
+        for (const std::uint32_t triangle : own_.alongCurve())
+            for (const std::uint32_t corner : own_.corners().subspan(3 * std::size_t{triangle}, 3)) {
+                Place& place = places_[corner];
+                if (place.apart != Place::kUnknown) continue;
+                place.apart = 0; // so that it is asked once
+                asked.push_back(corner);
+            }
+        const std::size_t samples = std::clamp<std::size_t>(asked.size() / 64, 512, 4096);
+        const std::size_t step = asked.size() / samples + 1; // their greatest distance spares most others an exact answer
         for (std::size_t i = 0; i < asked.size(); i += step)
             reached = std::max(reached, measure(asked[i], kNoHint, reached));
         return inRuns(asked.size(), reached, [&](std::size_t first, std::size_t last, double ofRun) {
@@ -325,7 +326,7 @@ double rootMeanSquare(const Surface& from, const Surface& to, bool dear) {
     inChunks(samples, 0, [&](std::size_t first, std::size_t last, std::size_t run) {
         std::uint32_t hint = kNoHint;
         for (std::size_t i = first; i < last; ++i) {
-            const Triangle t = from.triangle(i * step);
+            const Triangle t = from.triangle(from.alongCurve()[i * step]);
             for (const glm::dvec3& point : {centroid(t), t[0], t[1], t[2]}) {
                 const Nearest near = to.nearest(point, hint);
                 if (!std::isfinite(near.distance)) continue;

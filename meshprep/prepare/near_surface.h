@@ -1,7 +1,7 @@
 #pragma once
-// A surface that is asked for its nearest point, by a tree of boxes in single precision: of unit size, around the origin.
+// A surface that is asked for its nearest point, by a tree of boxes in single precision: within the unit cube.
 
-#include "host/support/rays/surface_tree.h"
+#include "meshprep/prepare/near_tree.h"
 #include "meshprep/prepare/nearest.h"
 
 #include <algorithm>
@@ -30,8 +30,7 @@ inline constexpr unsigned kMostVisits = 256;
 class NearSurface {
 public:
     NearSurface(const std::vector<glm::dvec3>& points, std::span<const std::uint32_t> triangles)
-        : points_(points), triangles_(triangles),
-          tree_(std::vector<glm::vec3>(points.begin(), points.end()), triangles, {.quick = true, .threads = 0}) {}
+        : points_(points), triangles_(triangles), tree_(points, triangles) {}
 
     [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
     [[nodiscard]] std::span<const std::uint32_t> corners() const { return triangles_; }
@@ -40,6 +39,9 @@ public:
         const std::uint32_t* t = &triangles_[3 * i];
         return {points_[t[0]], points_[t[1]], points_[t[2]]};
     }
+
+    /// All triangles, neighbours near one another.
+    [[nodiscard]] std::span<const std::uint32_t> alongCurve() const { return tree_.alongCurve(); }
 
     /// `hint`: a triangle that is probably near. What is no further than `enough` will do.
     [[nodiscard]] NearestTriangle nearest(const glm::dvec3& point, std::uint32_t hint = kNoHint, double enough = 0) const {
@@ -80,7 +82,7 @@ public:
 private:
     const std::vector<glm::dvec3>& points_;
     std::span<const std::uint32_t> triangles_;
-    SurfaceTree tree_;
+    NearTree tree_;
 };
 
 } // namespace tegument::prep

@@ -59,14 +59,6 @@ private:
         begin("read");
         Result<ReadMesh> file = readMesh(path_, reading());
         if (!file) return file.error();
-        if (const auto unit = options_.guessUnit ? unitOf(file->mesh) : std::nullopt) {
-            ReadOptions again = reading();
-            again.unitMm = *unit;
-            const Diagnostic warning = guessedUnit(path_, file->mesh.bounds, file->mesh.unitMm, *unit);
-            file = readMesh(path_, again);
-            if (!file) return file.error();
-            file->mesh.warnings.push_back(warning);
-        }
         surface_.mesh = std::move(file->mesh);
         const ReadCounts& counts = file->counts;
         report_.input = {.vertices = counts.vertices, .faces = counts.faces};
@@ -92,6 +84,7 @@ private:
     [[nodiscard]] ReadOptions reading() const {
         ReadOptions read = options_.read;
         read.carryMaterials = true;
+        read.guessUnit = options_.guessUnit;
         return read;
     }
 
@@ -102,13 +95,6 @@ private:
             greatest = std::max({greatest, p.x, p.y, p.z});
         }
         return static_cast<double>(greatest);
-    }
-
-    /// Another unit than the file was read with, where that one is implausible.
-    [[nodiscard]] std::optional<double> unitOf(Mesh& mesh) const {
-        if (options_.read.unitMm || mesh.indices.empty()) return std::nullopt;
-        computeBounds(mesh);
-        return likelyUnit(mesh.bounds, mesh.unitMm);
     }
 
     /// A quarter of a turn about x: z goes to y, and y to -z.
@@ -319,9 +305,13 @@ private:
         begin("levels");
         std::string text = fmt::format("{} coarser", made.levels.size());
         if (made.leftOver > 0) text += fmt::format("; {} parts with seams or of no manifold went to meshoptimizer", made.leftOver);
+        const auto ordered = tryEachInParallel(options_.order ? made.levels.size() : 0, [&](std::size_t i) -> Result<void> {
+            MeshLevel& level = made.levels[i].mesh;
+            if (auto error = reorderParts(level.indices, level.parts)) return std::move(*error);
+            return {};
+        });
+        if (!ordered) return ordered.error();
         for (Level& level : made.levels) {
-            if (options_.order)
-                if (auto error = reorderParts(level.mesh.indices, level.mesh.parts)) return error;
             const std::size_t triangles = level.mesh.indices.size() / 3;
             report_.levels.push_back({.triangles = triangles, .error = level.error});
             text += fmt::format("; {} triangles, at most {:.4g} mm off, {:.4g} rms", triangles, level.error.greatest, level.error.rms);

@@ -1,6 +1,7 @@
 #include "meshprep/prepare/topology.h"
 
 #include "host/mesh/normals.h"
+#include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
 
 #include <numeric>
@@ -100,17 +101,22 @@ DisjointSets cornerFans(const Surface& surface, const EdgeTable& edges, const st
 
 Topology examine(const Surface& surface) {
     Topology topology;
-    const EdgeTable edges(surface);
-    countEdges(edges, topology);
-    const std::vector<std::uint32_t> back = backToBack(surface);
-    for (std::uint32_t i = 0; i < back.size(); ++i)
-        topology.backToBackPairs += back[i] > i;
-    std::vector<std::uint32_t> none(back.size()); // triangles back to back share their edges: they are one fan here
-    std::iota(none.begin(), none.end(), 0u);
-    DisjointSets fans = cornerFans(surface, edges, none);
-    topology.bowTies = countBowTies(surface, fans);
-    topology.flatTriangles = countFlat(surface);
-    topology.components = countComponents(surface);
+    const auto ofEdges = [&] {
+        const EdgeTable edges(surface);
+        countEdges(edges, topology);
+        std::vector<std::uint32_t> none(surface.triangles()); // triangles back to back share their edges: they are one fan here
+        std::iota(none.begin(), none.end(), 0u);
+        DisjointSets fans = cornerFans(surface, edges, none);
+        topology.bowTies = countBowTies(surface, fans);
+    };
+    const auto ofTriangles = [&] {
+        const std::vector<std::uint32_t> back = backToBack(surface);
+        for (std::uint32_t i = 0; i < back.size(); ++i)
+            topology.backToBackPairs += back[i] > i;
+        topology.flatTriangles = countFlat(surface);
+        topology.components = countComponents(surface);
+    };
+    forEachInParallel(2, [&](std::size_t i) { i == 0 ? ofEdges() : ofTriangles(); });
     return topology;
 }
 

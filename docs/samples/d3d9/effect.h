@@ -1,4 +1,5 @@
-// An effect of this project in a Direct3D 9 engine: loads the .fx with D3DX, makes the targets that it declares, runs its script.
+// An effect of this project in a Direct3D 9 engine: loads the .fx with D3DX, makes the targets that it declares, runs its script by
+// the script player.
 #pragma once
 
 #include <windows.h>
@@ -6,6 +7,8 @@
 #include <d3d9.h>
 #include <d3dx9.h>
 #include <wrl/client.h>
+
+#include "../player/script_player.h"
 
 #include <algorithm>
 #include <functional>
@@ -38,7 +41,7 @@ inline Target makeTarget(IDirect3DDevice9* device, UINT width, UINT height, D3DF
     return target;
 }
 
-class Effect {
+class Effect : script_player::Engine {
 public:
     using Draw = std::function<void(bool mesh)>; // the mesh, or a full-screen quad
 
@@ -92,22 +95,20 @@ public:
     }
 
     void run(const char* technique, const Target& picture, const Target& depth, const Draw& draw) {
-        targets_["<picture>"] = picture;
-        targets_["<depth>"] = depth;
+        picture_ = picture;
+        depth_ = depth;
         draw_ = &draw;
         check(effect_->SetTechnique(technique), technique);
-        runScript(effect_->GetTechniqueByName(technique), {});
-        targets_.erase("<picture>");
-        targets_.erase("<depth>");
+        const D3DXHANDLE handle = effect_->GetTechniqueByName(technique);
+        script_player::Technique steps{technique, scriptOf(handle), {}};
+        D3DXPASS_DESC desc{};
+        for (UINT i = 0; const D3DXHANDLE pass = effect_->GetPass(handle, i); ++i)
+            if (SUCCEEDED(effect_->GetPassDesc(pass, &desc))) steps.passes.push_back({desc.Name, scriptOf(pass)});
+        script_player::play(steps, *this);
+        picture_ = depth_ = {}; // they must go before a reset
     }
 
 private:
-    struct State {
-        std::string color = "<picture>", depth = "<depth>"; // what an empty name in a script means
-        D3DCOLOR clearColor = 0;
-        float clearDepth = 1;
-    };
-
     template <class Visit>
     void forEachParameter(const Visit& visit) {
         D3DXPARAMETER_DESC desc{};
@@ -119,50 +120,19 @@ private:
         const D3DXHANDLE handle = effect_->GetAnnotationByName(owner, annotation);
         return handle && SUCCEEDED(effect_->GetString(handle, &value)) ? value : "";
     }
+    std::optional<std::string> scriptOf(D3DXHANDLE owner) {
+        return effect_->GetAnnotationByName(owner, "Script") ? std::optional(text(owner, "Script")) : std::nullopt;
+    }
     UINT number(D3DXHANDLE owner, const char* annotation, UINT otherwise) {
         INT value = 0;
         const D3DXHANDLE handle = effect_->GetAnnotationByName(owner, annotation);
         return handle && SUCCEEDED(effect_->GetInt(handle, &value)) ? static_cast<UINT>(value) : otherwise;
     }
 
-    // "Name=value; Name=value;": docs/scripts.md has the whole language.
-    void runScript(D3DXHANDLE owner, State state) {
-        std::string script = text(owner, "Script");
-        std::erase(script, ' ');
-        for (std::size_t at = 0; at < script.size();) {
-            const std::size_t end = std::min(script.find(';', at), script.size()), equals = std::min(script.find('=', at), end);
-            const std::string name = script.substr(at, equals - at),
-                              value = equals < end ? script.substr(equals + 1, end - equals - 1) : "";
-            at = end + 1;
-            INT count = 1; // LoopByCount as a switch: its body runs once or not at all
-            if (name == "LoopByCount") check(effect_->GetInt(value.c_str(), &count), value);
-            if (count == 0) at = script.find(';', script.find("LoopEnd", at)) + 1;
-            execute(name, value, owner, state);
-        }
-    }
-
-    void execute(const std::string& name, const std::string& value, D3DXHANDLE owner, State& state) {
-        float rgba[4] = {};
-        if (name == "RenderColorTarget0")
-            state.color = value.empty() ? "<picture>" : value;
-        else if (name == "RenderDepthStencilTarget")
-            state.depth = value.empty() ? "<depth>" : value;
-        else if (name == "ClearSetColor" && SUCCEEDED(effect_->GetFloatArray(value.c_str(), rgba, 4)))
-            state.clearColor = D3DCOLOR_COLORVALUE(rgba[0], rgba[1], rgba[2], rgba[3]); // eight bits a channel
-        else if (name == "ClearSetDepth")
-            check(effect_->GetFloat(value.c_str(), &state.clearDepth), value);
-        else if (name == "Pass")
-            runScript(effect_->GetPassByName(owner, value.c_str()), state);
-        else if (name == "Clear" || name == "Draw")
-            bind(state);
-        if (name == "Clear")
-            check(device_->Clear(0, nullptr, value == "Color" ? D3DCLEAR_TARGET : D3DCLEAR_ZBUFFER, state.clearColor, state.clearDepth, 0),
-                  name);
-        if (name == "Draw") drawPass(owner, value == "Geometry");
-    }
-
-    void bind(const State& state) {
-        const Target &color = targets_.at(state.color), &depth = targets_.at(state.depth);
+    // What scripts ask for.
+    void setTargets(const script_player::Targets& targets) override {
+        const Target& color = targets.colors[0]->empty() ? picture_ : targets_.at(*targets.colors[0]);
+        const Target& depth = targets.depth->empty() ? depth_ : targets_.at(*targets.depth);
         for (DWORD stage = 0; stage < 16; ++stage) // what becomes a target now was a texture before
             check(device_->SetTexture(stage, nullptr), "SetTexture");
         check(device_->SetRenderTarget(0, color.surface.Get()), "SetRenderTarget");
@@ -174,13 +144,31 @@ private:
             check(effect_->SetFloatArray(parameter, size, 2), "VIEWPORTPIXELSIZE");
     }
 
-    void drawPass(D3DXHANDLE pass, bool mesh) {
+    void clear(script_player::Clear what, std::optional<std::size_t>, const std::vector<float>& value) override {
+        const bool color = what == script_player::Clear::Color; // eight bits a channel
+        check(device_->Clear(0, nullptr, color ? D3DCLEAR_TARGET : D3DCLEAR_ZBUFFER,
+                             color ? D3DCOLOR_COLORVALUE(value[0], value[1], value[2], value[3]) : 0, color ? 1 : value[0], 0),
+              "a clear");
+    }
+
+    script_player::Value value(const std::string& parameter) override {
+        D3DXPARAMETER_DESC desc{};
+        check(effect_->GetParameterDesc(parameter.c_str(), &desc), parameter);
+        script_player::Value value{std::vector<float>(desc.Columns), desc.Type == D3DXPT_BOOL};
+        check(effect_->GetFloatArray(parameter.c_str(), value.numbers.data(), desc.Columns), parameter);
+        return value;
+    }
+
+    void setNumber(const std::string& parameter, float number) override { check(effect_->SetFloat(parameter.c_str(), number), parameter); }
+
+    void draw(const script_player::Pass& pass, script_player::Draw what) override {
+        const D3DXHANDLE technique = effect_->GetCurrentTechnique();
         UINT count = 0, index = 0;
-        while (effect_->GetPass(effect_->GetCurrentTechnique(), index) != pass)
+        while (effect_->GetPass(technique, index) != effect_->GetPassByName(technique, pass.name.c_str()))
             ++index;
         check(effect_->Begin(&count, 0), "Begin");
         check(effect_->BeginPass(index), "BeginPass");
-        (*draw_)(mesh);
+        (*draw_)(what == script_player::Draw::Mesh);
         check(effect_->EndPass(), "EndPass");
         check(effect_->End(), "End");
     }
@@ -188,5 +176,6 @@ private:
     IDirect3DDevice9* device_;
     ComPtr<ID3DXEffect> effect_;
     std::map<std::string, Target> targets_;
+    Target picture_, depth_; // the application's
     const Draw* draw_ = nullptr;
 };

@@ -111,7 +111,9 @@ public:
         must(effect_->GetVariableByName(parameter.c_str())->AsScalar()->SetFloat(value), "SetFloat " + parameter);
     }
 
-    void bind(const Bound& bound) override;
+    void setTargets(const Bound& bound) override;
+    using Engine::clear;
+    using Engine::draw;
     void clear(Clear what, const Numbers& value) override { canvas_.clear(what, value); }
     void draw(const std::string& pass, Drawing drawing) override;
     std::vector<std::string> targets() override { return canvas_.names(); }
@@ -164,7 +166,7 @@ void Direct3D10::setValues() {
         setValue(effect_->GetVariableByIndex(i));
 }
 
-void Direct3D10::bind(const Bound& bound) {
+void Direct3D10::setTargets(const Bound& bound) {
     ID3D10ShaderResourceView* none[16] = {};
     device()->VSSetShaderResources(0, 16, none);
     device()->PSSetShaderResources(0, 16, none);

@@ -229,7 +229,9 @@ public:
     }
     void setNumber(const std::string& parameter, float value) override { numbers_[parameter] = {value}; }
 
-    void bind(const Bound& bound) override;
+    void setTargets(const Bound& bound) override;
+    using Engine::clear;
+    using Engine::draw;
     void clear(Clear what, const Numbers& value) override { canvas_.clear(what, value); }
     void draw(const std::string& pass, Drawing drawing) override;
     std::vector<std::string> targets() override { return canvas_.names(); }
@@ -372,14 +374,14 @@ void Direct3D11::compute(const PassInfo& pass) {
     context()->Dispatch(pass.groups[0], pass.groups[1], pass.groups[2]);
 }
 
-void Direct3D11::bind(const Bound& bound) {
+void Direct3D11::setTargets(const Bound& bound) {
     context()->ClearState(); // no texture stays bound while it is a target
     viewport_ = canvas_.bind(bound);
 }
 
 void Direct3D11::draw(const std::string& name, Drawing drawing) {
     const PassInfo& pass = find(name);
-    if (drawing == Drawing::Nothing) return compute(pass);
+    if (drawing == Drawing::Compute) return compute(pass);
     const Program& program = this->program(pass);
     context()->VSSetShader(program.vertex.get(), nullptr, 0);
     context()->PSSetShader(program.pixel.get(), nullptr, 0);

@@ -64,7 +64,9 @@ public:
         must(effect_->SetFloat(parameter.c_str(), value), "SetFloat " + parameter);
     }
 
-    void bind(const Bound& bound) override;
+    void setTargets(const Bound& bound) override;
+    using Engine::clear;
+    using Engine::draw;
     void clear(Clear what, const Numbers& value) override;
     void draw(const std::string& pass, Drawing drawing) override;
     std::vector<std::string> targets() override;
@@ -162,19 +164,19 @@ void Direct3D9::declareVertices() {
 /// A frame depends on nothing that was there before.
 void Direct3D9::clearAll() {
     for (const auto& [name, target] : colors_) {
-        bind({.colors = {name}, .depth = std::nullopt});
+        setTargets({.colors = {name}, .depth = std::nullopt});
         clear(Clear::Color, job_.emptyColor(name));
     }
     for (const auto& [depthName, depth] : depths_)
         for (const auto& [name, color] : colors_) {
             if (!sameSize(color, depth)) continue; // the viewport limits what is cleared
-            bind({.colors = {name}, .depth = depthName});
+            setTargets({.colors = {name}, .depth = depthName});
             clear(Clear::Depth, {1});
             clear(Clear::Stencil, {0});
         }
 }
 
-void Direct3D9::bind(const Bound& bound) {
+void Direct3D9::setTargets(const Bound& bound) {
     for (DWORD stage = 0; stage < 16; ++stage) // a target must not be sampled while it is one
         device()->SetTexture(stage, nullptr);
     const Target& first = colors_.at(bound.colors[0].value_or(""));

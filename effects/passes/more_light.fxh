@@ -1,0 +1,47 @@
+// What lights skin besides the light of the workspace: surroundings (TEGUMENT_SURROUNDINGS). Nothing of it is compiled where a scene has
+// none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills them; WITH_MORE_LIGHT(light, more).
+#ifndef TEGUMENT_PASSES_MORE_LIGHT_FXH
+#define TEGUMENT_PASSES_MORE_LIGHT_FXH
+
+#if TEGUMENT_SURROUNDINGS
+#define MORE_LIGHT_MEMBERS float2 uv;
+#define MORE_LIGHT_AT(p, uvHere) p.uv = uvHere;
+#define WITH_MORE_LIGHT(light, more) ((light) + (more))
+
+float gSurroundings < UI_SLIDER("Surroundings", 0.0, 4.0, 0.01) string UIHelp = "times what the cube map holds"; > = 1.0;
+float gSurroundingsTurn < UI_SLIDER("Turn of the surroundings", -180.0, 180.0, 1.0)
+    string UIHelp = "degrees, counter-clockwise seen from above"; > = 0.0;
+float gOcclusionShare < UI_SLIDER("Occlusion of the surroundings", 0.0, 1.0, 0.01) string UIHelp = "0: all is open"; > = 1.0;
+float gReflections < UI_SLIDER("Reflections of the surroundings", 0.0, 4.0, 0.01) string UIHelp = "times what energy allows"; > = 1.0;
+
+TextureCube gEnvironmentMap < string Generator = "studio"; float4 Fallback = { 0.25, 0.25, 0.25, 1.0 }; string UIName = "Surroundings";
+    string UIHelp = "from tegument prep environment"; >;
+TG_SAMPLERCUBE(gEnvironment, LINEAR);
+Texture2D gOcclusionMap < string Generator = "occlusion"; float4 Fallback = { 0.5, 0.5, 0.5, 1.0 }; string UIName = "Occlusion map";
+    string UIHelp = "from tegument prep occlusion, of this mesh"; >;
+TG_SAMPLER2D(gOcclusion, LINEAR, CLAMP);
+
+float3 surroundingsAt(float3 direction, float level)
+{
+    float turn = radians(gSurroundingsTurn);
+    float3 turned = tgSurroundingsTurned(direction, float2(sin(turn), cos(turn)));
+    return gSurroundings * texCUBElod(gEnvironment, float4(tgSurroundingsDirection(turned, level), level)).rgb;
+}
+
+// Irradiance / pi, and in w the share that is open.
+float4 surroundingsLight(float2 uv, float3 normal, float3 meshNormal)
+{
+    float4 texel = tex2Dlod(gOcclusion, float4(uv, 0.0, 0.0));
+    float3 stored = texel.xyz * 2.0 - 1.0;
+    float3 open = dot(stored, stored) > 0.25 ? tgWorldNormal(stored) : meshNormal;
+    float share = lerp(1.0, texel.w, gOcclusionShare);
+    float3 towards = tgSurroundingsNormal(normal, meshNormal, lerp(meshNormal, open, gOcclusionShare));
+    return float4(share * surroundingsAt(towards, kTgSurroundingsDiffuse), share);
+}
+#else
+#define MORE_LIGHT_MEMBERS
+#define MORE_LIGHT_AT(p, uvHere)
+#define WITH_MORE_LIGHT(light, more) light
+#endif
+
+#endif

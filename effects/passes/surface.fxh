@@ -71,7 +71,7 @@ LitPoint surfacePoint(SurfaceVarying input, float3 normal)
     p.footprint = tgShadowFootprint(kTgFilterShadow || tgLightParallel() ? input.lightClip.w : length(toLight), tgLightSpread());
     p.axisX = tgLightRight();
     p.axisY = tgLightUp();
-    MORE_LIGHT_AT(p, input.uv)
+    MORE_LIGHT_AT(p, input.uv, input.world)
     return p;
 }
 

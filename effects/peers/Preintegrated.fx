@@ -16,6 +16,7 @@
 #include "../../hlsl/specular/energy.fxh"
 #include "../../hlsl/printed/energy.fxh"
 #include "../../hlsl/light/surroundings.fxh"
+#include "../../hlsl/light/lamps.fxh"
 #include "../../hlsl/shadow/map.fxh"
 #include "../../hlsl/shadow/filter.fxh"
 #include "../../hlsl/printed/filter.fxh"

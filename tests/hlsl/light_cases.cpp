@@ -7,7 +7,9 @@
 
 namespace tegument::test {
 
-std::vector<FunctionCase> lightCases() {
+namespace {
+
+std::vector<FunctionCase> surroundings() {
     std::vector<FunctionCase> cases;
     cases.push_back({.function = "tgSurroundingsLevel",
                      .body = "return float4(tgSurroundingsLevel(a0), 0, 0, 0);",
@@ -71,6 +73,68 @@ std::vector<FunctionCase> lightCases() {
                      .expected = [](const Inputs& x) { return values(x.corrected() ? x.scalar(0) : x.scalar(0) / 3.14159265358979); },
                      .tolerance = {.forward = 4, .why = "one product, and pi rounded"},
                      .settings = {0, 1, 2}});
+    return cases;
+}
+
+/// A smooth step, as HLSL's.
+double smooth(double share) {
+    const double s = std::clamp(share, 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+}
+
+std::vector<FunctionCase> lamps() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgLampVector",
+                     .body = "return float4(tgLampVector(float4(a0, a2), a1), 0);",
+                     .arguments = {linear(-1000, 1000, 3), linear(-1000, 1000, 3), whole(0, 1)},
+                     .expected = [](const Inputs& x) { return values(x.scalar(2) > 0.5 ? x.vec3(0) - x.vec3(1) : x.vec3(0)); },
+                     .tolerance = {.why = "one difference"}});
+    cases.push_back(
+        {.function = "tgLampFalloff",
+         .body = "return float4(tgLampFalloff(a0, a1), 0, 0, 0);",
+         .arguments = {logarithmic(1e-2, 1e4), linear(0, 1000)},
+         .expected = [](const Inputs& x) { return values(x.scalar(1) > 0 ? std::pow(x.scalar(1) / std::max(x.scalar(0), 1e-6), 2) : 1); },
+         .tolerance = {.forward = 8, .why = "a quotient of 2.5 ULP, squared"}});
+    cases.push_back(
+        {.function = "tgLampSpot",
+         .body = "return float4(tgLampSpot(a0, a1, a2, a3), 0, 0, 0);",
+         .arguments = {unit(), unit(), linear(0.5, 1), linear(-2, 0.4)},
+         .expected =
+             [](const Inputs& x) {
+                 const double cosine = -glm::dot(x.vec3(0), x.vec3(1));
+                 return values(smooth((cosine - x.scalar(3)) / std::max(x.scalar(2) - x.scalar(3), 1e-4)));
+             },
+         .tolerance = {.forward = 8, .absolute = 8e-6, .why = "a cosine of 3e-7 over a range of at least 0.1, and a slope of 1.5"}});
+    cases.push_back({.function = "tgLampSine",
+                     .body = "return float4(tgLampSine(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {linear(0, 2), logarithmic(1e-2, 1e3), whole(0, 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double sine = x.scalar(2) > 0.5 ? x.scalar(0) / std::max(x.scalar(1), 1e-6) : x.scalar(0);
+                             return values(std::clamp(sine, 0.01, 0.7071));
+                         },
+                     .tolerance = {.forward = 4, .why = "a quotient"}});
+    // By the angles themselves: the cap of the open sky, and one that is wider by the lamp's own width.
+    cases.push_back({.function = "tgLampOpenShare",
+                     .body = "return float4(tgLampOpenShare(a0, a1, a2), 0, 0, 0);",
+                     .arguments = {linear(-1, 1), linear(0, 1), linear(0.05, 0.7)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double cap = std::asin(std::sqrt(x.scalar(1)));
+                             const double inner = std::cos(cap);
+                             const double outer = std::cos(cap + 2 * std::asin(x.scalar(2)));
+                             return values(smooth((x.scalar(0) - outer) / std::max(inner - outer, 1e-4)));
+                         },
+                     .tolerance = {.forward = 8, .absolute = 2e-4, .why = "cosines of 3e-7 over a range of at least 2 * 0.05^2"}});
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> lightCases() {
+    std::vector<FunctionCase> cases = surroundings();
+    for (FunctionCase& lamp : lamps())
+        cases.push_back(std::move(lamp));
     return cases;
 }
 

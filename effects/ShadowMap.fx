@@ -3,11 +3,13 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/shadow.fxh"
+#include "../hlsl/light.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("ShadowMap") > = 0.8;

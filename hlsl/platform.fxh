@@ -51,6 +51,7 @@
 #define tex2D(s, uv) TG_TEX2D(s, uv)
 #define tex2Dlod(s, uvzl) TG_TEX2DLOD(s, uvzl)
 #define texCUBE(s, direction) s##Map.Sample(s, direction)
+#define texCUBElod(s, directionl) s##Map.SampleLevel(s, (directionl).xyz, (directionl).w)
 #define tex2Dbias(s, uvzb) s##Map.SampleBias(s, (uvzb).xy, (uvzb).w)
 #define texCUBEbias(s, directionb) s##Map.SampleBias(s, (directionb).xyz, (directionb).w)
 #define tex2Dgrad(s, uv, across, down) s##Map.SampleGrad(s, uv, across, down)

@@ -44,6 +44,8 @@
 //                      measure what it is worth
 //   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure
 //                      what that saves
+//   TEGUMENT_SURROUNDINGS  0 (default); 1 lights skin by surroundings too: gEnvironmentMap, gOcclusionMap
+//   TEGUMENT_LAMPS  0 (default) to 3: so many lamps light skin beside the light of the workspace: gLampPlace and the others
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 
 // What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
@@ -64,6 +66,17 @@
 #endif
 #ifndef TEGUMENT_SHADOW_FROM_TSM
 #define TEGUMENT_SHADOW_FROM_TSM 1
+#endif
+#ifndef TEGUMENT_SURROUNDINGS
+#define TEGUMENT_SURROUNDINGS 0
+#endif
+#ifndef TEGUMENT_LAMPS
+#define TEGUMENT_LAMPS 0
+#endif
+#if TEGUMENT_SURROUNDINGS || TEGUMENT_LAMPS
+#define TEGUMENT_MORE_LIGHT 1
+#else
+#define TEGUMENT_MORE_LIGHT 0
 #endif
 #ifndef TEGUMENT_FUR_COLOR_MAP
 #define TEGUMENT_FUR_COLOR_MAP 0

@@ -38,6 +38,7 @@
 #include "../hlsl/space.fxh"
 #include "../hlsl/surface.fxh"
 #include "../hlsl/specular.fxh"
+#include "../hlsl/light.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/cull.fxh"

@@ -1,17 +1,22 @@
-// Light that crosses the surface, by the table gEnergyAttenuationMap that the effect declares.
+// Light that crosses the surface.
 #ifndef TEGUMENT_PASSES_ENERGY_SHARE_FXH
 #define TEGUMENT_PASSES_ENERGY_SHARE_FXH
 
-// What the specular layer leaves of light that crosses the surface at this cosine.
-float diffuseShare(float cosine)
-{
-    float albedo = tgHalvesSum(tex2Dlod(gEnergyAttenuation, float4(saturate(cosine), gRoughness, 0.0, 0.0)).xy);
-    return tgEnergyDiffuseShare(albedo, gSpecularIntensity);
-}
-
 float3 enteringLight(LitPoint p)
 {
-    return tgIrradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine));
+    return WITH_MORE_LIGHT(tgIrradianceEntering(p.albedo, gMix, gLightColor, p.cosine, p.shadow, diffuseShare(p.cosine)),
+                           moreEntering(p));
+}
+
+// Of plain material, which does not scatter.
+float3 plainLight(LitPoint p)
+{
+    return WITH_MORE_LIGHT(p.albedo * gLightColor * (saturate(p.cosine) * p.shadow), p.albedo * moreIrradiance(p));
+}
+
+float3 mirroredLight(LitPoint p, float3 toEye)
+{
+    return WITH_MORE_LIGHT(reflectedLight(p, toEye), moreReflected(p, toEye));
 }
 
 #endif

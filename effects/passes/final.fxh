@@ -57,8 +57,8 @@ float4 FinalPS(SurfaceVarying input) : SV_Target0
     LitPoint p = litPoint(input);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float3 skin = diffusedLight(input, p) * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
-    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
-    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+    float3 plain = plainLight(p);
+    return float4(lerp(plain, skin, p.scatters) + mirroredLight(p, toEye), 1.0);
 }
 
 // The same material without diffusion, to set beside the picture.
@@ -67,8 +67,8 @@ float4 LambertPS(SurfaceVarying input) : SV_Target0
     LitPoint p = litPoint(input);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float3 skin = enteringLight(p) * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
-    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
-    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+    float3 plain = plainLight(p);
+    return float4(lerp(plain, skin, p.scatters) + mirroredLight(p, toEye), 1.0);
 }
 
 #endif

@@ -19,7 +19,7 @@ float4 gosselinFinal(TG_SAMPLER2D_PARAM(map), SurfaceVarying input)
     if (kTgShadowSpecular)
         p.shadow = surfaceShadow(TG_SAMPLER2D_ARG(gShadow), p);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
-    return float4(colour.rgb * gosselinDiffuse(TG_SAMPLER2D_ARG(map), input.uv, p) + reflectedLight(p, toEye), 1.0);
+    return float4(colour.rgb * gosselinDiffuse(TG_SAMPLER2D_ARG(map), input.uv, p) + mirroredLight(p, toEye), 1.0);
 }
 
 float4 GosselinFinalPS(SurfaceVarying input) : SV_Target0

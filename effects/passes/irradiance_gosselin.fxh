@@ -9,7 +9,7 @@ TG_SAMPLER2D(gKernelSize, LINEAR, CLAMP);
 
 float3 diffuseLight(LitPoint p)
 {
-    return gLightColor * (saturate(p.cosine) * p.shadow);
+    return WITH_MORE_LIGHT(gLightColor * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
 }
 
 float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0

@@ -27,6 +27,7 @@ LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
     p.footprint = tgShadowFootprint(lightClip.w, tgLightSpread());
     p.axisX = tgLightRight();
     p.axisY = tgLightUp();
+    MORE_LIGHT_AT(p, uv, world)
     return p;
 }
 

@@ -29,6 +29,7 @@ struct LitPoint
     float footprint; // of one of its texels, mm
     float3 axisX;    // the light's right
     float3 axisY;    // and up
+    MORE_LIGHT_MEMBERS
 };
 
 SurfaceVarying surfaceVarying(VertexInput stored)
@@ -70,6 +71,7 @@ LitPoint surfacePoint(SurfaceVarying input, float3 normal)
     p.footprint = tgShadowFootprint(kTgFilterShadow || tgLightParallel() ? input.lightClip.w : length(toLight), tgLightSpread());
     p.axisX = tgLightRight();
     p.axisY = tgLightUp();
+    MORE_LIGHT_AT(p, input.uv, input.world)
     return p;
 }
 

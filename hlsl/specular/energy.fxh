@@ -53,4 +53,10 @@ float tgEnergyDiffuseShare(float albedo, float intensity)
     return max(1.0 - intensity * albedo, 0.0);
 }
 
+// A value of the table as an albedo.
+float tgEnergyAlbedo(float texel)
+{
+    return texel;
+}
+
 #endif

@@ -48,6 +48,7 @@ std::string pixelShader(const FunctionCase& function, const Samples& samples, co
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
 #include "../hlsl/specular.fxh"
+#include "../hlsl/light.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/cull.fxh"

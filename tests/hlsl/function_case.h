@@ -118,6 +118,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> allCases();
 
 [[nodiscard]] std::vector<FunctionCase> specularCases();
+[[nodiscard]] std::vector<FunctionCase> lightCases();
 [[nodiscard]] std::vector<FunctionCase> surfaceCases();
 [[nodiscard]] std::vector<FunctionCase> workspaceCases();
 [[nodiscard]] std::vector<FunctionCase> shadowCases();

@@ -288,7 +288,7 @@ def right_forms_know_no_setting(root):
 def names_of_the_library_carry_one_prefix(root):
     """What a client of hlsl/ sees: functions tgName, structs TgName, constants kTgName, macros TG_NAME; TEGUMENT_NAME is what it defines itself.
     FX_NAME is between effects and the tools that read them. Effects keep Direct3D 9's spelling: platform.fxh defines its keywords for them, not for the library."""
-    keywords = {"tex2D", "tex2Dlod", "tex2Dbias", "tex2Dgrad", "texCUBE", "texCUBEbias", "texCUBEgrad", "technique"}
+    keywords = {"tex2D", "tex2Dlod", "tex2Dbias", "tex2Dgrad", "texCUBE", "texCUBElod", "texCUBEbias", "texCUBEgrad", "technique"}
     kinds = (
         (r"^(?:static |inline )?(?:(?:void|bool|int|uint|half|float)(?:[1-4](?:x[1-4])?)?|[A-Z]\w*) (\w+)\(", r"tg[A-Z]"),
         (r"^struct (\w+)", r"Tg[A-Z]"),

@@ -18,8 +18,8 @@ float4 peerRadiance(SurfaceVarying input, LitPoint p, float3 diffused)
 {
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
-    float3 plain = p.albedo * gLightColor * (saturate(p.cosine) * p.shadow);
-    return float4(lerp(plain, skin, p.scatters) + reflectedLight(p, toEye), 1.0);
+    float3 plain = plainLight(p);
+    return float4(lerp(plain, skin, p.scatters) + mirroredLight(p, toEye), 1.0);
 }
 
 #endif

@@ -1,0 +1,72 @@
+// Sums over what more_light.fxh declares, at a LitPoint: what falls on the surface, what of it enters skin, and what is mirrored.
+#ifndef TEGUMENT_PASSES_MORE_LIGHT_SUM_FXH
+#define TEGUMENT_PASSES_MORE_LIGHT_SUM_FXH
+
+#if TEGUMENT_MORE_LIGHT
+// Irradiance / pi on the surface.
+float3 moreIrradiance(LitPoint p)
+{
+    float3 sum = 0.0;
+#if TEGUMENT_SURROUNDINGS
+    sum += surroundingsLight(p.uv, p.normal, p.meshNormal).rgb;
+#endif
+#if TEGUMENT_LAMPS
+    float4 open = openSky(p.uv, p.meshNormal, 1.0);
+    [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
+    {
+        Lamp lamp = lampAt(i, p.world, open);
+        sum += lamp.light * saturate(dot(p.normal, lamp.toLight));
+    }
+#endif
+    return sum;
+}
+
+// Of it what enters skin, white.
+float3 moreCrossing(LitPoint p)
+{
+    float3 sum = 0.0;
+#if TEGUMENT_SURROUNDINGS
+    sum += surroundingsLight(p.uv, p.normal, p.meshNormal).rgb * diffuseShare(kTgMeanCosine);
+#endif
+#if TEGUMENT_LAMPS
+    float4 open = openSky(p.uv, p.meshNormal, 1.0);
+    [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
+    {
+        Lamp lamp = lampAt(i, p.world, open);
+        float cosine = saturate(dot(p.normal, lamp.toLight));
+        sum += lamp.light * (cosine * diffuseShare(cosine));
+    }
+#endif
+    return sum;
+}
+
+float3 moreEntering(LitPoint p)
+{
+    return tgIrradianceColour(p.albedo, gMix) * moreCrossing(p);
+}
+
+// Mirrored towards the eye. Of surroundings: the lobe's albedo is what diffuseShare() leaves out.
+float3 moreReflected(LitPoint p, float3 toEye)
+{
+    float3 sum = 0.0;
+    float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
+    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
+#if TEGUMENT_SURROUNDINGS
+    float cosine = dot(p.normal, toEye);
+    float albedo = intensity * tgEnergyAlbedo(tgHalvesSum(energyTexel(cosine, roughness)));
+    float share = albedo * tgSurroundingsReflectedShare(cosine, surroundingsLight(p.uv, p.normal, p.meshNormal).w, roughness);
+    sum += gReflections * share * surroundingsAt(reflect(-toEye, p.normal), tgSurroundingsLevel(roughness));
+#endif
+#if TEGUMENT_LAMPS
+    float4 open = openSky(p.uv, p.meshNormal, 1.0);
+    [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
+    {
+        Lamp lamp = lampAt(i, p.world, open);
+        sum += lamp.light * (gLampSpot[i].w * tgKelemenSpecular(p.normal, lamp.toLight, toEye, roughness, intensity));
+    }
+#endif
+    return sum;
+}
+#endif
+
+#endif

@@ -4,6 +4,7 @@
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
+#include "../hlsl/light.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/fur.fxh"
@@ -13,6 +14,7 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
 
@@ -20,6 +22,8 @@ Texture2D gEnergyAttenuationMap < string Producer = "EnergyAttenuation.fx/gEnerg
     string ResourceName = "energy_attenuation.dds"; >;
 TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 
+#include "passes/diffuse_share.fxh"
+#include "passes/more_light_sum.fxh"
 #include "passes/energy_share.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"

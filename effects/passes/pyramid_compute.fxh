@@ -99,7 +99,8 @@ void EntryCS(uint3 thread : SV_DispatchThreadID)
     gEntry0Store[thread.xy] = light;
 }
 
-// Three reductions in one pass: a group makes 4 x 4 texels of the last map, and shares what these need of the two before: 10 x 10, 22 x 22.
+// Three reductions in one pass: a group makes 4 x 4 texels of the last map, and shares what these need of the two before, 10 x 10 and 22 x
+// 22.
 static const uint kFirstSide = 22;
 static const uint kSecondSide = 10;
 static const uint kReduceThreads = 8 * 8;

@@ -194,24 +194,25 @@ std::vector<FunctionCase> mapCases() {
                          },
                      .tolerance = {.forward = 8, .backward = 0, .absolute = 1e-6, .why = "a sum of eight"},
                      .map = &irradianceMap()});
-    cases.push_back(
-        {.function = "tgPyramidRound",
-         .body = "return float4(tgPyramidRound(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0, 1.0, float2(0, 0)), 0);",
-         .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1)},
-         .expected =
-             [](const Inputs& x) {
-                 const glm::dvec2 uv = (texelOf(x) + 0.5) * kTexel;
-                 glm::dvec4 sum = irradianceMap().at(uv);
-                 if (sum.w < 1e-3) {
-                     sum = glm::dvec4(0);
-                     for (int j = -1; j <= 1; ++j)
-                         for (int i = -1; i <= 1; ++i)
-                             if (i != 0 || j != 0) sum += irradianceMap().at(uv + glm::dvec2(i, j) * kTexel);
-                 }
-                 return values(sum.w > 1e-6 ? glm::dvec3(sum) / sum.w : glm::dvec3(0));
-             },
-         .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of eight at most, a quotient"},
-         .map = &irradianceMap()});
+    cases.push_back({.function = "tgPyramidRound",
+                     .body = "return tgPyramidRound(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0, 1.0, float2(0, 0));",
+                     .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const glm::dvec2 uv = (texelOf(x) + 0.5) * kTexel;
+                             glm::dvec4 sum = irradianceMap().at(uv);
+                             double covered = sum.w;
+                             if (sum.w < 1e-3) {
+                                 sum = glm::dvec4(0);
+                                 for (int j = -1; j <= 1; ++j)
+                                     for (int i = -1; i <= 1; ++i)
+                                         if (i != 0 || j != 0) sum += irradianceMap().at(uv + glm::dvec2(i, j) * kTexel);
+                                 covered = sum.w / 8;
+                             }
+                             return values(glm::dvec4(sum.w > 1e-6 ? glm::dvec3(sum) / sum.w : glm::dvec3(0), covered));
+                         },
+                     .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of eight at most, a quotient"},
+                     .map = &irradianceMap()});
     return cases;
 }
 

@@ -4,6 +4,7 @@
 
 #include "host/lab/reference/profile.h"
 #include "host/lab/reference/spline_pyramid.h"
+#include "host/lab/verify/corner_grid.h"
 
 #include <fmt/format.h>
 
@@ -147,6 +148,16 @@ Image metricTerms(const Image& metric) {
     return terms;
 }
 
+/// The mesh's corners in the map as the device has them (corner_grid.h): small triangles are another shape there, by as much as a corner is
+/// moved beside their sides.
+Mesh withCornersOnGrid(Mesh mesh, double step, int size) {
+    const auto onGrid = [&](float place) { return static_cast<float>(std::round(static_cast<double>(place) * size / step) * step / size); };
+    if (step > 0)
+        for (glm::vec2& uv : mesh.uvs)
+            uv = {onGrid(uv.x), onGrid(uv.y)};
+    return mesh;
+}
+
 Result<void> verifyAtlas(ModuleReport& report, const Context& context, const PyramidScene& at) {
     const int size = context.options.mapSize;
     const auto run = render(context, {.effect = "Atlas.fx",
@@ -173,10 +184,12 @@ Result<void> verifyAtlas(ModuleReport& report, const Context& context, const Pyr
         return done;
     const Image plain = paint(at.texels, 3, [](const auto& point, std::size_t) { return glm::dvec4(glm::normalize(point.normal), 1); });
     if (const auto done = held("gAtlasMeshNormalMap", rgb(run->dumped.at("gAtlasMeshNormalMap")), plain, halves); !done) return done;
+    const auto grid = measureCornerGrid(context);
+    if (!grid) return grid.error();
+    const Mesh drawn = withCornersOnGrid(at.scene.mesh, grid->step, size);
     const Image& metric = run->dumped.at("gAtlasMetricMap");
-    const Image whole = paint(at.texels, 4, [&](const auto& point, std::size_t) {
-        return metricOf(at.scene.mesh, point, size) + glm::dvec4(kRound, 0, kRound, 0);
-    });
+    const Image whole = paint(
+        at.texels, 4, [&](const auto& point, std::size_t) { return metricOf(drawn, point, size) + glm::dvec4(kRound, 0, kRound, 0); });
     const Limits edges{
         .relativeL2 = 5e-3, .bias = 3e-3, .why = "halves, truncated; differences within two by two texels, which may lie on two triangles"};
     if (const auto done = held("gAtlasMetricMap: direction", metricTerms(metric), rgb(whole), edges); !done) return done;

@@ -41,7 +41,9 @@ protected:
         if (!effect) return effect.error();
         const Mesh mesh = sphere();
         parameters.insert({"gLightColor", {0, 0, 0}});
-        return runEffect(*device_, *effect, &mesh, closeUp(),
+        Workspace workspace = closeUp();
+        workspace.worldUnitMm = metres_ ? 1000.0F : 1.0F;
+        return runEffect(*device_, *effect, &mesh, workspace,
                          {.technique = technique,
                           .width = kPicture,
                           .height = kPicture,
@@ -50,6 +52,8 @@ protected:
                           .textures = {{"gEnvironmentMap", environment}},
                           .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}});
     }
+
+    bool metres_ = false;
 };
 
 constexpr std::array kTechniques = {
@@ -112,6 +116,28 @@ TEST_F(Surroundings, turn_with_their_parameter) {
     EXPECT_GT(right->image.at(50, 32, 0), 4 * right->image.at(13, 32, 0) + 0.01F);
     for (int x = 8; x < 56; ++x) // facets are not those of the mirrored sphere
         EXPECT_NEAR(right->image.at(x, 32, 0), left->image.at(63 - x, 32, 0), 0.03F) << x;
+}
+
+TEST_F(Surroundings, with_one_pixel_of_a_million_stay_finite) {
+    const std::string pixel =
+        environment("pixel", [](const glm::dvec3& d) { return glm::dot(d, glm::dvec3(0.6, 0, 0.8)) > 0.9995 ? 1e6 : 0.0; });
+    for (const auto& [effect, technique] : {std::pair("effects/Main.fx", "DEonLuebke"), std::pair("effects/Pyramid.fx", "PyramidLinked")}) {
+        const auto drawn = draw(effect, technique, pixel, {{"gPlainRoughness", {0.05}}, {"gRoughness", {0.05}}, {"gSurroundings", {4}}});
+        ASSERT_TRUE(succeeded(drawn)) << technique;
+        for (const float value : drawn->image.pixels)
+            ASSERT_TRUE(std::isfinite(value) && value >= 0) << technique << " " << value;
+        EXPECT_GT(drawn->image.at(45, 32, 0), 1.0F) << technique;
+    }
+}
+
+TEST_F(Surroundings, do_not_ask_for_the_unit_of_the_world) {
+    const std::string sky = environment("unit", [](const glm::dvec3& d) { return std::max(d.x, 0.0); });
+    const auto millimetres = draw("effects/Pyramid.fx", "PyramidLinked", sky, {});
+    metres_ = true;
+    const auto metres = draw("effects/Pyramid.fx", "PyramidLinked", sky, {});
+    ASSERT_TRUE(succeeded(millimetres) && succeeded(metres));
+    for (std::size_t i = 0; i < metres->image.pixels.size(); ++i) // places are rounded otherwise, and then to halves
+        ASSERT_NEAR(millimetres->image.pixels[i], metres->image.pixels[i], 0.002F) << i;
 }
 
 TEST_F(Surroundings, that_are_missing_light_nothing_and_cost_nothing) {

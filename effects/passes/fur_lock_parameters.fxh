@@ -56,5 +56,7 @@ float gCoatShineExponent < UI_SLIDER("Sharpness of the shine", 1.0, 500.0, 1.0) 
 float gCoatSheenExponent < UI_SLIDER("Sharpness of the sheen", 1.0, 500.0, 1.0) > = 14.0;
 float gCoatShadowStrands < UI_SLIDER("Strands that throw shadows", 1.0, 32.0, 1.0)
     string UIHelp = "of a lock: the others are part of them"; > = 2.0;
+float gCoatAfar < UI_SLIDER("Afar", 0.0, 4.0, 0.01)
+    string UIHelp = "pixels: where strands are drawn narrower they hide nothing, and are blended after all"; > = 1.0;
 
 #endif

@@ -132,13 +132,16 @@ struct LockShare
     float share;
     float rank;
     float width;
+    float afar; // below 0: strands are drawn narrower than gCoatAfar. As the host's Least
 };
 
 // pixel: across it, at the strand. strands: of the lock; the last of them go first. first: is added to the root's rank.
 LockShare lockShare(VertexInput input, float child, float strands, float pixel, float first)
 {
     LockShare s;
-    s.share = gFurShare * clamp((2.0 * gCoatRadius * gMeshRadius / gCoatThin) / pixel, gRibbonFewest, 1.0);
+    float thin = (2.0 * gCoatRadius * gMeshRadius / gCoatThin) / pixel;
+    s.share = gFurShare * clamp(thin, gRibbonFewest, 1.0);
+    s.afar = thin - (gCoatAfar / gCoatThin) * s.share;
     s.rank = (child + frac(tgRibbonRank(input.uv.y) + first)) * (1.0 / strands);
     s.width = saturate(kLockFade * (s.share - s.rank) / s.share) * (kLockFade / (kLockFade - 0.5)) / s.share;
     return s;
@@ -254,6 +257,8 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
         output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
+        if (under < 0.5)
+            output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
     }
     return output;
 }
@@ -340,8 +345,8 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
 #define LOCK_SEEN RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;
-// Least: of the widest that a lock has, lockRadius of a guard hair, lockShare; without underfur that no pixel shows.
-#define LOCK_CORE LOCK_SEEN string Least = "gRibbonThin"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.74;
+// Least: of Core as lockAfar; of the underfur the widest, lockRadius times lockShare, and no pixel shows it.
+#define LOCK_CORE LOCK_SEEN string Least = "gCoatAfar"; string LeastRadius = "gCoatRadius";
 #define LOCK_UNDER RIBBON_REACH LOCK_SHARE LOCK_LEAST float SegmentScale = 0.5;
 #define LOCK_LEAST string Least = "gFurCut"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.01;
 #define COAT_PASSES(under, core, fringe, coreState) OPACITY_PASSES \

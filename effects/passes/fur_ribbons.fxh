@@ -9,13 +9,13 @@
 struct RibbonVarying
 {
     float4 position : SV_Position;
-    centroid float4 color : TEXCOORD0; // and tgRibbonWidth's faintness
+    centroid float4 color : TEXCOORD0; // and tgRibbonWidth's faintness, below 0 where all of the strand is fringe
     float2 edge : TEXCOORD1; // distance from the axis, half of the width: with the faintness what tgRibbonCoverage asks for
 };
 
 float3 ribbonEdge(RibbonVarying input)
 {
-    return float3(input.edge, input.color.w);
+    return float3(input.edge, abs(input.color.w));
 }
 
 // A root where it stands in the world, and what is seen from it.
@@ -112,29 +112,29 @@ bool ribbonThin(RibbonFrame frame, float radius)
 static const float kRibbonFaint = 0.004; // less an 8-bit target would not show
 
 // Where a strand is narrower than gRibbonThin its coverage is a mean over the pixel: there it hides nothing, and all of it is fringe.
-float ribbonCore(float3 edge, float cut)
+float ribbonCore(RibbonVarying input, float cut)
 {
-    return edge.z < gRibbonThin ? -1.0 : tgRibbonCoverage(edge) - cut;
+    return input.color.w < gRibbonThin ? -1.0 : tgRibbonCoverage(ribbonEdge(input)) - cut;
 }
 
 // Share of a pixel that pass Core leaves to pass Fringe; below 0: none that shows.
-float ribbonFringe(float3 edge, float cut)
+float ribbonFringe(RibbonVarying input, float cut)
 {
-    float coverage = tgRibbonCoverage(edge);
-    return coverage < cut || edge.z < gRibbonThin ? coverage - kRibbonFaint : -1.0;
+    float coverage = tgRibbonCoverage(ribbonEdge(input));
+    return coverage < cut || input.color.w < gRibbonThin ? coverage - kRibbonFaint : -1.0;
 }
 
 // Covered by half and more, as opaque.
 float4 RibbonCorePS(RibbonVarying input) : SV_Target0
 {
-    clip(ribbonCore(ribbonEdge(input), 0.5));
+    clip(ribbonCore(input, 0.5));
     return float4(input.color.rgb, 1.0);
 }
 
 // What pass Core leaves.
 float4 RibbonFringePS(RibbonVarying input) : SV_Target0
 {
-    float left = ribbonFringe(ribbonEdge(input), 0.5);
+    float left = ribbonFringe(input, 0.5);
     clip(left);
     return float4(input.color.rgb, left + kRibbonFaint);
 }
@@ -142,14 +142,14 @@ float4 RibbonFringePS(RibbonVarying input) : SV_Target0
 // Covered by gFurCut and more, blended over what is there.
 float4 RibbonSoftCorePS(RibbonVarying input) : SV_Target0
 {
-    float covered = ribbonCore(ribbonEdge(input), gFurCut);
+    float covered = ribbonCore(input, gFurCut);
     clip(covered);
     return float4(input.color.rgb, covered + gFurCut);
 }
 
 float4 RibbonSoftFringePS(RibbonVarying input) : SV_Target0
 {
-    float left = ribbonFringe(ribbonEdge(input), gFurCut);
+    float left = ribbonFringe(input, gFurCut);
     clip(left);
     return float4(input.color.rgb, left + kRibbonFaint);
 }

@@ -159,10 +159,11 @@ private:
 
     void runCached() {
         tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_); }); }});
+        if (fewest_ == named_) return;
+        const bool lru = cache_.replacement == Replacement::Lru;
+        if (lru) tryAll({meshoptAsItCame(), meshoptSorted()});
         if (faces() > kManyFaces || fewest_ == named_) return;
-        if (cache_.replacement == Replacement::Lru)
-            tryAll({meshoptAsItCame(), meshoptSorted(), inOne([this](const Piece& p) { return meshopt(p, entries_); }),
-                    byMethod(Method::LinYu), byMethod(Method::Hoppe)});
+        if (lru) tryAll({inOne([this](const Piece& p) { return meshopt(p, entries_); }), byMethod(Method::LinYu), byMethod(Method::Hoppe)});
         if (faces() > kFewFaces && !unusual()) return;
         tryAll(others());
     }

@@ -63,16 +63,16 @@ struct Box {
     glm::vec3 high{-kFar};
 };
 
-struct Run {
+struct Slice {
     std::uint32_t first = 0;
-    std::uint32_t last = 0; // behind the run
+    std::uint32_t last = 0; // behind the slice
 
     [[nodiscard]] std::uint32_t count() const { return last - first; }
 };
 
 } // namespace
 
-/// From the top down: a run of triangles along the curve is cut where the first bit of their places changes.
+/// From the top down: a slice of triangles along the curve is cut where the first bit of their places changes.
 class NearTree::Builder {
 public:
     Builder(NearTree& tree, std::span<const glm::dvec3> points, std::span<const std::uint32_t> triangles)
@@ -88,25 +88,25 @@ public:
     }
 
 private:
-    std::uint32_t part(const Run& run, Box& box) {
-        if (run.count() > kMostInLeaf) return node(run, box);
-        for (std::uint32_t i = run.first; i < run.last; ++i)
+    std::uint32_t part(const Slice& slice, Box& box) {
+        if (slice.count() > kMostInLeaf) return node(slice, box);
+        for (std::uint32_t i = slice.first; i < slice.last; ++i)
             for (const std::uint32_t corner : corners_.subspan(3 * std::size_t{list_[i].triangle}, 3)) {
                 const glm::vec3 point(points_[corner]);
                 box.low = glm::min(box.low, point - kRounded);
                 box.high = glm::max(box.high, point + kRounded);
             }
-        return kLeaf | (run.count() - 1) << 29u | run.first;
+        return kLeaf | (slice.count() - 1) << 29u | slice.first;
     }
 
-    std::uint32_t node(const Run& run, Box& box) {
+    std::uint32_t node(const Slice& slice, Box& box) {
         const auto number = static_cast<std::uint32_t>(tree_.nodes_.size());
         tree_.nodes_.emplace_back();
-        std::array<Run, kWide> runs{run};
-        const std::size_t count = cutUp(runs);
+        std::array<Slice, kWide> slices{slice};
+        const std::size_t count = cutUp(slices);
         for (std::size_t i = 0; i < kWide; ++i) {
             Box own;
-            const std::uint32_t inside = i < count ? part(runs[i], own) : 0;
+            const std::uint32_t inside = i < count ? part(slices[i], own) : 0;
             Node& node = tree_.nodes_[number]; // parts add nodes
             node.inside[i] = inside;
             for (int axis = 0; axis < 3; ++axis) {
@@ -119,25 +119,25 @@ private:
         return number;
     }
 
-    /// The longest run again and again.
-    std::size_t cutUp(std::array<Run, kWide>& runs) const {
+    /// The longest slice again and again.
+    std::size_t cutUp(std::array<Slice, kWide>& slices) const {
         std::size_t count = 1;
         while (count < kWide) {
-            Run& longest = *std::max_element(runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(count),
-                                             [](const Run& a, const Run& b) { return a.count() < b.count(); });
+            Slice& longest = *std::max_element(slices.begin(), slices.begin() + static_cast<std::ptrdiff_t>(count),
+                                               [](const Slice& a, const Slice& b) { return a.count() < b.count(); });
             if (longest.count() <= kMostInLeaf) break;
             const std::uint32_t middle = cutOf(longest);
-            runs[count++] = {.first = middle, .last = longest.last};
+            slices[count++] = {.first = middle, .last = longest.last};
             longest.last = middle;
         }
         return count;
     }
 
-    [[nodiscard]] std::uint32_t cutOf(const Run& run) const {
-        const std::uint32_t differ = list_[run.first].key ^ list_[run.last - 1].key;
-        if (differ == 0) return run.first + run.count() / 2;
+    [[nodiscard]] std::uint32_t cutOf(const Slice& slice) const {
+        const std::uint32_t differ = list_[slice.first].key ^ list_[slice.last - 1].key;
+        if (differ == 0) return slice.first + slice.count() / 2;
         const std::uint32_t bit = std::bit_floor(differ);
-        const auto behind = std::partition_point(list_.begin() + run.first, list_.begin() + run.last,
+        const auto behind = std::partition_point(list_.begin() + slice.first, list_.begin() + slice.last,
                                                  [&](const Keyed& item) { return (item.key & bit) == 0; });
         return static_cast<std::uint32_t>(behind - list_.begin());
     }

@@ -226,7 +226,9 @@ Result<std::vector<InvarianceCell>> measureInvariance(gpu::Device& device, const
     std::error_code code;
     Textures textures(options.folder.empty() ? fs::temp_directory_path(code) : options.folder);
     if (effect->findParameter("gFurLength"))
-        if (const auto added = addFur(scene, textures, run::drawsPart(*effect, kStrandsPart)); !added) return added.error();
+        if (const auto added = addFur(scene, textures, run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart));
+            !added)
+            return added.error();
     std::vector<InvarianceCell> cells;
     for (const Technique& technique : effect->techniques) {
         if (!wanted(options.techniques, technique.name)) continue;

@@ -95,7 +95,7 @@ Result<void> measureFinite(const Context& context) {
             techniques = effect->techniques.size();
             for (const HardScene& scene : scenes) {
                 context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
-                const bool strands = run::drawsPart(*effect, kStrandsPart);
+                const bool strands = run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart);
                 const auto drawn = drawScene(context, *effect, setting, strands ? withStrands(scene, roots) : scene, tally);
                 if (!drawn) return drawn.error();
             }

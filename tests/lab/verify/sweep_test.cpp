@@ -170,7 +170,7 @@ TEST_P(Sliders, leave_every_target_finite_at_both_ends) {
     ASSERT_TRUE(effect) << format(effect.error());
     for (const auto& parameters : variations(endsOf(*effect), sweep.oneByOne)) {
         SCOPED_TRACE(text(parameters));
-        const bool furry = run::drawsPart(*effect, kStrandsPart);
+        const bool furry = run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart);
         std::map<std::string, std::string> textures;
         if (furry) textures["gFurRootsMap"] = furryBody().roots.string();
         const auto run = runEffect(*device_, *effect, furry ? &furryBody().mesh : &body(), fromTheSide(),

@@ -134,7 +134,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     job.run.technique = options.technique;
     job.run.width = size->first;
     job.run.height = size->second;
-    job.run.samples = options.samples > 0 ? options.samples : kUsualSamples;
+    job.run.samples = options.samples > 0 ? options.samples : foreign.halfPixel ? 1 : kUsualSamples;
     job.run.halfPicture = options.picture == "half";
     job.run.samplesAreAsked = options.samples > 0;
     job.run.plainSkin = {0.53F, 0.34F, 0.27F, 1}; // the mean of the default human's colour map

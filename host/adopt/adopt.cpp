@@ -322,6 +322,7 @@ private:
     void bind() {
         const std::set<std::string> negated = negatedNames(rewriter_.code());
         const std::set<std::string> shown = namesOfTechnique();
+        adoption_.halfPixel = shown.contains(kTargetSize);
         for (Parameter& parameter : adoption_.effect.parameters) {
             if (isTarget(parameter)) continue;
             if (parameter.type.isTexture()) {

@@ -129,16 +129,20 @@ bool mentions(const std::filesystem::path& file, std::string_view word) {
 
 /// `respelt`: the same stage as host/adopt has it; null where the file's own words do.
 std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderReference>& shader, ShaderKind kind,
-                                    const std::optional<ShaderReference>* respelt) {
+                                    const std::optional<ShaderReference>* respelt, bool undrawn) {
     if (!shader) return {};
     const std::string code = respelt != nullptr && *respelt ? (*respelt)->code : std::string();
     const auto same = [&](const EntryPoint& entry) {
         return entry.name == shader->entry && entry.kind == kind && entry.arguments == shader->arguments && entry.code == code;
     };
     const auto found = std::ranges::find_if(work.report.entries, same);
-    if (found != work.report.entries.end()) return static_cast<std::size_t>(found - work.report.entries.begin());
+    if (found != work.report.entries.end()) {
+        found->undrawn = found->undrawn && undrawn;
+        return static_cast<std::size_t>(found - work.report.entries.begin());
+    }
     EntryPoint entry{.name = shader->entry, .kind = kind, .profile = shader->profile, .at = shader->at, .arguments = shader->arguments};
     entry.code = code;
+    entry.undrawn = undrawn;
     if (respelt != nullptr && *respelt) {
         entry.symbol = (*respelt)->entry;
         entry.obstacle = (*respelt)->obstacle;
@@ -148,11 +152,12 @@ std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderRefere
 }
 
 void collectPass(Work& work, const Pass& pass, const Pass* respelt) {
-    const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex, respelt ? &respelt->vertexShader : nullptr);
-    const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel, respelt ? &respelt->pixelShader : nullptr);
-    const auto geometry = addEntry(work, pass.geometryShader, ShaderKind::Geometry, nullptr);
-    addEntry(work, pass.computeShader, ShaderKind::Compute, nullptr);
-    if (!vertex || !pixel || geometry || pass.hullShader || pass.domainShader) return;
+    const bool undrawn = pass.geometryShader || pass.hullShader || pass.domainShader || pass.streamOutput;
+    const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex, respelt ? &respelt->vertexShader : nullptr, undrawn);
+    const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel, respelt ? &respelt->pixelShader : nullptr, undrawn);
+    addEntry(work, pass.geometryShader, ShaderKind::Geometry, nullptr, true);
+    addEntry(work, pass.computeShader, ShaderKind::Compute, nullptr, undrawn);
+    if (!vertex || !pixel || undrawn) return;
     if (std::ranges::none_of(work.pairs, [&](const StagePair& pair) { return pair.vertex == *vertex && pair.pixel == *pixel; }))
         work.pairs.push_back({*vertex, *pixel});
 }

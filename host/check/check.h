@@ -93,6 +93,7 @@ struct EntryPoint {
     std::string code{};                           // for DXC where the file's own words are Direct3D 9's (host/adopt); empty: the file's
     std::string symbol{};                         // its name there
     std::shared_ptr<const Diagnostic> obstacle{}; // why it cannot be respelt
+    bool undrawn = false;                         // only passes with stages that this host does not run have it
     std::string sm5;                              // the blob
     std::optional<Sm5Reflection> sm5Reflection;
     std::optional<Shader> dxc;

@@ -25,6 +25,7 @@ void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) 
 
 void compileAll(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
     for (EntryPoint& entry : work.report.entries) {
+        if (entry.undrawn) continue;
         ++report.entries;
         if (entry.obstacle) {
             report.diagnostics.push_back(*entry.obstacle);
@@ -62,7 +63,7 @@ void linkAll(const Work& work, Slot slot, TargetCheck& report) {
 /// Why no entry point of this file can be tried; empty when they can.
 std::string obstacle(const Work& work, Compiler compiler) {
     const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
-    if (geometry != work.report.entries.end())
+    if (geometry != work.report.entries.end() && std::ranges::all_of(work.report.entries, &EntryPoint::undrawn))
         return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
     if (work.report.entries.empty() || !work.respelt) return spellingObstacle(work);
     if (compiler == Compiler::Dxc) return {};

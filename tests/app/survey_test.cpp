@@ -30,7 +30,7 @@ TEST(Survey, counts_what_is_refused_by_its_code) {
     const Ran ran = tegument({"survey", folder.substr(0, folder.rfind('/')), "--size", "16"});
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_NE(ran.out.find("refused: TG2001"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.out.find("1  unknown state 'NoSuchState'"), std::string::npos) << "the construct, and how often\n" << ran.out;
+    EXPECT_NE(ran.out.find("1  unknown render state 'NoSuchState'"), std::string::npos) << "the construct, and how often\n" << ran.out;
 }
 
 TEST(Survey, goes_on_where_a_driver_brings_the_process_down) {

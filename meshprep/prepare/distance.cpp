@@ -214,8 +214,9 @@ public:
 
     /// Cuts until nothing can be further than what was reached, or so many nearest points were asked for. Gives the bound of what is left.
     double cut(std::size_t most) {
-        while (!pieces_.empty() && pieces_.top().bound > closeTo(reached_)) {
-            if (asked_.size() >= most) return pieces_.top().bound;
+        // A point whose distance is not exact may hold a piece up however small it is: its cuts ask nothing new, and count as well.
+        for (std::size_t cuts = 0; !pieces_.empty() && pieces_.top().bound > closeTo(reached_); ++cuts) {
+            if (std::max(asked_.size(), cuts) >= most) return pieces_.top().bound;
             const Piece piece = pieces_.top();
             pieces_.pop();
             split(piece);

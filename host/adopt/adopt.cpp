@@ -91,7 +91,6 @@ public:
         if (std::ranges::any_of(effect.techniques, [&](const Technique& t) { return std::ranges::any_of(t.script.commands, external); }))
             addScene();
         if (plain_) addOwn(kPlainMatrix, {.rows = 4, .columns = 4, .name = "float4x4"}, "WORLDVIEWPROJECTION");
-        adoption_.halfPixel = sized_;
         if (sized_) addOwn(kTargetSize, {.rows = 1, .columns = 2, .name = "float2"}, "VIEWPORTPIXELSIZE");
         bind();
         return std::move(adoption_);

@@ -31,7 +31,6 @@ struct Adoption {
     Effect effect;
     std::vector<ParameterBinding> bindings;
     std::vector<Diagnostic> notes; // stand-ins for what the effect or the mesh does not have
-    bool halfPixel = false;        // quads stand half a pixel aside, as in Direct3D 9: with several samples their first row is half covered
     std::set<std::string> turned;  // techniques whose host winds front faces the other way
     bool halfPixel = false; // the technique reported on covers its targets half a pixel off, as Direct3D 9 does: edges have no samples
 };

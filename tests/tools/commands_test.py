@@ -47,9 +47,9 @@ class Program:
     def options(self, words):
         return set(re.findall(r"(?<![\w-])--?[A-Za-z][\w-]*", self.output(*words, "--help"))) | OPTIONS_OF_ALL
 
-    def parameters(self, effect):
+    def parameters(self, effect, defines=()):
         """None where the program cannot read the effect."""
-        text = self.output("info", effect, "--json")
+        text = self.output("info", effect, "--json", *(word for name in defines for word in ("-D", name)))
         return {parameter["name"] for parameter in json.loads(text)["parameters"]} if text else None
 
     def subcommand(self, words):
@@ -78,9 +78,10 @@ def faults_of_effect(program, words):
         yield f"{name} has no preset {preset}"
     if workspace and "." not in workspace and workspace not in program.workspaces():
         yield f"no workspace {workspace}"
+    defines = tuple(words[i + 1] for i, word in enumerate(words[:-1]) if word in ("-D", "--define"))
     for i, word in enumerate(words):
         parameter = words[i + 1].split("=")[0] if word in ("-s", "--set") else ""
-        known = program.parameters(effect["name"]) if parameter else None
+        known = program.parameters(effect["name"], defines) if parameter else None
         if parameter and known is None:
             yield f"{name} cannot be read"
         elif parameter and parameter not in known:

@@ -44,6 +44,7 @@ bool showsMap(const Subject& subject) {
 std::string apart(const Subject& subject, const Case& each) {
     if (each.asks == Asks::NoMeshAxes && isFur(subject)) return "the coat grows along the axes of the mesh's file";
     if (each.asks == Asks::NoLengths && !isFur(subject) && knowsLengths(subject)) return "it is defined in millimetres";
+    if (each.asks == Asks::NoLengths && stem(subject) == "FurSkin") return "its skin scatters light over millimetres";
     if (each.asks == Asks::MirrorPicture && stem(subject) == "Culling") return "it shows four panels, which stay where they are";
     if (each.asks == Asks::MirrorPicture && (stem(subject) == "Burley" || subject.technique == "PreintegratedPenumbra"))
         return "its samples are turned from pixel to pixel, to one sense";

@@ -18,5 +18,14 @@ sheet() { # HEAD: portrait, close-up, ear from behind; above with scattered ligh
     "$tegument" sheet "${pictures[@]}" --columns 3 -o "docs/images/$1.png"
 }
 
+portraits() { # in a studio: portrait and close-up; with hair under one light
+    local studio=(-D TEGUMENT_SURROUNDINGS -D TEGUMENT_LAMPS=3 --set gSurroundings=0.35 --set gLightColor=1.1,1.05,1 --size 480)
+    "$tegument" render Pyramid "${studio[@]}" -o "$work/front.png" >/dev/null
+    "$tegument" render Pyramid "${studio[@]}" -w human_closeup -o "$work/closeup.png" >/dev/null
+    "$tegument" render FurSkin --size 480 -o "$work/hair.png" >/dev/null
+    "$tegument" sheet "$work"/{front,closeup,hair}.png --columns 3 -o docs/images/portraits.jpg
+}
+
 sheet human
+portraits
 if [ -n "${TEGUMENT_DATA:-}" ]; then sheet lps_head; else echo "TEGUMENT_DATA is not set: docs/images/lps_head.png stays as it is"; fi

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <tuple>
 
 namespace tegument::prep {
 
@@ -75,7 +76,9 @@ std::vector<std::uint32_t> backToBack(const Surface& surface) {
         std::uint32_t second = 0, third = 0; // after the smallest point
         std::uint32_t triangle = 0;
 
-        auto operator<=>(const Side&) const = default;
+        bool operator<(const Side& other) const {
+            return std::tie(second, third, triangle) < std::tie(other.second, other.third, other.triangle);
+        }
     };
     const auto count = static_cast<std::uint32_t>(surface.triangles());
     std::vector<std::uint32_t> last(std::size_t{surface.pointCount} + 1, 0); // of the sides at each smallest point
@@ -92,9 +95,10 @@ std::vector<std::uint32_t> backToBack(const Surface& surface) {
     inChunks(surface.pointCount, 0, [&](std::size_t first, std::size_t end, std::size_t) {
         for (std::size_t point = first; point < end; ++point) {
             const auto here = std::span(sides).subspan(point == 0 ? 0 : last[point - 1], last[point] - (point == 0 ? 0 : last[point - 1]));
-            std::ranges::sort(here);
+            std::sort(here.begin(), here.end());
             for (const Side& side : here) {
-                const auto back = std::ranges::lower_bound(here, Side{.second = side.third, .third = side.second, .triangle = 0});
+                const auto back =
+                    std::lower_bound(here.begin(), here.end(), Side{.second = side.third, .third = side.second, .triangle = 0});
                 const bool found = back != here.end() && back->second == side.third && back->third == side.second;
                 other[side.triangle] = found ? back->triangle : side.triangle;
             }

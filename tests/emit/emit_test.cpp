@@ -126,7 +126,7 @@ TEST_F(Emit, the_manifest_joins_passes_with_states_shaders_and_files) {
 
 TEST_F(Emit, compute_shaders_say_what_they_write_and_how_many_threads_a_group_has) {
     const json manifest = manifestOf(emit(checkEffects({"tests/run/fixtures/compute.fx"}, spirvTargets())));
-    const json storages = manifest["storages"];
+    const json& storages = manifest["storages"];
     const auto targetOf = [&](const std::string& name) {
         const auto found = std::ranges::find_if(storages, [&](const json& one) { return one["name"] == name; });
         return found != storages.end() && found->contains("target") ? (*found)["target"].get<std::string>() : "none";

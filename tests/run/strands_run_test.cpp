@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <random>
-#include <ranges>
 #include <set>
 
 namespace tegument::run {
@@ -81,7 +80,8 @@ PartView viewFrom(const glm::dvec3& eye, double reach) {
 Mesh ribbonsInRows(std::uint32_t segments) {
     Mesh mesh;
     MeshPart part{.name = kStrandsPart, .firstIndex = 0, .indexCount = kRoots * 6 * segments};
-    for (const Mesh ball = furryBall(0); const std::uint32_t root : std::views::iota(0U, kRoots)) {
+    const Mesh ball = furryBall(0);
+    for (std::uint32_t root = 0; root < kRoots; ++root) {
         for (std::uint32_t vertex = 0; vertex < 2 * segments + 2; ++vertex) {
             mesh.positions.push_back(ball.positions[root * (kTriangles + 2)]);
             mesh.normals.push_back(ball.normals[root * (kTriangles + 2)]);

@@ -26,9 +26,10 @@ Mesh plane() {
               .attribution = {},
               .bounds = {}};
     for (int i = 0; i < 4; ++i) {
-        mesh.positions.emplace_back(200.0F * (static_cast<float>(i % 2) - 0.5F), 0.0F, 200.0F * (static_cast<float>(i / 2) - 0.5F));
+        const glm::vec2 corner(i & 1, i >> 1);
+        mesh.positions.emplace_back(200.0F * (corner.x - 0.5F), 0.0F, 200.0F * (corner.y - 0.5F));
         mesh.normals.emplace_back(0, 1, 0);
-        mesh.uvs.emplace_back(i % 2, i / 2);
+        mesh.uvs.push_back(corner);
     }
     mesh.indices = {0, 2, 1, 1, 2, 3};
     mesh.bounds = {.minimum = {-100, 0, -100}, .maximum = {100, 0, 100}, .centre = {0, 0, 0}, .radius = 142};

@@ -67,9 +67,11 @@ constexpr glm::dvec3 kSurvey(448265.123, 5411932.678, 312.5); // metres: zone 32
 std::string survey(const glm::dvec3& place, double step = 0.1, const char* type = "double") {
     std::string vertices;
     std::string faces;
-    for (int i = 0; i < 400; ++i)
-        vertices += fmt::format("{:.6f} {:.6f} {:.6f}\n", place.x + i % 20 * step, place.y + i / 20 * step,
+    for (int i = 0; i < 400; ++i) {
+        const int row = i / 20;
+        vertices += fmt::format("{:.6f} {:.6f} {:.6f}\n", place.x + i % 20 * step, place.y + row * step,
                                 place.z + 0.05 * std::sin(i * 0.7) * step / 0.1);
+    }
     int count = 0;
     for (int y = 0; y < 19; ++y)
         for (int x = 0; x < 19; ++x, count += 2)

@@ -37,7 +37,7 @@ Result<std::vector<Target>> chosenTargets(const std::vector<std::string>& names)
         const std::vector<Target> targets = targetsByName(name);
         if (targets.empty())
             return usageError(8020, fmt::format("unknown target '{}'", name),
-                              "targets: fx_2_0 fx_4_0 fx_5_0 sm5 spirv-dxc spirv-glslang all");
+                              "targets: fx_2_0 fx_4_0 fx_5_0 sm5 dxil spirv-dxc spirv-glslang all");
         wanted.insert(wanted.end(), targets.begin(), targets.end());
     }
     std::vector<Target> ordered;
@@ -289,7 +289,7 @@ void addCheck(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("check", "Compile effects for every target, offline and without a GPU");
     command->add_option("effects", arguments->files, "Effects: files (.fx), or names of ours, such as Main")->required();
     repeatable(command->add_option("--target", arguments->targets,
-                                   "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang or all; may be repeated"))
+                                   "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang or all; may be repeated"))
         ->capture_default_str();
     command->add_flag("--all-settings", arguments->allSettings, "Check every setting that an effect has");
     command->add_flag("--gec", arguments->compatible,

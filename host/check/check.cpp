@@ -18,9 +18,13 @@ struct NamedTarget {
     Target target;
     std::string_view name;
 };
-constexpr std::array kNames = {NamedTarget{Target::Fx2, "fx_2_0"},         NamedTarget{Target::Fx4, "fx_4_0"},
-                               NamedTarget{Target::Fx5, "fx_5_0"},         NamedTarget{Target::Sm5, "sm5"},
-                               NamedTarget{Target::SpirvDxc, "spirv-dxc"}, NamedTarget{Target::SpirvGlslang, "spirv-glslang"}};
+constexpr std::array kNames = {NamedTarget{Target::Fx2, "fx_2_0"},
+                               NamedTarget{Target::Fx4, "fx_4_0"},
+                               NamedTarget{Target::Fx5, "fx_5_0"},
+                               NamedTarget{Target::Sm5, "sm5"},
+                               NamedTarget{Target::Dxil, "dxil"},
+                               NamedTarget{Target::SpirvDxc, "spirv-dxc"},
+                               NamedTarget{Target::SpirvGlslang, "spirv-glslang"}};
 
 bool isError(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::Error;
@@ -108,8 +112,13 @@ CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const 
         for (check::Work& work : works)
             if (work.loaded()) check::checkSpirv(work);
     });
+    auto dxil = std::async(std::launch::async, [&] {
+        for (check::Work& work : works)
+            if (work.loaded()) check::checkDxil(work);
+    });
     check::checkMicrosoft(works);
     spirv.get();
+    dxil.get();
     for (check::Work& work : works)
         check::compareTargets(work);
     CheckReport report;

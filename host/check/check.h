@@ -4,6 +4,7 @@
 #include "host/direct3d/microsoft.h"
 #include "host/effect/model.h"
 #include "host/spirv/compile.h"
+#include "host/spirv/dxil.h"
 #include "host/support/result.h"
 
 #include <array>
@@ -18,10 +19,11 @@
 
 namespace tegument {
 
-enum class Target { Fx2, Fx4, Fx5, Sm5, SpirvDxc, SpirvGlslang };
-inline constexpr std::array kAllTargets = {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvDxc, Target::SpirvGlslang};
+enum class Target { Fx2, Fx4, Fx5, Sm5, Dxil, SpirvDxc, SpirvGlslang };
+inline constexpr std::array kAllTargets = {Target::Fx2,  Target::Fx4,      Target::Fx5,         Target::Sm5,
+                                           Target::Dxil, Target::SpirvDxc, Target::SpirvGlslang};
 
-/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "spirv-dxc", "spirv-glslang".
+/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "dxil", "spirv-dxc", "spirv-glslang".
 [[nodiscard]] std::string_view targetName(Target target);
 /// The targets of one name; "all" is every target; empty for an unknown name.
 [[nodiscard]] std::vector<Target> targetsByName(std::string_view name);
@@ -96,6 +98,7 @@ struct EntryPoint {
     bool undrawn = false;                         // only passes with stages that this host does not run have it
     std::string sm5;                              // the blob
     std::optional<Sm5Reflection> sm5Reflection;
+    std::optional<Dxil> dxil;
     std::optional<Shader> dxc;
     std::optional<Shader> glslang;
 };
@@ -127,6 +130,8 @@ struct CheckReport {
 ///            their reflections are held against each other (TG3201).
 ///   sm5      every entry point by Microsoft's compiler as vs_5_0, ps_5_0, gs_5_0 or cs_5_0, as Direct3D 11 without effects loads it;
 ///            stages linked by register (TG3205).
+///   dxil     every entry point by DXC as vs_6_0, ps_6_0 or cs_6_0, as Direct3D 12 loads it, held valid by its validator; stages linked by
+///            register (TG3205).
 ///   fx_*     the whole file by Microsoft's compiler; techniques, passes and shaders inside the binary are counted against the front end's
 ///            (TG3202). fx_2_0: every shader inside is held against the limits of shader model 3 (TG3203).
 [[nodiscard]] CheckReport checkEffects(const std::vector<std::filesystem::path>& files, const std::vector<Target>& targets,

@@ -23,29 +23,6 @@ void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) 
     into.insert(into.end(), more.begin(), more.end());
 }
 
-void compileAll(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
-    for (EntryPoint& entry : work.report.entries) {
-        if (entry.undrawn) continue;
-        ++report.entries;
-        if (entry.obstacle) {
-            report.diagnostics.push_back(*entry.obstacle);
-            continue;
-        }
-        const bool respelt = !entry.code.empty();
-        if (work.respelt && !respelt && direct3D9Intrinsic(work.effect())) continue; // of a pass that another shader of it spoils
-        auto shader = compileShader({.code = respelt ? entry.code : work.effect().code,
-                                     .file = work.file.string(),
-                                     .entry = respelt ? entry.symbol : entry.name,
-                                     .stage = stageOf(entry.kind),
-                                     .defines = {},
-                                     .includeFolders = {},
-                                     .language2018 = respelt},
-                                    compiler);
-        append(report.diagnostics, shader ? shader->warnings : shader.error().diagnostics);
-        if (shader) entry.*slot = std::move(*shader);
-    }
-}
-
 void linkAll(const Work& work, Slot slot, TargetCheck& report) {
     for (const StagePair& pair : work.pairs) {
         const std::optional<Shader>& vertex = work.report.entries[pair.vertex].*slot;
@@ -60,17 +37,6 @@ void linkAll(const Work& work, Slot slot, TargetCheck& report) {
     }
 }
 
-/// Why no entry point of this file can be tried; empty when they can.
-std::string obstacle(const Work& work, Compiler compiler) {
-    const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
-    if (geometry != work.report.entries.end() && std::ranges::all_of(work.report.entries, &EntryPoint::undrawn))
-        return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
-    if (work.report.entries.empty() || !work.respelt) return spellingObstacle(work);
-    if (compiler == Compiler::Dxc) return {};
-    const std::string reason = spellingObstacle(work);
-    return reason.empty() ? "shaders are compiled with arguments or for Direct3D 9: drawn by way of DXC" : reason;
-}
-
 /// `: POSITION` compiles to an ordinary varying without a word.
 void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
     for (const StagePair& pair : work.pairs) {
@@ -80,13 +46,18 @@ void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
 }
 
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
-    if (std::string reason = obstacle(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
+    if (std::string reason = obstacleFor(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
     if (!compilerAvailable(compiler)) {
-        report.reason = "the DXC library is not there (./bootstrap build fetches it)";
+        report.reason = kNoDxc;
         return;
     }
     const auto start = std::chrono::steady_clock::now();
-    compileAll(work, compiler, slot, report);
+    compileEach(work, report, [&](EntryPoint& entry, const ShaderRequest& request) {
+        auto shader = compileShader(request, compiler);
+        if (!shader) return shader.error().diagnostics;
+        entry.*slot = std::move(*shader);
+        return (entry.*slot)->warnings;
+    });
     linkAll(work, slot, report);
     checkPositions(work, slot, report);
     report.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -102,6 +73,37 @@ void compareAll(const Work& work, TargetCheck& report) {
 }
 
 } // namespace
+
+std::string obstacleFor(const Work& work, Compiler compiler) {
+    const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);
+    if (geometry != work.report.entries.end() && std::ranges::all_of(work.report.entries, &EntryPoint::undrawn))
+        return fmt::format("geometry shader at {}({},{})", geometry->at.file, geometry->at.line, geometry->at.column);
+    if (work.report.entries.empty() || !work.respelt) return spellingObstacle(work);
+    if (compiler == Compiler::Dxc) return {};
+    const std::string reason = spellingObstacle(work);
+    return reason.empty() ? "shaders are compiled with arguments or for Direct3D 9: drawn by way of DXC" : reason;
+}
+
+void compileEach(Work& work, TargetCheck& report,
+                 const std::function<std::vector<Diagnostic>(EntryPoint& entry, const ShaderRequest& request)>& compile) {
+    for (EntryPoint& entry : work.report.entries) {
+        if (entry.undrawn) continue;
+        ++report.entries;
+        if (entry.obstacle) {
+            report.diagnostics.push_back(*entry.obstacle);
+            continue;
+        }
+        const bool respelt = !entry.code.empty();
+        if (work.respelt && !respelt && direct3D9Intrinsic(work.effect())) continue; // of a pass that another shader of it spoils
+        append(report.diagnostics, compile(entry, {.code = respelt ? entry.code : work.effect().code,
+                                                   .file = work.file.string(),
+                                                   .entry = respelt ? entry.symbol : entry.name,
+                                                   .stage = stageOf(entry.kind),
+                                                   .defines = {},
+                                                   .includeFolders = {},
+                                                   .language2018 = respelt}));
+    }
+}
 
 void checkSpirv(Work& work) {
     TargetCheck* dxc = work.find(Target::SpirvDxc);

@@ -3,6 +3,8 @@
 
 #include "host/check/check.h"
 
+#include <functional>
+
 namespace tegument::check {
 
 /// Indices into FileReport::entries of the two stages of a pass.
@@ -35,6 +37,8 @@ struct Work {
 
 void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint);
 
+inline constexpr std::string_view kNoDxc = "the DXC library is not there (./bootstrap build fetches it)";
+
 /// TG3206.
 void addMissingPosition(const EntryPoint& vertex, TargetCheck& report);
 
@@ -42,7 +46,15 @@ void addMissingPosition(const EntryPoint& vertex, TargetCheck& report);
 /// sm5 and fx_2_0 hold against those that the file gives.
 void compareTargets(Work& work);
 
+/// Why none of the file's entry points can be tried by this compiler; empty when they can.
+[[nodiscard]] std::string obstacleFor(const Work& work, Compiler compiler);
+
+/// Compiles every entry point that this host draws; what `compile` gives back are errors and warnings.
+void compileEach(Work& work, TargetCheck& report,
+                 const std::function<std::vector<Diagnostic>(EntryPoint& entry, const ShaderRequest& request)>& compile);
+
 void checkSpirv(Work& work);
+void checkDxil(Work& work);
 void checkMicrosoft(std::vector<Work>& works);
 /// Of the fx_2_0 binaries that checkMicrosoft has put into the reports.
 void measureShaderModel3(std::vector<Work>& works);

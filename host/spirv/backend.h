@@ -1,5 +1,5 @@
 #pragma once
-// The two compilers behind compileShader: source in, SPIR-V as the compiler wrote it out, semantics still inside.
+// The two compilers behind compileShader: source in, SPIR-V or DXIL as the compiler wrote it out, semantics still inside.
 
 #include "host/spirv/compile.h"
 #include "host/spirv/includes.h"
@@ -7,19 +7,21 @@
 namespace tegument {
 
 struct RawShader {
-    std::vector<std::uint32_t> spirv;
+    std::vector<std::uint32_t> words;
     std::vector<Diagnostic> warnings;
 };
 
 namespace dxc {
+enum class Output { Spirv, Dxil };
+
 [[nodiscard]] bool available();
 /// "DXC 1.8 (fd7e54bc)"; empty when not available.
 [[nodiscard]] std::string name();
 /// Hash of the library's file.
 [[nodiscard]] std::string identity();
 /// The arguments that do not depend on the request: part of the cache key.
-[[nodiscard]] std::string flags();
-[[nodiscard]] Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes);
+[[nodiscard]] std::string flags(Output output);
+[[nodiscard]] Result<RawShader> compile(const ShaderRequest& request, Output output, IncludeReader& includes);
 } // namespace dxc
 
 namespace glslang_hlsl {

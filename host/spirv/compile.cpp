@@ -1,4 +1,4 @@
-#include "host/spirv/compile.h"
+#include "host/spirv/dxil.h"
 
 #include "host/spirv/backend.h"
 #include "host/spirv/cache.h"
@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace tegument {
 
@@ -28,8 +29,13 @@ std::string withLineDirective(const ShaderRequest& request) {
     return fmt::format("#line 1 \"{}\"\n{}", name, request.code);
 }
 
-std::string cacheKey(const ShaderRequest& request, Compiler compiler) {
-    std::string text = compiler == Compiler::Dxc ? dxc::identity() + dxc::flags() : glslang_hlsl::identity();
+std::string dxcIdentity(dxc::Output output) {
+    return dxc::identity() + dxc::flags(output);
+}
+
+/// `identity`: of the compiler and its flags.
+std::string cacheKey(const ShaderRequest& request, const std::string& identity) {
+    std::string text = identity;
     const auto add = [&](std::string_view part) { text += fmt::format("\n{} {}", part.size(), part); }; // lengths keep parts apart
     add(spirv::validatorName());
     add(request.entry);
@@ -52,18 +58,37 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
             3003, fmt::format("{}: {} wrote SPIR-V for {} that is not valid: {}", request.file, compilerName(compiler), request.entry, why),
             "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
-    if (request.stage == Stage::Compute && !spirv::forgetStorageFormats(raw.spirv))
+    if (request.stage == Stage::Compute && !spirv::forgetStorageFormats(raw.words))
         return inputError(3006, {.file = request.file, .byte = {}}, fmt::format("{} writes textures of several types", request.entry),
                           "declare every texture that compute shaders write as RWTexture2D<float4>");
-    if (const std::string why = spirv::validate(raw.spirv); !why.empty()) return invalid(why);
-    auto reflection = spirv::reflect(raw.spirv, request.stage, descriptorSet(request.stage), request.file);
+    if (const std::string why = spirv::validate(raw.words); !why.empty()) return invalid(why);
+    auto reflection = spirv::reflect(raw.words, request.stage, descriptorSet(request.stage), request.file);
     if (!reflection) return reflection.error();
     return Shader{.stage = request.stage,
                   .file = request.file,
                   .entry = request.entry,
-                  .spirv = spirv::withoutReflectionDecorations(raw.spirv),
+                  .spirv = spirv::withoutReflectionDecorations(raw.words),
                   .reflection = std::move(*reflection),
                   .warnings = std::move(raw.warnings)};
+}
+
+Error noDxc() {
+    return machineError(3002, "the DXC library is not there, or this program was built without it",
+                        "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
+}
+
+/// A container is whole words long; the cache of SPIR-V serves it too.
+Result<Dxil> readBack(const Shader& stored) {
+    const auto bytes = std::as_bytes(std::span(stored.spirv));
+    Dxil dxil{.container = {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, .warnings = stored.warnings};
+    auto inputs = readSignature(dxil.container, "ISG1");
+    auto outputs = readSignature(dxil.container, "OSG1");
+    if (!inputs || !outputs)
+        return machineError(3003, fmt::format("{}: DXC wrote DXIL for {} that is cut short", stored.file, stored.entry),
+                            "this is a fault of the compiler: write the code differently, and report it");
+    dxil.inputs = std::move(*inputs);
+    dxil.outputs = std::move(*outputs);
+    return dxil;
 }
 
 } // namespace
@@ -83,21 +108,40 @@ Compiler defaultCompiler() {
 }
 
 Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler) {
-    if (!compilerAvailable(compiler))
-        return machineError(3002, "the DXC library is not there, or this program was built without it",
-                            "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
+    if (!compilerAvailable(compiler)) return noDxc();
     const std::string code = withLineDirective(request);
     ShaderRequest named = request;
     named.code = code;
 
-    const std::string key = cacheKey(named, compiler);
+    const std::string key = cacheKey(named, compiler == Compiler::Dxc ? dxcIdentity(dxc::Output::Spirv) : glslang_hlsl::identity());
     if (auto cached = loadCachedShader(key)) return std::move(*cached);
     IncludeReader includes(request.file, request.includeFolders);
-    auto raw = compiler == Compiler::Dxc ? dxc::compile(named, includes) : glslang_hlsl::compile(named, includes);
+    auto raw = compiler == Compiler::Dxc ? dxc::compile(named, dxc::Output::Spirv, includes) : glslang_hlsl::compile(named, includes);
     if (!raw) return raw.error();
     auto shader = finish(std::move(*raw), request, compiler);
     if (shader) storeCachedShader(key, {*shader, includes.files()});
     return shader;
+}
+
+Result<Dxil> compileDxil(const ShaderRequest& request) {
+    if (!compilerAvailable(Compiler::Dxc)) return noDxc();
+    const std::string code = withLineDirective(request);
+    ShaderRequest named = request;
+    named.code = code;
+    const std::string key = cacheKey(named, dxcIdentity(dxc::Output::Dxil));
+    if (const auto cached = loadCachedShader(key)) return readBack(*cached);
+    IncludeReader includes(request.file, request.includeFolders);
+    auto raw = dxc::compile(named, dxc::Output::Dxil, includes);
+    if (!raw) return raw.error();
+    const Shader shader{.stage = request.stage,
+                        .file = request.file,
+                        .entry = request.entry,
+                        .spirv = std::move(raw->words),
+                        .reflection = {},
+                        .warnings = std::move(raw->warnings)};
+    auto dxil = readBack(shader);
+    if (dxil) storeCachedShader(key, {shader, includes.files()});
+    return dxil;
 }
 
 } // namespace tegument

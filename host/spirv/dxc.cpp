@@ -158,15 +158,18 @@ const char* profile(Stage stage) {
     return "";
 }
 
-// HLSL 2021 makes `?:` and `&&` scalar, as the other compilers' users must not rely on; -fspv-reflect keeps the semantics;
-// `-I .` hands names that are not found beside the including file to our own search.
-constexpr const char* kFlags[] = {"-spirv", "-HV", "2021",      "-fspv-target-env=vulkan1.1", "-fspv-reflect", "-Wno-effects-syntax", "-I",
-                                  ".",      "-D",  "FX_ENTRY=1"};
+// HLSL 2021 makes `?:` and `&&` scalar, as the other compilers' users must not rely on; `-I .` hands names that are not found beside the
+// including file to our own search; -fspv-reflect keeps the semantics. DXIL is signed by a library that exists on Windows only.
+constexpr const char* kFlags[] = {"-HV", "2021", "-Wno-effects-syntax", "-I", ".", "-D", "FX_ENTRY=1"};
+constexpr const char* kSpirvFlags[] = {"-spirv", "-fspv-target-env=vulkan1.1", "-fspv-reflect"};
 
-std::vector<std::wstring> arguments(const ShaderRequest& request) {
+std::vector<std::wstring> arguments(const ShaderRequest& request, Output output) {
     std::vector<std::wstring> list{L"-T", wide(profile(request.stage)), L"-E", wide(request.entry)};
     for (const char* flag : kFlags)
         list.push_back(wide(request.language2018 && std::string_view(flag) == "2021" ? "2018" : flag));
+    if (output == Output::Spirv)
+        for (const char* flag : kSpirvFlags)
+            list.push_back(wide(flag));
     if (request.language2018)
         for (const wchar_t* quiet : {L"-Wno-conversion", L"-Wno-parentheses-equality"})
             list.emplace_back(quiet);
@@ -192,7 +195,7 @@ void nameIncludedFiles(std::vector<Diagnostic>& messages, const IncludeReader& i
 struct Made {
     bool started = true;
     std::string log;
-    std::vector<std::uint32_t> spirv; // empty: it refused
+    std::string object; // empty: it refused
 };
 
 Made madeBy(IDxcResult* result) {
@@ -202,16 +205,15 @@ Made madeBy(IDxcResult* result) {
     result->GetStatus(&status);
     if (SUCCEEDED(status)) result->GetOutput(DXC_OUT_OBJECT, __uuidof(IDxcBlob), reinterpret_cast<void**>(&object), nullptr);
     if (FAILED(status) || !object) return made;
-    made.spirv.resize(object->GetBufferSize() / 4);
-    std::memcpy(made.spirv.data(), object->GetBufferPointer(), made.spirv.size() * 4);
+    made.object.assign(static_cast<const char*>(object->GetBufferPointer()), object->GetBufferSize());
     return made;
 }
 
-Made make(const ShaderRequest& request, IncludeReader& includes) {
+Made make(const ShaderRequest& request, Output output, IncludeReader& includes) {
     const auto compiler = instance<IDxcCompiler3>(CLSID_DxcCompiler);
     const auto utils = instance<IDxcUtils>(CLSID_DxcUtils);
     if (!compiler || !utils) return {.started = false};
-    const std::vector<std::wstring> list = arguments(request);
+    const std::vector<std::wstring> list = arguments(request, output);
     std::vector<LPCWSTR> pointers;
     pointers.reserve(list.size());
     for (const std::wstring& argument : list)
@@ -248,15 +250,14 @@ std::vector<std::string> unpacked(std::string_view bytes) {
 /// In the other process. Such code has its includes in it.
 std::string answerTo(std::string_view message) {
     const std::vector<std::string> parts = unpacked(message);
-    if (parts.size() < 4) return {};
+    if (parts.size() < 5) return {};
     ShaderRequest request{.code = parts[0], .file = parts[1], .entry = parts[2], .defines = {}, .includeFolders = {}, .language2018 = true};
     request.stage = static_cast<Stage>(std::atoi(parts[3].c_str()));
-    for (std::size_t i = 4; i + 1 < parts.size(); i += 2)
+    for (std::size_t i = 5; i + 1 < parts.size(); i += 2)
         request.defines.emplace_back(parts[i], parts[i + 1]);
     IncludeReader includes(request.file, {});
-    const Made made = make(request, includes);
-    const std::string_view words(reinterpret_cast<const char*>(made.spirv.data()), made.spirv.size() * sizeof(std::uint32_t));
-    return packed({made.started ? "1" : "0", made.log, words});
+    const Made made = make(request, static_cast<Output>(std::atoi(parts[4].c_str())), includes);
+    return packed({made.started ? "1" : "0", made.log, made.object});
 }
 
 constexpr double kLongest = 120; // seconds for one shader; the longest seen takes four
@@ -276,19 +277,18 @@ Error broughtDown(const ShaderRequest& request, const ChildAnswer& answer) {
 }
 
 /// Code of other hosts, in a process of its own: DXC does not survive every text.
-Result<Made> makeApart(const ShaderRequest& request) {
+Result<Made> makeApart(const ShaderRequest& request, Output output) {
     static Children kChildren(answerTo, compiling());
     const std::string stage = std::to_string(static_cast<int>(request.stage));
-    std::vector<std::string_view> parts{request.code, request.file, request.entry, stage};
+    const std::string kind = std::to_string(static_cast<int>(output));
+    std::vector<std::string_view> parts{request.code, request.file, request.entry, stage, kind};
     for (const auto& [name, value] : request.defines)
         parts.insert(parts.end(), {name, value});
     const ChildAnswer answer = kChildren.ask(packed(parts), kLongest);
     if (!answer.answered) return broughtDown(request, answer);
     const std::vector<std::string> made = unpacked(answer.bytes);
     if (made.size() != 3) return Made{.started = false};
-    Made result{.started = made[0] == "1", .log = made[1], .spirv = std::vector<std::uint32_t>(made[2].size() / sizeof(std::uint32_t))};
-    std::memcpy(result.spirv.data(), made[2].data(), result.spirv.size() * sizeof(std::uint32_t));
-    return result;
+    return Made{.started = made[0] == "1", .log = made[1], .object = made[2]};
 }
 
 Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeReader& includes) {
@@ -298,12 +298,15 @@ Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeR
         return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("there is no function {} to start from", request.entry));
     nameIncludedFiles(messages.errors, includes);
     nameIncludedFiles(messages.warnings, includes);
-    if (made.spirv.empty()) {
+    if (made.object.empty()) {
         if (messages.errors.empty())
             return inputError(3001, {.file = request.file, .byte = {}}, fmt::format("DXC rejects {}: {}", request.entry, made.log));
         return Error{Blame::Input, shortened(std::move(messages.errors))};
     }
-    return RawShader{.spirv = std::move(made.spirv), .warnings = shortened(std::move(messages.warnings))};
+    RawShader shader{.words = std::vector<std::uint32_t>(made.object.size() / sizeof(std::uint32_t)),
+                     .warnings = shortened(std::move(messages.warnings))};
+    std::memcpy(shader.words.data(), made.object.data(), shader.words.size() * sizeof(std::uint32_t));
+    return shader;
 }
 
 } // namespace
@@ -334,16 +337,16 @@ std::string identity() {
     return kHash;
 }
 
-std::string flags() {
-    return fmt::format("{}", fmt::join(kFlags, " "));
+std::string flags(Output output) {
+    return fmt::format("{} {}", fmt::join(kFlags, " "), output == Output::Spirv ? fmt::format("{}", fmt::join(kSpirvFlags, " ")) : "DXIL");
 }
 
-Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes) {
+Result<RawShader> compile(const ShaderRequest& request, Output output, IncludeReader& includes) {
     if (!request.language2018 || !request.includeFolders.empty()) {
         const std::shared_lock busy(compiling());
-        return finish(make(request, includes), request, includes);
+        return finish(make(request, output, includes), request, includes);
     }
-    auto made = makeApart(request);
+    auto made = makeApart(request, output);
     return made ? finish(std::move(*made), request, includes) : Result<RawShader>(made.error());
 }
 
@@ -358,10 +361,10 @@ std::string name() {
 std::string identity() {
     return {};
 }
-std::string flags() {
+std::string flags(Output) {
     return {};
 }
-Result<RawShader> compile(const ShaderRequest&, IncludeReader&) {
+Result<RawShader> compile(const ShaderRequest&, Output, IncludeReader&) {
     return machineError(3002, "this program was built without DXC");
 }
 

@@ -112,7 +112,7 @@ Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes)
     glslang::SpvOptions options;
     options.disableOptimizer = false; // its HLSL output is legal for Vulkan, and free of dead code, only after spirv-opt's passes
     spv::SpvBuildLogger logger;
-    glslang::GlslangToSpv(*program.getIntermediate(language(request.stage)), raw.spirv, &logger, &options);
+    glslang::GlslangToSpv(*program.getIntermediate(language(request.stage)), raw.words, &logger, &options);
     raw.warnings = shortened(readGlslangMessages(shader.getInfoLog(), request.code, request.file).warnings);
     return raw;
 }

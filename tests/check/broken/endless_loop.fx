@@ -7,7 +7,7 @@ float4 PS(V v) : SV_Target0
 {
     float4 c = 0;
     [unroll] for (float i = 0; i < gCount; i += 1) //~ fx_2_0 fx_4_0 fx_5_0 sm5 TG3101
-        c += v.uv.xyxy;
+        c += v.uv.xyxy; //~ dxil TG3001
     return c;
 }
 #ifdef FX_TECHNIQUES

@@ -8,7 +8,7 @@ technique T
 {
     pass P
     {
-        VertexShader = compile TG_VS_MODEL VS(); //~ sm5 spirv-dxc spirv-glslang TG3206
+        VertexShader = compile TG_VS_MODEL VS(); //~ sm5 dxil spirv-dxc spirv-glslang TG3206
         PixelShader = compile TG_PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101
         TG_STATE_BUFFER;
     }

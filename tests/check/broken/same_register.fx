@@ -13,7 +13,7 @@ technique T
     pass P
     {
         VertexShader = compile TG_VS_MODEL VS();
-        PixelShader = compile TG_PS_MODEL PS();
+        PixelShader = compile TG_PS_MODEL PS(); //~ dxil TG3001
         TG_STATE_BUFFER;
     }
 }

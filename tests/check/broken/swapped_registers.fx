@@ -9,7 +9,7 @@ technique T
     pass P
     {
         VertexShader = compile TG_VS_MODEL VS();
-        PixelShader = compile TG_PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101, sm5 TG3205
+        PixelShader = compile TG_PS_MODEL PS(); //~ fx_4_0 fx_5_0 TG3101, sm5 dxil TG3205
         TG_STATE_BUFFER;
     }
 }

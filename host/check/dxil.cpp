@@ -1,0 +1,68 @@
+#include "host/check/work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace tegument::check {
+
+namespace {
+
+/// The validator knows no lines.
+std::vector<Diagnostic> placed(std::vector<Diagnostic> diagnostics, const SourcePosition& at) {
+    for (Diagnostic& diagnostic : diagnostics)
+        if (diagnostic.at.line == 0) diagnostic.at = at;
+    return diagnostics;
+}
+
+/// Direct3D 12 joins stages by register, as Direct3D 11 does.
+void linkDxil(const EntryPoint& vertex, const EntryPoint& pixel, TargetCheck& report) {
+    const std::vector<SignatureElement>& outputs = vertex.dxil->outputs;
+    for (const SignatureElement& input : pixel.dxil->inputs) {
+        if (input.systemValue || input.used == 0) continue;
+        const auto output = std::ranges::find(outputs, input.semantic, &SignatureElement::semantic);
+        if (output == outputs.end() || (input.used & ~output->mask) != 0)
+            addError(report, 3004, pixel.at, fmt::format("{} reads {}, which {} does not write", pixel.name, input.semantic, vertex.name),
+                     "give both the same struct, and every member a value");
+        else if (output->location != input.location)
+            addError(report, 3205, pixel.at,
+                     fmt::format("{} reads {} from register {}, {} writes it to register {}", pixel.name, input.semantic, input.location,
+                                 vertex.name, output->location),
+                     "give both the same struct");
+    }
+}
+
+void checkPosition(const EntryPoint& vertex, TargetCheck& report) {
+    const auto& outputs = vertex.dxil->outputs;
+    if (std::ranges::find(outputs, "SV_POSITION0", &SignatureElement::semantic) == outputs.end()) addMissingPosition(vertex, report);
+}
+
+} // namespace
+
+void checkDxil(Work& work) {
+    TargetCheck* report = work.find(Target::Dxil);
+    if (report == nullptr) return;
+    if (std::string reason = obstacleFor(work, Compiler::Dxc); !reason.empty()) return leaveOut(*report, std::move(reason));
+    if (!compilerAvailable(Compiler::Dxc)) {
+        report->reason = kNoDxc;
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    compileEach(work, *report, [](EntryPoint& entry, const ShaderRequest& request) {
+        auto made = compileDxil(request);
+        if (!made) return placed(made.error().diagnostics, entry.at);
+        entry.dxil = std::move(*made);
+        return entry.dxil->warnings;
+    });
+    for (const StagePair& pair : work.pairs) {
+        const EntryPoint& vertex = work.report.entries[pair.vertex];
+        const EntryPoint& pixel = work.report.entries[pair.pixel];
+        if (vertex.dxil) checkPosition(vertex, *report);
+        if (vertex.dxil && pixel.dxil) linkDxil(vertex, pixel, *report);
+    }
+    report->milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    conclude(*report);
+}
+
+} // namespace tegument::check

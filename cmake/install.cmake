@@ -15,7 +15,7 @@ install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegume
 set(public_headers
     host/support/file.h host/support/layout.h host/support/result.h host/support/state.h
     host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
-    host/spirv/compile.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
+    host/spirv/compile.h host/spirv/dxil.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
     host/mesh/mesh.h host/scene/placement.h host/scene/view.h host/scene/workspace.h
     host/gpu/gpu.h host/run/geometry.h host/run/run.h host/run/run_options.h

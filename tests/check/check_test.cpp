@@ -77,6 +77,12 @@ TEST(Effects, compile_to_spirv_by_both_compilers_which_see_the_same_parameters_i
             EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
 }
 
+TEST(Effects, compile_for_direct3d_12_in_every_setting) {
+    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not there: ./bootstrap build";
+    for (const FileReport& file : checkEffects(effectFiles(), {Target::Dxil}, {.includeFolders = {}, .allSettings = true}).files)
+        EXPECT_EQ(file.targets.at(0).verdict, Verdict::Passed) << describe(file);
+}
+
 TEST_F(Check, a_good_effect_passes_and_its_entry_points_are_counted) {
     const FileReport good = checkOne(effect("good.fx", kPass + "float4 PS(V v) : SV_Target0 { return v.uv.xyxy; }"), spirvTargets());
     for (const TargetCheck& target : good.targets) {

@@ -52,7 +52,7 @@ Result<std::vector<EmitKind>> chosenKinds(const std::vector<std::string>& names)
         const std::vector<EmitKind> kinds = emitKindsByName(name);
         if (kinds.empty())
             return usageError(8021, fmt::format("unknown output '{}'", name),
-                              "outputs: fx_2_0 fx_4_0 fx_5_0 sm5 spirv-dxc spirv-glslang spirv glsl glsl-es msl all");
+                              "outputs: fx_2_0 fx_4_0 fx_5_0 sm5 dxil spirv-dxc spirv-glslang spirv glsl glsl-es msl all");
         wanted.insert(wanted.end(), kinds.begin(), kinds.end());
     }
     return wanted;
@@ -298,7 +298,7 @@ void addCheck(CLI::App& program, Action& action) {
     CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
     repeatable(
         command->add_option("--emit-kind", arguments->emitKinds,
-                            "fx_2_0, fx_4_0, fx_5_0, sm5, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated"))
+                            "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated"))
         ->capture_default_str()
         ->needs(emit);
     command->add_flag("--resources", arguments->resources,

@@ -16,6 +16,19 @@ std::vector<Diagnostic> placed(std::vector<Diagnostic> diagnostics, const Source
     return diagnostics;
 }
 
+/// Members of the constant blocks: SPIR-V's are laid out alike, and more is known of them.
+void takeLayouts(Reflection& dxil, const Reflection& spirv) {
+    const auto take = [](UniformBlock& into, const UniformBlock& from) {
+        into.size = from.size;
+        into.members = from.members;
+    };
+    if (dxil.globals && spirv.globals) take(*dxil.globals, *spirv.globals);
+    for (UniformBlock& block : dxil.constantBuffers) {
+        const auto found = std::ranges::find(spirv.constantBuffers, block.name, &UniformBlock::name);
+        if (found != spirv.constantBuffers.end()) take(block, *found);
+    }
+}
+
 /// Direct3D 12 joins stages by register, as Direct3D 11 does.
 void linkDxil(const EntryPoint& vertex, const EntryPoint& pixel, TargetCheck& report) {
     const std::vector<SignatureElement>& outputs = vertex.dxil->outputs;
@@ -53,6 +66,7 @@ void checkDxil(Work& work) {
         auto made = compileDxil(request);
         if (!made) return placed(made.error().diagnostics, entry.at);
         entry.dxil = std::move(*made);
+        if (const auto spirv = compileShader(request, Compiler::Dxc)) takeLayouts(entry.dxil->reflection, spirv->reflection);
         return entry.dxil->warnings;
     });
     for (const StagePair& pair : work.pairs) {

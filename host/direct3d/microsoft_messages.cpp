@@ -105,6 +105,12 @@ struct Kind {
     bool error;
 };
 
+/// Effects are deprecated, every time; and a file's vertex and pixel shaders do without the memory that its compute shaders share.
+bool isNoise(std::string_view line) {
+    return line.find("X4717") != std::string_view::npos ||
+           line.find("does not support groupshared, groupshared ignored") != std::string_view::npos;
+}
+
 void readLine(std::string_view line, const Job& job, Messages& into) {
     static constexpr Kind kKinds[] = {{"error ", true}, {"warning ", false}};
     for (const Kind& kind : kKinds) {
@@ -142,7 +148,7 @@ std::string windowsPath(const fs::path& absolute) {
 Messages readMicrosoftMessages(std::string_view log, const fs::path& source, const std::vector<fs::path>& folders) {
     Messages messages;
     forEachLine(log, [&](std::string_view line) {
-        if (line.find("X4717") == std::string_view::npos) readLine(line, Job{source, folders}, messages);
+        if (!isNoise(line)) readLine(line, Job{source, folders}, messages);
     });
     return messages;
 }

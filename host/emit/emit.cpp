@@ -32,6 +32,7 @@ constexpr std::array kKinds = {
     KindNames{EmitKind::Fx4, "fx_4_0", {}},
     KindNames{EmitKind::Fx5, "fx_5_0", {}},
     KindNames{EmitKind::Sm5, "sm5", {".vs.cso", ".ps.cso", ".gs.cso", ".cs.cso"}},
+    KindNames{EmitKind::Dxil, "dxil", {".vs.dxil", ".ps.dxil", ".gs.dxil", ".cs.dxil"}},
     KindNames{EmitKind::SpirvDxc, "spirv-dxc", kSpirvEndings},
     KindNames{EmitKind::SpirvGlslang, "spirv-glslang", kSpirvEndings},
     KindNames{EmitKind::Glsl, "glsl", kGlslEndings},
@@ -100,6 +101,7 @@ Result<void> addShader(Products& products, LinkedShader& shader, EmitKind kind) 
     if (isGlsl(kind) && shader.entry->kind == ShaderKind::Compute) return {}; // its technique is not for that language
     if (isTranslation(kind)) return shader.spirv() == nullptr ? Result<void>() : addTranslation(products, shader, kind);
     if (kind == EmitKind::Sm5 && !shader.entry->sm5.empty()) addFile(products, shader, kind, shader.entry->sm5);
+    if (kind == EmitKind::Dxil && shader.entry->dxil) addFile(products, shader, kind, shader.entry->dxil->container);
     if (kind == EmitKind::SpirvDxc && shader.dxc) addFile(products, shader, kind, bytesOf(*shader.dxc));
     if (kind == EmitKind::SpirvGlslang && shader.glslang) addFile(products, shader, kind, bytesOf(*shader.glslang));
     return {};
@@ -185,6 +187,7 @@ Target targetOf(EmitKind kind) {
     case EmitKind::Fx4: return Target::Fx4;
     case EmitKind::Fx5: return Target::Fx5;
     case EmitKind::Sm5: return Target::Sm5;
+    case EmitKind::Dxil: return Target::Dxil;
     case EmitKind::SpirvGlslang: return Target::SpirvGlslang;
     default: return kind == EmitKind::SpirvDxc || compilerAvailable(Compiler::Dxc) ? Target::SpirvDxc : Target::SpirvGlslang;
     }

@@ -10,11 +10,11 @@
 
 namespace tegument {
 
-enum class EmitKind { Fx2, Fx4, Fx5, Sm5, SpirvDxc, SpirvGlslang, Glsl, GlslEs, Msl };
-inline constexpr std::array kAllEmitKinds = {EmitKind::Fx2,          EmitKind::Fx4,  EmitKind::Fx5,    EmitKind::Sm5, EmitKind::SpirvDxc,
-                                             EmitKind::SpirvGlslang, EmitKind::Glsl, EmitKind::GlslEs, EmitKind::Msl};
+enum class EmitKind { Fx2, Fx4, Fx5, Sm5, Dxil, SpirvDxc, SpirvGlslang, Glsl, GlslEs, Msl };
+inline constexpr std::array kAllEmitKinds = {EmitKind::Fx2,      EmitKind::Fx4,          EmitKind::Fx5,  EmitKind::Sm5,    EmitKind::Dxil,
+                                             EmitKind::SpirvDxc, EmitKind::SpirvGlslang, EmitKind::Glsl, EmitKind::GlslEs, EmitKind::Msl};
 
-/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "spirv-dxc", "spirv-glslang", "glsl", "glsl-es", "msl".
+/// "fx_2_0", "fx_4_0", "fx_5_0", "sm5", "dxil", "spirv-dxc", "spirv-glslang", "glsl", "glsl-es", "msl".
 [[nodiscard]] std::string_view emitKindName(EmitKind kind);
 /// "all" is every kind, "spirv" both compilers'; empty for an unknown name.
 [[nodiscard]] std::vector<EmitKind> emitKindsByName(std::string_view name);

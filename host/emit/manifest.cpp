@@ -1,5 +1,6 @@
 #include "host/emit/effect_json.h"
 #include "host/emit/products.h"
+#include "host/emit/root_signature.h"
 #include "host/support/file.h"
 
 #include <fmt/format.h>
@@ -101,6 +102,7 @@ Json formJson(const LinkedShader& shader, EmitKind kind, const std::string& file
     Json json{{"file", file}};
     const auto add = [&](const Json& more) { json.update(more); };
     if (kind == EmitKind::Sm5 && shader.entry->sm5Reflection) add(reflectionJson(shader.entry->sm5Reflection->reflection, true));
+    if (kind == EmitKind::Dxil && shader.entry->dxil) add(reflectionJson(shader.entry->dxil->reflection, true));
     if (kind == EmitKind::SpirvDxc && shader.dxc) add(reflectionJson(shader.dxc->reflection, false));
     if (kind == EmitKind::SpirvGlslang && shader.glslang) add(reflectionJson(shader.glslang->reflection, false));
     if (const auto found = shader.translated.find(kind); found != shader.translated.end())
@@ -117,6 +119,20 @@ Json shaderJson(const LinkedShader& shader) {
     return json;
 }
 
+/// Of Direct3D 12; empty where its shaders are not among the products.
+std::string rootSignatureOf(const PassShaders& shaders, const Products& products) {
+    std::vector<RootStage> stages;
+    const auto add = [&](std::string_view visibility, int index) {
+        if (index < 0) return;
+        const LinkedShader& shader = products.shaders[static_cast<std::size_t>(index)];
+        if (shader.files.contains(EmitKind::Dxil)) stages.push_back({visibility, &shader.entry->dxil->reflection});
+    };
+    add("VERTEX", shaders.vertex);
+    add("PIXEL", shaders.pixel);
+    add("ALL", shaders.compute);
+    return stages.empty() ? std::string() : rootSignature(stages);
+}
+
 Json passJson(const Pass& pass, const PassShaders& shaders, const Products& products) {
     Json json{{"name", pass.name}};
     const auto stage = [&](const char* name, int index) {
@@ -126,6 +142,7 @@ Json passJson(const Pass& pass, const PassShaders& shaders, const Products& prod
     stage("pixel_shader", shaders.pixel);
     stage("geometry_shader", shaders.geometry);
     stage("compute_shader", shaders.compute);
+    if (const std::string signature = rootSignatureOf(shaders, products); !signature.empty()) json["root_signature"] = signature;
     json["states"] = toJson(pass.state);
     json["annotations"] = toJson(pass.annotations);
     return json;

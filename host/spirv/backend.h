@@ -9,6 +9,7 @@ namespace tegument {
 struct RawShader {
     std::vector<std::uint32_t> words;
     std::vector<Diagnostic> warnings;
+    std::string listing{}; // of DXIL: its disassembly
 };
 
 namespace dxc {

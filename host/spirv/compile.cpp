@@ -80,7 +80,9 @@ Error noDxc() {
 /// A container is whole words long; the cache of SPIR-V serves it too.
 Result<Dxil> readBack(const Shader& stored) {
     const auto bytes = std::as_bytes(std::span(stored.spirv));
-    Dxil dxil{.container = {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, .warnings = stored.warnings};
+    Dxil dxil{.container = {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+              .reflection = stored.reflection,
+              .warnings = stored.warnings};
     auto inputs = readSignature(dxil.container, "ISG1");
     auto outputs = readSignature(dxil.container, "OSG1");
     if (!inputs || !outputs)
@@ -88,6 +90,8 @@ Result<Dxil> readBack(const Shader& stored) {
                             "this is a fault of the compiler: write the code differently, and report it");
     dxil.inputs = std::move(*inputs);
     dxil.outputs = std::move(*outputs);
+    dxil.reflection.inputs = variablesOf(dxil.inputs);
+    dxil.reflection.outputs = variablesOf(dxil.outputs);
     return dxil;
 }
 
@@ -137,7 +141,7 @@ Result<Dxil> compileDxil(const ShaderRequest& request) {
                         .file = request.file,
                         .entry = request.entry,
                         .spirv = std::move(raw->words),
-                        .reflection = {},
+                        .reflection = readBindings(raw->listing),
                         .warnings = std::move(raw->warnings)};
     auto dxil = readBack(shader);
     if (dxil) storeCachedShader(key, {shader, includes.files()});

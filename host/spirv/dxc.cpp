@@ -195,7 +195,8 @@ void nameIncludedFiles(std::vector<Diagnostic>& messages, const IncludeReader& i
 struct Made {
     bool started = true;
     std::string log;
-    std::string object; // empty: it refused
+    std::string object;  // empty: it refused
+    std::string listing; // of DXIL: its resources, in words
 };
 
 Made madeBy(IDxcResult* result) {
@@ -207,6 +208,16 @@ Made madeBy(IDxcResult* result) {
     if (FAILED(status) || !object) return made;
     made.object.assign(static_cast<const char*>(object->GetBufferPointer()), object->GetBufferSize());
     return made;
+}
+
+/// The container names its resources inside of its LLVM module only.
+std::string listingOf(IDxcCompiler3* compiler, const std::string& object) {
+    const DxcBuffer buffer{object.data(), object.size(), 0};
+    CComPtr<IDxcResult> result;
+    CComPtr<IDxcBlobUtf8> text;
+    compiler->Disassemble(&buffer, __uuidof(IDxcResult), reinterpret_cast<void**>(&result));
+    if (result) result->GetOutput(DXC_OUT_DISASSEMBLY, __uuidof(IDxcBlobUtf8), reinterpret_cast<void**>(&text), nullptr);
+    return text ? std::string(text->GetStringPointer(), text->GetStringLength()) : std::string();
 }
 
 Made make(const ShaderRequest& request, Output output, IncludeReader& includes) {
@@ -223,7 +234,10 @@ Made make(const ShaderRequest& request, Output output, IncludeReader& includes) 
     CComPtr<IDxcResult> result;
     compiler->Compile(&source, pointers.data(), static_cast<UINT32>(pointers.size()), &handler, __uuidof(IDxcResult),
                       reinterpret_cast<void**>(&result));
-    return result ? madeBy(result) : Made{.started = false};
+    if (!result) return {.started = false};
+    Made made = madeBy(result);
+    if (output == Output::Dxil && !made.object.empty()) made.listing = listingOf(compiler, made.object);
+    return made;
 }
 
 /// Strings one after the other, each behind its length.
@@ -257,7 +271,7 @@ std::string answerTo(std::string_view message) {
         request.defines.emplace_back(parts[i], parts[i + 1]);
     IncludeReader includes(request.file, {});
     const Made made = make(request, static_cast<Output>(std::atoi(parts[4].c_str())), includes);
-    return packed({made.started ? "1" : "0", made.log, made.object});
+    return packed({made.started ? "1" : "0", made.log, made.object, made.listing});
 }
 
 constexpr double kLongest = 120; // seconds for one shader; the longest seen takes four
@@ -287,8 +301,8 @@ Result<Made> makeApart(const ShaderRequest& request, Output output) {
     const ChildAnswer answer = kChildren.ask(packed(parts), kLongest);
     if (!answer.answered) return broughtDown(request, answer);
     const std::vector<std::string> made = unpacked(answer.bytes);
-    if (made.size() != 3) return Made{.started = false};
-    return Made{.started = made[0] == "1", .log = made[1], .object = made[2]};
+    if (made.size() != 4) return Made{.started = false};
+    return Made{.started = made[0] == "1", .log = made[1], .object = made[2], .listing = made[3]};
 }
 
 Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeReader& includes) {
@@ -304,7 +318,8 @@ Result<RawShader> finish(Made made, const ShaderRequest& request, const IncludeR
         return Error{Blame::Input, shortened(std::move(messages.errors))};
     }
     RawShader shader{.words = std::vector<std::uint32_t>(made.object.size() / sizeof(std::uint32_t)),
-                     .warnings = shortened(std::move(messages.warnings))};
+                     .warnings = shortened(std::move(messages.warnings)),
+                     .listing = std::move(made.listing)};
     std::memcpy(shader.words.data(), made.object.data(), shader.words.size() * sizeof(std::uint32_t));
     return shader;
 }
@@ -338,7 +353,7 @@ std::string identity() {
 }
 
 std::string flags(Output output) {
-    return fmt::format("{} {}", fmt::join(kFlags, " "), output == Output::Spirv ? fmt::format("{}", fmt::join(kSpirvFlags, " ")) : "DXIL");
+    return fmt::format("{} {}", fmt::join(kFlags, " "), output == Output::Spirv ? fmt::format("{}", fmt::join(kSpirvFlags, " ")) : "DXIL, bindings");
 }
 
 Result<RawShader> compile(const ShaderRequest& request, Output output, IncludeReader& includes) {

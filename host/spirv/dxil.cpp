@@ -1,10 +1,16 @@
 #include "host/spirv/dxil.h"
 
+#include "host/spirv/scan.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
+#include <iterator>
+#include <sstream>
 
 namespace tegument {
 
@@ -55,11 +61,69 @@ std::optional<SignatureElement> elementAt(std::string_view part, std::size_t at,
     return SignatureElement{.semantic = std::move(*semantic),
                             .systemValue = word(3) != 0,
                             .location = word(5),
+                            .base = word(4) == 1   ? MemberBase::Uint
+                                    : word(4) == 2 ? MemberBase::Int
+                                                   : MemberBase::Float,
                             .mask = static_cast<std::uint8_t>(mask),
                             .used = static_cast<std::uint8_t>(mask & (output ? ~second : second))};
 }
 
+/// Name, type, format, dimension, place, register ("cb0", "t3"), count. Names have no blanks in them.
+std::vector<std::string> columnsOf(std::string_view line) {
+    std::istringstream words{std::string(line)};
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+ResourceKind textureKind(std::string_view dimension) {
+    if (dimension == "1d") return ResourceKind::Texture1D;
+    if (dimension == "3d") return ResourceKind::Texture3D;
+    return dimension == "cube" ? ResourceKind::TextureCube : ResourceKind::Texture2D;
+}
+
+void addBinding(Reflection& reflection, const std::vector<std::string>& columns) {
+    const std::string& name = columns[0];
+    const std::string& type = columns[1];
+    const std::string& place = columns[5];
+    const auto binding = static_cast<std::uint32_t>(std::strtoul(place.substr(place.find_first_of("0123456789")).c_str(), nullptr, 10));
+    if (type == "cbuffer") {
+        const UniformBlock block{.name = name, .set = 0, .binding = binding, .size = 0, .members = {}};
+        if (name == "$Globals")
+            reflection.globals = block;
+        else
+            reflection.constantBuffers.push_back(block);
+        return;
+    }
+    const ResourceKind kind = type == "sampler"     ? ResourceKind::Sampler
+                              : type == "UAV"       ? ResourceKind::StorageImage
+                              : columns[3] == "r/o" ? ResourceKind::StorageBuffer
+                                                    : textureKind(columns[3]);
+    reflection.resources.push_back({.name = name, .kind = kind, .set = 0, .binding = binding});
+}
+
 } // namespace
+
+std::vector<StageVariable> variablesOf(const std::vector<SignatureElement>& signature) {
+    std::vector<StageVariable> variables;
+    for (const SignatureElement& element : signature)
+        if (!element.systemValue || element.semantic.starts_with("SV_TARGET"))
+            variables.push_back({.semantic = element.semantic,
+                                 .location = element.location,
+                                 .components = static_cast<std::uint32_t>(std::popcount(element.mask)),
+                                 .base = element.base});
+    return variables;
+}
+
+Reflection readBindings(std::string_view listing) {
+    Reflection reflection;
+    bool inside = false;
+    forEachLine(listing, [&](std::string_view line) {
+        if (line.starts_with("; Resource Bindings:")) inside = true;
+        if (!line.starts_with(";")) inside = false;
+        const std::vector<std::string> columns = inside ? columnsOf(line.substr(1)) : std::vector<std::string>{};
+        if (columns.size() == 7 && columns[5].find_first_of("0123456789") != std::string::npos) addBinding(reflection, columns);
+    });
+    return reflection;
+}
 
 std::optional<std::vector<SignatureElement>> readSignature(std::string_view container, std::string_view part) {
     const auto bytes = partOf(container, part);

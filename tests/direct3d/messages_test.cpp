@@ -30,6 +30,12 @@ TEST(MicrosoftMessages, the_warning_that_comes_with_every_effect_is_left_out) {
     EXPECT_EQ(messages.warnings[0].text, "X3206: implicit truncation");
 }
 
+TEST(MicrosoftMessages, memory_that_compute_shaders_share_is_no_matter_for_the_others_of_their_file) {
+    const Messages messages =
+        readMicrosoftMessages("x.fx(66,20-28): warning X3579: vs_5_0 does not support groupshared, groupshared ignored\n", "x.fx");
+    EXPECT_TRUE(messages.errors.empty() && messages.warnings.empty());
+}
+
 TEST(MicrosoftMessages, an_error_without_place_is_one_of_the_file) {
     const Messages messages = readMicrosoftMessages("error X3501: 'NOPE': entrypoint not found\n", "x.fx");
     ASSERT_EQ(messages.errors.size(), 1U);

@@ -296,9 +296,9 @@ void addCheck(CLI::App& program, Action& action) {
                       "Microsoft's compiler with its option /Gec: models 1, changed parameters, byte order marks");
     addEffectOptions(*command, arguments->effect);
     CLI::Option* emit = command->add_option("--emit", arguments->emitFolder, "Write what passed into this folder (docs/emit.md)");
-    repeatable(
-        command->add_option("--emit-kind", arguments->emitKinds,
-                            "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated"))
+    repeatable(command->add_option(
+                   "--emit-kind", arguments->emitKinds,
+                   "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang, spirv, glsl, glsl-es, msl or all; may be repeated"))
         ->capture_default_str()
         ->needs(emit);
     command->add_flag("--resources", arguments->resources,

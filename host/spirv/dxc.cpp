@@ -353,7 +353,8 @@ std::string identity() {
 }
 
 std::string flags(Output output) {
-    return fmt::format("{} {}", fmt::join(kFlags, " "), output == Output::Spirv ? fmt::format("{}", fmt::join(kSpirvFlags, " ")) : "DXIL, bindings");
+    return fmt::format("{} {}", fmt::join(kFlags, " "),
+                       output == Output::Spirv ? fmt::format("{}", fmt::join(kSpirvFlags, " ")) : "DXIL, bindings");
 }
 
 Result<RawShader> compile(const ShaderRequest& request, Output output, IncludeReader& includes) {

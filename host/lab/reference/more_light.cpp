@@ -16,24 +16,31 @@ double smoothStep(double share) {
     return s * s * (3 - 2 * s);
 }
 
-/// Directions and distances to the nodes of a lamp's disc, which faces the point: the sphere's silhouette, by equal solid angles.
-std::vector<std::pair<glm::dvec3, double>> lampNodes(const Lamp& lamp, const glm::dvec3& towards, int side) {
+/// What a point sees of a lamp: nodes of equal solid angle in the cap that the sphere fills.
+struct LampNode {
+    glm::dvec3 direction{0};
+    double distance = 0; // to the lamp's centre, for points
+    double share = 1;    // of the light: the cap has the irradiance that a point in its middle would have
+};
+std::vector<LampNode> lampNodes(const Lamp& lamp, const glm::dvec3& towards, int side) {
     const bool near = lamp.place.w > 0.5;
     const double distance = glm::length(towards);
     const glm::dvec3 axis = towards / distance;
     const double far = near ? distance : kFar;
     const double sine = std::min(near ? lamp.axis.w / distance : lamp.axis.w, 0.99);
-    if (side == 1 || sine <= 0) return {{axis, far}};
+    if (side == 1 || sine <= 0) return {{axis, far, 1}};
     const glm::dvec3 right = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
     const glm::dvec3 up = glm::cross(right, axis);
-    std::vector<std::pair<glm::dvec3, double>> nodes;
+    const double least = std::sqrt(1 - sine * sine);
+    const double share = 2 / (1 + least) / (side * side); // the mean cosine over the cap is (1 + least) / 2
+    std::vector<LampNode> nodes;
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             // Archimedes: equal steps of the cosine are equal solid angles.
-            const double cosine = 1 - (1 - std::sqrt(1 - sine * sine)) * (j + 0.5) / side;
+            const double cosine = 1 - (1 - least) * (j + 0.5) / side;
             const double around = 2 * std::numbers::pi * (i + 0.5 * (j % 2)) / side;
             const double across = std::sqrt(1 - cosine * cosine);
-            nodes.emplace_back(cosine * axis + across * (std::cos(around) * right + std::sin(around) * up), far);
+            nodes.push_back({cosine * axis + across * (std::cos(around) * right + std::sin(around) * up), far, share});
         }
     return nodes;
 }
@@ -46,14 +53,12 @@ void addLamp(const Lamp& lamp, int side, const glm::dvec3& point, const glm::dve
     const double cone = glm::dot(-towards / distance, glm::dvec3(lamp.axis));
     const double spot = smoothStep((cone - lamp.spot.y) / std::max(lamp.spot.x - lamp.spot.y, 1e-4));
     const double falloff = lamp.colour.w > 0 ? lamp.colour.w * lamp.colour.w / (distance * distance) : 1;
-    const auto nodes = lampNodes(lamp, towards, side);
-    for (const auto& [direction, far] : nodes) {
+    for (const auto& [direction, far, share] : lampNodes(lamp, towards, side)) {
         if (glm::dot(direction, normal) <= 0) continue;
         const double seen = lamp.spot.z > 0 && !visible(direction, far) ? 1 - lamp.spot.z : 1;
         if (seen * spot <= 0) continue;
-        beams.push_back({.towards = direction,
-                         .light = glm::dvec3(lamp.colour) * (falloff * spot * seen / static_cast<double>(nodes.size())),
-                         .highlight = lamp.spot.w});
+        beams.push_back(
+            {.towards = direction, .light = glm::dvec3(lamp.colour) * (falloff * spot * seen * share), .highlight = lamp.spot.w});
     }
 }
 

@@ -68,6 +68,8 @@ SkinScene::SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& l
     if (const Image* image = textureOf(mesh, "color")) colour_ = Texture(*image, true);
     if (const Image* image = textureOf(mesh, "normal")) normals_ = Texture(*image, false);
     if (const Image* image = textureOf(mesh, "kernelSize")) kernelSizes_ = Texture(*image, false);
+    for (const glm::vec3& position : mesh.positions)
+        outside_ = std::max(outside_, 2.01 * static_cast<double>(glm::length(position - mesh.positions.front())));
     constexpr int kCosines = 1025; // rho_dt bends little: linear between these is exact to 1e-5
     constexpr double kFirst = 1e-3;
     for (int i = 0; i < kCosines; ++i) {
@@ -158,10 +160,9 @@ glm::dvec3 SkinScene::mirrored(const SurfacePoint& point, const glm::dvec3& norm
 std::vector<Beam> SkinScene::moreBeams(const SurfacePoint& point, const glm::dvec3& normal, const std::vector<SkyPiece>& sky) const {
     // From the mesh's own normal on its horizon hides light, whatever the normal map says.
     const glm::dvec3 meshNormal = glm::normalize(point.normal);
-    const double away = 4 * static_cast<double>(mesh_.bounds.radius) + 1;
     return beamsAt(more_, sky, point.position, normal, [&](const glm::dvec3& direction, double distance) {
         return glm::dot(direction, meshNormal) > 0 &&
-               rays_.reaches(point.position + std::min(distance, away) * direction, point.position, kFacets);
+               rays_.reaches(point.position + std::min(distance, outside_) * direction, point.position, kFacets);
     });
 }
 

@@ -92,21 +92,18 @@ LampsSeenVarying LampsSeenVS(VertexInput stored)
     return output;
 }
 
-// Distance of the shadow's taps: so many texels of the skin, which they cover; at least and at most so many texels of the shadow map.
-static const float3 kLampTaps = float3(0.25, 0.75, 6.0);
+// Radius of the shadow's filter: so many texels of the skin, which it covers (a disc of 0.56 has the variance of 4 x 4 taps over the texel);
+// at least and at most so many texels of the shadow map.
+static const float3 kLampFilter = float3(0.56, 1.7, 13.0);
 
 struct LampReceiver
 {
     float4 place; // as it comes from the vertices
-    float3 right;
-    float3 up;
-    float3 axis;
-    float3 normal;
-    float3 toLight;
-    float depth; // mm, less tolerance
+    float depth;  // mm, less tolerance
     float2 slope;
-    float texel; // mm across a texel of the skin
-    float turn;  // from texel to texel of the skin, rad
+    float cosine; // N.L of the mesh
+    float texel;  // mm across a texel of the skin
+    float turn;   // from texel to texel of the skin, rad
 };
 
 #if TEGUMENT_SOFT_SHADOWS
@@ -116,34 +113,31 @@ float lampOpen(TG_SAMPLER2D_PARAM(map), int i, LampReceiver r)
     bool near = gLampPlace[i].w > 0.5;
     float radius = gLampAxis[i].w;
     float2 size = near ? float2(tgMillimetres(radius), 1.0) : float2(radius * rsqrt(max(1.0 - radius * radius, 0.1)), 0.0);
-    float view = tgMillimetres(tgLampView(gLampPlace[i], gLampBody, gLampBodyRadius, r.up, r.right).near);
-    float nearest = max(view, 2.0 * size.x * size.y);
+    float nearest = max(tgMillimetres(lampView(i).near), 2.0 * size.x * size.y);
     return tgShadowSoft(TG_SAMPLER2D_ARG(map), tgShadowCoordinate(r.place), r.depth, r.slope, r.place.w, size, nearest, r.turn);
 }
 #else
-// The lamp is a point. Ways along its ray do not change the place in a map with a wide view: what they would is taken off right and up.
+// The lamp is a point. Seen from it a texel of the skin is as much smaller as it is turned away.
 float lampOpen(TG_SAMPLER2D_PARAM(map), int i, LampReceiver r)
 {
-    float apart = clamp(kLampTaps.x * r.texel, kLampTaps.y * r.place.w, kLampTaps.z * r.place.w);
-    float3 along = r.axis / dot(r.toLight, r.axis);
-    float3 acrossX = r.right - along * dot(r.toLight, r.right);
-    float3 acrossY = r.up - along * dot(r.toLight, r.up);
-    return tgShadowOnPlane(TG_SAMPLER2D_ARG(map), tgShadowCoordinate(r.place), r.depth, r.normal, acrossX, acrossY, r.axis, r.place.w, apart);
+    float2 size = float2(0.0, gLampPlace[i].w > 0.5 ? 1.0 : 0.0);
+    float radius = clamp(kLampFilter.x * r.texel * saturate(r.cosine) / r.place.w, kLampFilter.y, kLampFilter.z);
+    return tgShadowDisc(TG_SAMPLER2D_ARG(map), tgShadowCoordinate(r.place), r.depth, r.slope, size, radius, 0.0);
 }
 #endif
 
 // Behind a lamp, w < 0, all is beyond its map, which is lit.
-float lampSeen(TG_SAMPLER2D_PARAM(map), int i, LampsSeenVarying input, LampReceiver r)
+float lampSeen(TG_SAMPLER2D_PARAM(map), int i, LampsSeenVarying input, float3 normal, LampReceiver r)
 {
-    r.toLight = tgSafeNormalize(tgLampVector(gLampPlace[i], input.world));
+    float3 toLight = tgSafeNormalize(tgLampVector(gLampPlace[i], input.world));
+    float3 axis = tgLampAxis(gLampPlace[i], gLampBody);
+    float3 right = input.right[i];
     r.place = input.place[i];
-    r.right = input.right[i];
-    r.axis = tgLampAxis(gLampPlace[i], gLampBody);
-    r.up = cross(r.right, r.axis);
-    r.slope = tgShadowPlanarSlope(r.normal, r.right, r.up, r.toLight, r.axis, r.place.w);
+    r.slope = tgShadowPlanarSlope(normal, right, cross(right, axis), toLight, axis, r.place.w);
     float tolerance = gShadowTolerance * (kTgDepthInMillimetres ? 1.0 : tgMillimetres(2.0 * gLampBodyRadius));
     r.depth = r.place.z - tolerance - abs(r.slope.x) - abs(r.slope.y);
-    return lampOpen(TG_SAMPLER2D_ARG(map), i, r) * tgShadowPlanarHorizon(dot(r.normal, r.toLight));
+    r.cosine = dot(normal, toLight);
+    return lampOpen(TG_SAMPLER2D_ARG(map), i, r) * tgShadowPlanarHorizon(r.cosine);
 }
 
 #define LAMP_SHADOW(number, i) \
@@ -169,16 +163,16 @@ LAMP_SHADOW(3, 2)
 float4 LampsSeenPS(LampsSeenVarying input) : SV_Target0
 {
     LampReceiver r = (LampReceiver)0;
-    r.normal = tgSafeNormalize(input.normal);
+    float3 normal = tgSafeNormalize(input.normal);
     r.texel = tgMillimetres(length(ddx(input.world)));
     r.turn = 2.0 * kTgPi * tgSoftNoise(input.uv * kTgMapSize);
     float4 seen = 1.0;
-    seen.x = lampSeen(TG_SAMPLER2D_ARG(gLampShadow1), 0, input, r);
+    seen.x = lampSeen(TG_SAMPLER2D_ARG(gLampShadow1), 0, input, normal, r);
 #if TEGUMENT_LAMP_SHADOWS > 1
-    seen.y = lampSeen(TG_SAMPLER2D_ARG(gLampShadow2), 1, input, r);
+    seen.y = lampSeen(TG_SAMPLER2D_ARG(gLampShadow2), 1, input, normal, r);
 #endif
 #if TEGUMENT_LAMP_SHADOWS > 2
-    seen.z = lampSeen(TG_SAMPLER2D_ARG(gLampShadow3), 2, input, r);
+    seen.z = lampSeen(TG_SAMPLER2D_ARG(gLampShadow3), 2, input, normal, r);
 #endif
     return seen;
 }

@@ -52,6 +52,19 @@ float tgSoftWidth(float2 size, float gap, float before)
     return size.x * gap / max(lerp(1.0, before, size.y), 1e-3);
 }
 
+// Share of a disc in the map that does not hide the receiver, by kTgSoftTaps. radius: texels; the others as below.
+float tgShadowDisc(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float2 size, float radius, float turn)
+{
+    float lit = 0.0;
+    [loop] for (int i = 0; i < kTgSoftTaps; i++)
+    {
+        float2 offset = radius * tgSoftTap(i, kTgSoftTaps, turn);
+        float2 depths = tgSoftDepths(TG_SAMPLER2D_ARG(map), coordinate, offset, depth, slope, size);
+        lit += step(depths.x, depths.y);
+    }
+    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit / kTgSoftTaps;
+}
+
 // Share of the light that is seen. depth: less tolerance; slope: mm from texel to texel; footprint: mm of a texel; nearest: mm from the light
 // to the nearest thing that may hide it; turn: of the taps, rad.
 float tgShadowSoft(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float footprint, float2 size, float nearest,
@@ -70,13 +83,7 @@ float tgShadowSoft(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, floa
         widths += hides * width;
     }
     float radius = max(widths / max(hiding, 1.0), kTgSoftNarrowest);
-    float lit = 0.0;
-    [loop] for (int j = 0; j < kTgSoftTaps; j++)
-    {
-        float2 depths = tgSoftDepths(TG_SAMPLER2D_ARG(map), coordinate, radius * tgSoftTap(j, kTgSoftTaps, turn), depth, slope, size);
-        lit += step(depths.x, depths.y);
-    }
-    return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit / kTgSoftTaps;
+    return tgShadowDisc(TG_SAMPLER2D_ARG(map), coordinate, depth, slope, size, radius, turn);
 }
 
 #endif

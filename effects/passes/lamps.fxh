@@ -1,6 +1,6 @@
-// Lamps beside the light of the workspace (TEGUMENT_LAMPS), and what of them is seen. Each that throws a shadow (TEGUMENT_LAMP_SHADOWS) draws
-// the mesh into a shadow map of its own, fitted to the mesh's bounding sphere; pass LampsSeen then asks all maps once for each texel of the
-// skin, so that whatever is lit afterwards reads one texel. Techniques begin with LAMPS_SCRIPT and LAMPS_PASSES, empty without lamps.
+// Lamps beside the light of the workspace (TEGUMENT_LAMPS), and what of them is seen. Each that throws a shadow (TEGUMENT_LAMP_SHADOWS)
+// draws the mesh into a shadow map of its own, fitted to the mesh's bounding sphere; pass LampsSeen then asks all maps once for each texel
+// of the skin, so that whatever is lit afterwards reads one texel. Techniques begin with LAMPS_SCRIPT and LAMPS_PASSES, empty without lamps.
 #ifndef TEGUMENT_PASSES_LAMPS_FXH
 #define TEGUMENT_PASSES_LAMPS_FXH
 
@@ -26,12 +26,13 @@ float3 gLampBody : BOUNDINGCENTER < string UIWidget = "None"; >;
 float gLampBodyRadius : BOUNDINGSPHERESIZE < string UIWidget = "None"; >;
 
 Texture2D gLampDepthMap : RENDERDEPTHSTENCILTARGET < SQUARE_DEPTH(TEGUMENT_SHADOW_SIZE) >;
-Texture2D gLampsSeenMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A8R8G8B8") bool Keeps = true; >;
+Texture2D gLampsSeenMap : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_MAP_SIZE, "A16B16G16R16F") bool Keeps = true; >;
 TG_SAMPLER2D(gLampsSeen, LINEAR, CLAMP);
 
 TgLampView lampView(int i)
 {
-    return tgLampView(gLampPlace[i], gLampBody, gLampBodyRadius, tgWorldNormal(float3(0.0, 1.0, 0.0)), tgWorldNormal(float3(1.0, 0.0, 0.0)));
+    float3 up = tgWorldNormal(float3(0.0, 1.0, 0.0));
+    return tgLampView(gLampPlace[i], gLampBody, gLampBodyRadius, up, tgWorldNormal(float3(1.0, 0.0, 0.0)));
 }
 
 struct LampDepthVarying

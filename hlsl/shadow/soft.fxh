@@ -44,9 +44,9 @@ float2 tgSoftDepths(TG_SAMPLER2D_PARAM(map), float2 coordinate, float2 offset, f
     return float2(plane, tgShadowBeyond(place) > 0.0 ? kTgNoSurface : stored);
 }
 
-// How far a place that hides some of the light may lie from the one that it is hidden from, mm in the map at the receiver's distance. gap: mm
-// between the two along the axis; before: mm from the light to what hides it. size: of a light at a point its radius, mm, and 1; of parallel
-// light the tangent of its half angle, and 0.
+// How far a place that hides some of the light may lie from the one that it is hidden from, mm in the map at the receiver's distance. gap:
+// mm between the two along the axis; before: mm from the light to what hides it. size: of a light at a point its radius, mm, and 1; of
+// parallel light the tangent of its half angle, and 0.
 float tgSoftWidth(float2 size, float gap, float before)
 {
     return size.x * gap / max(lerp(1.0, before, size.y), 1e-3);
@@ -65,8 +65,8 @@ float tgShadowDisc(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, floa
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit / kTgSoftTaps;
 }
 
-// Share of the light that is seen. depth: less tolerance; slope: mm from texel to texel; footprint: mm of a texel; nearest: mm from the light
-// to the nearest thing that may hide it; turn: of the taps, rad.
+// Share of the light that is seen. depth: less tolerance; slope: mm from texel to texel; footprint: mm of a texel; nearest: mm from the
+// light to the nearest thing that may hide it; turn: of the taps, rad.
 float tgShadowSoft(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float footprint, float2 size, float nearest,
                    float turn)
 {

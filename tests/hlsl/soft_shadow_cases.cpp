@@ -21,6 +21,14 @@ glm::dvec2 softTap(int i, int count, double turn) {
     return std::sqrt((i + 0.5) / count) * glm::dvec2(std::cos(kGolden * i + turn), std::sin(kGolden * i + turn));
 }
 
+/// Share of a disc of so many texels in which nothing lies before `depth`.
+double softDisc(glm::dvec2 uv, double depth, double radius, double turn) {
+    double lit = 0;
+    for (int i = 0; i < 32; ++i)
+        lit += depth <= softStored(uv + radius * softTap(i, 32, turn) / double{kTestMapSize}) ? 1.0 / 32 : 0;
+    return lit;
+}
+
 struct SoftLight {
     double size = 0;
     bool point = false;
@@ -42,11 +50,7 @@ double softShare(glm::dvec2 uv, double depth, const SoftLight& light, double tur
         hiding += 1;
         widths += width;
     }
-    const double radius = hiding > 0 ? std::max(widths / hiding, 1.5) : 1.5;
-    double lit = 0;
-    for (int i = 0; i < 32; ++i)
-        lit += depth <= seen(radius * softTap(i, 32, turn)) ? 1.0 / 32 : 0;
-    return lit;
+    return softDisc(uv, depth, hiding > 0 ? std::max(widths / hiding, 1.5) : 1.5, turn);
 }
 
 } // namespace
@@ -92,6 +96,12 @@ std::vector<FunctionCase> softShadowCases() {
                              return values(x.scalar(3) > 0.5 ? 1 / (1 / depth - rise / (depth * depth)) : depth + rise);
                          },
                      .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-3, .why = "a sum of 700, 6e-5 off, and two quotients"},
+                     .map = &shadowMap()});
+    cases.push_back({.function = "tgShadowDisc",
+                     .body = "return float4(tgShadowDisc(TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), float2(1, 1), a2, a3), 0, 0, 0);",
+                     .arguments = {linear(0.1, 0.9, 2), linear(500, 700), linear(0.5, 4), linear(0, 6.28)},
+                     .expected = [](const Inputs& x) { return values(softDisc(x.vec2(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
+                     .tolerance = {.absolute = 0.0955, .why = "three taps of 32 on the border of a texel may see either side of it"},
                      .map = &shadowMap()});
     cases.push_back({.function = "tgShadowSoft",
                      .body = "return float4(tgShadowSoft(TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), 0.5, float2(a2, a3), 400, a4), 0, "

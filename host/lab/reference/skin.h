@@ -106,7 +106,7 @@ private:
     SkinSettings settings_;
     RayScene rays_;
     MoreLight more_;
-    double outside_ = 1; // mm: from any point of the mesh a way as long leads out of it
+    double outside_ = 1;                           // mm: from any point of the mesh a way as long leads out of it
     Texture colour_{glm::dvec4(0.8, 0.6, 0.5, 1)}; // what the effects fall back to
     Texture normals_{glm::dvec4(0.5, 0.5, 1, 1)};
     Texture kernelSizes_{glm::dvec4(0.6, 0.6, 0.6, 1)};

@@ -1,6 +1,7 @@
 // Lamps beside the light of the workspace (TEGUMENT_LAMPS), and what of them is seen. Each that throws a shadow (TEGUMENT_LAMP_SHADOWS)
 // draws the mesh into a shadow map of its own, fitted to the mesh's bounding sphere; pass LampsSeen then asks all maps once for each texel
-// of the skin, so that whatever is lit afterwards reads one texel. Techniques begin with LAMPS_SCRIPT and LAMPS_PASSES, empty without lamps.
+// of the skin, so that whatever is lit afterwards reads one texel. Techniques begin with LAMPS_SCRIPT and LAMPS_PASSES; without lamps both
+// are empty.
 #ifndef TEGUMENT_PASSES_LAMPS_FXH
 #define TEGUMENT_PASSES_LAMPS_FXH
 
@@ -93,8 +94,8 @@ LampsSeenVarying LampsSeenVS(VertexInput stored)
     return output;
 }
 
-// Radius of the shadow's filter: so many texels of the skin, which it covers (a disc of 0.56 has the variance of 4 x 4 taps over the texel);
-// at least and at most so many texels of the shadow map.
+// Radius of the shadow's filter: so many texels of the skin, which it covers (a disc of 0.56 has the variance of 4 x 4 taps over the
+// texel); at least and at most so many texels of the shadow map.
 static const float3 kLampFilter = float3(0.56, 1.7, 13.0);
 
 struct LampReceiver

@@ -1,6 +1,6 @@
 // What lights skin besides the light of the workspace: surroundings (TEGUMENT_SURROUNDINGS) and lamps (TEGUMENT_LAMPS, lamps.fxh). Nothing
-// of it is compiled where a scene has none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills them;
-// WITH_MORE_LIGHT(light, more).
+// of it is compiled where a scene has none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills
+// them; WITH_MORE_LIGHT(light, more).
 #ifndef TEGUMENT_PASSES_MORE_LIGHT_FXH
 #define TEGUMENT_PASSES_MORE_LIGHT_FXH
 

@@ -139,7 +139,11 @@ float lampSeen(TG_SAMPLER2D_PARAM(map), int i, LampsSeenVarying input, float3 no
     float tolerance = gShadowTolerance * (kTgDepthInMillimetres ? 1.0 : tgMillimetres(2.0 * gLampBodyRadius));
     r.depth = r.place.z - tolerance - abs(r.slope.x) - abs(r.slope.y);
     r.cosine = dot(normal, toLight);
-    return lampOpen(TG_SAMPLER2D_ARG(map), i, r) * tgShadowPlanarHorizon(r.cosine);
+    // Where the surface turns away from the lamp, no map need say so.
+    float seen = tgShadowPlanarHorizon(r.cosine);
+    [branch] if (seen > 0.0)
+        seen *= lampOpen(TG_SAMPLER2D_ARG(map), i, r);
+    return seen;
 }
 
 #define LAMP_SHADOW(number, i) \

@@ -14,6 +14,7 @@
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
@@ -76,11 +77,12 @@ float4 ShowEvenPS(QuadVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique Convolution < string Script =
-    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
     IRRADIANCE_SCRIPT("Irradiance")
     CASCADE_SCRIPT
     "RenderColorTarget0=; Pass=Show;"; >
 {
+    LAMPS_PASSES
     OWN_SHADOW_PASS
     TSM_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
@@ -99,11 +101,12 @@ technique White < string Script =
 }
 
 technique Poisson < string Script =
-    SHADOW_MAP_SCRIPT
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     IRRADIANCE_SCRIPT("Irradiance")
     BLURS_SCRIPT
     "RenderColorTarget0=;" BLURRED_SCRIPT("ShowOdd", "ShowEven"); >
 {
+    LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
     BLUR_PASSES_1_TO_3(TG_STATE_BUFFER)

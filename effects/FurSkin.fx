@@ -14,6 +14,7 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
@@ -49,12 +50,13 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("Hair") string Workspace = "human_h
 
 #ifdef FX_TECHNIQUES
 technique Hair < string Script =
-    LIGHT_SCRIPT(SHADOW_MAP_SCRIPT OPACITY_SCRIPT
+    LIGHT_SCRIPT(LAMPS_SCRIPT SHADOW_MAP_SCRIPT OPACITY_SCRIPT
     ENTRY_SCRIPT REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6")
     LEVEL_SCRIPT("6") LEVEL_SCRIPT("5") LEVEL_SCRIPT("4") LEVEL_SCRIPT("3") LEVEL_SCRIPT("2") LEVEL_SCRIPT("1") LEVEL_SCRIPT("0"))
     PYRAMID_FINAL_SCRIPT
     TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe"); >
 {
+    LAMPS_PASSES
     PLANAR_SHADOW_PASS
     OPACITY_PASSES
     ENTRY_PASS

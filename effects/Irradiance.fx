@@ -13,6 +13,7 @@
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
@@ -32,10 +33,11 @@ float4 ShowPS(QuadVarying input) : SV_Target0
 
 #ifdef FX_TECHNIQUES
 technique Irradiance < string Script =
-    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
     IRRADIANCE_SCRIPT("Irradiance")
     "RenderColorTarget0=; Pass=Show;"; >
 {
+    LAMPS_PASSES
     OWN_SHADOW_PASS
     TSM_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_BUFFER)
@@ -43,10 +45,11 @@ technique Irradiance < string Script =
 }
 
 technique IrradianceGosselin < string Script =
-    SHADOW_MAP_SCRIPT
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     IRRADIANCE_SCRIPT("Irradiance")
     "RenderColorTarget0=; Pass=Show;"; >
 {
+    LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Irradiance, IrradianceVS, GosselinIrradiancePS, TG_STATE_BUFFER)
     TG_QUAD_PASS(Show, QuadVS, ShowPS, TG_STATE_BUFFER)

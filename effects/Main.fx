@@ -16,6 +16,7 @@
 #include "passes/skin_parameters.fxh"
 #include "passes/tsm.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
@@ -41,12 +42,13 @@ float Script : STANDARDSGLOBAL <
 
 #ifdef FX_TECHNIQUES
 technique DEonLuebke < string Script =
-    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd; Pass=Irradiance;"
     CASCADE_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    LAMPS_PASSES
     OWN_SHADOW_PASS
     TSM_PASS
     TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
@@ -57,13 +59,14 @@ technique DEonLuebke < string Script =
 }
 
 technique DEonLuebkeCulled < string Script =
-    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
     REACH_SCRIPT
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "Pass=PrePass1; Pass=PrePass2; Pass=Irradiance;"
     CASCADE_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    LAMPS_PASSES
     OWN_SHADOW_PASS
     TSM_PASS
     CASCADE_REACH_PASSES
@@ -75,12 +78,13 @@ technique DEonLuebkeCulled < string Script =
 }
 
 technique Gosselin < string Script =
-    SHADOW_MAP_SCRIPT
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd; Pass=Irradiance;"
     BLURS_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven"); >
 {
+    LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1PS, TG_STATE_PREPASS)
     TG_MESH_PASS(PrePass2, PrePass2VS, PrePass2PS, TG_STATE_PREPASS)
@@ -92,13 +96,14 @@ technique Gosselin < string Script =
 }
 
 technique GosselinCulled < string Script =
-    SHADOW_MAP_SCRIPT
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     REACH_SCRIPT
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "Pass=PrePass1; Pass=PrePass2; Pass=Irradiance;"
     BLURS_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven"); >
 {
+    LAMPS_PASSES
     SHADOW_MAP_PASS
     BLUR_REACH_PASSES
     TG_QUAD_PASS(PrePass1, PrePass1VS, PrePass1ReachPS, TG_STATE_PREPASS)
@@ -111,9 +116,10 @@ technique GosselinCulled < string Script =
 }
 
 technique Lambert < string Script =
-    OWN_SHADOW_SCRIPT TSM_SCRIPT
+    LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    LAMPS_PASSES
     OWN_SHADOW_PASS
     TSM_PASS
     TG_MESH_PASS(Final, SurfaceVS, LambertPS, TG_STATE_SOLID)

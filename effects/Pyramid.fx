@@ -14,6 +14,7 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"
@@ -43,11 +44,12 @@ float Script : STANDARDSGLOBAL <
 
 #ifdef FX_TECHNIQUES
 technique Pyramid < string Script =
-    LIGHT_SCRIPT(SHADOW_MAP_SCRIPT
+    LIGHT_SCRIPT(LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     ENTRY_SCRIPT REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6")
     LEVEL_SCRIPT("6") LEVEL_SCRIPT("5") LEVEL_SCRIPT("4") LEVEL_SCRIPT("3") LEVEL_SCRIPT("2") LEVEL_SCRIPT("1") LEVEL_SCRIPT("0"))
     PYRAMID_FINAL_SCRIPT; >
 {
+    LAMPS_PASSES
     PLANAR_SHADOW_PASS
     ENTRY_PASS
     REDUCE_PASS(1) REDUCE_PASS(2) REDUCE_PASS(3) REDUCE_PASS(4) REDUCE_PASS(5) REDUCE_PASS(6)
@@ -56,9 +58,10 @@ technique Pyramid < string Script =
 }
 
 technique PyramidLinked < string Script =
-    LIGHT_SCRIPT(SHADOW_MAP_SCRIPT ENTRY_SCRIPT LINKED_SCRIPT)
+    LIGHT_SCRIPT(LAMPS_SCRIPT SHADOW_MAP_SCRIPT ENTRY_SCRIPT LINKED_SCRIPT)
     PYRAMID_FINAL_SCRIPT; >
 {
+    LAMPS_PASSES
     PLANAR_SHADOW_PASS
     ENTRY_PASS
     LINKED_PASSES
@@ -67,9 +70,10 @@ technique PyramidLinked < string Script =
 #endif
 #ifdef TEGUMENT_COMPUTE_TECHNIQUES
 technique PyramidCompute < string Script =
-    LIGHT_SCRIPT(SHADOW_MAP_SCRIPT ENTRY_SCRIPT COMPUTE_SCRIPT)
+    LIGHT_SCRIPT(LAMPS_SCRIPT SHADOW_MAP_SCRIPT ENTRY_SCRIPT COMPUTE_SCRIPT)
     PLACE_SCRIPT; >
 {
+    LAMPS_PASSES
     PLANAR_SHADOW_PASS
     COMPUTE_PASSES
     PLACE_PASSES

@@ -10,6 +10,7 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"
 #include "passes/specular.fxh"

@@ -46,6 +46,8 @@
 //                      what that saves
 //   TEGUMENT_SURROUNDINGS  0 (default); 1 lights skin by surroundings too: gEnvironmentMap, gOcclusionMap
 //   TEGUMENT_LAMPS  0 (default) to 3: so many lamps light skin beside the light of the workspace: gLampPlace and the others
+//   TEGUMENT_LAMP_SHADOWS  how many of them throw shadows, from the first on (default: all)
+//   TEGUMENT_SOFT_SHADOWS  0 (default); 1: shadows of lamps have penumbras, by the lamps' radius
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 
 // What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
@@ -72,6 +74,12 @@
 #endif
 #ifndef TEGUMENT_LAMPS
 #define TEGUMENT_LAMPS 0
+#endif
+#ifndef TEGUMENT_LAMP_SHADOWS
+#define TEGUMENT_LAMP_SHADOWS TEGUMENT_LAMPS
+#endif
+#ifndef TEGUMENT_SOFT_SHADOWS
+#define TEGUMENT_SOFT_SHADOWS 0
 #endif
 #if TEGUMENT_SURROUNDINGS || TEGUMENT_LAMPS
 #define TEGUMENT_MORE_LIGHT 1

@@ -5,3 +5,4 @@
 #include "../hlsl/printed/filter.fxh"
 #include "../hlsl/shadow/tsm.fxh"
 #include "../hlsl/shadow/planar.fxh"
+#include "../hlsl/shadow/soft.fxh"

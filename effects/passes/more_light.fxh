@@ -1,6 +1,6 @@
-// What lights skin besides the light of the workspace: surroundings (TEGUMENT_SURROUNDINGS) and lamps (TEGUMENT_LAMPS). Nothing of it is
-// compiled where a scene has none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills them;
-// WITH_MORE_LIGHT(light, more).
+// What lights skin besides the light of the workspace: surroundings (TEGUMENT_SURROUNDINGS) and lamps (TEGUMENT_LAMPS, lamps.fxh). Nothing
+// of it is compiled where a scene has none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills
+// them; WITH_MORE_LIGHT(light, more).
 #ifndef TEGUMENT_PASSES_MORE_LIGHT_FXH
 #define TEGUMENT_PASSES_MORE_LIGHT_FXH
 
@@ -8,7 +8,13 @@
 #define MORE_LIGHT_MEMBERS float2 uv; float3 world;
 #define MORE_LIGHT_AT(p, uvHere, worldHere) p.uv = uvHere; p.world = worldHere;
 #define WITH_MORE_LIGHT(light, more) ((light) + (more))
+#else
+#define MORE_LIGHT_MEMBERS
+#define MORE_LIGHT_AT(p, uvHere, worldHere)
+#define WITH_MORE_LIGHT(light, more) light
+#endif
 
+#if TEGUMENT_SURROUNDINGS
 Texture2D gOcclusionMap < string Generator = "occlusion"; float4 Fallback = { 0.5, 0.5, 0.5, 1.0 }; string UIName = "Occlusion map";
     string UIHelp = "from tegument prep occlusion, of this mesh"; >;
 TG_SAMPLER2D(gOcclusion, LINEAR, CLAMP);
@@ -21,13 +27,7 @@ float4 openSky(float2 uv, float3 meshNormal, float weight)
     float3 open = dot(stored, stored) > 0.25 ? tgWorldNormal(stored) : meshNormal;
     return float4(lerp(meshNormal, open, weight), lerp(1.0, texel.w, weight));
 }
-#else
-#define MORE_LIGHT_MEMBERS
-#define MORE_LIGHT_AT(p, uvHere, worldHere)
-#define WITH_MORE_LIGHT(light, more) light
-#endif
 
-#if TEGUMENT_SURROUNDINGS
 float gSurroundings < UI_SLIDER("Surroundings", 0.0, 4.0, 0.01) string UIHelp = "times what the cube map holds"; > = 1.0;
 float gSurroundingsTurn < UI_SLIDER("Turn of the surroundings", -180.0, 180.0, 1.0)
     string UIHelp = "degrees, counter-clockwise seen from above"; > = 0.0;
@@ -55,36 +55,21 @@ float4 surroundingsLight(float2 uv, float3 normal, float3 meshNormal)
 #endif
 
 #if TEGUMENT_LAMPS
-// As many as there may be; the first TEGUMENT_LAMPS are lit. By default a fill from the left in front, a rim from the right behind, and
-// one from the left behind, all parallel.
-float4 gLampPlace[3] < string UIName = "Lamps: place";
-    string UIHelp = "w 1: a point in the world; 0: the direction that light comes from"; > = {
-    { 0.85, 0.1, 0.5, 0.0 }, { -0.7, 0.45, -0.55, 0.0 }, { 0.6, 0.5, -0.65, 0.0 } };
-float4 gLampColor[3] < string UIName = "Lamps: colour";
-    string UIHelp = "irradiance / pi, linear; w: the distance where it is that, then inverse square; 0: everywhere"; > = {
-    { 0.25, 0.27, 0.30, 0.0 }, { 0.8, 0.85, 0.9, 0.0 }, { 0.6, 0.6, 0.6, 0.0 } };
-float4 gLampAxis[3] < string UIName = "Lamps: the way they shine";
-    string UIHelp = "unit; w: radius; of parallel light the sine of its half angle"; > = {
-    { 0.0, 0.0, -1.0, 0.25 }, { 0.0, 0.0, 1.0, 0.15 }, { 0.0, 0.0, 1.0, 0.15 } };
-float4 gLampSpot[3] < string UIName = "Lamps: spots";
-    string UIHelp = "cosines of the inner and outer half angle; weight of the shadow; of the highlight"; > = {
-    { -1.0, -2.0, 1.0, 1.0 }, { -1.0, -2.0, 1.0, 1.0 }, { -1.0, -2.0, 1.0, 1.0 } };
-
 struct Lamp
 {
     float3 toLight;
     float3 light; // E / pi on a surface that faces it, what hides it taken off
 };
 
-Lamp lampAt(int i, float3 world, float4 open)
+// seen: of each lamp the share that is seen.
+Lamp lampAt(int i, float3 world, float3 seen)
 {
     Lamp lamp;
     float3 towards = tgLampVector(gLampPlace[i], world);
     float distance = length(towards);
     lamp.toLight = towards / max(distance, 1e-6);
-    float seen = tgLampOpenShare(dot(open.xyz, lamp.toLight), open.w, tgLampSine(gLampAxis[i].w, distance, gLampPlace[i].w));
     float share = tgLampFalloff(distance, gLampColor[i].w) * tgLampSpot(lamp.toLight, gLampAxis[i].xyz, gLampSpot[i].x, gLampSpot[i].y);
-    lamp.light = gLampColor[i].rgb * (share * lerp(1.0, seen, gLampSpot[i].z));
+    lamp.light = gLampColor[i].rgb * (share * lerp(1.0, seen[i], gLampSpot[i].z));
     return lamp;
 }
 #endif

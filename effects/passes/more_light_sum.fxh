@@ -11,10 +11,10 @@ float3 moreIrradiance(LitPoint p)
     sum += surroundingsLight(p.uv, p.normal, p.meshNormal).rgb;
 #endif
 #if TEGUMENT_LAMPS
-    float4 open = openSky(p.uv, p.meshNormal, 1.0);
+    float3 seen = lampsSeen(p.uv);
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
     {
-        Lamp lamp = lampAt(i, p.world, open);
+        Lamp lamp = lampAt(i, p.world, seen);
         sum += lamp.light * saturate(dot(p.normal, lamp.toLight));
     }
 #endif
@@ -29,10 +29,10 @@ float3 moreCrossing(LitPoint p)
     sum += surroundingsLight(p.uv, p.normal, p.meshNormal).rgb * diffuseShare(kTgMeanCosine);
 #endif
 #if TEGUMENT_LAMPS
-    float4 open = openSky(p.uv, p.meshNormal, 1.0);
+    float3 seen = lampsSeen(p.uv);
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
     {
-        Lamp lamp = lampAt(i, p.world, open);
+        Lamp lamp = lampAt(i, p.world, seen);
         float cosine = saturate(dot(p.normal, lamp.toLight));
         sum += lamp.light * (cosine * diffuseShare(cosine));
     }
@@ -58,10 +58,10 @@ float3 moreReflected(LitPoint p, float3 toEye)
     sum += gReflections * share * surroundingsAt(reflect(-toEye, p.normal), tgSurroundingsLevel(roughness));
 #endif
 #if TEGUMENT_LAMPS
-    float4 open = openSky(p.uv, p.meshNormal, 1.0);
+    float3 seen = lampsSeen(p.uv);
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
     {
-        Lamp lamp = lampAt(i, p.world, open);
+        Lamp lamp = lampAt(i, p.world, seen);
         sum += lamp.light * (gLampSpot[i].w * tgKelemenSpecular(p.normal, lamp.toLight, toEye, roughness, intensity));
     }
 #endif

@@ -10,6 +10,7 @@
 #include "../../hlsl/workspace.fxh"
 #include "../../hlsl/surface/normal.fxh"
 #include "../../hlsl/surface/halves.fxh"
+#include "../../hlsl/surface/unwrap.fxh"
 #include "../../hlsl/specular/fresnel.fxh"
 #include "../../hlsl/specular/beckmann.fxh"
 #include "../../hlsl/specular/kelemen.fxh"
@@ -18,6 +19,8 @@
 #include "../../hlsl/light/surroundings.fxh"
 #include "../../hlsl/light/lamps.fxh"
 #include "../../hlsl/shadow/map.fxh"
+#include "../../hlsl/shadow/planar.fxh"
+#include "../../hlsl/shadow/soft.fxh"
 #include "../../hlsl/shadow/filter.fxh"
 #include "../../hlsl/printed/filter.fxh"
 #include "../../hlsl/scatter/irradiance.fxh"
@@ -32,6 +35,7 @@
 #include "../passes/materials.fxh"
 #include "../passes/skin_parameters.fxh"
 #include "../passes/shadow_map.fxh"
+#include "../passes/lamps.fxh"
 #include "../passes/more_light.fxh"
 #include "../passes/surface.fxh"
 #include "../passes/specular.fxh"
@@ -47,17 +51,19 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("PreintegratedPenumbra") > = 0.8;
 
 #ifdef FX_TECHNIQUES
 technique Preintegrated < string Script =
-    SHADOW_MAP_SCRIPT
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Final, SurfaceVS, PreintegratedPS, TG_STATE_SOLID)
 }
 
 technique PreintegratedPenumbra < string Script =
-    SHADOW_MAP_SCRIPT
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
 {
+    LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Final, SurfaceVS, PreintegratedPenumbraPS, TG_STATE_SOLID)
 }

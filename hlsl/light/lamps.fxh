@@ -6,10 +6,6 @@
 #ifndef TEGUMENT_LIGHT_LAMPS_FXH
 #define TEGUMENT_LIGHT_LAMPS_FXH
 
-// Sine of the largest half angle that a lamp is seen under: 45 degrees.
-static const float kTgLargestLamp = 0.7071;
-static const float kTgSmallestLamp = 0.01;
-
 // place: a point with w = 1; w = 0: the direction that parallel light comes from, of any length but 0.
 float3 tgLampVector(float4 place, float3 world)
 {
@@ -31,23 +27,62 @@ float tgLampSpot(float3 toLight, float3 axis, float inner, float outer)
     return share * share * (3.0 - 2.0 * share);
 }
 
-// Sine of the half angle under which a lamp of this radius is seen; of parallel light the radius is that sine.
-float tgLampSine(float radius, float distance, float near)
+// What a lamp sees of a body: a square that is fitted to its bounding sphere. A point looks at the sphere's centre; parallel light is seen
+// from two radii before it.
+struct TgLampView
 {
-    return clamp(near > 0.5 ? radius / max(distance, 1e-6) : radius, kTgSmallestLamp, kTgLargestLamp);
+    float3 eye;
+    float3 axis; // where it looks, unit
+    float3 right;
+    float3 up;
+    float spread; // half of the view's width for each unit of w
+    float near;   // the planes, along the axis
+    float far;
+    bool parallel;
+};
+
+// Tangent of the half angle that a lamp beside or within the sphere looks through: 63 degrees. What it does not see is lit.
+static const float kTgWidestLamp = 2.0;
+// Nearest plane of a lamp within the sphere, in radii.
+static const float kTgNearestLamp = 0.02;
+
+// Where a lamp looks, unit.
+float3 tgLampAxis(float4 place, float3 centre)
+{
+    return -tgSafeNormalize(tgLampVector(place, centre));
 }
 
-// Share of a lamp that is seen through the open part of the sky, as a cap about its mean direction (Oat and Sander 2007, "Ambient Aperture
-// Lighting"). Here the cap is as large as the cosine-weighted share that is open: sin^2 of its half angle. cosine: between that direction
-// and the lamp's centre. All is seen while the centre is within, nothing once the cap is a lamp's width away.
-float tgLampOpenShare(float cosine, float open, float sine)
+// up: the view's own is near to it, or to `instead` where the axis is; unit vectors that turn with the body, so that the map does.
+TgLampView tgLampView(float4 place, float3 centre, float radius, float3 up, float3 instead)
 {
-    float a = saturate(open);
-    float twice = 2.0 * sine * sqrt(1.0 - sine * sine);
-    float inner = sqrt(1.0 - a);
-    float outer = inner * (1.0 - 2.0 * sine * sine) - sqrt(a) * twice;
-    float share = saturate((cosine - outer) / max(inner - outer, 1e-4));
-    return share * share * (3.0 - 2.0 * share);
+    TgLampView view;
+    view.parallel = place.w <= 0.5;
+    float away = view.parallel ? 2.0 * radius : length(place.xyz - centre);
+    view.axis = tgLampAxis(place, centre);
+    view.eye = view.parallel ? centre - away * view.axis : place.xyz;
+    view.right = tgSafeNormalize(cross(view.axis, abs(dot(view.axis, up)) < 0.9 ? up : instead));
+    view.up = cross(view.right, view.axis);
+    float tangent = radius * rsqrt(max(away * away - radius * radius, radius * radius / (kTgWidestLamp * kTgWidestLamp)));
+    view.spread = view.parallel ? radius : tangent;
+    view.near = max(away - radius, kTgNearestLamp * radius);
+    view.far = away + radius;
+    return view;
+}
+
+// Along the axis.
+float tgLampDepth(TgLampView view, float3 world)
+{
+    return dot(world - view.eye, view.axis);
+}
+
+// Clip space of the view: z from 0 to w between the planes.
+float4 tgLampClip(TgLampView view, float3 world)
+{
+    float3 from = world - view.eye;
+    float depth = dot(from, view.axis);
+    float w = view.parallel ? 1.0 : depth;
+    float z = (depth - view.near) / (view.far - view.near) * (view.parallel ? 1.0 : view.far);
+    return float4(dot(from, view.right) / view.spread, dot(from, view.up) / view.spread, z, w);
 }
 
 #endif

@@ -87,6 +87,8 @@ std::vector<Case> discover() {
     }
     for (const fs::path& file : effectsIn("effects/peers")) // the last technique of each: the others take fewer samples
         if (const auto effect = loadCase({.effect = file, .technique = {}})) cases.push_back({file, effect->techniques.back().name});
+    cases.push_back({.effect = "effects/Main.fx", .technique = "DEonLuebke", .includeFolders = {}, .lamps = 1});
+    cases.push_back({.effect = "effects/Pyramid.fx", .technique = "Pyramid", .includeFolders = {}, .lamps = 3, .soft = true});
     cases.push_back(libraryCase());
     return cases;
 }
@@ -99,7 +101,11 @@ std::string engineName(Engine engine) {
 }
 
 std::vector<std::pair<std::string, std::string>> Case::defines() const {
-    return {{"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)}, {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}};
+    std::vector<std::pair<std::string, std::string>> all = {{"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)},
+                                                            {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}};
+    if (lamps > 0) all.emplace_back("TEGUMENT_LAMPS", std::to_string(lamps));
+    if (soft) all.emplace_back("TEGUMENT_SOFT_SHADOWS", "1");
+    return all;
 }
 
 Result<Effect> loadCase(const Case& drawn) {
@@ -112,6 +118,7 @@ const Case& libraryCase() {
 }
 
 bool drawnBy(const Case& drawn, Engine engine) {
+    if (engine == Engine::Direct3D9 && drawn.lamps > 1) return false;
     return (drawn.effect != libraryCase().effect && !drawn.computes) || engine == Engine::Vulkan || engine == Engine::Direct3D11;
 }
 

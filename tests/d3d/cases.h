@@ -25,9 +25,14 @@ struct Case {
     int mapBits = 16;                                  // TEGUMENT_MAP_BITS
     std::vector<std::filesystem::path> includeFolders; // searched besides the effect's own
     bool computes = false;                             // some pass has a compute shader
+    int lamps = 0;                                     // TEGUMENT_LAMPS
+    bool soft = false;                                 // TEGUMENT_SOFT_SHADOWS
 
     /// Of what is compiled once for all techniques.
-    [[nodiscard]] std::string effectName() const { return effect.stem().string() + (mapBits == 16 ? "" : "32"); }
+    [[nodiscard]] std::string effectName() const {
+        const std::string lit = lamps == 0 ? "" : "Lamps" + std::to_string(lamps);
+        return effect.stem().string() + (mapBits == 16 ? "" : "32") + lit + (soft ? "Soft" : "");
+    }
     [[nodiscard]] std::string name() const { return effectName() + "_" + technique; }
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> defines() const;
 };
@@ -39,13 +44,13 @@ std::string engineName(Engine engine); // "d3d9"
 /// The effect as all engines get it.
 [[nodiscard]] Result<Effect> loadCase(const Case& drawn);
 /// From the files: effects/*.fx and the techniques that they hold, and one technique of each of effects/peers. Those of Convolution.fx also
-/// with maps of 32 bits: what differs between engines in the cascade of 16-bit maps must vanish there. The client of the library comes
-/// last.
+/// with maps of 32 bits: what differs between engines in the cascade of 16-bit maps must vanish there. Main.fx also with one lamp,
+/// Pyramid.fx with three that have penumbras. The client of the library comes last.
 [[nodiscard]] const std::vector<Case>& allCases();
 
 /// tests/library/Skin.fx, skin by tegument.hlsl alone: for engines that take entry points.
 [[nodiscard]] const Case& libraryCase();
-/// Compute shaders and compiled entry points are not for Direct3D 9 and 10.
+/// Compute shaders and compiled entry points are not for Direct3D 9 and 10; more than one lamp is not for Direct3D 9.
 [[nodiscard]] bool drawnBy(const Case& drawn, Engine engine);
 
 /// The human where it was made (./bootstrap test), with its maps reduced; else a sphere.

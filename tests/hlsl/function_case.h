@@ -122,6 +122,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> surfaceCases();
 [[nodiscard]] std::vector<FunctionCase> workspaceCases();
 [[nodiscard]] std::vector<FunctionCase> shadowCases();
+[[nodiscard]] std::vector<FunctionCase> softShadowCases();
 [[nodiscard]] std::vector<FunctionCase> gaussianCases();
 [[nodiscard]] std::vector<FunctionCase> poissonCases();
 [[nodiscard]] std::vector<FunctionCase> scatterCases();

@@ -82,6 +82,16 @@ double smooth(double share) {
     return s * s * (3 - 2 * s);
 }
 
+/// Where the lamp (place, w) of arguments 0 and 2 looks at a sphere of 100 about argument 1 from, and its way there.
+struct Eye {
+    glm::dvec3 eye{0};
+    glm::dvec3 axis{0};
+};
+Eye lampEye(const Inputs& x) {
+    if (x.scalar(2) > 0.5) return {x.vec3(0), glm::normalize(x.vec3(1) - x.vec3(0))};
+    return {x.vec3(1) + 200.0 * glm::normalize(x.vec3(0)), -glm::normalize(x.vec3(0))};
+}
+
 std::vector<FunctionCase> lamps() {
     std::vector<FunctionCase> cases;
     cases.push_back({.function = "tgLampVector",
@@ -105,27 +115,60 @@ std::vector<FunctionCase> lamps() {
                  return values(smooth((cosine - x.scalar(3)) / std::max(x.scalar(2) - x.scalar(3), 1e-4)));
              },
          .tolerance = {.forward = 8, .absolute = 8e-6, .why = "a cosine of 3e-7 over a range of at least 0.1, and a slope of 1.5"}});
-    cases.push_back({.function = "tgLampSine",
-                     .body = "return float4(tgLampSine(a0, a1, a2), 0, 0, 0);",
-                     .arguments = {linear(0, 2), logarithmic(1e-2, 1e3), whole(0, 1)},
+    cases.push_back({.function = "tgLampAxis",
+                     .body = "return float4(tgLampAxis(float4(a0, a2), a1), 0);",
+                     .arguments = {linear(-1000, 1000, 3), linear(-100, 100, 3), whole(0, 1)},
+                     .expected = [](const Inputs& x) { return values(lampEye(x).axis); },
+                     .tolerance = {.forward = 8, .absolute = 1e-5, .why = "a difference of 1000, 6e-5 off, of at least 50 in length"},
+                     .domain = [](const Inputs& x) { return glm::length(x.vec3(0) - x.scalar(2) * x.vec3(1)) > 50; }});
+    cases.push_back(
+        {.function = "tgLampDepth",
+         .body = "return float4(tgLampDepth(tgLampView(float4(a0, a2), a1, 100, float3(0, 1, 0), float3(1, 0, 0)), a3), 0, 0, 0);",
+         .arguments = {linear(-1000, 1000, 3), linear(-100, 100, 3), whole(0, 1), linear(-200, 200, 3)},
+         .expected = [](const Inputs& x) { return values(glm::dot(x.vec3(3) - lampEye(x).eye, lampEye(x).axis)); },
+         .tolerance = {.forward = 8, .absolute = 0.02, .why = "an axis of 1e-5 times a way of up to 2000"},
+         .domain = [](const Inputs& x) { return glm::length(x.vec3(0) - x.scalar(2) * x.vec3(1)) > 50; }});
+    // A sphere fits into the view: places on its outline as seen from the lamp lie on the circle that touches the view's sides, and the
+    // planes touch it.
+    cases.push_back({.function = "tgLampView",
+                     .body = "TgLampView v = tgLampView(float4(a0, a1), float3(10, 20, 30), 100, float3(0, 1, 0), float3(1, 0, 0)); "
+                             "return float4(v.spread, v.near, v.far, dot(v.right, v.axis) + dot(v.up, v.right));",
+                     .arguments = {linear(-1000, 1000, 3), whole(0, 1)},
                      .expected =
                          [](const Inputs& x) {
-                             const double sine = x.scalar(2) > 0.5 ? x.scalar(0) / std::max(x.scalar(1), 1e-6) : x.scalar(0);
-                             return values(std::clamp(sine, 0.01, 0.7071));
+                             if (x.scalar(1) < 0.5) return values(glm::dvec4(100, 100, 300, 0));
+                             const double away = glm::length(x.vec3(0) - glm::dvec3(10, 20, 30));
+                             const double half = away > 100 ? std::asin(100 / away) : std::acos(0.0);
+                             return values(
+                                 glm::dvec4(std::min(std::tan(std::min(half, 1.57)), 2.0), std::max(away - 100, 2.0), away + 100, 0));
                          },
-                     .tolerance = {.forward = 4, .why = "a quotient"}});
-    // By the angles themselves: the cap of the open sky, and one that is wider by the lamp's own width.
-    cases.push_back({.function = "tgLampOpenShare",
-                     .body = "return float4(tgLampOpenShare(a0, a1, a2), 0, 0, 0);",
-                     .arguments = {linear(-1, 1), linear(0, 1), linear(0.05, 0.7)},
+                     .tolerance = {.forward = 16, .absolute = 1e-3, .why = "differences of 1000 and their lengths: 1e-4"},
+                     .domain = [](const Inputs& x) { return glm::length(x.vec3(0) - glm::dvec3(10, 20, 30)) > 20; }});
+    cases.push_back({.function = "tgLampClip",
+                     .body = "float4 c = tgLampClip(tgLampView(float4(a0, a2), a1, 100, float3(0, 1, 0), float3(1, 0, 0)), a3); "
+                             "return float4(dot(c.xy, c.xy) / (c.w * c.w), c.z / c.w, c.w, 0);",
+                     .arguments = {linear(-1000, 1000, 3), linear(-100, 100, 3), whole(0, 1), linear(-200, 200, 3)},
                      .expected =
                          [](const Inputs& x) {
-                             const double cap = std::asin(std::sqrt(x.scalar(1)));
-                             const double inner = std::cos(cap);
-                             const double outer = std::cos(cap + 2 * std::asin(x.scalar(2)));
-                             return values(smooth((x.scalar(0) - outer) / std::max(inner - outer, 1e-4)));
+                             const Eye eye = lampEye(x);
+                             const glm::dvec3 from = x.vec3(3) - eye.eye;
+                             const double depth = glm::dot(from, eye.axis);
+                             const double away = x.scalar(2) > 0.5 ? glm::length(x.vec3(0) - x.vec3(1)) : 200;
+                             const double w = x.scalar(2) > 0.5 ? depth : 1;
+                             const double spread = x.scalar(2) > 0.5 ? 100 / std::sqrt(away * away - 1e4) : 100;
+                             const double across = glm::length(from - depth * eye.axis) / (spread * w);
+                             const double near = away - 100;
+                             const double far = away + 100;
+                             const double z = x.scalar(2) > 0.5 ? far / (far - near) * (1 - near / depth) : (depth - near) / (far - near);
+                             return values(across * across, z, w);
                          },
-                     .tolerance = {.forward = 8, .absolute = 2e-4, .why = "cosines of 3e-7 over a range of at least 2 * 0.05^2"}});
+                     .tolerance = {.forward = 64, .absolute = 4e-3, .why = "as above, over a depth of at least 100"},
+                     .domain =
+                         [](const Inputs& x) {
+                             const Eye eye = lampEye(x);
+                             const bool apart = x.scalar(2) < 0.5 || glm::length(x.vec3(0) - x.vec3(1)) > 150;
+                             return glm::length(x.vec3(0)) > 50 && apart && glm::dot(x.vec3(3) - eye.eye, eye.axis) > 100;
+                         }});
     return cases;
 }
 

@@ -18,11 +18,12 @@ TG_SAMPLER2D(gScatter, POINT, CLAMP);
 
 // What comes before and what after an effect's own passes, which lead from gLightMap to gScatterMap.
 #define LIGHT_SCRIPT \
-    SHADOW_MAP_SCRIPT \
+    LAMPS_SCRIPT SHADOW_MAP_SCRIPT \
     "RenderColorTarget0=gLightMap; RenderColorTarget1=gDepthMap; RenderColorTarget2=gShadeMap; RenderDepthStencilTarget=gLightDepthMap;" \
     "Clear=Color; Clear=Depth; Pass=Light;" \
     "RenderColorTarget1=; RenderColorTarget2=; RenderDepthStencilTarget=;"
 #define LIGHT_PASSES \
+    LAMPS_PASSES \
     SHADOW_MAP_PASS \
     TG_MESH_PASS(Light, SurfaceVS, LightPS, TG_STATE_SOLID)
 #define SCATTERED_SCRIPT "RenderColorTarget0=; Pass=Final;"

@@ -31,6 +31,7 @@ struct BenchArguments {
     std::vector<std::string> scenes = {"head"};
     std::vector<std::string> techniques;
     std::vector<std::string> settings;
+    std::string lights = bench::kKeyAlone;
     std::string size;
     std::vector<int> mapSizes;
     std::vector<int> shadowSizes;
@@ -102,7 +103,8 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
-                                .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
+                                .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); }),
+                                .lights = arguments.lights};
     return options;
 }
 
@@ -362,6 +364,11 @@ void addBench(CLI::App& program, Action& action) {
         ->capture_default_str();
     command->add_option("-t,--technique", arguments->techniques, "Techniques of the catalogue; default: all");
     command->add_option("--setting", arguments->settings, "Settings of them; default: all");
+    command
+        ->add_option("--lights", arguments->lights,
+                     "What lights every scene: its own light (key), lamps beside it, surroundings alone, or both")
+        ->capture_default_str()
+        ->transform(oneOf(bench::lightSetNames()));
     command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
     command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 1024")
         ->check(CLI::Range(16, 8192));

@@ -38,12 +38,14 @@ Progress progressOf(const Say& say, const std::string& what) {
 
 /// All of them before the first is measured: a mistake in the last must not cost what the others took.
 Result<std::vector<Scene>> loadScenes(const BenchOptions& options, const Say& say) {
+    const LightSet lights = lightSet(options.lights);
     std::vector<Scene> scenes;
     for (const std::string& name : options.scenes) {
         say(fmt::format("scene {}", name));
         auto scene =
             loadScene(name, {.effects = options.effects, .folder = options.sceneFolder, .width = options.width, .height = options.height});
         if (!scene) return scene.error();
+        lightBy(*scene, lights);
         scenes.push_back(std::move(*scene));
     }
     return scenes;

@@ -26,6 +26,7 @@ struct BenchOptions {
     std::filesystem::path pictures; // folder for the truth and what each technique draws of it, as EXR; empty: none
     bool count = false;             // what each frame fetches and moves, too (traffic.h)
     MeshTextures meshTextures;
+    std::string lights = kKeyAlone; // of every scene (light_set.h)
 };
 
 /// One contender on one scene with one size of maps.

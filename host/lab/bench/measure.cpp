@@ -88,6 +88,7 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
 
 Result<Effect> loadContender(const Contest& contest, const Contender& contender) {
     LoadOptions load{.defines = contender.defines, .includeFolders = {}};
+    load.defines.insert(load.defines.end(), contest.scene.lights.defines.begin(), contest.scene.lights.defines.end());
     load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(contest.mapSize));
     if (contest.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(contest.shadowSize));
     return loadEffect(contender.effect, load);

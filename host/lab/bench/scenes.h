@@ -1,6 +1,7 @@
 #pragma once
 // The scenes of the comparison: named ones, written once as ordinary workspace files, and those of the user.
 
+#include "host/lab/bench/light_set.h"
 #include "host/mesh/mesh.h"
 #include "host/scene/workspace.h"
 #include "host/support/result.h"
@@ -30,6 +31,7 @@ struct Scene {
     std::filesystem::path file; // its workspace
     Workspace workspace;
     Mesh mesh; // with the workspace's own textures in place of the mesh file's: what the reference reads
+    LightSet lights;
 };
 
 struct SceneOptions {

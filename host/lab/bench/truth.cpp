@@ -108,8 +108,9 @@ std::vector<glm::dvec3> undiffusedLight(const TruthScene& truth, const Sample& s
     for (const reference::ShadedPoint& pixel : sample.points) {
         const reference::SurfacePoint& point = pixel.point;
         const bool lit = truth.skin.lit(point);
-        light.push_back(truth.skin.entering(point, lit) * truth.skin.leaving(point, truth.camera.eye) +
-                        truth.skin.reflected(point, truth.skin.mappedNormal(point), truth.camera.eye, lit));
+        light.push_back((truth.skin.entering(point, lit) + truth.skin.enteringMore(point)) * truth.skin.leaving(point, truth.camera.eye) +
+                        truth.skin.reflected(point, truth.skin.mappedNormal(point), truth.camera.eye, lit) +
+                        truth.skin.reflectedMore(point, truth.skin.mappedNormal(point), truth.camera.eye));
     }
     return light;
 }
@@ -122,7 +123,8 @@ TruthScene truthScene(const Scene& scene, int width, int height) {
     const auto light = reference::lightView(placed.light, scene.mesh.bounds, kMapSize);
     return {.camera = reference::pinhole(glm::dvec3(placed.camera.position), glm::dvec3(placed.camera.target), glm::dvec3(placed.camera.up),
                                          glm::radians(static_cast<double>(placed.camera.horizontalFov)), width, height),
-            .skin = reference::SkinScene(scene.mesh, light, glm::dvec3(placed.light.color), settingsOf(scene.workspace))};
+            .skin =
+                reference::SkinScene(scene.mesh, light, glm::dvec3(placed.light.color), settingsOf(scene.workspace), scene.lights.more)};
 }
 
 Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t count) {
@@ -160,6 +162,7 @@ KeptLight keptFor(const std::filesystem::path& folder, const Scene& scene, const
         all += texture.role;
         add(texture.image.pixels);
     }
+    all += scene.lights.name;
     if (const auto workspace = readFile(scene.file)) all += contentHash(*workspace); // the light, and what it sets of the skin
     return {.folder = folder, .key = contentHash(all), .part = part};
 }

@@ -53,7 +53,8 @@ Irradiance enteringSkin(const SkinScene& scene) {
     return [&scene](const SurfacePoint& point) {
         if (!isSkin(scene, point)) return glm::dvec3(0);
         const glm::dvec3 light = scene.entering(point, true);
-        return light != glm::dvec3(0) && scene.lit(point) ? light : glm::dvec3(0);
+        const glm::dvec3 more = scene.more().none() ? glm::dvec3(0) : scene.enteringMore(point);
+        return more + (light != glm::dvec3(0) && scene.lit(point) ? light : glm::dvec3(0));
     };
 }
 
@@ -78,8 +79,11 @@ Radiance towardsEye(const SkinScene& scene, const SurfacePoint& point, const glm
     const glm::dvec4 colour = scene.colour(point);
     const double facing = lit ? std::max(0.0, glm::dot(normal, scene.toLight(point))) : 0;
     const glm::dvec3 plain = glm::dvec3(colour) * scene.lightColour() * facing;
-    return {.diffuse = glm::mix(plain, diffused.light * scene.leaving(point, eye), colour.w),
-            .specular = scene.reflected(point, normal, eye, lit),
+    const bool alone = scene.more().none();
+    const glm::dvec3 plainMore = alone || colour.w >= 1 ? glm::dvec3(0) : scene.plainMore(point);
+    const glm::dvec3 mirroredMore = alone ? glm::dvec3(0) : scene.reflectedMore(point, normal, eye);
+    return {.diffuse = glm::mix(plain + plainMore, diffused.light * scene.leaving(point, eye), colour.w),
+            .specular = scene.reflected(point, normal, eye, lit) + mirroredMore,
             .share = diffused.share};
 }
 

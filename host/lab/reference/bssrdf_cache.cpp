@@ -9,7 +9,7 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr std::string_view kMagic = "TGBSSRD1"; // the digit: raise it with every change of what is computed
+constexpr std::string_view kMagic = "TGBSSRD2"; // the digit: raise it with every change of what is computed
 constexpr std::size_t kChecksumSize = 32;
 
 class Key {
@@ -74,6 +74,9 @@ std::string diffusedKey(const SkinScene& scene, std::span<const ShadedPoint> poi
     key.add(settings.roughness); // of rho_dt
     key.add(settings.attenuation);
     key.add(settings.printedAlbedo);
+    key.add(scene.more().lamps);
+    key.add(scene.more().lampSide);
+    key.add(scene.more().diffuseSky);
     key.add(options.quadrature.fineness);
     key.add(options.quadrature.negligible);
     key.add(options.quadrature.halvings);

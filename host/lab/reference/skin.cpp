@@ -63,11 +63,13 @@ glm::dvec4 Texture::at(const glm::dvec2& uv) const {
     return glm::mix(glm::mix(texel(a.x, a.y), texel(b.x, a.y), f.x), glm::mix(texel(a.x, b.y), texel(b.x, b.y), f.x), f.y);
 }
 
-SkinScene::SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& lightColour, const SkinSettings& settings)
-    : mesh_(mesh), light_(light), lightColour_(lightColour), settings_(settings), rays_(mesh) {
+SkinScene::SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& lightColour, const SkinSettings& settings, MoreLight more)
+    : mesh_(mesh), light_(light), lightColour_(lightColour), settings_(settings), rays_(mesh), more_(std::move(more)) {
     if (const Image* image = textureOf(mesh, "color")) colour_ = Texture(*image, true);
     if (const Image* image = textureOf(mesh, "normal")) normals_ = Texture(*image, false);
     if (const Image* image = textureOf(mesh, "kernelSize")) kernelSizes_ = Texture(*image, false);
+    for (const glm::vec3& position : mesh.positions)
+        outside_ = std::max(outside_, 2.01 * static_cast<double>(glm::length(position - mesh.positions.front())));
     constexpr int kCosines = 1025; // rho_dt bends little: linear between these is exact to 1e-5
     constexpr double kFirst = 1e-3;
     for (int i = 0; i < kCosines; ++i) {
@@ -145,12 +147,48 @@ glm::dvec3 SkinScene::entering(const SurfacePoint& point, bool lit) const {
 }
 
 glm::dvec3 SkinScene::reflected(const SurfacePoint& point, const glm::dvec3& normal, const glm::dvec3& eye, bool lit) const {
-    if (!lit) return glm::dvec3(0);
-    const glm::dvec3 l = toLight(point);
+    return lit ? lightColour_ * mirrored(point, normal, toLight(point), eye) : glm::dvec3(0);
+}
+
+glm::dvec3 SkinScene::mirrored(const SurfacePoint& point, const glm::dvec3& normal, const glm::dvec3& l, const glm::dvec3& eye) const {
     const double scatters = colour(point).w;
     const double m = std::lerp(settings_.plainRoughness, settings_.roughness, scatters);
     const double rhoS = std::lerp(settings_.plainIntensity, settings_.intensity, scatters);
-    return lightColour_ * (std::max(0.0, glm::dot(normal, l)) * kelemenBrdf(normal, l, glm::normalize(eye - point.position), m, rhoS));
+    return glm::dvec3(std::max(0.0, glm::dot(normal, l)) * kelemenBrdf(normal, l, glm::normalize(eye - point.position), m, rhoS));
+}
+
+std::vector<Beam> SkinScene::moreBeams(const SurfacePoint& point, const glm::dvec3& normal, const std::vector<SkyPiece>& sky) const {
+    // From the mesh's own normal on its horizon hides light, whatever the normal map says.
+    const glm::dvec3 meshNormal = glm::normalize(point.normal);
+    return beamsAt(more_, sky, point.position, normal, [&](const glm::dvec3& direction, double distance) {
+        return glm::dot(direction, meshNormal) > 0 &&
+               rays_.reaches(point.position + std::min(distance, outside_) * direction, point.position, kFacets);
+    });
+}
+
+glm::dvec3 SkinScene::enteringMore(const SurfacePoint& point) const {
+    const glm::dvec3 normal = mappedNormal(point);
+    glm::dvec3 sum(0);
+    for (const Beam& beam : moreBeams(point, normal, more_.diffuseSky)) {
+        const double cosine = glm::dot(normal, beam.towards);
+        sum += beam.light * (cosine * diffuseShare(cosine));
+    }
+    return glm::pow(glm::dvec3(colour(point)), glm::dvec3(settings_.mix)) * sum;
+}
+
+glm::dvec3 SkinScene::plainMore(const SurfacePoint& point) const {
+    const glm::dvec3 normal = mappedNormal(point);
+    glm::dvec3 sum(0);
+    for (const Beam& beam : moreBeams(point, normal, more_.diffuseSky))
+        sum += beam.light * glm::dot(normal, beam.towards);
+    return glm::dvec3(colour(point)) * sum;
+}
+
+glm::dvec3 SkinScene::reflectedMore(const SurfacePoint& point, const glm::dvec3& normal, const glm::dvec3& eye) const {
+    glm::dvec3 sum(0);
+    for (const Beam& beam : moreBeams(point, normal, more_.specularSky))
+        sum += beam.light * beam.highlight * mirrored(point, normal, beam.towards, eye);
+    return sum;
 }
 
 glm::dvec3 SkinScene::leaving(const SurfacePoint& point, const glm::dvec3& eye) const {

@@ -2,6 +2,7 @@
 // Light on skin, point by point, as docs/design/skin.md defines it: shadows by rays, thickness by rays, reflection evaluated, albedo by
 // quadrature.
 
+#include "host/lab/reference/more_light.h"
 #include "host/lab/reference/pinhole.h"
 #include "host/lab/reference/surface.h"
 
@@ -51,7 +52,8 @@ struct Entry {
 
 class SkinScene {
 public:
-    SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& lightColour, const SkinSettings& settings);
+    /// `more`: lamps and surroundings beside the light, with what the mesh hides of them by rays.
+    SkinScene(const Mesh& mesh, const Pinhole& light, const glm::dvec3& lightColour, const SkinSettings& settings, MoreLight more = {});
 
     /// Unit normal of the normal map (+Y), in the interpolated tangent frame.
     [[nodiscard]] glm::dvec3 mappedNormal(const SurfacePoint& point) const;
@@ -75,6 +77,12 @@ public:
     [[nodiscard]] glm::dvec3 entering(const SurfacePoint& point, bool lit) const;
     /// Specular reflection towards the eye, by this unit normal.
     [[nodiscard]] glm::dvec3 reflected(const SurfacePoint& point, const glm::dvec3& normal, const glm::dvec3& eye, bool lit) const;
+    [[nodiscard]] const MoreLight& more() const { return more_; }
+    /// What of it crosses the surface, as `entering`; of plain material C times what arrives; and what is mirrored.
+    [[nodiscard]] glm::dvec3 enteringMore(const SurfacePoint& point) const;
+    [[nodiscard]] glm::dvec3 plainMore(const SurfacePoint& point) const;
+    [[nodiscard]] glm::dvec3 reflectedMore(const SurfacePoint& point, const glm::dvec3& normal, const glm::dvec3& eye) const;
+
     /// 1 - rho_s rho_dt(cosine).
     [[nodiscard]] double diffuseShare(double cosine) const;
     /// C^(1 - mix) (1 - rho_s rho_dt(N.V)): what the diffused light is multiplied by on leaving.
@@ -88,12 +96,17 @@ public:
 
 private:
     [[nodiscard]] bool reaches(const glm::dvec3& position, double slack) const;
+    [[nodiscard]] std::vector<Beam> moreBeams(const SurfacePoint& point, const glm::dvec3& normal, const std::vector<SkyPiece>& sky) const;
+    [[nodiscard]] glm::dvec3 mirrored(const SurfacePoint& point, const glm::dvec3& normal, const glm::dvec3& toLight,
+                                      const glm::dvec3& eye) const;
 
     const Mesh& mesh_;
     Pinhole light_;
     glm::dvec3 lightColour_;
     SkinSettings settings_;
     RayScene rays_;
+    MoreLight more_;
+    double outside_ = 1;                           // mm: from any point of the mesh a way as long leads out of it
     Texture colour_{glm::dvec4(0.8, 0.6, 0.5, 1)}; // what the effects fall back to
     Texture normals_{glm::dvec4(0.5, 0.5, 1, 1)};
     Texture kernelSizes_{glm::dvec4(0.6, 0.6, 0.6, 1)};

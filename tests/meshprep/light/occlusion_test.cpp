@@ -1,6 +1,7 @@
 // Occlusion against closed forms: a plane, a sphere above a plane, a hollow sphere.
 
 #include "meshprep/light/occlusion.h"
+#include "tests/meshprep/light/ball_on_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -12,51 +13,6 @@ namespace tegument::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// A square of side 200 mm in y = 0 that faces up, over the whole map.
-Mesh plane() {
-    Mesh mesh{.name = "plane",
-              .positions = {},
-              .normals = {},
-              .tangents = {},
-              .uvs = {},
-              .indices = {},
-              .parts = {},
-              .textures = {},
-              .attribution = {},
-              .bounds = {}};
-    for (int i = 0; i < 4; ++i) {
-        const glm::vec2 corner(i & 1, i >> 1);
-        mesh.positions.emplace_back(200.0F * (corner.x - 0.5F), 0.0F, 200.0F * (corner.y - 0.5F));
-        mesh.normals.emplace_back(0, 1, 0);
-        mesh.uvs.push_back(corner);
-    }
-    mesh.indices = {0, 2, 1, 1, 2, 3};
-    mesh.bounds = {.minimum = {-100, 0, -100}, .maximum = {100, 0, 100}, .centre = {0, 0, 0}, .radius = 142};
-    return mesh;
-}
-
-/// Without texture coordinates in the square: it hides, and is not baked. `inwards` turns it over.
-void addBall(Mesh& mesh, glm::vec3 centre, float radius, bool baked) {
-    constexpr int kRows = 64;
-    constexpr int kColumns = 128;
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (int y = 0; y <= kRows; ++y)
-        for (int x = 0; x <= kColumns; ++x) {
-            const double down = kPi * y / kRows;
-            const double around = 2 * kPi * x / kColumns;
-            const glm::vec3 d(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around));
-            mesh.positions.push_back(centre + radius * d);
-            mesh.normals.push_back(baked ? -d : d);
-            mesh.uvs.push_back(baked ? glm::vec2(x, y) / glm::vec2(kColumns, kRows) : glm::vec2(-5));
-        }
-    for (std::uint32_t y = 0; y < kRows; ++y)
-        for (std::uint32_t x = 0; x < kColumns; ++x) {
-            const std::uint32_t a = first + y * (kColumns + 1) + x;
-            for (const std::uint32_t index : {a, a + 1, a + kColumns + 1, a + 1, a + kColumns + 2, a + kColumns + 1})
-                mesh.indices.push_back(index);
-        }
-}
 
 glm::vec3 direction(const Image& map, int x, int y) {
     return 2.0F * glm::vec3(map.at(x, y, 0), map.at(x, y, 1), map.at(x, y, 2)) - 1.0F;
@@ -107,63 +63,6 @@ TEST(Occlusion, inside_of_a_closed_body_nothing_is_open) {
     EXPECT_EQ(baked->open, 0.0);
     // The normal stands where no direction is open.
     EXPECT_GT(glm::dot(direction(baked->map, 16, 16), glm::vec3(-std::cos(kPi * 33 / 32), 0, -std::sin(kPi * 33 / 32))), 0.99F);
-}
-
-/// tgLampOpenShare of hlsl/light/lamps.fxh, by its angles.
-double apertureShare(double cosine, double open, double sine) {
-    const double cap = std::asin(std::sqrt(std::clamp(open, 0.0, 1.0)));
-    const double inner = std::cos(cap);
-    const double outer = std::cos(cap + 2 * std::asin(sine));
-    const double share = std::clamp((cosine - outer) / std::max(inner - outer, 1e-4), 0.0, 1.0);
-    return share * share * (3 - 2 * share);
-}
-
-/// Share of a round lamp that a sphere leaves to be seen from `place`, by a grid of points on the lamp's disc.
-double seenShare(const glm::dvec3& place, const glm::dvec3& lamp, double sine, const glm::dvec3& centre, double radius) {
-    const glm::dvec3 side = glm::normalize(glm::cross(lamp, glm::dvec3(0, 0, 1)));
-    const glm::dvec3 up = glm::cross(side, lamp);
-    constexpr int kSteps = 40;
-    int all = 0;
-    int seen = 0;
-    for (int j = 0; j < kSteps; ++j)
-        for (int i = 0; i < kSteps; ++i) {
-            const glm::dvec2 p = 2.0 * (glm::dvec2(i, j) + 0.5) / static_cast<double>(kSteps) - 1.0;
-            if (glm::length(p) > 1) continue;
-            const glm::dvec3 d = glm::normalize(lamp + sine / std::sqrt(1 - sine * sine) * (p.x * side + p.y * up));
-            const glm::dvec3 to = centre - place;
-            const double along = glm::dot(to, d);
-            ++all;
-            if (along < 0 || glm::length(to - along * d) > radius) ++seen;
-        }
-    return static_cast<double>(seen) / all;
-}
-
-TEST(Occlusion, as_an_aperture_hides_a_part_of_what_rays_to_a_lamp_do) {
-    // A head's worth of sphere close above a plane, where the map knows that one side of the sky is shut.
-    Mesh mesh = plane();
-    const glm::dvec3 centre(0, 45, 0);
-    constexpr double kRadius = 40;
-    addBall(mesh, glm::vec3(centre), kRadius, false);
-    const auto baked = bakeOcclusion(mesh, {.side = 24, .rays = 1024});
-    ASSERT_TRUE(baked) << format(baked.error());
-    const glm::dvec3 lamp = glm::normalize(glm::dvec3(1, 1, 0));
-    constexpr double kSine = 0.2;
-    double light = 0;
-    double error = 0;
-    double unshadowed = 0;
-    for (int y = 0; y < 24; ++y)
-        for (int x = 0; x < 24; ++x) {
-            const glm::dvec3 place(200 * ((x + 0.5) / 24 - 0.5), 0, 200 * ((y + 0.5) / 24 - 0.5));
-            const double exact = seenShare(place, lamp, kSine, centre, kRadius);
-            const double cosine = glm::dot(glm::dvec3(direction(baked->map, x, y)), lamp);
-            light += exact;
-            error += std::abs(apertureShare(cosine, static_cast<double>(baked->map.at(x, y, 3)), kSine) - exact);
-            unshadowed += 1 - exact;
-        }
-    // A cap cannot be the sky beside a sphere: of the shadow's light 0.71 is still wrong (docs/design/light.md says so). It must be better
-    // than no shadow at all, and not by chance.
-    EXPECT_LT(error, 0.75 * unshadowed) << "mean error " << error / 576 << ", without shadow " << unshadowed / 576;
-    EXPECT_GT(light, 400.0) << "most of the plane is lit";
 }
 
 TEST(Occlusion, ends_at_its_reach) {

@@ -1,0 +1,88 @@
+// Lamps and surroundings of the reference against closed forms.
+
+#include "host/lab/reference/more_light.h"
+#include "host/lab/reference/pinhole.h"
+#include "host/lab/reference/skin.h"
+#include "host/lab/reference/specular.h"
+#include "tests/lab/reference/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace tegument::reference {
+namespace {
+
+const Visible kAll = [](const glm::dvec3&, double) { return true; };
+const glm::dvec3 kUp(0, 1, 0);
+
+Image evenPanorama(float radiance) {
+    return {.width = 128, .height = 64, .channels = 3, .pixels = std::vector<float>(std::size_t{128} * 64 * 3, radiance)};
+}
+
+double irradianceOf(const std::vector<Beam>& beams, const glm::dvec3& normal) {
+    double sum = 0;
+    for (const Beam& beam : beams)
+        sum += beam.light.x * glm::dot(beam.towards, normal);
+    return sum;
+}
+
+TEST(MoreLight, of_an_even_sky_is_its_radiance_whatever_way_a_surface_faces) {
+    MoreLight more;
+    more.diffuseSky = skyPieces(evenPanorama(0.7F), 12);
+    for (const glm::dvec3& normal : {kUp, glm::dvec3(1, 0, 0), glm::normalize(glm::dvec3(1, -2, 3))})
+        // 288 pieces: those that the horizon cuts count whole or not at all, 0.6 % at most here.
+        EXPECT_NEAR(irradianceOf(beamsAt(more, more.diffuseSky, glm::dvec3(0), normal, kAll), normal), 0.7, 0.7 * 0.006);
+}
+
+TEST(MoreLight, of_points_and_spots_is_that_of_the_inverse_square_within_their_cone) {
+    MoreLight more;
+    more.lamps = {{.place = {0, 300, 0, 1}, .colour = {2, 1, 0.5, 150}, .axis = {0, -1, 0, 0}, .spot = {0.9, 0.8, 1, 1}}};
+    const auto below = beamsAt(more, {}, glm::dvec3(0), kUp, kAll);
+    ASSERT_EQ(below.size(), 1U);
+    EXPECT_NEAR(below[0].light.x, 2 * 0.25, 1e-12);
+    // cos = 0.85: half way between the cosines, where a smooth step is a half. The lamp is 300 / 0.85 away.
+    const double aside = 300 * std::sqrt(1 - 0.85 * 0.85) / 0.85;
+    EXPECT_NEAR(beamsAt(more, {}, glm::dvec3(aside, 0, 0), kUp, kAll)[0].light.x, 2 * 0.25 * 0.85 * 0.85 / 2, 1e-9);
+    EXPECT_TRUE(beamsAt(more, {}, glm::dvec3(300, 0, 0), kUp, kAll).empty());
+}
+
+TEST(MoreLight, of_a_sphere_lights_a_surface_that_faces_it_as_a_point_does_and_half_hidden_half_as_much) {
+    MoreLight more;
+    more.lampSide = 32;
+    for (const glm::dvec4 place : {glm::dvec4(0, 100, 0, 1), glm::dvec4(0, 1, 0, 0)}) {
+        more.lamps = {{.place = place, .colour = {1, 1, 1, 0}, .axis = {0, -1, 0, place.w > 0.5 ? 60.0 : 0.6}}};
+        const auto whole = beamsAt(more, {}, glm::dvec3(0), kUp, kAll);
+        EXPECT_NEAR(irradianceOf(whole, kUp), 1, 1e-6); // a sphere's light falls on what faces it as if it came from its centre
+        for (const Beam& beam : whole)
+            EXPECT_GE(beam.towards.y, std::sqrt(1 - 0.36) - 1e-12) << "outside of the sphere";
+        const auto half = beamsAt(more, {}, glm::dvec3(0), kUp, [](const glm::dvec3& d, double) { return d.x > 0; });
+        EXPECT_NEAR(irradianceOf(half, kUp), 0.5, 0.02); // nodes on the edge
+    }
+}
+
+TEST(MoreLight, enters_skin_by_its_own_cosine_and_is_hidden_by_the_mesh) {
+    const Mesh open = plane(50, 4);
+    const Pinhole view = pinhole(glm::dvec3(0, 0, 500), glm::dvec3(0), kUp, 0.4, 16, 16);
+    MoreLight more;
+    more.diffuseSky = skyPieces(evenPanorama(1), 24);
+    SkinSettings settings;
+    const SkinScene scene(open, view, glm::dvec3(0), settings, more);
+    const SurfacePoint middle = interpolate(open, {0, {0.3, 0.3, 0.4}});
+    double crossing = 0; // 2 integral of cos (1 - rho_s albedo(cos))
+    constexpr int kSteps = 2000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double cosine = (i + 0.5) / kSteps;
+        crossing += 2 * cosine * (1 - settings.attenuation * directionalAlbedo(cosine, settings.roughness) / std::numbers::pi) / kSteps;
+    }
+    const double expected = std::pow(0.8, settings.mix) * crossing;
+    EXPECT_NEAR(scene.enteringMore(middle).x, expected, expected * 0.004); // 1,152 pieces
+    // A roof of the same size close above: nothing but what comes in at its sides.
+    const Mesh roofed = joined(plane(50, 4), plane(50, 4, 4));
+    const SkinScene dark(roofed, view, glm::dvec3(0), settings, more);
+    const SurfacePoint below = interpolate(roofed, {12, {0.3, 0.3, 0.4}});
+    EXPECT_LT(dark.enteringMore(below).x, 0.05 * expected);
+}
+
+} // namespace
+} // namespace tegument::reference

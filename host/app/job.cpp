@@ -158,7 +158,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     job.warnings = std::move(foreign.notes);
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
     setFurMapParameters(job.effect, job.run, job.scene);
-    const auto say = [](const std::string& made) { fmt::print(stderr, "{}\n", made); };
+    const auto say = [](const std::string& made) { app::say(made); };
     const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
                                                                  : std::filesystem::path(sceneOptions.mesh);
     if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh, say); !grown) return grown.error();

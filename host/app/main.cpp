@@ -1,11 +1,14 @@
 // tegument: check, look into and render effect files; prepare meshes for them.
 
 #include "host/app/command_line.h"
+#include "host/app/ends.h"
 #include "host/app/output.h"
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <new>
 
 namespace {
 
@@ -56,15 +59,22 @@ int run(int argc, char** argv) {
     return action();
 }
 
+/// The code of an action that threw.
+int afterThrow(const std::exception& error) {
+    if (std::ferror(stdout) != 0) return 0; // fmt throws where nothing can be written: ended() says so
+    const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    tegument::app::say(tegument::format(memory ? tegument::machineError(8001, "out of memory", "try a smaller size or map size")
+                                               : tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
+    return kMachine;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    tegument::app::begin();
     try {
-        return run(argc, argv);
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "{}\n", tegument::format(tegument::machineError(8001, "out of memory", "try a smaller size or map size")));
+        return tegument::app::ended(run(argc, argv));
     } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", tegument::format(tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
+        return tegument::app::ended(afterThrow(error));
     }
-    return kMachine;
 }

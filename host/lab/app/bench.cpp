@@ -102,7 +102,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
-                                .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); })};
+                                .meshTextures = furTextures([](const std::string& made) { say(made); })};
     return options;
 }
 

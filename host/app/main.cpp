@@ -2,6 +2,7 @@
 
 #include "host/app/command_line.h"
 #include "host/app/ends.h"
+#include "host/app/max_memory.h"
 #include "host/app/output.h"
 
 #include <fmt/format.h>
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
     program.footer(kStart); // after the others: a command inherits what its parent has
     tegument::app::addLab(program, action);
     program.footer(program.get_footer() + kExitCodes);
+    tegument::app::limitMemory(program);
     if (const auto code = tegument::app::parse(program, argc, argv)) return *code;
     return action();
 }
@@ -63,8 +65,9 @@ int run(int argc, char** argv) {
 int afterThrow(const std::exception& error) {
     if (std::ferror(stdout) != 0) return 0; // fmt throws where nothing can be written: ended() says so
     const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    tegument::app::say(tegument::format(memory ? tegument::machineError(8001, "out of memory", "try a smaller size or map size")
-                                               : tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
+    tegument::app::say(
+        tegument::format(memory ? tegument::machineError(8001, "out of memory", "try a smaller size or map size, or a larger --max-memory")
+                                : tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
     return kMachine;
 }
 

@@ -82,7 +82,7 @@ void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
     if (std::string reason = obstacle(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
     if (!compilerAvailable(compiler)) {
-        report.reason = "the DXC library is not there (./bootstrap build fetches it)";
+        report.reason = compilerMissing(compiler) + " (./bootstrap build fetches it)";
         return;
     }
     const auto start = std::chrono::steady_clock::now();

@@ -13,6 +13,8 @@ struct RawShader {
 
 namespace dxc {
 [[nodiscard]] bool available();
+/// The loader's words where it is not.
+[[nodiscard]] std::string whyNot();
 /// "DXC 1.8 (fd7e54bc)"; empty when not available.
 [[nodiscard]] std::string name();
 /// Hash of the library's file.

@@ -72,6 +72,11 @@ bool compilerAvailable(Compiler compiler) {
     return compiler == Compiler::Glslang || dxc::available();
 }
 
+std::string compilerMissing(Compiler compiler) {
+    if (compiler == Compiler::Glslang) return "glslang cannot be started";
+    return fmt::format("the DXC library cannot be used: {}", dxc::whyNot());
+}
+
 std::string compilerName(Compiler compiler) {
     if (compiler == Compiler::Glslang) return glslang_hlsl::name();
     static const std::string kDxc = dxc::available() ? dxc::name() : "DXC";
@@ -84,8 +89,7 @@ Compiler defaultCompiler() {
 
 Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler) {
     if (!compilerAvailable(compiler))
-        return machineError(3002, "the DXC library is not there, or this program was built without it",
-                            "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
+        return machineError(3002, compilerMissing(compiler), "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
     const std::string code = withLineDirective(request);
     ShaderRequest named = request;
     named.code = code;

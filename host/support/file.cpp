@@ -66,7 +66,10 @@ std::optional<fs::path> findInAnyCase(fs::path folder, std::string relative) {
 namespace {
 
 Error unwritable(const fs::path& path, const std::string& why) {
-    return machineError(5002, fmt::format("cannot write {}: {}", path.string(), why), "check the folder's rights and free space");
+    const std::string cache = cacheFolder().string();
+    const bool inCache = path.string().starts_with(cache + '/');
+    return machineError(5002, fmt::format("cannot write {}: {}", path.string(), why),
+                        inCache ? "that is the cache; TEGUMENT_CACHE=FOLDER takes another" : "check the folder's rights and free space");
 }
 
 } // namespace

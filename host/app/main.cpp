@@ -4,6 +4,7 @@
 #include "host/app/ends.h"
 #include "host/app/max_memory.h"
 #include "host/app/output.h"
+#include "host/app/version.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,9 @@ Exit codes:
 int run(int argc, char** argv) {
     CLI::App program("Skin and fur effects in HLSL: check them, look into them, render them.", "tegument");
     program.require_subcommand(1);
-    program.set_version_flag("--version", TEGUMENT_VERSION);
+    bool verbose = false;
+    program.add_flag("--verbose", verbose, "With --version: compilers, libraries and the device, too");
+    program.set_version_flag("--version", [&] { return tegument::app::versionText(verbose); });
     tegument::app::Action action;
     tegument::app::setUpHelp(program, action);
     tegument::app::addRender(program, action);

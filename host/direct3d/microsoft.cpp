@@ -127,7 +127,7 @@ public:
             if (!process) return process.error();
             const Ended ended = follow(*process);
             if (ended.regular) return {};
-            if (!ended.at) return notStarted(ended);
+            if (!ended.at || results_[*ended.at]) return notStarted(ended); // each job is claimed once: Wine says what it should not
             results_[*ended.at] = failedJob(jobs_[*ended.at], 3103, broughtDown(jobs_[*ended.at], ended.timedOut));
         }
     }
@@ -201,7 +201,12 @@ private:
     void take(const std::string& said, std::size_t index) {
         const MicrosoftJob& job = jobs_[index];
         const auto json = nlohmann::json::parse(said, nullptr, false);
-        if (!json.is_object() || !json.contains("ok") || !json.contains("ms") || !json.contains("messages") || !json.contains("result"))
+        const auto has = [&](const char* name, bool (nlohmann::json::*is)() const noexcept) {
+            return json.is_object() && json.contains(name) && (json[name].*is)();
+        };
+        using Json = nlohmann::json;
+        if (!has("ok", &Json::is_boolean) || !has("ms", &Json::is_number) || !has("messages", &Json::is_string) ||
+            !has("result", &Json::is_number))
             return;
         MicrosoftResult result{
             .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};

@@ -54,6 +54,8 @@ Fault& fault() {
 std::mutex mutex;
 PFN_vkGetInstanceProcAddr nextInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextDevice = nullptr;
+PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr; // asked for before the loader puts ours into the instance
+PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
 VkInstance theInstance = VK_NULL_HANDLE;
 VkDevice theDevice = VK_NULL_HANDLE;
 
@@ -87,6 +89,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstance(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, allocator, instance);
     theInstance = *instance;
+    if (result != VK_SUCCESS) return result;
+    nextProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(nextInstance(*instance, "vkGetPhysicalDeviceProperties"));
+    nextFeatures2 = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(nextInstance(*instance, "vkGetPhysicalDeviceFeatures2"));
     return result;
 }
 
@@ -157,12 +162,12 @@ bool pretends(std::string_view kind) {
 }
 
 VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* into) {
-    reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(nextInstance(theInstance, "vkGetPhysicalDeviceProperties"))(physical, into);
+    nextProperties(physical, into);
     if (pretends("old")) into->apiVersion = VK_API_VERSION_1_1;
 }
 
 VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* into) {
-    reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(nextInstance(theInstance, "vkGetPhysicalDeviceFeatures2"))(physical, into);
+    nextFeatures2(physical, into);
     if (!pretends("bare")) return;
     into->features = {};
     for (auto* more = static_cast<VkBaseOutStructure*>(into->pNext); more != nullptr; more = more->pNext) {

@@ -247,8 +247,8 @@ class Missing(Faults):
             ran = self.run_it("check", "Beckmann", "--target", "fx_5_0", environment={"PATH": f"{programs}:{os.environ['PATH']}",
                                                                                     "TEGUMENT_D3DCOMPILER": str(library)})
             self.assertIn(ran.returncode, (1, MACHINE), script + ran.stderr)
-            self.assertRegex(ran.stdout + ran.stderr, "TG310[34]", script)
-            self.assertNotIn("TG8002", ran.stderr, script)
+            self.assertIn("TG3103" if "7" in script else "TG3104", ran.stdout + ran.stderr, script)
+            self.assertNotIn("unexpected failure", ran.stderr, script)
         self.assertEqual(self.leftovers(), [])
 
 

@@ -16,7 +16,7 @@ namespace tegument::app {
 namespace {
 
 constexpr std::uint64_t kMebibyte = 1024ULL * 1024;
-constexpr std::uint64_t kMost = RLIM_INFINITY / kMebibyte;
+constexpr std::uint64_t kMostMebibytes = RLIM_INFINITY / kMebibyte;
 
 /// Where a container says what it has: control groups of version 2 and 1.
 constexpr const char* kContainers[] = {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"};
@@ -48,7 +48,7 @@ void addTo(CLI::App& command) {
     command
         .add_option_function<std::uint64_t>(
             "--max-memory", [](std::uint64_t given) { limitTo(given * kMebibyte); }, "MiB of memory; default: what the machine has")
-        ->check(CLI::Range(std::uint64_t{1}, kMost))
+        ->check(CLI::Range(std::uint64_t{1}, kMostMebibytes))
         ->type_name("MIB");
 }
 

@@ -74,7 +74,9 @@ TEST_F(Cache, a_changed_byte_behind_a_right_checksum_is_a_miss_or_means_what_it_
         const std::string file = bytes.substr(0, 8) + contentHash(content) + content;
         const auto cached = decodeShader(file);
         misses += cached ? 0 : 1;
-        if (cached) ASSERT_EQ(encodeShader(*cached), file) << at;
+        if (cached) {
+            ASSERT_EQ(encodeShader(*cached), file) << at;
+        }
     }
     EXPECT_GT(misses, 0U);
 }

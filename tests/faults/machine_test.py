@@ -163,7 +163,8 @@ class Caches(Faults):
             expected = picture.read_bytes()
             files = [file for file in (self.folder / "cache" / made).rglob("*") if file.is_file()]
             self.assertTrue(files)
-            for damage in (lambda b: b[: len(b) // 2], lambda b: b"", lambda b: b"x" * len(b)):
+            damages = (lambda b: b[: len(b) // 2], lambda b: b"", lambda b: b"x" * len(b))
+            for damage in damages if made == "skin/made" else damages[:1]:  # the cube map takes seconds to make
                 for file in files:
                     file.write_bytes(damage(file.read_bytes()))
                 self.good(*command)

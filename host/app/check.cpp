@@ -175,7 +175,7 @@ void printProblems(const CheckReport& report) {
             const std::string reason = reasonOf(file, target);
             if (std::ranges::find(said, reason) != said.end()) continue;
             said.push_back(reason);
-            fmt::print(stderr, "{}\n", reason);
+            say(reason);
         }
     }
 }

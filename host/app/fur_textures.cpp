@@ -99,8 +99,7 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
     const fs::path file = cacheFolder() / "fur" / "made" /
                           (roots ? fmt::format("{}_{}.dds", generator == kHairGenerator ? "hair" : "roots", keyOf(mesh))
                                  : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return file;
+    if (isWholeDds(file)) return file;
     const auto start = std::chrono::steady_clock::now();
     const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
     if (!texture) return texture.error();

@@ -6,11 +6,13 @@
 #include "host/app/fur_textures.h"
 #include "host/app/given_values.h"
 #include "host/app/names.h"
+#include "host/app/output.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <utility>
 
 namespace tegument::app {
@@ -59,8 +61,12 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
 
 Result<Compiler> chosenCompiler(const std::string& name) {
     const Compiler compiler = name.empty() ? defaultCompiler() : name == "dxc" ? Compiler::Dxc : Compiler::Glslang;
-    if (compilerAvailable(compiler)) return compiler;
-    return machineError(8015, fmt::format("the compiler {} is not available", name), "run ./bootstrap build, or use --compiler glslang");
+    // Who names a library means it: another compiler in its place would go unseen.
+    const char* own = name.empty() ? std::getenv("TEGUMENT_DXC") : nullptr;
+    const bool asked = own != nullptr && *own != '\0';
+    if (compilerAvailable(compiler) && (!asked || compiler == Compiler::Dxc)) return compiler;
+    const std::string why = compilerMissing(asked ? Compiler::Dxc : compiler);
+    return machineError(8015, fmt::format("the compiler is not available: {}", why), "run ./bootstrap build, or use --compiler glslang");
 }
 
 void addJobOptions(CLI::App& command, JobOptions& options) {
@@ -158,7 +164,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     job.warnings = std::move(foreign.notes);
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
     setFurMapParameters(job.effect, job.run, job.scene);
-    const auto say = [](const std::string& made) { fmt::print(stderr, "{}\n", made); };
+    const auto say = [](const std::string& made) { app::say(made); };
     const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
                                                                  : std::filesystem::path(sceneOptions.mesh);
     if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh, say); !grown) return grown.error();

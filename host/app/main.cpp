@@ -1,11 +1,16 @@
 // tegument: check, look into and render effect files; prepare meshes for them.
 
 #include "host/app/command_line.h"
+#include "host/app/ends.h"
+#include "host/app/max_memory.h"
 #include "host/app/output.h"
+#include "host/app/version.h"
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <new>
 
 namespace {
 
@@ -32,7 +37,9 @@ Exit codes:
 int run(int argc, char** argv) {
     CLI::App program("Skin and fur effects in HLSL: check them, look into them, render them.", "tegument");
     program.require_subcommand(1);
-    program.set_version_flag("--version", TEGUMENT_VERSION);
+    bool verbose = false;
+    program.add_flag("--verbose", verbose, "With --version: compilers, libraries and the device, too");
+    program.set_version_flag("--version", [&] { return tegument::app::versionText(verbose); });
     tegument::app::Action action;
     tegument::app::setUpHelp(program, action);
     tegument::app::addRender(program, action);
@@ -52,19 +59,28 @@ int run(int argc, char** argv) {
     program.footer(kStart); // after the others: a command inherits what its parent has
     tegument::app::addLab(program, action);
     program.footer(program.get_footer() + kExitCodes);
+    tegument::app::limitMemory(program);
     if (const auto code = tegument::app::parse(program, argc, argv)) return *code;
     return action();
+}
+
+/// The code of an action that threw.
+int afterThrow(const std::exception& error) {
+    if (std::ferror(stdout) != 0) return 0; // fmt throws where nothing can be written: ended() says so
+    const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    tegument::app::say(
+        tegument::format(memory ? tegument::machineError(8001, "out of memory", "try a smaller size or map size, or a larger --max-memory")
+                                : tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
+    return kMachine;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    tegument::app::begin();
     try {
-        return run(argc, argv);
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "{}\n", tegument::format(tegument::machineError(8001, "out of memory", "try a smaller size or map size")));
+        return tegument::app::ended(run(argc, argv));
     } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", tegument::format(tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
+        return tegument::app::ended(afterThrow(error));
     }
-    return kMachine;
 }

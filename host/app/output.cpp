@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace tegument::app {
 
@@ -33,15 +34,19 @@ void print(const Json& json) {
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+void say(const std::string& line) {
+    std::fputs((line + '\n').c_str(), stderr);
+}
+
 int fail(const Error& error, bool json) {
     if (json) print({{"diagnostics", toJson(error.diagnostics)}});
-    fmt::print(stderr, "{}\n", format(error));
+    say(format(error));
     return static_cast<int>(error.blame);
 }
 
 void warn(const std::vector<Diagnostic>& warnings) {
     for (const Diagnostic& warning : warnings)
-        fmt::print(stderr, "{}\n", format(warning));
+        say(format(warning));
 }
 
 Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint) {

@@ -21,6 +21,9 @@ using Json = nlohmann::ordered_json;
 /// Prints JSON that is valid UTF-8 whatever the file names hold.
 void print(const Json& json);
 
+/// A line on standard error. Where it cannot be written the work goes on.
+void say(const std::string& line);
+
 /// Prints the error (with `json` as {"diagnostics": [...]} on standard output too) and returns the exit code that belongs to it.
 int fail(const Error& error, bool json);
 void warn(const std::vector<Diagnostic>& warnings);

@@ -230,7 +230,7 @@ int render(const RenderOptions& given) {
     };
     job->run.meshTextures = furTextures([&](const std::string& made) {
         progress.clear();
-        fmt::print(stderr, "{}\n", made);
+        say(made);
         progress.say("rendering");
     });
     progress.say("rendering");

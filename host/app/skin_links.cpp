@@ -81,8 +81,7 @@ Result<void> writeSkinLinks(const fs::path& file, const Mesh& mesh, const SkinLi
 Result<fs::path> cachedSkinLinks(const Mesh& mesh, const std::function<void(const std::string&)>& say) {
     const LinkOptions options;
     const fs::path file = cacheFolder() / "skin" / "made" / fmt::format("links_{}.dds", keyOf(mesh, options));
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return file;
+    if (isWholeDds(file)) return file;
     const auto links = makeSkinLinks(mesh, options);
     if (!links) return links.error();
     if (const auto written = writeSkinLinks(file, mesh, *links, options); !written) return written.error();

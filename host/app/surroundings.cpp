@@ -30,8 +30,7 @@ std::string occlusionKey(const Mesh& mesh) {
 
 Result<fs::path> cachedEnvironment(const std::string& generator, const SaySurroundings& say) {
     const fs::path file = cacheFolder() / "light" / "made" / fmt::format("{}_{}.dds", generator, kEnvironmentVersion);
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return file;
+    if (isWholeDds(file)) return file;
     const auto start = std::chrono::steady_clock::now();
     const auto texture =
         makeEnvironment(defaultEnvironment(generator == kSkyGenerator ? DefaultEnvironment::Sky : DefaultEnvironment::Studio), generator);
@@ -44,8 +43,7 @@ Result<fs::path> cachedEnvironment(const std::string& generator, const SaySurrou
 
 Result<fs::path> cachedOcclusion(const Mesh& mesh, const SaySurroundings& say) {
     const fs::path file = cacheFolder() / "light" / "made" / fmt::format("occlusion_{}.dds", occlusionKey(mesh));
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return file;
+    if (isWholeDds(file)) return file;
     const auto occlusion = bakeOcclusion(mesh);
     if (!occlusion) return occlusion.error();
     if (const auto written = writeDds(file, makeDds(occlusion->map, DdsFormat::Rgba16F, false)); !written) return written.error();

@@ -53,7 +53,7 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
     const auto rules = bindRules(options.job.binds); // loadJob() has read them
     run.meshTextures = furTextures([&progress](const std::string& made) {
         progress.clear();
-        fmt::print(stderr, "{}\n", made);
+        say(made);
     });
     run.compiling = [&progress](std::size_t done, std::size_t total) {
         done < total ? progress.count("compiling pass", done + 1, total) : progress.clear();
@@ -106,7 +106,7 @@ int runView(const ViewOptions& options) {
     const ViewRequest request = opening(options, requestFor(options, std::move(*job), progress), progress);
     const auto messages = viewEffect(request, [&](const std::string& text) {
         progress.clear();
-        fmt::print(stderr, "{}\n", text);
+        say(text);
     });
     if (!messages) return fail(messages.error(), false);
     for (const std::string& message : *messages)

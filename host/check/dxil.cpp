@@ -58,7 +58,7 @@ void checkDxil(Work& work) {
     if (report == nullptr) return;
     if (std::string reason = obstacleFor(work, Compiler::Dxc); !reason.empty()) return leaveOut(*report, std::move(reason));
     if (!compilerAvailable(Compiler::Dxc)) {
-        report->reason = kNoDxc;
+        report->reason = noCompiler(Compiler::Dxc);
         return;
     }
     const auto start = std::chrono::steady_clock::now();

@@ -48,7 +48,7 @@ void checkPositions(const Work& work, Slot slot, TargetCheck& report) {
 void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) {
     if (std::string reason = obstacleFor(work, compiler); !reason.empty()) return leaveOut(report, std::move(reason));
     if (!compilerAvailable(compiler)) {
-        report.reason = kNoDxc;
+        report.reason = noCompiler(compiler);
         return;
     }
     const auto start = std::chrono::steady_clock::now();
@@ -73,6 +73,10 @@ void compareAll(const Work& work, TargetCheck& report) {
 }
 
 } // namespace
+
+std::string noCompiler(Compiler compiler) {
+    return compilerMissing(compiler) + " (./bootstrap build fetches it)";
+}
 
 std::string obstacleFor(const Work& work, Compiler compiler) {
     const auto geometry = std::ranges::find(work.report.entries, ShaderKind::Geometry, &EntryPoint::kind);

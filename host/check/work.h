@@ -37,7 +37,8 @@ struct Work {
 
 void addError(TargetCheck& report, int code, SourcePosition at, std::string text, std::string hint);
 
-inline constexpr std::string_view kNoDxc = "the DXC library is not there (./bootstrap build fetches it)";
+/// Why a target is not checked: its compiler is missing.
+[[nodiscard]] std::string noCompiler(Compiler compiler);
 
 /// TG3206.
 void addMissingPosition(const EntryPoint& vertex, TargetCheck& report);

@@ -6,6 +6,7 @@
 #include "host/direct3d/sm3.h"
 #include "host/direct3d/wine.h"
 #include "host/support/file.h"
+#include "host/support/temporary.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,21 +38,11 @@ fs::path driver() {
     return {};
 }
 
-/// A folder of our own, removed with all that is in it.
-class Folder {
-public:
-    Folder() {
-        std::string pattern = (fs::temp_directory_path() / "tegument-XXXXXX").string();
-        if (mkdtemp(pattern.data()) != nullptr) path = pattern;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() {
-        std::error_code code;
-        if (!path.empty()) fs::remove_all(path, code);
-    }
-    fs::path path;
-};
+/// A new folder; without a name where none can be made.
+fs::path newFolder() {
+    std::string pattern = (fs::temp_directory_path() / "tegument-XXXXXX").string();
+    return mkdtemp(pattern.data()) != nullptr ? pattern : "";
+}
 
 Error notRunnable(std::string text, std::string hint = {}) {
     return machineError(3104, std::move(text), std::move(hint));
@@ -111,7 +102,7 @@ public:
     /// Brings compiler and driver into one folder (Wine looks for a "native" library beside the program) and writes the list.
     Result<ProcessCommand> prepare() {
         std::error_code code;
-        const fs::path& folder = folder_.path;
+        const fs::path& folder = folder_.path();
         if (folder.empty()) return notRunnable("cannot create a temporary folder");
         fs::create_symlink(fs::absolute(driver(), code), folder / "hlslc.exe", code);
         if (!code) fs::create_symlink(microsoftCompilerLibrary(), folder / "d3dcompiler_47.dll", code);
@@ -136,7 +127,7 @@ public:
             if (!process) return process.error();
             const Ended ended = follow(*process);
             if (ended.regular) return {};
-            if (!ended.at) return notStarted(ended);
+            if (!ended.at || results_[*ended.at]) return notStarted(ended); // each job is claimed once: Wine says what it should not
             results_[*ended.at] = failedJob(jobs_[*ended.at], 3103, broughtDown(jobs_[*ended.at], ended.timedOut));
         }
     }
@@ -156,7 +147,9 @@ private:
         std::string said;
     };
 
-    [[nodiscard]] fs::path file(std::size_t job, std::string_view ending) const { return folder_.path / fmt::format("{}.{}", job, ending); }
+    [[nodiscard]] fs::path file(std::size_t job, std::string_view ending) const {
+        return folder_.path() / fmt::format("{}.{}", job, ending);
+    }
 
     [[nodiscard]] std::string line(std::size_t index) const {
         const MicrosoftJob& job = jobs_[index];
@@ -208,7 +201,12 @@ private:
     void take(const std::string& said, std::size_t index) {
         const MicrosoftJob& job = jobs_[index];
         const auto json = nlohmann::json::parse(said, nullptr, false);
-        if (!json.is_object() || !json.contains("ok") || !json.contains("ms") || !json.contains("messages") || !json.contains("result"))
+        const auto has = [&](const char* name, bool (nlohmann::json::*is)() const noexcept) {
+            return json.is_object() && json.contains(name) && (json[name].*is)();
+        };
+        using Json = nlohmann::json;
+        if (!has("ok", &Json::is_boolean) || !has("ms", &Json::is_number) || !has("messages", &Json::is_string) ||
+            !has("result", &Json::is_number))
             return;
         MicrosoftResult result{
             .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};
@@ -242,7 +240,7 @@ private:
         }
     }
 
-    Folder folder_;
+    Temporary folder_{newFolder()};
     std::span<const MicrosoftJob> jobs_;
     double jobSeconds_;
     std::vector<std::optional<MicrosoftResult>> results_; // each written by the one process that claimed the job

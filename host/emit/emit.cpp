@@ -3,12 +3,15 @@
 #include "host/emit/products.h"
 #include "host/spirv/glsl.h"
 #include "host/support/file.h"
+#include "host/support/temporary.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 
+#include <cstdio>
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace tegument {
@@ -153,18 +156,13 @@ Result<void> writeAll(const fs::path& folder, const Products& products, const st
     return writeFile(folder / "manifest.json", manifest);
 }
 
+/// At one moment where the file system can exchange two folders; elsewhere there is a moment without either.
 Result<void> replace(const fs::path& folder, const fs::path& with) {
-    const fs::path before = folder.string() + fmt::format(".old.{}", ::getpid());
     std::error_code code;
-    const bool existed = fs::exists(folder, code);
-    if (existed) fs::rename(folder, before, code);
+    if (::renameat2(AT_FDCWD, with.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return {};
+    fs::remove_all(folder, code);
     if (!code) fs::rename(with, folder, code);
-    if (code) {
-        std::error_code ignored;
-        if (existed) fs::rename(before, folder, ignored);
-        return machineError(5002, fmt::format("cannot write {}: {}", folder.string(), code.message()));
-    }
-    fs::remove_all(before, code);
+    if (code) return machineError(5002, fmt::format("cannot write {}: {}", folder.string(), code.message()));
     return {};
 }
 
@@ -202,12 +200,11 @@ Result<fs::path> emitEffect(const FileReport& report, const EmitOptions& options
         if (std::ranges::find(options.kinds, kind) != options.kinds.end())
             if (auto added = addKind(products, report, kind); !added) return added.error();
 
-    const fs::path temporary = folder.string() + fmt::format(".tmp.{}", ::getpid());
+    const Temporary temporary(folder.string() + fmt::format(".tmp.{}", ::getpid()));
     std::error_code code;
-    fs::remove_all(temporary, code);
-    auto written = writeAll(temporary, products, emit::manifest(report, options, products));
-    if (written) written = replace(folder, temporary);
-    fs::remove_all(temporary, code);
+    fs::remove_all(temporary.path(), code);
+    auto written = writeAll(temporary.path(), products, emit::manifest(report, options, products));
+    if (written) written = replace(folder, temporary.path());
     if (!written) return written.error();
     return folder;
 }

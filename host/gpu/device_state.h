@@ -44,6 +44,7 @@ struct DeviceState {
 
     vk::PhysicalDeviceLimits limits;
     std::uint64_t maxAllocationSize = 0;
+    std::vector<std::uint32_t> lacking; // SPIR-V capabilities that want a feature which is not there
     Features features;
     Format packedDepthStencil = Format::D24S8; // what D24S8 really is here
     DeviceInfo info;

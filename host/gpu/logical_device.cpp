@@ -51,6 +51,25 @@ FeatureChain wantedFeatures(const FeatureChain& present) {
     return wanted;
 }
 
+/// Of SPIR-V's capabilities those that HLSL asks for and that this device does not offer; the numbers are the specification's.
+std::vector<std::uint32_t> lackingCapabilities(const FeatureChain& enabled) {
+    const vk::PhysicalDeviceFeatures& core = enabled.get<vk::PhysicalDeviceFeatures2>().features;
+    const std::pair<std::uint32_t, vk::Bool32> all[] = {
+        {2, core.geometryShader},
+        {25, core.shaderImageGatherExtended},
+        {32, core.shaderClipDistance},
+        {33, core.shaderCullDistance},
+        {55, core.shaderStorageImageReadWithoutFormat},
+        {56, core.shaderStorageImageWriteWithoutFormat},
+        {4427, enabled.get<vk::PhysicalDeviceVulkan11Features>().shaderDrawParameters},
+        {5379, enabled.get<vk::PhysicalDeviceVulkan13Features>().shaderDemoteToHelperInvocation},
+    };
+    std::vector<std::uint32_t> lacking;
+    for (const auto& [capability, offered] : all)
+        if (offered != VK_TRUE) lacking.push_back(capability);
+    return lacking;
+}
+
 Features summary(const FeatureChain& enabled) {
     const vk::PhysicalDeviceFeatures& core = enabled.get<vk::PhysicalDeviceFeatures2>().features;
     return {
@@ -101,6 +120,7 @@ Result<void> makeLogicalDevice(DeviceState& state) {
     state.commandPool =
         state.device.createCommandPool({.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = state.queueFamily});
     state.features = summary(features);
+    state.lacking = lackingCapabilities(features);
     state.packedDepthStencil = packedDepthStencil(state.physical);
     return {};
 }

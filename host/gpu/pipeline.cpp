@@ -231,6 +231,7 @@ Result<std::unique_ptr<PipelineHandle>> makeGraphics(const std::shared_ptr<Devic
 Result<std::unique_ptr<PipelineHandle>> makeCompute(const std::shared_ptr<DeviceState>& device, const ComputePipelineDesc& desc) {
     const auto shader = checkShader(desc.shader.spirv, desc.shader.entry, ShaderStage::Compute, desc.name);
     if (!shader) return shader.error();
+    if (const auto capable = checkCapabilities(*device, desc.shader.spirv, desc.name); !capable) return capable.error();
     auto handle = newHandle(device, desc.name);
     handle->compute = true;
     const auto layout = makeLayout(*handle, desc.bindings, vk::ShaderStageFlagBits::eCompute);

@@ -50,6 +50,19 @@ bool readsSecondSource(const TargetBlend& blend) {
     return blend.enable && (second(blend.src) || second(blend.dst) || second(blend.srcAlpha) || second(blend.dstAlpha));
 }
 
+std::string_view capabilityName(std::uint32_t capability) {
+    switch (capability) { // as logical_device.cpp lists them
+    case 2: return "geometry stage";
+    case 25: return "gathering with offsets";
+    case 32: return "clip distances";
+    case 33: return "cull distances";
+    case 55: return "reading of storage images without a format";
+    case 56: return "writing of storage images without a format";
+    case 4427: return "draw parameters";
+    default: return "demotion to helper invocations";
+    }
+}
+
 /// The first thing that the state asks for and the device lacks; empty: nothing.
 std::string_view missingFeature(const DeviceState& device, const PipelineDesc& desc) {
     const auto used = std::span(desc.state.targets).first(desc.colorFormats.size());
@@ -74,8 +87,22 @@ Result<void> checkBlendable(const DeviceState& device, const PipelineDesc& desc)
 
 } // namespace
 
+Result<void> checkCapabilities(const DeviceState& device, std::span<const std::uint32_t> words, const std::string& pipeline) {
+    constexpr std::size_t kHeader = 5;        // words before the first instruction
+    constexpr std::uint32_t kCapability = 17; // OpCapability: all of them stand first
+    for (std::size_t at = kHeader; at + 1 < words.size() && (words[at] & 0xffffU) == kCapability; at += 2)
+        if (std::ranges::find(device.lacking, words[at + 1]) != device.lacking.end())
+            return machineError(
+                6024,
+                fmt::format("pipeline '{}': {} has no {}, which a shader needs", pipeline, device.info.name, capabilityName(words[at + 1])),
+                "choose another device, or another technique");
+    return {};
+}
+
 Result<void> checkPipeline(const DeviceState& device, const PipelineDesc& desc) {
     if (auto shaders = checkShaders(desc); !shaders) return shaders;
+    for (const auto& words : {std::span<const std::uint32_t>(desc.vertex.spirv), std::span<const std::uint32_t>(desc.pixel.spirv)})
+        if (auto capable = checkCapabilities(device, words, desc.name); !capable) return capable;
     if (auto attachments = checkAttachments(device, desc); !attachments) return attachments;
     if (auto samples = checkSamples(device, desc); !samples) return samples;
     if (const auto missing = missingFeature(device, desc); !missing.empty())

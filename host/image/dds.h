@@ -35,6 +35,8 @@ enum class DdsHeader { Dx10, Direct3D9 };
 /// TG52xx with its byte.
 [[nodiscard]] Result<DdsTexture> decodeDds(std::span<const std::byte> bytes, const std::string& nameForMessages);
 [[nodiscard]] Result<DdsTexture> loadDds(const std::filesystem::path& path);
+/// There is a file, its header is one that loadDds reads, and all of its texels are there. In a cache anything else is made again.
+[[nodiscard]] bool isWholeDds(const std::filesystem::path& path);
 
 /// A texture of one face. Grey is spread to red, green and blue, a missing alpha is 1, surplus channels are left out. With `mips` the whole
 /// chain, each level the mean of what it covers (Rgba8Srgb: of the light).

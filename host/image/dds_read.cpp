@@ -205,4 +205,13 @@ Result<DdsTexture> loadDds(const std::filesystem::path& path) {
     return decodeDds(std::as_bytes(std::span(*bytes)), path.string());
 }
 
+bool isWholeDds(const std::filesystem::path& path) {
+    const Result<std::string> read = readFile(path);
+    if (!read || !isDds(std::as_bytes(std::span(*read)))) return false;
+    const std::string name = path.string();
+    const Encoded in{.bytes = std::as_bytes(std::span(*read)), .name = name};
+    const auto layout = readHeader(in);
+    return layout && static_cast<bool>(checkLength(in, *layout));
+}
+
 } // namespace tegument

@@ -16,6 +16,8 @@ namespace dxc {
 enum class Output { Spirv, Dxil };
 
 [[nodiscard]] bool available();
+/// The loader's words where it is not.
+[[nodiscard]] std::string whyNot();
 /// "DXC 1.8 (fd7e54bc)"; empty when not available.
 [[nodiscard]] std::string name();
 /// Hash of the library's file.

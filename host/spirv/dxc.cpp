@@ -40,14 +40,22 @@ std::vector<fs::path> candidates() {
 struct Library {
     DxcCreateInstanceProc create = nullptr;
     fs::path path;
+    std::string why; // there is none
 
     Library() {
         for (const fs::path& candidate : candidates()) {
             void* handle = dlopen(candidate.c_str(), RTLD_NOW | RTLD_LOCAL);
-            if (handle == nullptr) continue;
+            if (handle == nullptr) {
+                why = dlerror();
+                continue;
+            }
             create = reinterpret_cast<DxcCreateInstanceProc>(dlsym(handle, "DxcCreateInstance"));
             path = candidate;
-            if (create != nullptr) return;
+            CComPtr<IDxcCompiler3> compiler;
+            if (create != nullptr && SUCCEEDED(create(CLSID_DxcCompiler, __uuidof(IDxcCompiler3), reinterpret_cast<void**>(&compiler))))
+                return;
+            why = candidate.string() + (create == nullptr ? " is no DXC" : " is a DXC of another version: it has no IDxcCompiler3");
+            create = nullptr;
         }
     }
 };
@@ -330,6 +338,10 @@ bool available() {
     return library().create != nullptr;
 }
 
+std::string whyNot() {
+    return library().why;
+}
+
 std::string name() {
     const auto compiler = instance<IDxcCompiler3>(CLSID_DxcCompiler);
     CComPtr<IDxcVersionInfo> version;
@@ -370,6 +382,9 @@ Result<RawShader> compile(const ShaderRequest& request, Output output, IncludeRe
 
 bool available() {
     return false;
+}
+std::string whyNot() {
+    return "this program was built without it";
 }
 std::string name() {
     return {};

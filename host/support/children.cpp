@@ -82,6 +82,15 @@ void becomeQuiet() {
     dup2(nowhere, STDERR_FILENO);
 }
 
+/// Ends this process at once, whatever it does, when the pipe's other end is closed: that is when the program has ended.
+void endWith(int lifeline) {
+    std::signal(SIGIO, SIG_DFL);
+    fcntl(lifeline, F_SETOWN, getpid());
+    fcntl(lifeline, F_SETFL, fcntl(lifeline, F_GETFL) | O_ASYNC);
+    pollfd asked{.fd = lifeline, .events = POLLIN, .revents = 0};
+    if (poll(&asked, 1, 0) > 0) _exit(0); // it was faster
+}
+
 } // namespace
 
 Children::~Children() {
@@ -108,21 +117,28 @@ Children::Child Children::start() {
     const std::unique_lock alone(busy_);
     const std::unique_lock lock(mutex_); // until the child's end is closed here: a second child would hold it open
     int ends[2] = {-1, -1};
+    int lifeline[2] = {-1, -1};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return {};
+    if (pipe2(lifeline, O_CLOEXEC) != 0) lifeline[0] = lifeline[1] = -1;
     const pid_t process = fork();
     if (process == 0) {
         close(ends[0]);
+        close(lifeline[1]);
         for (const int other : sockets_)
             close(other);
+        endWith(lifeline[0]);
         serve(ends[1]);
     }
     close(ends[1]);
+    close(lifeline[0]);
     if (process < 0) {
         close(ends[0]);
+        close(lifeline[1]);
         return {};
     }
     sockets_.push_back(ends[0]);
-    return {process, ends[0]};
+    sockets_.push_back(lifeline[1]);
+    return {process, ends[0], lifeline[1]};
 }
 
 Children::Child Children::take() {
@@ -147,11 +163,13 @@ int Children::end(Child child) {
     {
         const std::unique_lock lock(mutex_);
         std::erase(sockets_, child.socket);
+        std::erase(sockets_, child.lifeline);
     }
     close(child.socket);
     int status = 0;
     while (waitpid(child.process, &status, 0) < 0)
-        if (errno != EINTR) return 0;
+        if (errno != EINTR) break;
+    close(child.lifeline);
     return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 

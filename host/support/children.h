@@ -36,6 +36,7 @@ private:
     struct Child {
         int process = -1;
         int socket = -1;
+        int lifeline = -1; // open while we are
     };
 
     [[nodiscard]] Child take();

@@ -19,8 +19,8 @@ namespace tegument {
 /// What `relative`, written with slashes or backslashes, names below the folder when case does not count; nullopt if there is no such file.
 [[nodiscard]] std::optional<std::filesystem::path> findInAnyCase(std::filesystem::path folder, std::string relative);
 
-/// Writes `<path>.tmp.<host>.<pid>.<n>` and renames it: a reader sees the old file or the whole new one, and many writers on many machines
-/// do not meet. Creates missing folders. TG5002 on failure.
+/// A reader sees the old file or the whole new one, whenever this process is killed, and many writers on many machines do not meet. Links
+/// are followed; pipes and devices are written into. Creates missing folders. TG5002 on failure.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 /// Whether writeFile could, asked before long work: no folder has this name, and the nearest folder above that exists takes a new file.

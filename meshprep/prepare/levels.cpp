@@ -246,7 +246,6 @@ private:
     const DistanceFrom& distance_;
     std::size_t target_;
     std::size_t mostPeaks_;
-    std::size_t most_ = 0; // corners
     Made best_{.level = {}, .apart = {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}}};
 };
 

@@ -209,7 +209,9 @@ TEST(BadUsage, every_mistake_has_its_code) {
         {8050, kUsage, {"fur", "texture", "-o", (scratch() / "codes").string(), "--seeds", "16..1"}},
     };
     for (const Refused& refused : all) {
-        const Ran ran = tegument::test::tegument(refused.arguments, {{"TEGUMENT_DXC", "/nonexistent.so"}});
+        std::map<std::string, std::string> environment; // a compiler that is named and not there is a mistake of its own
+        if (refused.code == 8015) environment["TEGUMENT_DXC"] = "/nonexistent.so";
+        const Ran ran = tegument::test::tegument(refused.arguments, environment);
         expectMessage(ran, refused.exit, {fmt::format("TG{}", refused.code)});
     }
     EXPECT_FALSE(fs::exists(out));

@@ -2,6 +2,8 @@
 //   memory  vkAllocateMemory: VK_ERROR_OUT_OF_DEVICE_MEMORY
 //   host    vkCreateImage, vkCreateBuffer: VK_ERROR_OUT_OF_HOST_MEMORY
 //   lost    vkQueueSubmit, vkQueueSubmit2, vkWaitForFences, vkWaitSemaphores: VK_ERROR_DEVICE_LOST
+//   old     every device offers Vulkan 1.1 only
+//   bare    every device is without optional features
 //   crash   vkCreateGraphicsPipelines: the process is ended by a signal, as by a driver's own fault
 
 #include <vulkan/vk_layer.h>
@@ -52,6 +54,8 @@ Fault& fault() {
 std::mutex mutex;
 PFN_vkGetInstanceProcAddr nextInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextDevice = nullptr;
+PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr; // asked for before the loader puts ours into the instance
+PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
 VkInstance theInstance = VK_NULL_HANDLE;
 VkDevice theDevice = VK_NULL_HANDLE;
 
@@ -85,6 +89,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstance(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, allocator, instance);
     theInstance = *instance;
+    if (result != VK_SUCCESS) return result;
+    nextProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(nextInstance(*instance, "vkGetPhysicalDeviceProperties"));
+    nextFeatures2 = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(nextInstance(*instance, "vkGetPhysicalDeviceFeatures2"));
     return result;
 }
 
@@ -149,10 +156,35 @@ VKAPI_ATTR VkResult VKAPI_CALL createPipelines(VkDevice device, VkPipelineCache 
     return below<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(device, cache, count, infos, allocator, pipelines);
 }
 
+/// Not counted: every call answers so.
+bool pretends(std::string_view kind) {
+    return fault().kind == kind;
+}
+
+VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* into) {
+    nextProperties(physical, into);
+    if (pretends("old")) into->apiVersion = VK_API_VERSION_1_1;
+}
+
+VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* into) {
+    nextFeatures2(physical, into);
+    if (!pretends("bare")) return;
+    into->features = {};
+    for (auto* more = static_cast<VkBaseOutStructure*>(into->pNext); more != nullptr; more = more->pNext) {
+        if (more->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES)
+            reinterpret_cast<VkPhysicalDeviceVulkan11Features*>(more)->shaderDrawParameters = VK_FALSE;
+        if (more->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)
+            reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(more)->samplerMirrorClampToEdge = VK_FALSE;
+    }
+}
+
 PFN_vkVoidFunction ours(std::string_view name) {
     static const std::map<std::string_view, PFN_vkVoidFunction> kOurs = {
         {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(createInstance)},
         {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(createDevice)},
+        {"vkGetPhysicalDeviceProperties", reinterpret_cast<PFN_vkVoidFunction>(properties)},
+        {"vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(features2)},
+        {"vkGetPhysicalDeviceFeatures2KHR", reinterpret_cast<PFN_vkVoidFunction>(features2)},
         {"vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(allocateMemory)},
         {"vkCreateImage", reinterpret_cast<PFN_vkVoidFunction>(createImage)},
         {"vkCreateBuffer", reinterpret_cast<PFN_vkVoidFunction>(createBuffer)},

@@ -63,6 +63,24 @@ TEST_F(Cache, a_file_cut_short_anywhere_is_a_miss) {
     expectSame(compile(), fresh);
 }
 
+TEST_F(Cache, a_changed_byte_behind_a_right_checksum_is_a_miss_or_means_what_it_says) {
+    (void)compile();
+    const std::string bytes = onlyEntry();
+    constexpr std::size_t kContent = 8 + 32; // behind the magic and the checksum
+    std::size_t misses = 0;
+    for (std::size_t at = kContent; at < bytes.size(); ++at) {
+        std::string content = bytes.substr(kContent);
+        content[at - kContent] = static_cast<char>(content[at - kContent] ^ 16); // no truth value, a length beyond the end, another letter
+        const std::string file = bytes.substr(0, 8) + contentHash(content) + content;
+        const auto cached = decodeShader(file);
+        misses += cached ? 0 : 1;
+        if (cached) {
+            ASSERT_EQ(encodeShader(*cached), file) << at;
+        }
+    }
+    EXPECT_GT(misses, 0U);
+}
+
 TEST_F(Cache, a_changed_byte_anywhere_is_a_miss) {
     const Shader fresh = compile();
     const std::string bytes = onlyEntry();

@@ -103,7 +103,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
-                                .meshTextures = furTextures([](const std::string& made) { fmt::print(stderr, "{}\n", made); }),
+                                .meshTextures = furTextures([](const std::string& made) { say(made); }),
                                 .lights = arguments.lights};
     return options;
 }

@@ -92,7 +92,7 @@ Result<std::vector<VerifiedModule>> verifyAll(const VerifyArguments& arguments, 
 void tell(const std::vector<VerifiedModule>& modules) {
     for (const VerifiedModule& module : modules) {
         warn(module.report.warnings);
-        if (module.error) fmt::print(stderr, "{}\n", format(*module.error));
+        if (module.error) say(format(*module.error));
     }
 }
 

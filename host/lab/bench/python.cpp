@@ -2,6 +2,7 @@
 
 #include "host/support/file.h"
 #include "host/support/process.h"
+#include "host/support/temporary.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -19,23 +20,13 @@ namespace fs = std::filesystem;
 constexpr double kTimeLimit = 600; // seconds; a plot takes two, FLIP of a large picture one
 constexpr int kPackageMissing = 3; // exit code of the helpers
 
-/// A folder of our own that is gone when we are.
-class ScratchFolder {
+/// Gone when we are.
+class ScratchFolder : public Temporary {
 public:
-    ScratchFolder() : path_(fs::temp_directory_path() / fmt::format("tegument-bench-{}", ::getpid())) {
+    ScratchFolder() : Temporary(fs::temp_directory_path() / fmt::format("tegument-bench-{}", ::getpid())) {
         std::error_code code;
-        fs::create_directories(path_, code);
+        fs::create_directories(path(), code);
     }
-    ~ScratchFolder() {
-        std::error_code code;
-        fs::remove_all(path_, code);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
 };
 
 std::vector<double> numbersOf(const std::string& text) {

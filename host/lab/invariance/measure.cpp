@@ -5,6 +5,7 @@
 #include "host/lab/invariance/painter.h"
 #include "host/lab/verify/fur_scene.h"
 #include "host/run/parts.h"
+#include "host/support/temporary.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 
 #include <fmt/format.h>
@@ -32,23 +33,17 @@ constexpr int kFurTexture = 64;
 class Textures {
 public:
     explicit Textures(const fs::path& folder) : folder_(folder / fmt::format("tegument-invariance-{:08x}", std::random_device{}())) {}
-    Textures(const Textures&) = delete;
-    Textures& operator=(const Textures&) = delete;
-    ~Textures() {
-        std::error_code code;
-        fs::remove_all(folder_, code);
-    }
 
     Result<void> add(Workspace& workspace, const std::string& parameter, const DdsTexture& texture) {
         if (workspace.textures.contains(parameter)) return {};
-        const fs::path file = folder_ / (parameter + ".dds");
+        const fs::path file = folder_.path() / (parameter + ".dds");
         if (const auto written = writeDds(file, texture); !written) return written;
         workspace.textures[parameter] = file.string();
         return {};
     }
 
 private:
-    fs::path folder_;
+    Temporary folder_;
 };
 
 DdsTexture furCube() {

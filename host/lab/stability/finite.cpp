@@ -4,6 +4,7 @@
 #include "host/lab/stability/work.h"
 #include "host/run/parts.h"
 #include "host/run/read_back.h"
+#include "host/support/temporary.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 
 #include <fmt/format.h>
@@ -82,8 +83,7 @@ std::string causes(const Tally& tally) {
 
 Result<void> measureFinite(const Context& context) {
     const std::vector<HardScene> scenes = hostileScenes();
-    std::error_code code;
-    const auto roots = std::filesystem::temp_directory_path(code) / fmt::format("tegument_stability_{}.dds", ::getpid());
+    const Temporary roots(std::filesystem::temp_directory_path() / fmt::format("tegument_stability_{}.dds", ::getpid()));
     for (const auto& file : effectFiles(context)) {
         Tally tally;
         std::size_t techniques = 0;
@@ -96,7 +96,7 @@ Result<void> measureFinite(const Context& context) {
             for (const HardScene& scene : scenes) {
                 context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
                 const bool strands = run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart);
-                const auto drawn = drawScene(context, *effect, setting, strands ? withStrands(scene, roots) : scene, tally);
+                const auto drawn = drawScene(context, *effect, setting, strands ? withStrands(scene, roots.path()) : scene, tally);
                 if (!drawn) return drawn.error();
             }
         }
@@ -112,7 +112,6 @@ Result<void> measureFinite(const Context& context) {
              .notFinite = tally.values,
              .why = "finite numbers in, finite numbers out"});
     }
-    std::filesystem::remove(roots, code);
     return {};
 }
 

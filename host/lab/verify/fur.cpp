@@ -5,6 +5,7 @@
 #include "host/image/dds.h"
 #include "host/lab/verify/fur_scene.h"
 #include "host/lab/verify/truth.h"
+#include "host/support/temporary.h"
 
 #include <fmt/format.h>
 
@@ -38,12 +39,6 @@ constexpr double kUnseen = 0.01;
 class Maps {
 public:
     Maps() : folder_(fs::temp_directory_path() / fmt::format("tegument-verify-fur-{}", ::getpid())) {}
-    ~Maps() {
-        std::error_code code;
-        fs::remove_all(folder_, code);
-    }
-    Maps(const Maps&) = delete;
-    Maps& operator=(const Maps&) = delete;
 
     Result<void> write() {
         const Image sphere = furPattern(kSphereMapSize, 0);
@@ -57,7 +52,7 @@ public:
         }
         return writeDds(file(true), cube);
     }
-    [[nodiscard]] fs::path file(bool cube) const { return folder_ / (cube ? "cube.dds" : "sphere.dds"); }
+    [[nodiscard]] fs::path file(bool cube) const { return folder_.path() / (cube ? "cube.dds" : "sphere.dds"); }
 
     [[nodiscard]] double alpha(bool cube, const glm::dvec3& direction) const {
         return cube ? onFaces(direction) : sphere_.at(reference::onSphereMap(direction)).w;
@@ -102,7 +97,7 @@ private:
             faces_[static_cast<std::size_t>(there.face)].at(static_cast<int>(place.x), static_cast<int>(place.y), 3));
     }
 
-    fs::path folder_;
+    Temporary folder_;
     reference::Texture sphere_;
     std::array<Image, 6> faces_;
 };

@@ -6,6 +6,7 @@
 #include "host/lab/verify/corner_grid.h"
 #include "host/lab/verify/truth.h"
 #include "host/support/parallel.h"
+#include "host/support/temporary.h"
 
 #include <fmt/format.h>
 
@@ -28,18 +29,12 @@ constexpr double kTolerance = 0.005; // of the shadow's comparison, share of the
 /// The roots as a file for the renderer, removed in the end.
 class RootFile {
 public:
-    RootFile() : path_(fs::temp_directory_path() / fmt::format("tegument-verify-roots-{}.dds", ::getpid())) {}
-    ~RootFile() {
-        std::error_code code;
-        fs::remove(path_, code);
-    }
-    RootFile(const RootFile&) = delete;
-    RootFile& operator=(const RootFile&) = delete;
-    Result<void> write(const Image& roots) const { return writeDds(path_, makeDds(roots, DdsFormat::Rgba32F, false)); }
-    [[nodiscard]] std::string path() const { return path_.string(); }
+    RootFile() : file_(fs::temp_directory_path() / fmt::format("tegument-verify-roots-{}.dds", ::getpid())) {}
+    Result<void> write(const Image& roots) const { return writeDds(file_.path(), makeDds(roots, DdsFormat::Rgba32F, false)); }
+    [[nodiscard]] std::string path() const { return file_.path().string(); }
 
 private:
-    fs::path path_;
+    Temporary file_;
 };
 
 struct View {

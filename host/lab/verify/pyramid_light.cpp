@@ -3,6 +3,7 @@
 #include "host/image/dds.h"
 #include "host/lab/reference/bssrdf.h"
 #include "host/lab/verify/pyramid.h"
+#include "host/support/temporary.h"
 #include "meshprep/skin/skin_links.h"
 
 #include <fmt/format.h>
@@ -24,19 +25,13 @@ using Weights = std::array<glm::dvec3, 6>; // of the profile's Gaussians
 class LinkFile {
 public:
     explicit LinkFile(const SkinLinks& links)
-        : path_(std::filesystem::temp_directory_path() / fmt::format("tegument-verify-{}.dds", ::getpid())),
-          written_(writeDds(path_, DdsTexture{.format = DdsFormat::Rgba16F, .images = {links.sheet}})) {}
-    LinkFile(const LinkFile&) = delete;
-    LinkFile& operator=(const LinkFile&) = delete;
-    ~LinkFile() {
-        std::error_code code;
-        std::filesystem::remove(path_, code);
-    }
+        : file_(std::filesystem::temp_directory_path() / fmt::format("tegument-verify-{}.dds", ::getpid())),
+          written_(writeDds(file_.path(), DdsTexture{.format = DdsFormat::Rgba16F, .images = {links.sheet}})) {}
     [[nodiscard]] const Result<void>& written() const { return written_; }
-    [[nodiscard]] std::string path() const { return path_.string(); }
+    [[nodiscard]] std::string path() const { return file_.path().string(); }
 
 private:
-    std::filesystem::path path_;
+    Temporary file_;
     Result<void> written_;
 };
 

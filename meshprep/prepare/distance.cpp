@@ -205,11 +205,10 @@ public:
         for (const Place& place : piece.places)
             apart = std::max(apart, place.apart);
         piece.bound = apart + reachOf(piece.corners);
-        if (piece.bound <= close) return;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (const std::uint32_t hint = piece.places[i].hint; (i == 0 || hint != piece.places[i - 1].hint) && near(piece, i, close))
-                return;
-        pieces_.push(piece);
+        for (std::size_t i = 0; i < 3 && piece.bound > close; ++i)
+            if (const std::uint32_t hint = piece.places[i].hint; i == 0 || hint != piece.places[i - 1].hint)
+                piece.bound = std::min(piece.bound, farthestCorner(piece, i, piece.bound));
+        if (piece.bound > close) pieces_.push(piece);
     }
 
     /// Cuts until nothing can be further than what was reached, or so many nearest points were asked for. Gives the bound of what is left.
@@ -227,11 +226,15 @@ public:
     static double closeTo(double reached) { return std::max(reached * kClose, kRounding); }
 
 private:
-    /// Whether all of it is as close to the triangle near one of its corners: the distance from one triangle is greatest at a corner.
-    [[nodiscard]] bool near(const Piece& piece, std::size_t corner, double close) const {
+    /// How far the corners are from the triangle near one of them, and so all of the piece: the distance from one triangle is greatest at a
+    /// corner. What is further than `least` does not matter.
+    [[nodiscard]] double farthestCorner(const Piece& piece, std::size_t corner, double least) const {
         const std::uint32_t hint = piece.places[corner].hint;
-        return hint != kNoHint && other_.distanceTo(hint, piece.corners[(corner + 1) % 3]) <= close &&
-               other_.distanceTo(hint, piece.corners[(corner + 2) % 3]) <= close && other_.distanceTo(hint, piece.corners[corner]) <= close;
+        if (hint == kNoHint) return least;
+        double farthest = 0;
+        for (std::size_t i = 1; i <= 3 && farthest < least; ++i) // itself last: it is near
+            farthest = std::max(farthest, other_.distanceTo(hint, piece.corners[(corner + i) % 3]));
+        return farthest;
     }
 
     /// Into four, by the middles of the sides.

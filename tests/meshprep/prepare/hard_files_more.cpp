@@ -87,19 +87,18 @@ void addForms(More& c) {
     c.gives(83, "book.obj", book, 102, 100);
 }
 
-/// A toothed disc as programs for solids write it: top and bottom are slivers from one corner of the rim.
-std::string toothedDisc(int corners) {
+/// A disc whose top and bottom are slivers from the middle.
+std::string sliveredDisc(int corners) {
     std::string points, faces;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * i / corners;
-        const double radius = i % 4 < 2 ? 42 : 40;
-        const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+        const double x = 40 * std::cos(angle), y = 40 * std::sin(angle);
         points += fmt::format("{0:.6f} {1:.6f} 0\n{0:.6f} {1:.6f} 5\n", x, y);
-        const int low = 2 * i, next = 2 * ((i + 1) % corners);
+        const int low = 2 * i, next = 2 * ((i + 1) % corners), middle = 2 * corners;
         faces += fmt::format("3 {} {} {}\n3 {} {} {}\n", low, next, next + 1, low, next + 1, low + 1);
-        if (i > 0 && i < corners - 1) faces += fmt::format("3 0 {} {}\n3 1 {} {}\n", next, low, low + 1, next + 1);
+        faces += fmt::format("3 {} {} {}\n3 {} {} {}\n", middle, next, low, middle + 1, low + 1, next + 1);
     }
-    return fmt::format("OFF\n{} {} 0\n", 2 * corners, 4 * corners - 4) + points + faces;
+    return fmt::format("OFF\n{} {} 0\n", 2 * corners + 2, 4 * corners) + points + "0 0 0\n0 0 5\n" + faces;
 }
 
 void addPlaces(More& c) {
@@ -131,7 +130,7 @@ void addPlaces(More& c) {
             "outer loop\nvertex 1 2.7e-16 -2.7e-16\nvertex 1 1 0.5\nvertex 2.7e-16 1 0\nendloop\nendfacet\nendsolid cad\n",
             4, 2);
     // Many slivers' boxes hold each point, so that nearest points are not exact: the error of a level has to be bounded without them.
-    c.gives(86, "slivers.off", toothedDisc(500), 1000, 1996);
+    c.gives(86, "slivers.off", sliveredDisc(1500), 3002, 6000);
     c.gives(80, "offset_1e30.ply", square("double", "", {"1e30 0 0", "1.0000000001e30 0 0", "1e30 1e20 0", "1.0000000001e30 1e20 0"}), 4,
             2);
 }

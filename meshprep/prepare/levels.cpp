@@ -258,7 +258,10 @@ private:
 
     void take(Made made) {
         const bool fits = !made.level.empty() && made.level.size() <= 3 * target_ + 3 * target_ / 100;
-        if (fits && made.apart.greatest < best_.apart.greatest) best_ = std::move(made);
+        if (!fits || made.apart.greatest >= best_.apart.greatest) return;
+        // Of many that are roughly known the least is likely to be one that was judged too well.
+        made.apart.greatest = std::max(made.apart.greatest, distance_.to(made.level).reached);
+        if (made.apart.greatest < best_.apart.greatest) best_ = std::move(made);
     }
 
     const WholeMesh& whole_;

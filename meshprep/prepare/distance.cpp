@@ -6,6 +6,7 @@
 #include "meshprep/prepare/distance.h"
 
 #include "host/support/parallel.h"
+#include "meshprep/prepare/cover.h"
 #include "meshprep/prepare/near_surface.h"
 
 #include <algorithm>
@@ -53,10 +54,11 @@ constexpr double kNear = 0.3;
 struct Effort {
     std::size_t perTriangle = 0;
     std::size_t atLeast = 0;
+    std::size_t atMost = 0;
 };
-constexpr Effort kThorough{.perTriangle = 8, .atLeast = 30'000};
-constexpr Effort kDear{.perTriangle = 0, .atLeast = 256};
-constexpr Effort kRough{.perTriangle = 1, .atLeast = 3'000};
+constexpr Effort kThorough{.perTriangle = 8, .atLeast = 30'000, .atMost = 200'000};
+constexpr Effort kDear{.perTriangle = 0, .atLeast = 256, .atMost = 256};
+constexpr Effort kRough{.perTriangle = 1, .atLeast = 3'000, .atMost = 500'000};
 
 /// What is further than this share of the greatest distance is worth mending.
 constexpr double kPeak = 0.5;
@@ -143,7 +145,7 @@ public:
         std::vector<Peak> highest{}; // of the runs that reached more than was known
     };
     /// A bound, and what was reached: what cannot be 2 % further than that is left alone.
-    [[nodiscard]] Found bound(double reached, const Effort& effort) const;
+    [[nodiscard]] Found bound(double reached, const Effort& effort, const Cover* cover = nullptr) const;
 
 private:
     /// `work(first, last, reached)` gives the greatest that it reached.
@@ -193,7 +195,8 @@ struct Piece {
 /// A run of triangles: the pieces that may hold the greatest distance, the likeliest first.
 class Undecided {
 public:
-    Undecided(const Surface& other, double reached) : other_(other), reached_(reached) {}
+    /// `cover`: of the other surface, or null.
+    Undecided(const Surface& other, double reached, const Cover* cover) : other_(other), cover_(cover), reached_(reached) {}
 
     /// What was reached, and where if it is more than what was known.
     [[nodiscard]] double reached() const { return reached_; }
@@ -205,21 +208,22 @@ public:
         for (const Place& place : piece.places)
             apart = std::max(apart, place.apart);
         piece.bound = apart + reachOf(piece.corners);
-        if (piece.bound <= close) return;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (const std::uint32_t hint = piece.places[i].hint; (i == 0 || hint != piece.places[i - 1].hint) && near(piece, i, close))
-                return;
-        pieces_.push(piece);
+        for (std::size_t i = 0; i < 3 && piece.bound > close; ++i)
+            if (const std::uint32_t hint = piece.places[i].hint; i == 0 || hint != piece.places[i - 1].hint)
+                piece.bound = std::min(piece.bound, farthestCorner(piece, i, piece.bound));
+        if (piece.bound > close) pieces_.push(piece);
     }
 
     /// Cuts until nothing can be further than what was reached, or so many nearest points were asked for. Gives the bound of what is left.
     double cut(std::size_t most) {
         // A point whose distance is not exact may hold a piece up however small it is: its cuts ask nothing new, and count as well.
-        for (std::size_t cuts = 0; !pieces_.empty() && pieces_.top().bound > closeTo(reached_); ++cuts) {
+        for (std::size_t cuts = 0; !pieces_.empty() && pieces_.top().bound > closeTo(reached_);) {
             if (std::max(asked_.size(), cuts) >= most) return pieces_.top().bound;
             const Piece piece = pieces_.top();
             pieces_.pop();
+            if (within(piece, closeTo(reached_))) continue;
             split(piece);
+            ++cuts;
         }
         return 0;
     }
@@ -227,11 +231,20 @@ public:
     static double closeTo(double reached) { return std::max(reached * kClose, kRounding); }
 
 private:
-    /// Whether all of it is as close to the triangle near one of its corners: the distance from one triangle is greatest at a corner.
-    [[nodiscard]] bool near(const Piece& piece, std::size_t corner, double close) const {
+    /// How far the corners are from the triangle near one of them, and so all of the piece: the distance from one triangle is greatest at a
+    /// corner. What is further than `least` does not matter.
+    [[nodiscard]] double farthestCorner(const Piece& piece, std::size_t corner, double least) const {
         const std::uint32_t hint = piece.places[corner].hint;
-        return hint != kNoHint && other_.distanceTo(hint, piece.corners[(corner + 1) % 3]) <= close &&
-               other_.distanceTo(hint, piece.corners[(corner + 2) % 3]) <= close && other_.distanceTo(hint, piece.corners[corner]) <= close;
+        if (hint == kNoHint) return least;
+        double farthest = 0;
+        for (std::size_t i = 1; i <= 3 && farthest < least; ++i) // itself last: it is near
+            farthest = std::max(farthest, other_.distanceTo(hint, piece.corners[(corner + i) % 3]));
+        return farthest;
+    }
+
+    [[nodiscard]] bool within(const Piece& piece, double most) const {
+        const std::uint32_t start = piece.places[0].hint;
+        return cover_ != nullptr && start != kNoHint && cover_->within(piece.corners, start, most);
     }
 
     /// Into four, by the middles of the sides.
@@ -275,6 +288,7 @@ private:
     };
 
     const Surface& other_;
+    const Cover* cover_;
     double reached_;
     OneWay::Peak highest_;
     std::priority_queue<Piece> pieces_;
@@ -285,16 +299,16 @@ private:
 constexpr std::size_t kLeastRun = 64;
 constexpr std::size_t kMostRuns = 256;
 
-OneWay::Found OneWay::bound(double reached, const Effort& effort) const {
+OneWay::Found OneWay::bound(double reached, const Effort& effort, const Cover* cover) const {
     const std::size_t runs = std::clamp(own_.size() / kLeastRun, std::size_t{1}, kMostRuns);
-    const std::size_t most = std::max(effort.perTriangle * own_.size(), effort.atLeast) / runs;
+    const std::size_t most = std::clamp(effort.perTriangle * own_.size(), effort.atLeast, effort.atMost) / runs;
     struct Run {
         double bound = 0;
         Peak highest;
     };
     std::vector<Run> ofRun(runs);
     forEachInParallel(runs, [&](std::size_t run) {
-        Undecided undecided(other_, reached);
+        Undecided undecided(other_, reached, cover);
         for (std::size_t i = own_.size() * run / runs; i < own_.size() * (run + 1) / runs; ++i) {
             const auto corners = own_.corners().subspan(3 * i, 3);
             undecided.add({.corners = own_.triangle(i),
@@ -365,6 +379,7 @@ struct DistanceFrom::State {
     double scale = 1;
     std::vector<glm::dvec3> points;
     std::unique_ptr<Surface> surface;
+    std::unique_ptr<Cover> cover; // of it
 };
 
 DistanceFrom::DistanceFrom(const std::vector<glm::vec3>& positions, std::span<const std::uint32_t> triangles)
@@ -382,6 +397,7 @@ DistanceFrom::DistanceFrom(const std::vector<glm::vec3>& positions, std::span<co
     for (const glm::vec3& p : positions)
         state_->points.push_back((glm::dvec3(p) - low) / state_->scale);
     state_->surface = std::make_unique<Surface>(state_->points, triangles);
+    state_->cover = std::make_unique<Cover>(*state_->surface);
 }
 
 DistanceFrom::~DistanceFrom() = default;
@@ -395,7 +411,7 @@ SurfaceDistance DistanceFrom::to(std::span<const std::uint32_t> triangles) const
     const double reached = back.measureCorners(there.measureCorners(0));
     const bool dear = there.dear() || back.dear();
     const Effort& effort = dear ? kDear : kThorough;
-    const OneWay::Found first = back.bound(reached, effort);
+    const OneWay::Found first = back.bound(reached, effort, dear ? nullptr : state_->cover.get());
     const OneWay::Found last = there.bound(first.reached, effort);
     const double bound = std::max({first.bound, last.bound, Undecided::closeTo(last.reached)}) + kRounding;
     return {.greatest = state_->scale * bound,

@@ -54,7 +54,7 @@ public:
 
     [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
 
-    [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, Simplifier simplifier = Simplifier::Older,
+    [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, Simplifier simplifier = {},
                                      std::set<std::uint32_t> locked = {}) const {
         return simplify(
             {.from = from, .positions = positions_, .attributes = attributes_, .triangles = triangles, .locked = std::move(locked)},
@@ -156,34 +156,53 @@ private:
     std::size_t leftOver_ = 0;
 };
 
-/// Up to here every level is made in all ways and mended where it is furthest off.
-constexpr std::size_t kMostForChoice = 150'000;
+/// For each level so many triangles are simplified and judged, that is in about half a second of one processor. Small meshes are tried
+/// often.
+constexpr std::size_t kTrianglesTried = 1'000'000;
+constexpr std::size_t kMostTries = 60;
+constexpr std::size_t kLeastWays = 5;            // before the first is mended
 constexpr std::size_t kMostPartsForChoice = 256; // part by part, the time grows with parts times vertices
+
+std::size_t triesFor(std::size_t triangles) {
+    return std::clamp(kTrianglesTried / std::max<std::size_t>(triangles, 1), std::size_t{1}, kMostTries);
+}
 
 /// One level of a mesh: the nearest to the full surface of those tried.
 class LevelChoice {
 public:
-    LevelChoice(const WholeMesh& whole, const DistanceFrom& distance, std::size_t target)
-        : whole_(whole), distance_(distance), target_(target), mostPeaks_(std::max<std::size_t>(4, target / 50)) {}
+    LevelChoice(const WholeMesh& whole, const DistanceFrom& distance, std::size_t target, std::size_t tries)
+        : whole_(whole), distance_(distance), target_(target), tries_(tries), mostPeaks_(std::max<std::size_t>(4, target / 50)) {}
 
-    using Way = std::function<Indices()>;
+    struct Way {
+        std::function<Indices()> make;
+        Simplifier simplifier;
+    };
 
     /// In parallel. `ways` are asked for so many triangles; what cannot be had is not forced, for that costs whole limbs.
     void tryAll(const std::function<std::vector<Way>(std::size_t triangles)>& ways) {
         const std::size_t least = whole_.simplified(whole_.full(), target_).size() / 3;
         if (least > target_ + target_ / 50) target_ = least + least / 20;
-        const std::vector<Way> all = ways(target_);
+        std::vector<Way> all = ways(target_);
+        all.resize(std::min(all.size(), std::max(tries_ / 2, kLeastWays)), all[0]);
+        all.resize(std::min(all.size(), tries_), all[0]);
+        tries_ -= all.size();
         std::vector<Made> made(all.size());
-        forEachInParallel(all.size(), [&](std::size_t i) { made[i] = judged(all[i]()); });
-        for (Made& one : made)
+        forEachInParallel(all.size(), [&](std::size_t i) { made[i] = judged(all[i].make(), all[i].simplifier); });
+        std::ranges::stable_sort(made, {}, [](const Made& one) { return one.apart.greatest; });
+        for (Made& one : made) {
+            if (std::ranges::find(promising_, one.simplifier) == promising_.end()) promising_.push_back(one.simplifier);
             take(std::move(one));
+        }
     }
 
-    /// Where the level is furthest off, vertices of the full mesh are kept, and it is made again: by each simplifier as often as that takes
-    /// a tenth of a second.
+    /// Where the level is furthest off, vertices of the full mesh are kept, and it is made again, as often as tries are left: first by the
+    /// simplifiers that came nearest, in turn of all such places and of the furthest alone.
     void mend() {
-        std::vector<std::vector<Made>> better(simplifiers().size());
-        forEachInParallel(better.size(), [&](std::size_t i) { better[i] = mended(simplifiers()[i]); });
+        constexpr std::size_t kMostRounds = 5;
+        if (tries_ == 0) return;
+        const std::size_t rounds = std::clamp(tries_ / promising_.size(), std::min(tries_, std::size_t{2}), kMostRounds);
+        std::vector<std::vector<Made>> better(std::min(tries_ / rounds, promising_.size()));
+        forEachInParallel(better.size(), [&](std::size_t i) { better[i] = mended(promising_[i], rounds, i % 2 == 0 ? mostPeaks_ : 1); });
         for (std::vector<Made>& all : better)
             for (Made& made : all)
                 take(std::move(made));
@@ -195,14 +214,17 @@ private:
     struct Made {
         Indices level;
         RoughDistance apart;
+        Simplifier simplifier;
     };
 
     /// Vertices that should have stayed: those far from the level; and where a triangle of the level lies far off, the nearest one.
-    /// `widely`: and all neighbours of that triangle's corners, one of which went too far.
-    [[nodiscard]] std::set<std::uint32_t> cause(const Made& made, bool widely) const {
-        std::set<std::uint32_t> vertices(made.apart.peaks.begin(), made.apart.peaks.end());
+    /// `most`: peaks, and bridges. `widely`: and all neighbours of that triangle's corners, one of which went too far.
+    [[nodiscard]] std::set<std::uint32_t> cause(const Made& made, std::size_t most, bool widely) const {
+        std::set<std::uint32_t> vertices;
+        for (const std::uint32_t peak : std::span(made.apart.peaks).first(std::min(most, made.apart.peaks.size())))
+            vertices.insert(peak);
         std::set<std::uint32_t> corners;
-        for (const RoughDistance::Bridge& bridge : made.apart.bridges) {
+        for (const RoughDistance::Bridge& bridge : std::span(made.apart.bridges).first(std::min(most, made.apart.bridges.size()))) {
             vertices.insert(bridge.nearest);
             if (widely) corners.insert(&made.level[3 * std::size_t{bridge.triangle}], &made.level[3 * std::size_t{bridge.triangle}] + 3);
         }
@@ -213,24 +235,21 @@ private:
         return vertices;
     }
 
-    [[nodiscard]] Made judged(Indices level) const {
+    [[nodiscard]] Made judged(Indices level, Simplifier simplifier) const {
         RoughDistance apart = distance_.roughly(level, mostPeaks_);
-        return {.level = std::move(level), .apart = std::move(apart)};
+        return {.level = std::move(level), .apart = std::move(apart), .simplifier = simplifier};
     }
 
     /// Those that are worth a look.
-    [[nodiscard]] std::vector<Made> mended(Simplifier simplifier) const {
-        constexpr std::size_t kFacesInAll = 60'000;
-        constexpr std::size_t kMostRounds = 6;
-        const std::size_t rounds = std::min(kFacesInAll / (whole_.full().size() / 3), kMostRounds);
+    [[nodiscard]] std::vector<Made> mended(Simplifier simplifier, std::size_t rounds, std::size_t most) const {
         std::vector<Made> better;
-        std::set<std::uint32_t> locked = cause(best_, false);
+        std::set<std::uint32_t> locked = cause(best_, most, false);
         double last = best_.apart.greatest;
         std::size_t before = 0;
         for (std::size_t i = 0; i < rounds && locked.size() > before && 4 * locked.size() <= target_ + 64; ++i) {
             before = locked.size();
-            Made made = judged(whole_.simplified(whole_.full(), target_, simplifier, locked));
-            locked.merge(cause(made, made.apart.greatest >= last));
+            Made made = judged(whole_.simplified(whole_.full(), target_, simplifier, locked), simplifier);
+            locked.merge(cause(made, most, made.apart.greatest >= last));
             last = made.apart.greatest;
             if (last < best_.apart.greatest) better.push_back(std::move(made));
         }
@@ -239,31 +258,43 @@ private:
 
     void take(Made made) {
         const bool fits = !made.level.empty() && made.level.size() <= 3 * target_ + 3 * target_ / 100;
-        if (fits && made.apart.greatest < best_.apart.greatest) best_ = std::move(made);
+        if (!fits || made.apart.greatest >= best_.apart.greatest) return;
+        // Of many that are roughly known the least is likely to be one that was judged too well.
+        made.apart.greatest = std::max(made.apart.greatest, distance_.to(made.level).reached);
+        if (made.apart.greatest < best_.apart.greatest) best_ = std::move(made);
     }
 
     const WholeMesh& whole_;
     const DistanceFrom& distance_;
     std::size_t target_;
+    std::size_t tries_; // that are left
     std::size_t mostPeaks_;
-    Made best_{.level = {}, .apart = {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}}};
+    std::vector<Simplifier> promising_; // the one that came nearest first
+    Made best_{.level = {}, .apart = {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}}, .simplifier = {}};
 };
 
-std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, const std::vector<std::size_t>& targets) {
+/// The first is likely to be the nearest, and the last the least likely.
+std::vector<LevelChoice::Way> waysOf(const Mesh& mesh, const WholeMesh& whole, const Indices& last, std::size_t triangles) {
+    std::vector<LevelChoice::Way> ways;
+    const auto add = [&](Simplifier simplifier, const Indices& from) {
+        ways.push_back({[=, &whole, &from] { return whole.simplified(from, triangles, simplifier); }, simplifier});
+    };
+    add(simplifiers()[0], whole.full());
+    if (!last.empty()) add(simplifiers()[0], last);
+    for (const Simplifier& simplifier : simplifiers().subspan(1))
+        add(simplifier, whole.full());
+    if (mesh.parts.size() > 1 && mesh.parts.size() <= kMostPartsForChoice)
+        ways.push_back({[=, &whole] { return whole.partByPart(triangles); }, {}});
+    return ways;
+}
+
+std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, const std::vector<std::size_t>& targets, std::size_t tries) {
     const DistanceFrom distance(whole.positions(), whole.full());
     std::vector<MeshLevel> levels;
     Indices last;
     for (const std::size_t target : targets) {
-        LevelChoice choice(whole, distance, target);
-        choice.tryAll([&](std::size_t triangles) {
-            std::vector<LevelChoice::Way> ways;
-            for (const Simplifier simplifier : simplifiers())
-                ways.push_back([=, &whole] { return whole.simplified(whole.full(), triangles, simplifier); });
-            if (!last.empty()) ways.push_back([&, triangles] { return whole.simplified(last, triangles); });
-            if (mesh.parts.size() > 1 && mesh.parts.size() <= kMostPartsForChoice)
-                ways.push_back([&, triangles] { return whole.partByPart(triangles); });
-            return ways;
-        });
+        LevelChoice choice(whole, distance, target, tries);
+        choice.tryAll([&](std::size_t triangles) { return waysOf(mesh, whole, last, triangles); });
         choice.mend();
         last = choice.best();
         levels.push_back(whole.level(last));
@@ -281,11 +312,11 @@ std::vector<MeshLevel> allLevels(const Mesh& mesh, const std::vector<std::size_t
         return levels;
     }
     const WholeMesh whole(mesh);
-    if (mesh.indices.size() / 3 <= kMostForChoice) return bestLevels(mesh, whole, targets);
-    // Each of the one before: a fifth of the time, and on scans of a million triangles as near to the full surface.
+    if (const std::size_t tries = triesFor(mesh.indices.size() / 3); tries > 1) return bestLevels(mesh, whole, targets, tries);
+    // Each of the one before: a third of the time, and on scans of a million triangles as near to the full surface.
     Indices last = whole.full();
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        last = whole.simplified(last, targets[i]);
+        last = whole.simplified(last, targets[i], simplifiers()[0]);
         levels[i] = whole.level(last);
     }
     return levels;

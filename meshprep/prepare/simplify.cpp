@@ -42,7 +42,7 @@ std::vector<std::uint32_t> simplifyOlderBut(const Simplification& what) {
 } // namespace
 
 std::vector<std::uint32_t> simplify(const Simplification& what, Simplifier simplifier) {
-    if (simplifier != Simplifier::Older) return simplifyNewer(what, simplifier == Simplifier::Attributes);
+    if (simplifier.version == Simplifier::Version::Newer) return simplifyNewer(what, simplifier.normals);
     return what.locked.empty() ? simplifyOlder(what.from, what.positions, what.triangles, what.keepBorders) : simplifyOlderBut(what);
 }
 

@@ -12,13 +12,18 @@
 
 namespace tegument::prep {
 
-enum class Simplifier {
-    Older,     // version 0.18, Debian's
-    Newer,     // the version that ./bootstrap fetches
-    Attributes // the newer one, which counts errors of normals and texture coordinates, too
+struct Simplifier {
+    enum class Version {
+        Older, // 0.18, Debian's
+        Newer  // that ./bootstrap fetches
+    };
+    Version version = Version::Older;
+    float normals = 0; // Newer: weight of an error of normals against one of places in the unit box; of texture coordinates, twice that
+
+    bool operator==(const Simplifier&) const = default;
 };
 
-/// Those that this build has.
+/// Those that this build has, the one that is nearest most often first.
 [[nodiscard]] std::span<const Simplifier> simplifiers();
 
 /// Normal and texture coordinates.
@@ -27,16 +32,16 @@ using SimplifiedAttributes = std::array<float, 5>;
 struct Simplification {
     std::span<const std::uint32_t> from;                // corners of triangles
     std::span<const glm::vec3> positions;               // of unit size
-    std::span<const SimplifiedAttributes> attributes{}; // of each position, for Simplifier::Attributes
+    std::span<const SimplifiedAttributes> attributes{}; // of each position, for simplifiers that weigh them
     std::size_t triangles = 0;                          // that are wanted; there may be more
     bool keepBorders = false;
     std::set<std::uint32_t> locked{}; // vertices that stay; not together with `keepBorders`
 };
 
 /// `simplifier`: one of `simplifiers()`.
-[[nodiscard]] std::vector<std::uint32_t> simplify(const Simplification& what, Simplifier simplifier = Simplifier::Older);
+[[nodiscard]] std::vector<std::uint32_t> simplify(const Simplification& what, Simplifier simplifier = {});
 
 /// The newer ones alone.
-[[nodiscard]] std::vector<std::uint32_t> simplifyNewer(const Simplification& what, bool byAttributes);
+[[nodiscard]] std::vector<std::uint32_t> simplifyNewer(const Simplification& what, float normals);
 
 } // namespace tegument::prep

@@ -28,10 +28,10 @@ struct HardFile {
     Expected expected;
 };
 
-/// Numbers 55 to 85, as `hardFiles` has them at its end.
+/// Numbers 55 to 86, as `hardFiles` has them at its end.
 [[nodiscard]] std::vector<HardFile> moreHardFiles();
 
-/// Numbers 1 to 85 without 46 and 47 (real scans) and 48 (ten million triangles).
+/// Numbers 1 to 86 without 46 and 47 (real scans) and 48 (ten million triangles).
 [[nodiscard]] std::vector<HardFile> hardFiles();
 
 } // namespace tegument::testing_prep

@@ -1,4 +1,4 @@
-// Hard files 55 to 85: what real collections of meshes brought.
+// Hard files 55 to 86: what real collections of meshes brought.
 #include "tests/meshprep/prepare/glb_text.h"
 #include "tests/meshprep/prepare/hard_files.h"
 
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace tegument::testing_prep {
@@ -86,6 +87,20 @@ void addForms(More& c) {
     c.gives(83, "book.obj", book, 102, 100);
 }
 
+/// A disc whose top and bottom are slivers from the middle.
+std::string sliveredDisc(int corners) {
+    std::string points, faces;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        const double x = 40 * std::cos(angle), y = 40 * std::sin(angle);
+        points += fmt::format("{0:.6f} {1:.6f} 0\n{0:.6f} {1:.6f} 5\n", x, y);
+        const int low = 2 * i, next = 2 * ((i + 1) % corners), middle = 2 * corners;
+        faces += fmt::format("3 {} {} {}\n3 {} {} {}\n", low, next, next + 1, low, next + 1, low + 1);
+        faces += fmt::format("3 {} {} {}\n3 {} {} {}\n", middle, next, low, middle + 1, low + 1, next + 1);
+    }
+    return fmt::format("OFF\n{} {} 0\n", 2 * corners + 2, 4 * corners) + points + "0 0 0\n0 0 5\n" + faces;
+}
+
 void addPlaces(More& c) {
     const std::vector<std::string> far = {"448265123.1 5411932678.2 312", "448265133.1 5411932678.2 312", "448265123.1 5411932688.2 312",
                                           "448265133.1 5411932688.2 313"};
@@ -114,6 +129,8 @@ void addPlaces(More& c) {
             "solid cad\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nfacet normal 0 0 0\n"
             "outer loop\nvertex 1 2.7e-16 -2.7e-16\nvertex 1 1 0.5\nvertex 2.7e-16 1 0\nendloop\nendfacet\nendsolid cad\n",
             4, 2);
+    // Many slivers' boxes hold each point, so that nearest points are not exact: the error of a level has to be bounded without them.
+    c.gives(86, "slivers.off", sliveredDisc(1500), 3002, 6000);
     c.gives(80, "offset_1e30.ply", square("double", "", {"1e30 0 0", "1.0000000001e30 0 0", "1e30 1e20 0", "1.0000000001e30 1e20 0"}), 4,
             2);
 }

@@ -1,0 +1,94 @@
+// Walks over a surface against points sown on the triangle that was asked about.
+#include "meshprep/prepare/cover.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace tegument::prep;
+
+namespace {
+
+struct Sheet {
+    std::vector<glm::dvec3> points;
+    std::vector<std::uint32_t> triangles;
+};
+
+constexpr std::uint32_t kSteps = 10; // squares along each side of the unit square
+
+/// At heights of up to so much. `hole`: without the squares in the middle.
+Sheet sheetOf(double height, unsigned seed, bool hole = false) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    Sheet sheet;
+    for (std::uint32_t i = 0; i < (kSteps + 1) * (kSteps + 1); ++i)
+        sheet.points.emplace_back((i % (kSteps + 1)) * 1.0 / kSteps, (i / (kSteps + 1)) * 1.0 / kSteps, height * unit(random));
+    for (std::uint32_t i = 0; i < kSteps * kSteps; ++i) {
+        const std::uint32_t x = i % kSteps, y = i / kSteps, a = y * (kSteps + 1) + x;
+        if (hole && x > 3 && x < 6 && y > 3 && y < 6) continue;
+        sheet.triangles.insert(sheet.triangles.end(), {a, a + 1, a + kSteps + 1, a + 1, a + kSteps + 2, a + kSteps + 1});
+    }
+    return sheet;
+}
+
+using Triangle = std::array<glm::dvec3, 3>;
+
+double farthestOf(const Triangle& triangle, const NearSurface& surface) {
+    constexpr int kSown = 40;
+    double farthest = 0;
+    for (int u = 0; u <= kSown; ++u)
+        for (int v = 0; u + v <= kSown; ++v) {
+            const glm::dvec3 p = (triangle[0] * static_cast<double>(kSown - u - v) + triangle[1] * static_cast<double>(u) +
+                                  triangle[2] * static_cast<double>(v)) /
+                                 static_cast<double>(kSown);
+            farthest = std::max(farthest, surface.nearest(p).distance);
+        }
+    return farthest;
+}
+
+std::uint32_t startOf(const Triangle& triangle, const NearSurface& surface) {
+    return surface.nearest(triangle[0]).triangle;
+}
+
+} // namespace
+
+TEST(Cover, never_calls_near_what_is_not) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const double height : {0.02, 0.1, 0.4})
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            const Sheet sheet = sheetOf(height, seed, seed % 3 == 0);
+            const NearSurface surface(sheet.points, sheet.triangles);
+            Triangle triangle{};
+            for (glm::dvec3& corner : triangle)
+                corner = {unit(random), unit(random), height * unit(random)};
+            const double truth = farthestOf(triangle, surface);
+            const Cover cover(surface);
+            for (const double share : {0.3, 0.7, 0.95, 0.999})
+                EXPECT_FALSE(cover.within(triangle, startOf(triangle, surface), share * truth))
+                    << "sheet " << seed << " of height " << height << ": " << share << " of " << truth;
+        }
+}
+
+/// Waves of 0.02 within squares of 0.1 are nearly flat: what is near is found so.
+TEST(Cover, finds_a_large_triangle_above_many_small_ones_near) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> unit(0.2, 0.75); // of two hundred triangles it passes over fifty: a walk ends after 96 pieces
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        const Sheet sheet = sheetOf(0.02, seed);
+        const NearSurface surface(sheet.points, sheet.triangles);
+        Triangle triangle{};
+        for (glm::dvec3& corner : triangle)
+            corner = {unit(random), unit(random), 0.01};
+        // A point's height over the sheet is at most 1.06 times its distance, the steepest side rising 0.02 * sqrt(2) in 0.1.
+        EXPECT_TRUE(Cover(surface).within(triangle, startOf(triangle, surface), 1.06 * farthestOf(triangle, surface) + 1e-3)) << seed;
+    }
+}
+
+TEST(Cover, does_not_pass_over_a_hole) {
+    const Sheet sheet = sheetOf(0, 1, true);
+    const NearSurface surface(sheet.points, sheet.triangles);
+    const Triangle above = {glm::dvec3(0.05, 0.05, 0), glm::dvec3(0.95, 0.1, 0), glm::dvec3(0.4, 0.95, 0)};
+    EXPECT_FALSE(Cover(surface).within(above, startOf(above, surface), 0.05)) << "the middle is 0.1 from the hole's edge";
+    EXPECT_TRUE(Cover(surface).within({glm::dvec3(0.05, 0.05, 0), glm::dvec3(0.35, 0.1, 0), glm::dvec3(0.1, 0.35, 0)}, 0, 1e-9));
+}

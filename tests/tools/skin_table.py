@@ -54,13 +54,22 @@ def name(row):
     return f"`{row['technique']}`{setting} {row['map_size']}/{row['shadow_size']}"
 
 
+def load(file):
+    """Nothing where a measurement was cut off."""
+    try:
+        return json.loads(file.read_text())
+    except json.JSONDecodeError:
+        print(f"{file.name} is no whole JSON: left out", file=sys.stderr)
+        return []
+
+
 def read(folder):
     """Rows of each view that was measured; of a row that was drawn twice, the first."""
     views = {}
     for view in VIEWS:
         rows = {}
         for file in sorted(folder.glob(f"{view}-*.json")):
-            for row in json.loads(file.read_text()):
+            for row in load(file):
                 if row.get("failure"):
                     print(f"{file.name}: {row['technique']} was not drawn: {row['failure']}", file=sys.stderr)
                     continue
@@ -127,7 +136,7 @@ def passes_time(row, counts):
 def texel_points(folder):
     file = folder / "growth-texels.json"
     points = {}
-    for row in json.loads(file.read_text()) if file.is_file() else []:
+    for row in load(file) if file.is_file() else []:
         per_texel = passes_time(row, lambda made: made not in ("ShadowMap", "TSM", *PER_PIXEL))
         points.setdefault(row["technique"], []).append((row["map_size"] ** 2, per_texel, row))
     return points
@@ -136,7 +145,7 @@ def texel_points(folder):
 def pixel_points(folder):
     points = {}
     for file in folder.glob("growth-pixels-*.json"):
-        for row in json.loads(file.read_text()):
+        for row in load(file):
             screen = row["technique"].startswith("Separable")
             per_pixel = passes_time(row, (lambda made: made != "ShadowMap") if screen else (lambda made: made in PER_PIXEL))
             points.setdefault(row["technique"], []).append((row["resolution"][0] * row["resolution"][1], per_pixel, row))
@@ -146,9 +155,12 @@ def pixel_points(folder):
 def link_points(folder):
     points = {}
     for sheet in folder.glob("growth-links-*-sheet.json"):
-        links = json.loads(sheet.read_text())["links"]
+        made = load(sheet)
         for technique in ("PyramidLinked", "PyramidCompute"):
-            drawn = json.loads(sheet.with_name(sheet.name.replace("sheet", technique)).read_text())
+            drawn = load(sheet.with_name(sheet.name.replace("sheet", technique)))
+            if not made or not drawn:
+                continue
+            links = made["links"]
             points.setdefault(technique, []).append((links, passes_time(drawn, lambda made: made == "FineTop"), drawn))
     return {technique: sorted(of, key=lambda point: point[0]) for technique, of in points.items()}
 

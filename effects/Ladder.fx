@@ -1,6 +1,7 @@
 // Ladder: what each level of a pyramid weighs in the diffusion profile, over the density of texels (x). Rows: the pixel's own Gaussian and
 // levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels), then for what
-// links bring of the fourth, in the colour of the fifth, then for the fifth, where texels are too wide for its links. Shown on a grey ground.
+// links bring of the fourth, in the colour of the fifth, then for the fifth, where texels are too wide for its links. Shown on a grey
+// ground.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"

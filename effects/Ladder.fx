@@ -1,6 +1,7 @@
 // Ladder: what each level of a pyramid weighs in the diffusion profile, over the density of texels (x). Rows: the pixel's own Gaussian and
 // levels 0 to 6 for the whole profile, then for its first four Gaussians, whose pyramid may end early (gCoarseLevels), then for what
-// links bring of the fourth, in the colour of the fifth. Shown on a grey ground.
+// links bring of the fourth, in the colour of the fifth, then for the fifth, where texels are too wide for its links. Shown on a grey
+// ground.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"
@@ -18,12 +19,13 @@ TG_SAMPLER2D(gLadder, POINT, CLAMP);
 // In links the fourth Gaussian comes along with the fifth, with as much red as it has itself (meshprep/skin/skin_links.h).
 static const float kFourthInFifth = 0.113 / 0.358;
 
-// Colours of a Gaussian in a profile: 0 the whole, 1 what is on the ladder beside links, 2 what links bring of the fourth.
+// Colours of a Gaussian in a profile: 0 the whole, 1 what is on the ladder beside links, 2 what links bring of the fourth, 3 the fifth.
 float3 colourIn(float profile, int gaussian)
 {
     float3 own = gaussian < 4 || profile < 0.5 ? gGaussianWeight[gaussian].rgb : float3(0.0, 0.0, 0.0);
     float3 brought = gaussian == 3 ? kFourthInFifth * gGaussianWeight[4].rgb : float3(0.0, 0.0, 0.0);
-    return profile > 1.5 ? brought : own;
+    float3 fifth = gaussian == 4 ? gGaussianWeight[4].rgb : float3(0.0, 0.0, 0.0);
+    return profile > 2.5 ? fifth : profile > 1.5 ? brought : own;
 }
 
 // The first Gaussian is the pixel's own.

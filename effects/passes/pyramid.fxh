@@ -8,6 +8,28 @@
 static const float2 kEntryTaps = float2(0.75, 6.0);
 // Largest density that half floats hold.
 static const float kLargestDensity = 60000.0;
+// Texels of the links' map, along a side.
+static const float kLinkTexels = 256.0;
+// Sides of such a texel, mm: from the first on it is too wide for the fifth Gaussian (1.41 mm), which links then blur by more than its own
+// width; at the second all of that Gaussian is the levels'.
+static const float2 kWideTexel = float2(2.6, 3.4);
+
+// Share of the fifth Gaussian that levels bring beside links. density: texels^2 of the base per mm^2.
+float fifthByLevels(float density)
+{
+    float side = TEGUMENT_MAP_SIZE / kLinkTexels * rsqrt(max(density, 1e-4));
+    return saturate((side - kWideTexel.x) / (kWideTexel.y - kWideTexel.x));
+}
+
+// Weight of a step beside links, with what they leave of the fifth Gaussian.
+float3 linkedWeight(float step, float density)
+{
+    float3 weight = ladderWeight(kTgLadderSteps + step, density);
+    float fifth = fifthByLevels(density);
+    [branch] if (fifth > 0.0)
+        weight += fifth * ladderWeight(3.0 * kTgLadderSteps + step, density);
+    return weight;
+}
 
 // What a lit pass knows of a texel of the base.
 LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
@@ -63,7 +85,7 @@ float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, f
     float3 metric = tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).xyz;
     float4 light = tgPyramidRound(TG_SAMPLER2D_ARG(map), uv, size, level, metric.xy);
     float density = clamp(metric.z, 1e-4, kLargestDensity);
-    float3 weight = ladderWeight(linked * kTgLadderSteps + level + 1.0, density);
+    float3 weight = linked > 0.5 ? linkedWeight(level + 1.0, density) : ladderWeight(level + 1.0, density);
     [branch] if (fourth > 0.5 && light.w < 1.0)
         weight += (light.w - 1.0) * ladderWeight(2.0 * kTgLadderSteps + level + 1.0, density);
     return float4(light.rgb * weight, linked > 0.5 ? -density : density);

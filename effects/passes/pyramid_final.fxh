@@ -62,7 +62,7 @@ float4 finalColour(FinalVarying input, LitPoint p)
 {
     p.shadow = finalShadow(p) * skinOpen(input.world);
     float4 wide = tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0));
-    float3 own = ladderWeight(wide.w < 0.0 ? kTgLadderSteps : 0.0, abs(wide.w));
+    float3 own = wide.w < 0.0 ? linkedWeight(0.0, -wide.w) : ladderWeight(0.0, wide.w);
     float3 diffused = max(enteringLight(p) * own + wide.rgb, 0.0);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));

@@ -91,9 +91,10 @@ float linkMap(float4 link)
     return (link.x < 0.0 ? 1.0 : 0.0) + (link.y < 0.0 ? 2.0 : 0.0) + (link.w < 0.0 ? 4.0 : 0.0);
 }
 
-float3 linkLight(float4 link, float4 source)
+// fifth: what links bring of the fifth Gaussian.
+float3 linkLight(float4 link, float4 source, float fifth)
 {
-    float3 share = abs(link.z) * gGaussianWeight[4].rgb + abs(link.w) * gGaussianWeight[5].rgb;
+    float3 share = fifth * abs(link.z) * gGaussianWeight[4].rgb + abs(link.w) * gGaussianWeight[5].rgb;
     return share * source.rgb / max(source.a, kLeastSource);
 }
 
@@ -143,13 +144,14 @@ float4 anySource(float4 link)
 float4 name(float2 uv, float first, float apart) \
 { \
     float tiles = linkSheet().x; \
+    float fifth = 1.0 - fifthByLevels(tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z); \
     float3 sum = 0.0; \
     float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0; \
     [loop] for (float k = first; k <= last; k += apart) \
     { \
         float4 link = linkOf(uv, k, tiles); \
         last = link.x == 0.0 ? -1.0 : last; \
-        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, sourceOf(link)); \
+        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, sourceOf(link), fifth); \
     } \
     return float4(sum, 0.0); \
 }

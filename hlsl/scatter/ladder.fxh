@@ -9,8 +9,8 @@
 // Levels above the base.
 static const float kTgLadderTop = 6.0;
 // Columns of a table over the binary logarithm of the density, from kTgLadderFirst in steps of 1 / kTgLadderFineness; its rows are the
-// steps, for the whole profile, for its first four Gaussians and for what links bring of the fourth; a power of two of them, so that the
-// middle of each is a number without rounding.
+// steps, for the whole profile, for its first four Gaussians, for what links bring of the fourth, and for the fifth; a power of two of
+// them, so that the middle of each is a number without rounding.
 static const float kTgLadderColumns = 160.0;
 static const float kTgLadderFirst = -6.0;
 static const float kTgLadderFineness = 8.0;

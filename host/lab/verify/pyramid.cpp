@@ -28,22 +28,42 @@ double densityOf(int column) {
 }
 
 struct EdgeErrors {
-    double weights = 0; // of the sum of a column's weights
+    double weights = 0; // of the sum of a column's weights, of any profile
     double edge = 0;
 };
+
+/// What the weights of each profile of the table must sum to: all six Gaussians; the first four; the red that links bring of the fourth,
+/// in the colours of the fifth; the fifth.
+std::array<glm::dvec3, 4> sumsOfWeights() {
+    std::array<glm::dvec3, 4> sums{};
+    const auto& profile = reference::skinProfile();
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        sums[0] += profile[i].weight;
+        if (i < 4) sums[1] += profile[i].weight;
+    }
+    sums[2] = profile[4].weight * (profile[3].weight.x / profile[4].weight.x);
+    sums[3] = profile[4].weight;
+    return sums;
+}
+
+double errorOfSums(const Image& ladder, int column) {
+    const auto expected = sumsOfWeights();
+    double worst = 0;
+    for (std::size_t profile = 0; profile < expected.size(); ++profile)
+        for (int c = 0; c < 3; ++c) {
+            double sum = -expected[profile][c];
+            for (std::size_t step = 0; step <= kLevels; ++step)
+                sum += ladder.at(column, static_cast<int>(profile * (kLevels + 1) + step), c);
+            worst = std::max(worst, std::abs(sum));
+        }
+    return worst;
+}
 
 /// Of one column: what the weights make of an edge, against the profile's own.
 EdgeErrors errorsOf(const Image& ladder, int column, const std::array<reference::EdgeAnswer, kLevels>& levels) {
     const double texels = std::sqrt(densityOf(column)); // per mm
     const auto& profile = reference::skinProfile();
-    EdgeErrors errors;
-    glm::dvec3 sum(0);
-    for (int step = 0; step <= static_cast<int>(kLevels); ++step)
-        for (int c = 0; c < 3; ++c)
-            sum[c] += ladder.at(column, step, c);
-    for (const reference::Gaussian& gaussian : profile)
-        sum -= gaussian.weight;
-    errors.weights = std::max({std::abs(sum.x), std::abs(sum.y), std::abs(sum.z)});
+    EdgeErrors errors{.weights = errorOfSums(ladder, column)};
     for (int at = -500; at <= 500; ++at) {
         const double x = 0.02 * at;
         glm::dvec3 answer(0);

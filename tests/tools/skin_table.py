@@ -1,0 +1,251 @@
+#!/usr/bin/env python3
+"""Tables of skin over views: `skin_table.py FOLDER|views.tar [--write]` reads what `tegument bench --json` wrote, VIEW-*.json, and prints the
+time and error of every setting, names where a peer is both faster and more accurate, and fits growth from growth-texels.json,
+growth-pixels-*.json and growth-links-*.json where they are. With --write the page gets it, and speed-error.md a line that leads there."""
+
+import argparse
+import json
+import math
+import pathlib
+import re
+import sys
+import tarfile
+import tempfile
+
+DESIGN = pathlib.Path(__file__).resolve().parents[2] / "docs/design"
+PAGE = DESIGN / "tables/views.md"
+MARK = "<!-- views -->"
+OURS = ("Pyramid", "PyramidLinked", "PyramidCompute")
+VIEWS = ("human", "human_side", "human_closeup", "human_half", "human_backlit",
+         "lps_head", "lps_head_side", "lps_head_closeup", "lps_head_half", "lps_head_backlit")
+PER_PIXEL = ("Place", "Final")  # of a pyramid's passes; all others but ShadowMap are per texel
+
+
+def is_ours(row):
+    return row["technique"].split(",")[0] in OURS
+
+
+def milliseconds(row):
+    return row["ms"]["median"]
+
+
+def error(row):
+    return row["error"]["rel_l2"]
+
+
+def beats(one, other):
+    """Faster and more accurate, both by more than what repeats of the same measurement differ by."""
+    noise = max(one["ms"]["noise"], other["ms"]["noise"])
+    return milliseconds(one) < milliseconds(other) - noise and error(one) < error(other)
+
+
+def dominated(rows):
+    """(ours, peer) where the peer is both faster and more accurate."""
+    return [(ours, peer) for ours in rows if is_ours(ours) for peer in rows if not is_ours(peer) and beats(peer, ours)]
+
+
+def undominated_peers(rows):
+    """Peers than which nothing of ours is both faster and more accurate."""
+    return [peer for peer in rows if not is_ours(peer) and not any(beats(ours, peer) for ours in rows if is_ours(ours))]
+
+
+def name(row):
+    setting = "" if row["setting"] == "corrected" else f", {row['setting']}"
+    return f"`{row['technique']}`{setting} {row['map_size']}/{row['shadow_size']}"
+
+
+def load(file):
+    """Nothing where a measurement was cut off."""
+    try:
+        return json.loads(file.read_text())
+    except json.JSONDecodeError:
+        print(f"{file.name} is no whole JSON: left out", file=sys.stderr)
+        return []
+
+
+def read(folder):
+    """Rows of each view that was measured; of a row that was drawn twice, the first."""
+    views = {}
+    for view in VIEWS:
+        rows = {}
+        for file in sorted(folder.glob(f"{view}-*.json")):
+            for row in load(file):
+                if row.get("failure"):
+                    print(f"{file.name}: {row['technique']} was not drawn: {row['failure']}", file=sys.stderr)
+                    continue
+                rows.setdefault((row["technique"], row["setting"], row["map_size"], row["shadow_size"]), row)
+        if rows:
+            views[view] = sorted(rows.values(), key=milliseconds)
+    return views
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def view_table(rows):
+    return table(("technique", "setting", "maps", "shadow map", "ms (gross)", "rel L2", "bias", "MiB of targets"),
+                 [(row["technique"], row["setting"], str(row["map_size"]), str(row["shadow_size"]),
+                   f"{milliseconds(row):.2f} ({row['ms_gross']['median']:.2f})", f"{error(row):.4f}", f"{row['error']['bias']:+.4f}",
+                   f"{row['target_bytes'] / 2**20:.0f}") for row in rows])
+
+
+def best(rows):
+    """The most accurate of ours, and the most accurate peer, with the fastest of ours that is no less accurate than it."""
+    ours = min(filter(is_ours, rows), key=error)
+    peer = min((row for row in rows if not is_ours(row)), key=error)
+    as_good = [row for row in rows if is_ours(row) and error(row) <= error(peer)]
+    return ours, peer, min(as_good, key=milliseconds) if as_good else None
+
+
+def figures(row):
+    return f"{name(row)}: {error(row):.4f}, {milliseconds(row):.2f} ms"
+
+
+def summary(views):
+    cells = []
+    for view, rows in views.items():
+        ours, peer, as_good = best(rows)
+        cells.append((view, figures(ours), figures(peer), figures(as_good) if as_good else "none",
+                      str(len(dominated(rows))), ", ".join(name(row) for row in undominated_peers(rows)) or "none"))
+    return table(("view", "most accurate of ours", "most accurate peer", "fastest of ours that is as accurate", "dominated",
+                  "peers that nothing of ours dominates"), cells)
+
+
+def cases(views):
+    lines = []
+    for view, rows in views.items():
+        for ours, peer in dominated(rows):
+            lines.append(f"* {view}: {figures(ours)}; {figures(peer)}\n")
+    return "".join(lines) or "None: no setting of a peer is both faster and more accurate than some setting of ours.\n"
+
+
+def exponent(points):
+    """Of time in the quantity: a power law by least squares in logarithms."""
+    x = [math.log(quantity) for quantity, _ in points]
+    y = [math.log(time) for _, time in points]
+    middle = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - middle[0]) * (b - middle[1]) for a, b in zip(x, y)) / sum((a - middle[0]) ** 2 for a in x)
+
+
+def passes_time(row, counts):
+    return sum(done["ms"] for done in row["passes"] if counts(done["name"]))
+
+
+def texel_points(folder):
+    file = folder / "growth-texels.json"
+    points = {}
+    for row in load(file) if file.is_file() else []:
+        per_texel = passes_time(row, lambda made: made not in ("ShadowMap", "TSM", *PER_PIXEL))
+        points.setdefault(row["technique"], []).append((row["map_size"] ** 2, per_texel, row))
+    return points
+
+
+def pixel_points(folder):
+    points = {}
+    for file in folder.glob("growth-pixels-*.json"):
+        for row in load(file):
+            screen = row["technique"].startswith("Separable")
+            per_pixel = passes_time(row, (lambda made: made != "ShadowMap") if screen else (lambda made: made in PER_PIXEL))
+            points.setdefault(row["technique"], []).append((row["resolution"][0] * row["resolution"][1], per_pixel, row))
+    return {technique: sorted(of, key=lambda point: point[0]) for technique, of in points.items()}
+
+
+def link_points(folder):
+    points = {}
+    for sheet in folder.glob("growth-links-*-sheet.json"):
+        made = load(sheet)
+        for technique in ("PyramidLinked", "PyramidCompute"):
+            drawn = load(sheet.with_name(sheet.name.replace("sheet", technique)))
+            if not made or not drawn:
+                continue
+            links = made["links"]
+            points.setdefault(technique, []).append((links, passes_time(drawn, lambda made: made == "FineTop"), drawn))
+    return {technique: sorted(of, key=lambda point: point[0]) for technique, of in points.items()}
+
+
+def grown(quantity, points):
+    return [(quantity, technique, ", ".join(f"{size:,}" for size, _, _ in of), ", ".join(f"{time:.3f}" for _, time, _ in of),
+             f"{exponent([(size, time) for size, time, _ in of]):.2f}") for technique, of in points.items() if len(of) > 1]
+
+
+def growth(folder):
+    rows = grown("texels of the base", texel_points(folder)) + grown("pixels", pixel_points(folder)) + grown("links", link_points(folder))
+    return table(("quantity", "technique", "sizes", "ms of the passes that grow with it", "exponent"), rows) if rows else ""
+
+
+def memory(folder):
+    """MiB of render targets, by the size of maps; shadow map and picture as measured."""
+    points = texel_points(folder)
+    sizes = sorted({row["map_size"] for of in points.values() for _, _, row in of})
+    rows = [(technique, *(f"{next(row['target_bytes'] for _, _, row in of if row['map_size'] == size) / 2**20:.0f}" for size in sizes))
+            for technique, of in points.items()]
+    return table(("MiB of targets at maps of", *map(str, sizes)), rows) if rows else ""
+
+
+def page(folder):
+    views = read(folder)
+    if not views:
+        raise SystemExit(f"{folder} holds no table of a view")
+    first = next(iter(views.values()))[0]
+    width, height = first["resolution"]
+    text = [f"""# Both heads, five views, three sizes of maps, with peers
+
+What [speed-error.md](../speed-error.md) says of views. {first['device']}, driver {first['driver'].replace('NVIDIA ', '')}, {first['compiler']},
+{first['date']}; {width} x {height}; light from behind has 4,096 pixels of reference, the others 1,024. Milliseconds are net of clears, gross in brackets;
+*maps/shadow* in texels. Columns: [bench.md](../../bench.md). Written by `python3 tests/tools/skin_table.py RESULTS --write`.
+
+    tegument bench --scene effects/workspaces/human.json --map-size 512 1024 2048 --shadow-size 2048 --setting paper corrected --json RESULTS/human-all.json
+
+## What leads
+
+*Dominated*: settings of ours than which some peer's is both faster and more accurate, by more than the time's noise; they are named below.
+
+""", summary(views), "\n## Where a peer is both faster and more accurate\n\n", cases(views)]
+    grows, held = growth(folder), memory(folder)
+    if grows:
+        text += ["\n## Growth\n\nThe default head, shadow map 1024; pixels and links at maps of 1024. Exponents: of a power law through all sizes.\n\n", grows]
+    if held:
+        text += ["\nBeside targets: links 33.6 MB a mesh, the maps of Atlas 48 bytes a texel of the base, made once.\n\n", held]
+    for view, rows in views.items():
+        text += [f"\n## {view}\n\n{100 * rows[0]['coverage']:.0f} % of the picture is skin.\n\n", view_table(rows)]
+    return "".join(text), views
+
+
+def sentence(views):
+    count = sum(len(dominated(rows)) for rows in views.values())
+    settings = sum(len(rows) for rows in views.values())
+    outcome = "in none of them a peer is both faster and more accurate than a setting of the pyramid" if count == 0 else \
+        f"pairs in which a peer is both faster and more accurate than a setting of the pyramid: {count}, all named"
+    return (f"{len(views)} views of both heads, {settings} settings: [tables/views.md](tables/views.md);\n{outcome}. Growth in texels,"
+            " pixels and links, and memory, stand there too.\n")
+
+
+def write(text, views):
+    PAGE.write_text(text)
+    lead = DESIGN / "speed-error.md"
+    told = re.sub(re.escape(MARK) + r"\n.*?" + re.escape(MARK) + r"\n", lambda _: f"{MARK}\n{sentence(views)}{MARK}\n", lead.read_text(), flags=re.S)
+    lead.write_text(told)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("--write", action="store_true", help=f"into {PAGE.name}")
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = given.results
+        if folder.is_file():
+            with tarfile.open(folder) as packed:
+                packed.extractall(scratch, filter="data") if hasattr(tarfile, "data_filter") else packed.extractall(scratch)
+            folder = pathlib.Path(scratch)
+        text, views = page(folder)
+    if given.write:
+        write(text, views)
+    else:
+        print(text, end="")
+
+
+if __name__ == "__main__":
+    main()

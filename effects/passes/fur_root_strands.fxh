@@ -76,6 +76,17 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     return direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple);
 }
 
+RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
+{
+    float height = along * strand.share;
+    float3 tuft = 0.0;
+    RibbonPlace place;
+    place.offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
+    place.tangent = tgSafeNormalize(place.offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
+    place.offset *= frame.perMm;
+    return place;
+}
+
 // core: only where a part of the strand is wide enough for pass Core.
 RibbonVarying strandVarying(VertexInput input, bool core)
 {
@@ -88,14 +99,10 @@ RibbonVarying strandVarying(VertexInput input, bool core)
     {
         RootStrand strand = rootStrand(input, ball, furRootsHeader(2.0).x);
         float along = tgRibbon(input.uv.x).along;
-        float height = along * strand.share;
-        float3 tuft = 0.0;
-        float3 offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
-        float3 tangent = tgSafeNormalize(offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
-        offset *= frame.perMm;
-        float3 color = rootStrandColor(strand, frame, offset, along, input);
+        RibbonPlace place = strandPlace(strand, frame, along);
+        float3 color = rootStrandColor(strand, frame, place.offset, along, input);
         float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
-        output = ribbonVarying(input, frame, offset, tangent, radius, color);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
     }
     return output;
 }

@@ -3,6 +3,10 @@
 #define TEGUMENT_PASSES_FUR_ROOT_STRANDS_FXH
 
 static const float kStrandTuftSteps = 3.0; // from a root on; less from where a tuft is known near by
+// Strands of few pixels: whole below so many, from twice as many on not; and how far their ribbons then face as their chords do. Along the
+// chord alone parts that cross it would cover too little.
+static const float kStrandFew = 4.0;
+static const float kStrandChord = 0.6;
 static const float kStrandBefore = 0.02; // of the coat: from there to the axis runs its tangent
 
 // As FurRoots bends it. Lengths in mm.
@@ -84,6 +88,11 @@ RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
     place.offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
     place.tangent = tgSafeNormalize(place.offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
     place.offset *= frame.perMm;
+    // A strand that points at the eye turns back in the picture, and its ribbon turns over: where it is hardly longer than it is drawn wide
+    // that covers far more than the strand does.
+    float pixels = strand.coat * strand.share * frame.perMm / (ribbonPixel() * length(frame.toEye));
+    float3 chord = strand.normal + strand.share * strand.lean;
+    place.tangent = lerp(place.tangent, chord, kStrandChord * saturate(2.0 - pixels / kStrandFew));
     return place;
 }
 

@@ -11,9 +11,8 @@ float gRibbonWhole < string UIWidget = "None"; > = 1000000.0; // pass Roots draw
 #ifdef TEGUMENT_COMPUTE
 #define RIBBON_COLUMNS 1366
 #define RIBBON_ROOT_ROWS 256
-#define RIBBON_VALUE_ROWS 4096
 static const float2 kRibbonRootSize = float2(1366.0, 256.0);   // as above
-static const float2 kRibbonValueSize = float2(1366.0, 4096.0); // as above: what does not fit is not drawn
+static const float2 kRibbonValueSize = float2(1366.0, TEGUMENT_RIBBON_ROWS); // as above: what does not fit is not drawn
 static const float kRibbonTexels = 3.0;                        // of a root in its texture
 
 // x, y, z of the vertex as stored; its code (tgRibbon).
@@ -23,12 +22,12 @@ Texture2D gRibbonRootMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int H
 Texture2D gRibbonFlowMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_ROOT_ROWS; int MipLevels = 1;
     string Format = "A32B32G32R32F"; >;
 // Of each row of each strand: the axis in the world, and how far the ribbon's sides are from it, 0: nothing is drawn;
-Texture2D gRibbonPlaceMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_VALUE_ROWS; int MipLevels = 1;
+Texture2D gRibbonPlaceMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = TEGUMENT_RIBBON_ROWS; int MipLevels = 1;
     string Format = "A32B32G32R32F"; >;
 // the way there, unit, and half of the width, pixels; the light that it sends, and RibbonVarying's faintness.
-Texture2D gRibbonAsideMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_VALUE_ROWS; int MipLevels = 1;
+Texture2D gRibbonAsideMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = TEGUMENT_RIBBON_ROWS; int MipLevels = 1;
     string Format = "A16B16G16R16F"; >;
-Texture2D gRibbonLightMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_VALUE_ROWS; int MipLevels = 1;
+Texture2D gRibbonLightMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = TEGUMENT_RIBBON_ROWS; int MipLevels = 1;
     string Format = "A16B16G16R16F"; >;
 TG_SAMPLER2D(gRibbonPlace, POINT, CLAMP);
 TG_SAMPLER2D(gRibbonAside, POINT, CLAMP);
@@ -174,8 +173,6 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
             float radius = share.width * lockRadius(looks, ribbon.along, under);
             ribbonNote(at, input, frame, place, radius, color, under > 0.5 ? 1.0 : share.afar);
         }
-        else
-            gRibbonPlaceStore[at] = 0.0;
     }
 }
 
@@ -265,8 +262,6 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
                 float3 color = rootStrandColor(strand, frame, place.offset, along, input);
                 ribbonNote(at, input, frame, place, strand.radius * frame.perMm * (1.0 - along) / gFurShare, color, 1.0);
             }
-            else
-                gRibbonPlaceStore[at] = 0.0;
         }
 }
 
@@ -277,7 +272,7 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
     "ClearSetColor=gClearEmpty; Clear=Color; Pass=Roots; RenderColorTarget1=; Pass=Notes;"
 // As wide as pixels of the picture: Viewport.
 #define NOTES_PASSES(cs) TG_SEEN_PASS(Roots, "underfur", RIBBON_WHOLE, RibbonRootsVS, RibbonRootsPS, TG_STATE_BUFFER) \
-    pass Notes < string Script = "Draw=Compute;"; string Threads = "gRibbonRootMap"; string Viewport = ""; bool CoversTarget = true; > \
+    pass Notes < string Script = "Draw=Compute;"; string Threads = "gRibbonRootMap"; string Viewport = ""; > \
     { ComputeShader = compile cs_5_0 cs(); }
 #define STRANDS_COMPUTE_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) NOTES_SCRIPT \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"

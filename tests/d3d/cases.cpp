@@ -99,7 +99,8 @@ std::string engineName(Engine engine) {
 }
 
 std::vector<std::pair<std::string, std::string>> Case::defines() const {
-    return {{"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)}, {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}};
+    return {
+        {"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)}, {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}, {"TEGUMENT_RIBBON_ROWS", "128"}};
 }
 
 Result<Effect> loadCase(const Case& drawn) {

@@ -1,12 +1,12 @@
 // Techniques StrandsCompute and CoatCompute: what the vertex shaders of StrandsSoft and CoatSoft find, found by compute shaders: once for
 // the two sides of a ribbon and for the passes that draw it, and on all of the chip; vertex shaders run on a part of some. Pass Roots
-// notes what the vertices of each root hold in a texel of two maps, and with it which roots are seen; a thread for each strand then
+// notes what the vertices of each root hold in a texel of two maps; a thread for each strand then
 // notes where its axis runs and how it is lit; the passes that draw look that up. Place of a root in the maps: its place in the texture
 // of roots, that row by row holds up to 1,366.
 #ifndef TEGUMENT_PASSES_FUR_COMPUTE_FXH
 #define TEGUMENT_PASSES_FUR_COMPUTE_FXH
 
-float gRibbonWhole < string UIWidget = "None"; > = 1000000.0; // pass Roots draws all roots that are seen, in one segment
+float gRibbonWhole < string UIWidget = "None"; > = 1000000.0; // pass Roots draws all roots, in one segment
 
 #ifdef TEGUMENT_COMPUTE
 #define RIBBON_COLUMNS 1366
@@ -18,7 +18,7 @@ static const float kRibbonTexels = 3.0;                        // of a root in i
 // x, y, z of the vertex as stored; its code (tgRibbon).
 Texture2D gRibbonRootMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_ROOT_ROWS; int MipLevels = 1;
     string Format = "A32B32G32R32F"; >;
-// Where it is combed to; 1, or 0 where no root is seen.
+// Where it is combed to; 1, or 0 where there is no root.
 Texture2D gRibbonFlowMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_ROOT_ROWS; int MipLevels = 1;
     string Format = "A32B32G32R32F"; >;
 // Of each row of each strand: the axis in the world, and how far the ribbon's sides are from it, 0: nothing is drawn;
@@ -265,7 +265,7 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
         }
 }
 
-#define RIBBON_WHOLE RIBBON_REACH string Share = "gRibbonWhole"; string Segment = "gRibbonWhole"; string SegmentsOf = "gFurLength"; \
+#define RIBBON_WHOLE string Share = "gRibbonWhole"; string Segment = "gRibbonWhole"; string SegmentsOf = "gFurLength"; \
     float SegmentFewest = 1.0;
 #define NOTES_SCRIPT \
     "RenderColorTarget0=gRibbonFlowMap; RenderColorTarget1=gRibbonRootMap; RenderDepthStencilTarget=;" \

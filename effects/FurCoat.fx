@@ -1,6 +1,7 @@
 // FurCoat: fur as strands, each a ribbon that faces the eye. Techniques Strands and StrandsSoft draw the very strands of FurRoots'
-// technique Roots; Coat and CoatSoft a coat of locks, with underfur, guard hairs and a deep shadow. The mesh has the parts "strands" and
-// "underfur": tegument fur strands makes them (docs/design/modules/FurCoat.md).
+// technique Roots; Coat and CoatSoft a coat of locks, with underfur, guard hairs and a deep shadow; StrandsCompute and CoatCompute the Soft
+// ones by compute shaders. The mesh has the parts "strands" and "underfur": tegument fur strands makes them
+// (docs/design/modules/FurCoat.md).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/fur.fxh"
@@ -20,6 +21,7 @@
 #include "passes/relight.fxh"
 #include "passes/fur_opacity.fxh"
 #include "passes/fur_locks.fxh"
+#include "passes/fur_compute.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("CoatSoft") string Workspace = "bunny_roots.json"; > = 0.8;
 
@@ -43,5 +45,16 @@ technique Coat < string Script = COAT_SCRIPT; >
 technique CoatSoft < string Script = COAT_SCRIPT; >
 {
     COAT_PASSES(UnderfurSoftPS, RibbonSoftCorePS, RibbonSoftFringePS, TG_STATE_STRAND)
+}
+#endif
+#ifdef TEGUMENT_COMPUTE_TECHNIQUES
+technique StrandsCompute < string Script = STRANDS_COMPUTE_SCRIPT; >
+{
+    STRANDS_COMPUTE_PASSES
+}
+
+technique CoatCompute < string Script = COAT_COMPUTE_SCRIPT; >
+{
+    COAT_COMPUTE_PASSES
 }
 #endif

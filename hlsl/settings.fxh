@@ -48,6 +48,7 @@
 //   TEGUMENT_LAMPS  0 (default) to 3: so many lamps light skin beside the light of the workspace: gLampPlace and the others
 //   TEGUMENT_LAMP_SHADOWS  how many of them throw shadows, from the first on (default: all)
 //   TEGUMENT_SOFT_SHADOWS  0 (default); 1: shadows of lamps have penumbras, by the lamps' radius
+//   TEGUMENT_RIBBON_ROWS    height of the maps in which fur by compute shaders is noted: 1,366 rows of strands each (2048, default)
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 
 // What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
@@ -85,6 +86,9 @@
 #define TEGUMENT_MORE_LIGHT 1
 #else
 #define TEGUMENT_MORE_LIGHT 0
+#endif
+#ifndef TEGUMENT_RIBBON_ROWS
+#define TEGUMENT_RIBBON_ROWS 2048
 #endif
 #ifndef TEGUMENT_FUR_COLOR_MAP
 #define TEGUMENT_FUR_COLOR_MAP 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of README and docs: docs/images/make.sh. Needs ./bootstrap demo; the Lee Perry-Smith head also its data ($TEGUMENT_DATA).
+# Makes the pictures of README and docs: docs/images/make.sh [coats]. Needs ./bootstrap demo; the Lee Perry-Smith head also its data ($TEGUMENT_DATA).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tegument=build/release/tegument
@@ -26,6 +26,21 @@ portraits() { # in a studio: portrait and close-up; with hair under one light
     "$tegument" sheet "$work"/{front,closeup,hair}.png --columns 3 -o docs/images/portraits.jpg
 }
 
+coats() { # every preset of FurCoat on the Bunny, and hair on the default head
+    local coat pictures=()
+    for coat in rabbit fox cat bear terrier plush velvet; do
+        "$tegument" render FurCoat -p "$coat" -w bunny_roots --size 400x340 -o "$work/$coat.png" >/dev/null
+        pictures+=("$work/$coat.png")
+    done
+    "$tegument" render FurSkin --size 400x340 -o "$work/head.png" >/dev/null
+    "$tegument" sheet "${pictures[@]}" "$work/head.png" --columns 4 -o docs/images/coats.jpg
+}
+
+if [ $# -gt 0 ]; then # NAME: one of these functions alone
+    "$@"
+    exit
+fi
 sheet human
 portraits
+coats
 if [ -n "${TEGUMENT_DATA:-}" ]; then sheet lps_head; else echo "TEGUMENT_DATA is not set: docs/images/lps_head.png stays as it is"; fi

@@ -55,21 +55,14 @@ struct LockLooks
     float guard;   // 1: a guard hair
 };
 
-// A place on a strand.
-struct LockPlace
-{
-    float3 offset;  // from the lock's root
-    float3 tangent; // unit
-};
-
-LockPlace lockPlace(LockStrand s, float along)
+RibbonPlace lockPlace(LockStrand s, float along)
 {
     float2 bent = along * float2(0.4 + 0.6 * along, 1.0 - s.sink * along); // along the flow, and up
     float2 bending = float2(0.4 + 1.2 * along, 1.0 - 2.0 * s.sink * along);
     float2 apart = float2(1.0 - s.clump * along * along * (3.0 - 2.0 * along), -6.0 * s.clump * along * (1.0 - along));
     float2 turn = tgFurWave(s.turns * along + s.phase + float3(0.0, 0.75, 0.5)).xy; // as cosine and sine, turned by its angle below
     float2 turning = turn + (2.0 * kTgPi * s.turns * along) * float2(-turn.y, turn.x);
-    LockPlace place;
+    RibbonPlace place;
     place.offset = s.height * (s.normal * bent.y + s.flow * bent.x) + s.offset * apart.x + s.stray * (along * along)
         + along * (turn.x * s.side + turn.y * s.across) - s.base;
     place.tangent = tgFurAlong(s.height * (s.normal * bending.y + s.flow * bending.x) + s.offset * apart.y + s.stray * (2.0 * along)
@@ -253,7 +246,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
         TgRibbon ribbon = tgRibbon(input.uv.x);
         float number = child + kLockOfUnderfur * under;
         LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, number, under);
-        LockPlace place = lockPlace(looks.strand, ribbon.along);
+        RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
         output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
@@ -304,7 +297,7 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
         LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, TG_LAYER_INDEX(gFurChild), 0.0);
-        LockPlace place = lockPlace(looks.strand, ribbon.along);
+        RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 aside = tgSafeNormalize(cross(place.tangent, frame.toLight - place.offset));
         float3 world = ribbonWorld(frame, place.offset, input);
         float radius = share.width * lockRadius(looks, ribbon.along, 0.0);

@@ -17,7 +17,8 @@ static const float4 kCoatLayers = float4(0.25, 0.6, 1.2, 2.4);
 static const float kCoatOwn = 0.05;     // a strand does not shadow itself: that many thicknesses before it
 static const float kCoatSoft = 1.4;     // texels of the map across which light is blurred, at least,
 static const float kCoatBlur = 1.25;    // and pixels of the picture
-static const float kCoatSkinSoft = 0.5; // across which the shadow of the skin begins, thicknesses
+static const float kCoatSkinSoft = 0.5; // across which the shadow of the skin begins, thicknesses,
+static const float kCoatSkinLeast = 0.02; // and at least so many of the mesh's radii: a texel of the map on skin that light grazes
 
 #define OPACITY_SCRIPT \
     "RenderColorTarget0=gCoatSkinMap; RenderDepthStencilTarget=gShadowDepthMap;" \
@@ -103,7 +104,8 @@ float coatOpen(float3 world, float pixel)
     float2 skin = float2(tex2Dlod(gCoatSkin, float4(place + 1.5 * aside, 0.0, 0.0)).x,
                          tex2Dlod(gCoatSkin, float4(place - 1.5 * aside, 0.0, 0.0)).x);
     // 0: there is none. Not tgShadowStored: vertex shader model 3 selects by c + (b - c), which loses what a large c stands beside.
-    float2 behind = saturate((distance - skin) / max(tgMillimetres(kCoatSkinSoft * coatThickness()), 1e-20)) * step(1e-6, skin);
+    float soft = tgMillimetres(gMeshRadius) * max(kCoatSkinSoft * gFurLength, kCoatSkinLeast);
+    float2 behind = saturate((distance - skin) / soft) * step(1e-6, skin);
     return exp(-gCoatShadow * opacity) * (1.0 - 0.5 * dot(behind, 1.0));
 }
 

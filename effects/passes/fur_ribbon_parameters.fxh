@@ -9,7 +9,7 @@ float gFurShare < UI_SLIDER("Share of the strands", 0.05, 1.0, 0.01)
 float gFurEdge < UI_SLIDER("Soft edge", 0.1, 0.5, 0.01)
     string UIHelp = "pixels that a ribbon is wider than its strand on each side; 0.5: all that is covered"; > = 0.5;
 float gRibbonSegment < UI_SLIDER("Pixels of a segment", 0.0, 64.0, 0.5)
-    string UIHelp = "strands that are shorter have fewer segments, so that these are as long"; > = 3.5;
+    string UIHelp = "strands that are shorter have fewer segments, so that these are as long"; > = 4.2;
 float gRibbonFewest < UI_SLIDER("Fewest strands", 0.0, 1.0, 0.01)
     string UIHelp = "share that distance leaves where thin strands are drawn fewer and wider"; > = 0.33;
 float gCoatSegment < UI_SLIDER("Pixels of a coat's segment", 0.0, 64.0, 0.5)

@@ -27,6 +27,13 @@ struct RibbonFrame
     float perMm;    // world units in a mm of the roots' mesh
 };
 
+// A place on a strand.
+struct RibbonPlace
+{
+    float3 offset;  // from the root
+    float3 tangent; // unit
+};
+
 // Nothing of the vertex's triangles is drawn.
 RibbonVarying ribbonNowhere()
 {

@@ -3,6 +3,10 @@
 #define TEGUMENT_PASSES_FUR_ROOT_STRANDS_FXH
 
 static const float kStrandTuftSteps = 3.0; // from a root on; less from where a tuft is known near by
+// Strands of few pixels: whole below so many, from twice as many on not; and how far their ribbons then face as their chords do. Along the
+// chord alone parts that cross it would cover too little.
+static const float kStrandFew = 4.0;
+static const float kStrandChord = 0.6;
 static const float kStrandBefore = 0.02; // of the coat: from there to the axis runs its tangent
 
 // As FurRoots bends it. Lengths in mm.
@@ -76,6 +80,22 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     return direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple);
 }
 
+RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
+{
+    float height = along * strand.share;
+    float3 tuft = 0.0;
+    RibbonPlace place;
+    place.offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
+    place.tangent = tgSafeNormalize(place.offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
+    place.offset *= frame.perMm;
+    // A strand that points at the eye turns back in the picture, and its ribbon turns over: where it is hardly longer than it is drawn wide
+    // that covers far more than the strand does.
+    float pixels = strand.coat * strand.share * frame.perMm / (ribbonPixel() * length(frame.toEye));
+    float3 chord = strand.normal + strand.share * strand.lean;
+    place.tangent = lerp(place.tangent, chord, kStrandChord * saturate(2.0 - pixels / kStrandFew));
+    return place;
+}
+
 // core: only where a part of the strand is wide enough for pass Core.
 RibbonVarying strandVarying(VertexInput input, bool core)
 {
@@ -88,14 +108,10 @@ RibbonVarying strandVarying(VertexInput input, bool core)
     {
         RootStrand strand = rootStrand(input, ball, furRootsHeader(2.0).x);
         float along = tgRibbon(input.uv.x).along;
-        float height = along * strand.share;
-        float3 tuft = 0.0;
-        float3 offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
-        float3 tangent = tgSafeNormalize(offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
-        offset *= frame.perMm;
-        float3 color = rootStrandColor(strand, frame, offset, along, input);
+        RibbonPlace place = strandPlace(strand, frame, along);
+        float3 color = rootStrandColor(strand, frame, place.offset, along, input);
         float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
-        output = ribbonVarying(input, frame, offset, tangent, radius, color);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
     }
     return output;
 }

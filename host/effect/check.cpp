@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 58> kAnnotations{{
+constexpr std::array<KnownAnnotation, 59> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -74,6 +74,7 @@ constexpr std::array<KnownAnnotation, 58> kAnnotations{{
     {"LeastScale", kNumber},
     {"Stores", kText},
     {"Threads", kText},
+    {"Viewport", kText},
     {"Groups", kNumber, 1, 3},
     {"GroupCount", kText},
     {"Producer", kText},
@@ -288,6 +289,7 @@ private:
             auto* name = std::get_if<std::string>(&annotation.value);
             if (name == nullptr) continue;
             if (equalsIgnoreCase(annotation.name, "Threads")) target(*name, "RENDERCOLORTARGET", annotation.at);
+            if (equalsIgnoreCase(annotation.name, "Viewport") && !name->empty()) target(*name, "RENDERCOLORTARGET", annotation.at);
             if (equalsIgnoreCase(annotation.name, "GroupCount")) numeric(*name, annotation.at);
         }
         if (pass.computeShader && (pass.vertexShader || pass.pixelShader))

@@ -193,11 +193,13 @@ Result<const gpu::Pipeline*> computePipelineFor(Builder& builder, const Pass& pa
     return static_cast<const gpu::Pipeline*>(&known.emplace(&pass, std::move(*pipeline)).first->second);
 }
 
-/// VIEWPORTPIXELSIZE is the size of the target that Threads names, else of what is written.
+/// VIEWPORTPIXELSIZE is the size of the target that Viewport names (nothing: the picture), else Threads, else of what is written.
 Extent extentOf(const Builder& builder, const DrawStep& step, const PassProgram& program) {
-    const auto named = step.pass->annotations.string("Threads");
+    const auto viewport = step.pass->annotations.string("Viewport");
+    const auto named = viewport ? viewport : step.pass->annotations.string("Threads");
     if (!named && program.use.stored.empty()) return {};
-    const auto found = builder.prepared.targets.find(named ? *named : *program.use.stored.begin());
+    const std::string name = named ? *named : *program.use.stored.begin();
+    const auto found = builder.prepared.targets.find(name.empty() ? kPicture : name);
     return found == builder.prepared.targets.end() ? Extent{} : found->second.extent;
 }
 

@@ -160,6 +160,36 @@ TEST(FurStrands, are_as_bright_in_several_samples_a_pixel_as_in_one) {
     }
 }
 
+TEST(FurStrands, by_compute_shaders_are_those_of_vertex_shaders) {
+    // Ways aside and colours are halves there, and an axis near a pixel's edge may fall to its other side.
+    struct Drawn {
+        const char* soft;
+        const char* computed;
+        const char* compiler;
+        const char* set;
+    };
+    for (const auto& [soft, computed, compiler, set] :
+         {Drawn{"StrandsSoft", "StrandsCompute", "dxc", "gFurShare=1"}, Drawn{"StrandsSoft", "StrandsCompute", "glslang", "gFurShare=0.4"},
+          Drawn{"CoatSoft", "CoatCompute", "dxc", "gCoatSegments=9"}, Drawn{"CoatSoft", "CoatCompute", "dxc", "gCoatUnderfur=0"},
+          Drawn{"CoatSoft", "CoatCompute", "glslang", "gCoatChildren=11"}, Drawn{"CoatSoft", "CoatCompute", "dxc", "gFurShare=0.3"}}) {
+        const auto drawn = [&](const char* technique) {
+            const fs::path picture = scratch() / "computed.exr";
+            EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "-t", technique, "--compiler", compiler, "--set", set}).code, 0);
+            return pixels(picture);
+        };
+        const std::vector<float> asked = drawn(soft);
+        const std::vector<float> found = drawn(computed);
+        ASSERT_EQ(asked.size(), found.size());
+        double apart = 0, all = 0;
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            apart += std::pow(static_cast<double>(found[i]) - static_cast<double>(asked[i]), 2);
+            all += std::pow(static_cast<double>(asked[i]), 2);
+        }
+        EXPECT_LT(std::sqrt(apart / all), 5e-3) << computed << ", " << compiler << ", " << set;
+        EXPECT_GT(all, 0) << "there is something to see";
+    }
+}
+
 TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
     const auto at = [](const char* wind, const char* time) {
         const fs::path picture = scratch() / "wind.exr";

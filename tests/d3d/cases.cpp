@@ -101,8 +101,8 @@ std::string engineName(Engine engine) {
 }
 
 std::vector<std::pair<std::string, std::string>> Case::defines() const {
-    std::vector<std::pair<std::string, std::string>> all = {{"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)},
-                                                            {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}};
+    std::vector<std::pair<std::string, std::string>> all = {
+        {"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)}, {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}, {"TEGUMENT_RIBBON_ROWS", "128"}};
     if (lamps > 0) all.emplace_back("TEGUMENT_LAMPS", std::to_string(lamps));
     if (soft) all.emplace_back("TEGUMENT_SOFT_SHADOWS", "1");
     return all;

@@ -120,13 +120,23 @@ std::string scriptOf(const Annotations& annotations) {
     return annotations.string("Script").value_or("");
 }
 
+/// VIEWPORTPIXELSIZE of a compute pass: of the target that Viewport names, nothing is the picture, else of that of Threads.
+run::Extent computeExtent(const run::Prepared& prepared, const Pass& pass) {
+    const auto viewport = pass.annotations.string("Viewport");
+    const std::string name = viewport ? *viewport : pass.annotations.string("Threads").value_or("");
+    const auto found = prepared.targets.find(name.empty() ? run::kPicture : name);
+    return found == prepared.targets.end() ? run::Extent{} : found->second.extent;
+}
+
 /// How many groups run is reckoned here.
 Result<std::string> computeLines(const Case& drawn, const run::ObjectRun& run, const Pass& pass) {
     if (!run.prepared.programs.contains(&pass)) return std::string(); // nothing of this frame
     const auto groups = run::groupsOf(run.input.effect, run.prepared, pass);
     if (!groups) return groups.error();
-    return fmt::format("compute {} {} {} {} {}\npassscript {}\n", pass.name, entryFile(drawn, *pass.computeShader), (*groups)[0],
-                       (*groups)[1], (*groups)[2], pass.annotations.find("Script") ? scriptOf(pass.annotations) : "Draw=Compute;");
+    const run::Extent viewport = computeExtent(run.prepared, pass);
+    return fmt::format("compute {} {} {} {} {} {} {}\npassscript {}\n", pass.name, entryFile(drawn, *pass.computeShader), (*groups)[0],
+                       (*groups)[1], (*groups)[2], viewport.width, viewport.height,
+                       pass.annotations.find("Script") ? scriptOf(pass.annotations) : "Draw=Compute;");
 }
 
 std::string storeLines(const Effect& effect) {

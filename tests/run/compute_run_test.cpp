@@ -64,6 +64,15 @@ TEST_P(ComputeRun, the_last_groups_may_reach_over_the_targets_border_and_the_vie
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {0, 0, 19, 9}));
 }
 
+TEST_P(ComputeRun, the_viewport_is_the_picture_or_another_target_where_a_pass_says_so) {
+    const auto asPicture = draw(picture("WideAsPicture", 38, 18));
+    ASSERT_TRUE(succeeded(asPicture));
+    EXPECT_TRUE(pixelIs(asPicture->image, 37, 17, {18, 8, 38, 18}));
+    const auto asOther = draw(picture("WideAsOther", 19, 9));
+    ASSERT_TRUE(succeeded(asOther));
+    EXPECT_TRUE(pixelIs(asOther->image, 18, 8, {18, 8, 16, 8}));
+}
+
 TEST_P(ComputeRun, mip_chains_are_made_of_what_was_written) {
     const auto result = draw(picture("Chain", 1, 1));
     ASSERT_TRUE(succeeded(result));

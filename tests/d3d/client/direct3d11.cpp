@@ -367,6 +367,7 @@ void Direct3D11::compute(const PassInfo& pass) {
         const std::vector<char>& bytes = program.computeCode.bytes;
         must(device()->CreateComputeShader(bytes.data(), bytes.size(), nullptr, program.compute.put()), "CreateComputeShader " + pass.name);
     }
+    viewport_.assign(pass.viewport.begin(), pass.viewport.end());
     context()->ClearState(); // what is written is no target
     context()->CSSetShader(program.compute.get(), nullptr, 0);
     bindStage(program.computeCode, Stage::Compute);

@@ -110,7 +110,7 @@ bool readForeign(const std::string& key, std::istream& line, Job& job) {
 bool readPass(const std::string& key, std::istream& line, Job& job) {
     if (key == "compute") {
         PassInfo& pass = job.passes.emplace_back();
-        line >> pass.name >> pass.computeFile >> pass.groups[0] >> pass.groups[1] >> pass.groups[2];
+        line >> pass.name >> pass.computeFile >> pass.groups[0] >> pass.groups[1] >> pass.groups[2] >> pass.viewport[0] >> pass.viewport[1];
         return true;
     }
     if (key == "pass") {

@@ -14,7 +14,7 @@
 //   number NAME NUMBER                     what a script reads, where no shader does
 //   script TEXT
 //   pass NAME VERTEX-FILE PIXEL-FILE
-//   compute NAME COMPUTE-FILE X Y Z        a pass of so many groups of threads
+//   compute NAME COMPUTE-FILE X Y Z W H    a pass of so many groups of threads, VIEWPORTPIXELSIZE
 //   store NAME TARGET                      what compute shaders write; TARGET - is the picture
 //   passscript TEXT                        of the pass before it
 //   instances NAME                         likewise: the number that says how often it draws the mesh
@@ -68,6 +68,7 @@ struct PassInfo {
     std::string name;
     std::string computeFile; // then there is nothing but `groups` and `script`
     std::array<unsigned, 3> groups{};
+    std::array<float, 2> viewport{}; // of a compute pass: VIEWPORTPIXELSIZE
     std::string vertexFile;
     std::string pixelFile;
     std::string script;

@@ -245,6 +245,8 @@ Row rowOf(const ChildAnswer& answer, const std::string& file) {
 std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path>& files, const std::vector<Target>& targets) {
     std::shared_mutex busy; // nothing else of this program runs meanwhile
     Children workers([&](std::string_view file) { return answerFor(options, targets, file); }, busy);
+    const std::size_t processors = std::max<std::size_t>(std::min<std::size_t>(std::thread::hardware_concurrency(), files.size()), 1);
+    workers.prepare(processors);
     std::vector<Row> rows(files.size());
     std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> done = 0;
@@ -258,7 +260,7 @@ std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path
         }
     };
     std::vector<std::future<void>> threads;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+    for (std::size_t i = 1; i < processors; ++i)
         threads.push_back(std::async(std::launch::async, work));
     work();
     for (std::future<void>& thread : threads)

@@ -141,6 +141,11 @@ Children::Child Children::start() {
     return {process, ends[0], lifeline[1]};
 }
 
+void Children::prepare(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        if (const Child child = start(); child.process >= 0) giveBack(child);
+}
+
 Children::Child Children::take() {
     {
         const std::unique_lock lock(mutex_);

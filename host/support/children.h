@@ -30,6 +30,8 @@ public:
     Children(const Children&) = delete;
     Children& operator=(const Children&) = delete;
 
+    /// Makes so many at once: before the caller has threads, so that no copy is made while one of them holds a lock of some library.
+    void prepare(std::size_t count);
     [[nodiscard]] ChildAnswer ask(std::string_view request, double seconds);
 
 private:

@@ -1,17 +1,14 @@
 // In every program of a sanitized build. An exit code of its own: 1 is also what the program says of a faulty input, and tests expect that.
 // LeakSanitizer of GCC 12 takes thread-local memory that begins 16 bytes behind a page for that of an old C library, reads its size from
-// what lies before it, and crashes: without intercept_tls_get_addr it looks there through the C library's own pointers.
-
-#ifndef TEGUMENT_ASAN_OPTIONS
-#define TEGUMENT_ASAN_OPTIONS "" // a program's own, each behind a colon
-#endif
+// what lies before it, and crashes: without intercept_tls_get_addr it looks there through the C library's own pointers. DXC, whose library
+// is not ours, deletes objects by the size of their base class when it writes DXIL: new_delete_type_mismatch.
 
 extern "C" {
 
 const char* __asan_default_options();
 const char* __asan_default_options() {
-    return "exitcode=86:detect_stack_use_after_return=1:check_initialization_order=1:strict_string_checks=1:intercept_tls_get_addr="
-           "0" TEGUMENT_ASAN_OPTIONS;
+    return "exitcode=86:detect_stack_use_after_return=1:check_initialization_order=1:strict_string_checks=1:intercept_tls_get_addr=0:"
+           "new_delete_type_mismatch=0";
 }
 
 const char* __ubsan_default_options();

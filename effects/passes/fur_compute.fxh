@@ -1,8 +1,7 @@
 // Techniques StrandsCompute and CoatCompute: what the vertex shaders of StrandsSoft and CoatSoft find, found by compute shaders: once for
-// the two sides of a ribbon and for the passes that draw it, and on all of the chip; vertex shaders run on a part of some. Pass Roots
-// notes what the vertices of each root hold in a texel of two maps; a thread for each strand then
-// notes where its axis runs and how it is lit; the passes that draw look that up. Place of a root in the maps: its place in the texture
-// of roots, that row by row holds up to 1,366.
+// the two sides of a ribbon and for the passes that draw it. Pass Roots notes what the vertices of each root hold in a texel of two maps;
+// a thread for each strand then notes where its axis runs and how it is lit; the passes that draw look that up. Place of a root in the
+// maps: its place in the texture of roots, that row by row holds up to 1,366.
 #ifndef TEGUMENT_PASSES_FUR_COMPUTE_FXH
 #define TEGUMENT_PASSES_FUR_COMPUTE_FXH
 

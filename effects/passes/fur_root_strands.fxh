@@ -86,13 +86,13 @@ RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
     float3 tuft = 0.0;
     RibbonPlace place;
     place.offset = rootStrandBend(strand, height, kStrandTuftSteps, tuft);
-    place.tangent = tgSafeNormalize(place.offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft));
+    place.tangent = (place.offset - rootStrandBend(strand, height - kStrandBefore, 2.0, tuft)) / (kStrandBefore * strand.coat);
     place.offset *= frame.perMm;
     // A strand that points at the eye turns back in the picture, and its ribbon turns over: where it is hardly longer than it is drawn wide
     // that covers far more than the strand does.
-    float pixels = strand.coat * strand.share * frame.perMm / (ribbonPixel() * length(frame.toEye));
     float3 chord = strand.normal + strand.share * strand.lean;
-    place.tangent = lerp(place.tangent, chord, kStrandChord * saturate(2.0 - pixels / kStrandFew));
+    float few = strand.coat * strand.share * frame.perMm * rsqrt(dot(frame.toEye, frame.toEye)) / (kStrandFew * ribbonPixel());
+    place.tangent += (kStrandChord * saturate(2.0 - few)) * (chord - place.tangent);
     return place;
 }
 

@@ -65,7 +65,7 @@ Result<Compiler> chosenCompiler(const std::string& name) {
     const char* own = name.empty() ? std::getenv("TEGUMENT_DXC") : nullptr;
     const bool asked = own != nullptr && *own != '\0';
     if (compilerAvailable(compiler) && (!asked || compiler == Compiler::Dxc)) return compiler;
-    const std::string why = compilerMissing(asked ? Compiler::Dxc : compiler);
+    const std::string why = whyCompilerMissing(asked ? Compiler::Dxc : compiler);
     return machineError(8015, fmt::format("the compiler is not available: {}", why), "run ./bootstrap build, or use --compiler glslang");
 }
 

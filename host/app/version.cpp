@@ -13,7 +13,7 @@ namespace tegument::app {
 namespace {
 
 std::string compilerText(Compiler compiler) {
-    return compilerAvailable(compiler) ? compilerName(compiler) : compilerMissing(compiler);
+    return compilerAvailable(compiler) ? compilerName(compiler) : whyCompilerMissing(compiler);
 }
 
 std::string deviceText() {

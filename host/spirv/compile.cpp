@@ -73,7 +73,7 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
 }
 
 Error noDxc() {
-    return machineError(3002, compilerMissing(Compiler::Dxc), "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
+    return machineError(3002, whyCompilerMissing(Compiler::Dxc), "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
 }
 
 /// A container is whole words long; the cache of SPIR-V serves it too.
@@ -100,7 +100,7 @@ bool compilerAvailable(Compiler compiler) {
     return compiler == Compiler::Glslang || dxc::available();
 }
 
-std::string compilerMissing(Compiler compiler) {
+std::string whyCompilerMissing(Compiler compiler) {
     if (compiler == Compiler::Glslang) return "glslang cannot be started";
     return fmt::format("the DXC library cannot be used: {}", dxc::whyNot());
 }

@@ -97,7 +97,7 @@ struct Shader {
 /// True when the DXC library was built in and can be loaded.
 [[nodiscard]] bool compilerAvailable(Compiler compiler);
 /// Why it is not available.
-[[nodiscard]] std::string compilerMissing(Compiler compiler);
+[[nodiscard]] std::string whyCompilerMissing(Compiler compiler);
 /// "DXC 1.8 (fd7e54bc)", "glslang 12.0.0".
 [[nodiscard]] std::string compilerName(Compiler compiler);
 /// DXC when available, else glslang.

@@ -26,7 +26,8 @@ std::vector<LampNode> lampNodes(const Lamp& lamp, const glm::dvec3& towards, int
     const bool near = lamp.place.w > 0.5;
     const double distance = glm::length(towards);
     const glm::dvec3 axis = towards / distance;
-    const double far = near ? distance : kFar;
+    double far = kFar;
+    if (near) far = distance;
     const double sine = std::min(near ? lamp.axis.w / distance : lamp.axis.w, 0.99);
     if (side == 1 || sine <= 0) return {{axis, far, 1}};
     const glm::dvec3 right = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));

@@ -21,8 +21,10 @@ Sheet sheetOf(double height, unsigned seed, bool hole = false) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
     Sheet sheet;
-    for (std::uint32_t i = 0; i < (kSteps + 1) * (kSteps + 1); ++i)
-        sheet.points.emplace_back((i % (kSteps + 1)) * 1.0 / kSteps, (i / (kSteps + 1)) * 1.0 / kSteps, height * unit(random));
+    for (std::uint32_t i = 0; i < (kSteps + 1) * (kSteps + 1); ++i) {
+        const std::uint32_t row = i / (kSteps + 1);
+        sheet.points.emplace_back((i % (kSteps + 1)) * 1.0 / kSteps, row * 1.0 / kSteps, height * unit(random));
+    }
     for (std::uint32_t i = 0; i < kSteps * kSteps; ++i) {
         const std::uint32_t x = i % kSteps, y = i / kSteps, a = y * (kSteps + 1) + x;
         if (hole && x > 3 && x < 6 && y > 3 && y < 6) continue;

@@ -14,7 +14,7 @@
 #define TEGUMENT_SHADOW_PLANAR_FXH
 
 // Smallest share of the light's axis that slopes are computed with; below it the receiver is seen edge-on.
-static const float kTgSmallestPlanarCosine = 0.05;
+static const float kTgSmallestPlanarCosine = 0.15;
 // N.L of the mesh at which its own horizon has passed.
 static const float kTgPlanarHorizon = 0.01;
 // Texels of the map (mm) up to which 4 x 4 taps are wider than the four nearest texels, and the distance of those taps on the surface, mm:

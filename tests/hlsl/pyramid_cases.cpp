@@ -242,14 +242,14 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
                              const double step = 1e-6 * x.scalar(2) / far;
                              const auto depth = [&](double u, double v) {
                                  const glm::dvec3 other = ray + glm::dvec3(u, -v, 0);
-                                 const double towards = std::min(glm::dot(normal, other), -0.05);
+                                 const double towards = std::min(glm::dot(normal, other), -0.15);
                                  return plane / towards;
                              };
                              const double here = plane / glm::dot(normal, ray);
                              return values((depth(step, 0) - here) * 1e6, (depth(0, step) - here) * 1e6);
                          },
                      .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-3, .why = "the reference takes a difference quotient"},
-                     .domain = [](const Inputs& x) { return -glm::dot(x.vec3(0), glm::dvec3(-x.vec2(1), -1)) > 0.1; }});
+                     .domain = [](const Inputs& x) { return -glm::dot(x.vec3(0), glm::dvec3(-x.vec2(1), -1)) > 0.2; }});
     cases.push_back({.function = "tgShadowPlanarHorizon",
                      .body = "return float4(tgShadowPlanarHorizon(a0), 0, 0, 0);",
                      .arguments = {linear(-1, 1)},

@@ -229,6 +229,18 @@ void addError(TargetCheck& report, int code, SourcePosition at, std::string text
                                   .sourceLine = {}});
 }
 
+void addUnwritten(const EntryPoint& vertex, const EntryPoint& pixel, std::string_view semantic, TargetCheck& report) {
+    addError(report, 3004, pixel.at, fmt::format("{} reads {}, which {} does not write", pixel.name, semantic, vertex.name),
+             "give both the same struct, and every member a value");
+}
+
+void addApart(const EntryPoint& vertex, const EntryPoint& pixel, std::string_view semantic, std::uint32_t written, std::uint32_t read,
+              TargetCheck& report) {
+    addError(report, 3205, pixel.at,
+             fmt::format("{} reads {} from register {}, {} writes it to register {}", pixel.name, semantic, read, vertex.name, written),
+             "give both the same struct");
+}
+
 void addMissingPosition(const EntryPoint& vertex, TargetCheck& report) {
     addError(report, 3206, vertex.at, fmt::format("{} writes no SV_Position: nothing will be drawn", vertex.name),
              "write SV_Position in place of POSITION; Direct3D 9 takes it too");

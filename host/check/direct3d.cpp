@@ -177,13 +177,9 @@ void linkSm5(const Work& work, const StagePair& pair, TargetCheck& report) {
     for (const StageVariable& input : pixel.sm5Reflection->reflection.inputs) {
         const auto output = std::ranges::find(outputs, input.semantic, &StageVariable::semantic);
         if (output == outputs.end() || std::ranges::find(unwritten, input.semantic) != unwritten.end())
-            addError(report, 3004, pixel.at, fmt::format("{} reads {}, which {} does not write", pixel.name, input.semantic, vertex.name),
-                     "give both the same struct, and every member a value");
+            addUnwritten(vertex, pixel, input.semantic, report);
         else if (output->location != input.location)
-            addError(report, 3205, pixel.at,
-                     fmt::format("{} reads {} from register {}, {} writes it to register {}", pixel.name, input.semantic, input.location,
-                                 vertex.name, output->location),
-                     "give both the same struct");
+            addApart(vertex, pixel, input.semantic, output->location, input.location, report);
     }
 }
 

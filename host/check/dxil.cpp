@@ -36,13 +36,9 @@ void linkDxil(const EntryPoint& vertex, const EntryPoint& pixel, TargetCheck& re
         if (input.systemValue || input.used == 0) continue;
         const auto output = std::ranges::find(outputs, input.semantic, &SignatureElement::semantic);
         if (output == outputs.end() || (input.used & ~output->mask) != 0)
-            addError(report, 3004, pixel.at, fmt::format("{} reads {}, which {} does not write", pixel.name, input.semantic, vertex.name),
-                     "give both the same struct, and every member a value");
+            addUnwritten(vertex, pixel, input.semantic, report);
         else if (output->location != input.location)
-            addError(report, 3205, pixel.at,
-                     fmt::format("{} reads {} from register {}, {} writes it to register {}", pixel.name, input.semantic, input.location,
-                                 vertex.name, output->location),
-                     "give both the same struct");
+            addApart(vertex, pixel, input.semantic, output->location, input.location, report);
     }
 }
 

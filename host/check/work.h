@@ -40,6 +40,13 @@ void addError(TargetCheck& report, int code, SourcePosition at, std::string text
 /// Why a target is not checked: its compiler is missing.
 [[nodiscard]] std::string noCompiler(Compiler compiler);
 
+/// TG3004.
+void addUnwritten(const EntryPoint& vertex, const EntryPoint& pixel, std::string_view semantic, TargetCheck& report);
+
+/// TG3205: Direct3D 11 and 12 join stages by register.
+void addApart(const EntryPoint& vertex, const EntryPoint& pixel, std::string_view semantic, std::uint32_t written, std::uint32_t read,
+              TargetCheck& report);
+
 /// TG3206.
 void addMissingPosition(const EntryPoint& vertex, TargetCheck& report);
 

@@ -1,6 +1,7 @@
 #include "host/app/max_memory.h"
 
 #include "host/support/file.h"
+#include "host/support/sanitized.h"
 
 #include <CLI/CLI.hpp>
 
@@ -35,7 +36,7 @@ std::uint64_t memoryOfTheMachine() {
 /// The limit that the caller gave (`ulimit -d`, `tegument batch --max-memory`) is not widened.
 void limitTo(std::uint64_t bytes) {
     rlimit limit{};
-    if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
+    if (!kMemoryCanBeLimited || ::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
     limit.rlim_cur = bytes;
     ::setrlimit(RLIMIT_DATA, &limit);
 }

@@ -1,5 +1,6 @@
 // Every hard file behaves as docs/design/meshprep-tables.md says: one precise error, or a mesh whose repairs are counted.
 #include "host/support/file.h"
+#include "host/support/sanitized.h"
 #include "meshprep/prepare/prepare.h"
 #include "tests/meshprep/prepare/hard_files.h"
 
@@ -31,14 +32,13 @@ protected:
         fs::remove_all(folder_);
     }
 
-    /// So that a case which takes all memory fails, and the machine goes on. The sanitizer reserves 20 TB.
+    /// So that a case which takes all memory fails, and the machine goes on.
     void limitMemory() {
         getrlimit(RLIMIT_AS, &before_);
-#ifndef __SANITIZE_ADDRESS__
+        if (!kMemoryCanBeLimited) return;
         constexpr rlim_t kMost = rlim_t{8} << 30;
         const rlimit limit{.rlim_cur = std::min(kMost, before_.rlim_max), .rlim_max = before_.rlim_max};
         ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
-#endif
     }
 
     [[nodiscard]] Result<prep::Prepared> prepare(const HardFile& file, const prep::PrepOptions& options = lenient()) const {

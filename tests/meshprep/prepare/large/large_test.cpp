@@ -1,4 +1,5 @@
 // Ten million triangles in four GiB of address space, and nothing that grows faster than the mesh.
+#include "host/support/sanitized.h"
 #include "meshprep/prepare/prepare.h"
 #include "meshprep/prepare/shapes.h"
 
@@ -13,13 +14,6 @@ using namespace tegument::prep;
 namespace fs = std::filesystem;
 
 namespace {
-
-// AddressSanitizer reserves terabytes of addresses for its shadow: under it the mesh is prepared without the limit.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kLimitsMemory = false;
-#else
-constexpr bool kLimitsMemory = true;
-#endif
 
 class LargeMesh : public testing::Test {
 protected:
@@ -48,7 +42,7 @@ TEST_F(LargeMesh, time_grows_with_the_triangles) {
 
 TEST_F(LargeMesh, of_ten_million_triangles_is_prepared_within_four_gib) {
     make(2237);
-    if (kLimitsMemory) {
+    if (kMemoryCanBeLimited) {
         constexpr rlim_t kLimit = rlim_t{4} << 30;
         const rlimit limit{.rlim_cur = kLimit, .rlim_max = kLimit};
         ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);

@@ -3,8 +3,8 @@
 
 namespace tegument {
 
-/// AddressSanitizer and ThreadSanitizer reserve terabytes of addresses for their shadow, which limits of memory count (RLIMIT_AS, RLIMIT_DATA):
-/// under such a limit a sanitized program ends before it does anything.
+/// AddressSanitizer and ThreadSanitizer reserve terabytes of addresses for their shadow, which limits of memory count (RLIMIT_AS,
+/// RLIMIT_DATA): under such a limit a sanitized program ends before it does anything.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kMemoryCanBeLimited = false;
 #else

@@ -20,8 +20,15 @@ bool isFile(const fs::path& path) {
     return fs::is_regular_file(path, code) || fs::is_fifo(path, code) || fs::is_character_file(path, code);
 }
 
+/// Set once, before anything is looked for.
+fs::path& givenFolder() {
+    static fs::path folder;
+    return folder;
+}
+
 /// Installed beside the program, else the tree that it was built from.
 std::vector<fs::path> ownFolders() {
+    if (!givenFolder().empty()) return {givenFolder()};
     std::error_code code;
     const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
     return {program / "../share/tegument", fs::path(TEGUMENT_TREE)};
@@ -126,6 +133,10 @@ std::vector<fs::path> eachOnce(const std::vector<fs::path>& folders, const std::
 }
 
 } // namespace
+
+void setOwnFolder(fs::path folder) {
+    givenFolder() = std::move(folder);
+}
 
 fs::path ownFile(const fs::path& named) {
     std::error_code code;

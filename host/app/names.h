@@ -11,6 +11,9 @@
 
 namespace tegument::app {
 
+/// Where effects, hlsl and workspaces lie for a program that is not ours but has our library in it, such as Python: looked at first.
+void setOwnFolder(std::filesystem::path folder);
+
 /// Where a file of ours lies: as named, or below share/tegument beside the installed program, or in the tree that it was built from.
 [[nodiscard]] std::filesystem::path ownFile(const std::filesystem::path& named);
 

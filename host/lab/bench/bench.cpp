@@ -87,6 +87,7 @@ Row rowOf(const Stage& stage, const Contender& contender, const Contest& contest
             .own = {},
             .referenceId = stage.sample.id,
             .referencePixels = stage.sample.points.size(),
+            .samples = stage.sample.grid * stage.sample.grid,
             .wholeReference = stage.sample.whole,
             .failure = {}};
 }

@@ -46,6 +46,7 @@ struct Row {
     std::optional<Errors> own; // against what it claims, where that is something else
     std::string referenceId;
     std::size_t referencePixels = 0;
+    int samples = 1; // of each of them
     bool wholeReference = false;
     std::optional<Error> failure; // then the figures above have no meaning
 };

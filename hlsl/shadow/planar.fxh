@@ -44,9 +44,9 @@ float2 tgShadowPlanarSlope(float3 normal, float3 axisX, float3 axisY, float3 toL
     return facing > 0.0 ? scale * float2(dot(normal, axisX), -dot(normal, axisY)) : float2(0.0, 0.0);
 }
 
-// Texels by which a look-up moves outwards where the slope is steeper than it is followed: by `texels`, within which the surface itself would
-// stand before that plane. What hides the light from there is not the surface but something before it, be it thinner than a slope of
-// that height; a plane followed farther down would pass beneath. slope: of tgShadowPlanarSlope.
+// Texels by which a look-up moves outwards where the slope is steeper than it is followed: by `texels`, within which the surface itself
+// would stand before that plane. What hides the light from there is something else, however thin; a plane that is followed farther down
+// would pass beneath. slope: of tgShadowPlanarSlope.
 float2 tgShadowPlanarAside(float3 normal, float3 toLight, float3 axis, float2 slope, float texels)
 {
     float facing = dot(normal, toLight) / max(-dot(toLight, axis), 1e-3);
@@ -78,9 +78,9 @@ float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, flo
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
 }
 
-// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other; each texel is held against that plane at its own middle.
-// The square is turned against the light's right, so that an edge along the map's axes meets the taps one by one. depth: less tolerance;
-// slope: of that plane; footprint: mm of a texel of the map.
+// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other; each texel is held against that plane at its own
+// middle. The square is turned against the light's right, so that an edge along the map's axes meets the taps one by one. depth: less
+// tolerance; slope: of that plane; footprint: mm of a texel of the map.
 float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float3 normal, float3 axisX, float3 axisY,
                       float3 axis, float footprint, float apart)
 {

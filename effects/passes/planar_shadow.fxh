@@ -26,16 +26,31 @@ float4 PlanarShadowPS(PlanarVarying input) : SV_Target0
     return float4(input.depth, 0.0, 0.0, 1.0);
 }
 
-// Place in the map, and distance there, less the tolerance for this slope over `texels` of the map.
+// Place in the map, and distance there.
 float planarDepth(float4 lightClip, float3 world)
 {
     return tgShadowPlanarDepth(lightClip, tgMillimetres(tgLightVector(world)), tgLightRays());
 }
 
-float planarTolerance(float2 slope, float texels)
+float planarTolerance()
 {
-    float tolerance = kTgDepthInMillimetres ? gShadowTolerance : gShadowTolerance * tgMillimetres(gLightFar - gLightNear);
-    return tolerance + texels * (abs(slope.x) + abs(slope.y));
+    return kTgDepthInMillimetres ? gShadowTolerance : gShadowTolerance * tgMillimetres(gLightFar - gLightNear);
+}
+
+// Where a point is held against the map, and the distance that it is held to there.
+struct PlanarPlace
+{
+    float2 uv;
+    float depth; // less tolerance
+};
+
+PlanarPlace planarPlace(LitPoint p, float2 slope, float texels)
+{
+    PlanarPlace at;
+    float2 aside = tgShadowPlanarAside(p.meshNormal, p.toLight, tgLightRays(), slope, texels);
+    at.uv = p.lightUv + aside / kTgShadowSize;
+    at.depth = p.depth + dot(slope, aside) - planarTolerance() - kTgPlanarFacets * (abs(slope.x) + abs(slope.y));
+    return at;
 }
 
 #endif

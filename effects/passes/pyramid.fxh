@@ -58,8 +58,9 @@ float entryShadow(LitPoint p, float density)
 {
     float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
     float apart = clamp(0.25 * rsqrt(max(density, 1e-8)), kEntryTaps.x * p.footprint, kEntryTaps.y * p.footprint);
-    float depth = p.depth - planarTolerance(slope, 1.0);
-    return tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint, apart) *
+    PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
+    return tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint,
+                           apart) *
            tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
 }
 

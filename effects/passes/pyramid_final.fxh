@@ -46,15 +46,16 @@ LitPoint finalPoint(FinalVarying input, float3 normal, float4 colour)
 float finalShadow(LitPoint p)
 {
     float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
-    float depth = p.depth - planarTolerance(slope, 1.0);
     bool plain = p.scatters < 0.5; // no level softens its shadows: its filter is some texels of the shadow map wide
+    bool taps = plain || p.footprint < kTgNarrowTexel;
     float apart = plain ? max(kEntryTaps.x * p.footprint, kTgNarrowStep) : kTgNarrowStep;
+    PlanarPlace at = planarPlace(p, slope, taps ? kTgPlanarTexel : kTgPlanarNearest);
     float lit;
-    [branch] if (plain || p.footprint < kTgNarrowTexel)
-        lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint,
-                              apart);
+    [branch] if (taps)
+        lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(),
+                              p.footprint, apart);
     else
-        lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), p.lightUv, depth, slope);
+        lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope);
     return lit * tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
 }
 

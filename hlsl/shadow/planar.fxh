@@ -17,6 +17,11 @@
 static const float kTgSmallestPlanarCosine = 0.15;
 // N.L of the mesh at which its own horizon has passed.
 static const float kTgPlanarHorizon = 0.01;
+// Share of a texel's slope that is left to facets, which are steeper than their normals say.
+static const float kTgPlanarFacets = 0.25;
+// How far a texel's middle is at most from a look-up in it, and from one that takes the four nearest, texels.
+static const float kTgPlanarTexel = 0.7072;
+static const float kTgPlanarNearest = 1.0;
 // Texels of the map (mm) up to which 4 x 4 taps are wider than the four nearest texels, and the distance of those taps on the surface, mm:
 // four of them in a row have the variance of the first Gaussian, 5/4 of its square.
 static const float kTgNarrowTexel = 0.15;
@@ -37,6 +42,16 @@ float2 tgShadowPlanarSlope(float3 normal, float3 axisX, float3 axisY, float3 toL
     float facing = dot(normal, toLight) / max(-dot(toLight, axis), 1e-3);
     float scale = footprint / max(facing, kTgSmallestPlanarCosine);
     return facing > 0.0 ? scale * float2(dot(normal, axisX), -dot(normal, axisY)) : float2(0.0, 0.0);
+}
+
+// Texels by which a look-up moves outwards where the slope is steeper than it is followed: by `texels`, within which the surface itself
+// would stand before that plane. What hides the light from there is something else, however thin; a plane that is followed farther down
+// would pass beneath. slope: of tgShadowPlanarSlope.
+float2 tgShadowPlanarAside(float3 normal, float3 toLight, float3 axis, float2 slope, float texels)
+{
+    float facing = dot(normal, toLight) / max(-dot(toLight, axis), 1e-3);
+    float steep = saturate(2.0 - 2.0 * facing / kTgSmallestPlanarCosine);
+    return texels * steep * slope * rsqrt(max(dot(slope, slope), 1e-12));
 }
 
 // A surface that turns away from the light is shadowed by itself.
@@ -63,28 +78,34 @@ float tgShadowSharp(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, flo
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : lit;
 }
 
-// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other. The square is turned against the light's right, so that
-// an edge along the map's axes meets the taps one by one. depth: less tolerance; footprint: mm of a texel of the map.
-float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float3 normal, float3 axisX, float3 axisY, float3 axis,
-                      float footprint, float apart)
+// 4 x 4 taps over a square on the receiver's own plane, `apart` mm from each other; each texel is held against that plane at its own
+// middle. The square is turned against the light's right, so that an edge along the map's axes meets the taps one by one. depth: less
+// tolerance; slope: of that plane; footprint: mm of a texel of the map.
+float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, float2 slope, float3 normal, float3 axisX, float3 axisY,
+                      float3 axis, float footprint, float apart)
 {
     float3 right = axisX - normal * dot(normal, axisX);
     float3 side = right * rsqrt(max(dot(right, right), 1e-12));
     float3 other = cross(normal, side);
     float3 u = apart * (kTgTurn.x * side + kTgTurn.y * other);
     float3 v = apart * (kTgTurn.x * other - kTgTurn.y * side);
-    float scale = 1.0 / (footprint * kTgShadowSize);
+    float scale = 1.0 / footprint;
     float3 alongU = float3(dot(u, axisX) * scale, -dot(u, axisY) * scale, dot(u, axis));
     float3 alongV = float3(dot(v, axisX) * scale, -dot(v, axisY) * scale, dot(v, axis));
-    float4 columns = depth + alongU.z * float4(-1.5, -0.5, 0.5, 1.5);
+    float2 texel = coordinate * kTgShadowSize;
     float sum = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
     {
-        float2 middle = coordinate + (j - 1.5) * alongV.xy;
         float4 row;
+        float4 plane;
         [unroll] for (int i = 0; i < 4; i++)
-            row[i] = TG_TEX2DLOD(map, float4(middle + (i - 1.5) * alongU.xy, 0.0, 0.0)).x;
-        sum += dot(step(columns + (j - 1.5) * alongV.z, tgShadowStored(row)), 0.0625);
+        {
+            float3 tap = float3(texel, depth) + (i - 1.5) * alongU + (j - 1.5) * alongV;
+            float2 middle = floor(tap.xy) + 0.5;
+            row[i] = TG_TEX2DLOD(map, float4(middle / kTgShadowSize, 0.0, 0.0)).x;
+            plane[i] = tap.z + dot(slope, middle - tap.xy);
+        }
+        sum += dot(step(plane, tgShadowStored(row)), 0.0625);
     }
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : sum;
 }

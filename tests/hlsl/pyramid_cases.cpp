@@ -250,6 +250,19 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
                          },
                      .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-3, .why = "the reference takes a difference quotient"},
                      .domain = [](const Inputs& x) { return -glm::dot(x.vec3(0), glm::dvec3(-x.vec2(1), -1)) > 0.2; }});
+    cases.push_back({.function = "tgShadowPlanarAside",
+                     .body = "return float4(tgShadowPlanarAside(a0, normalize(float3(a1, 1)), float3(0, 0, -1), a2, a3), 0, 0);",
+                     .arguments = {unit(), linear(-0.4, 0.4, 2), linear(-3, 3, 2), linear(0.5, 1)},
+                     .expected =
+                         [](const Inputs& x) {
+                             // None where the plane is followed, from N.L of .15 on, and all of it from half of that on.
+                             const double facing = glm::dot(x.vec3(0), glm::dvec3(x.vec2(1), 1));
+                             const double share = std::clamp((0.15 - facing) / 0.075, 0.0, 1.0);
+                             const glm::dvec2 aside = glm::normalize(x.vec2(2)) * (share * x.scalar(3));
+                             return values(aside.x, aside.y);
+                         },
+                     .tolerance = {.forward = 16, .backward = 4, .absolute = 1e-5, .why = "N.L is a sum that may cancel, times 13"},
+                     .domain = [](const Inputs& x) { return glm::length(x.vec2(2)) > 1e-3; }});
     cases.push_back({.function = "tgShadowPlanarHorizon",
                      .body = "return float4(tgShadowPlanarHorizon(a0), 0, 0, 0);",
                      .arguments = {linear(-1, 1)},
@@ -278,9 +291,9 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
                      .map = &shadowMap()});
     cases.push_back(
         {.function = "tgShadowOnPlane",
-         .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, a1, float3(0, 0, 1), float3(1, 0, 0), float3(0, 1, 0), "
+         .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, float3(0, 0, 1), float3(1, 0, 0), float3(0, 1, 0), "
                  "float3(0, 0, -1), 0.2, 0.1), 0, 0, 0);",
-         .arguments = {linear(0.1, 0.9, 2), linear(400, 700)},
+         .arguments = {linear(0.1, 0.9, 2), linear(400, 700), linear(-30, 30, 2)},
          .expected =
              [](const Inputs& x) {
                  const glm::dvec3 side(1, 0, 0);
@@ -294,7 +307,9 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
                          const double s = 0.2425356;
                          const glm::dvec3 tap = a * (c * side + s * other) + b * (c * other - s * side);
                          const glm::dvec2 uv = x.vec2(0) + glm::dvec2(tap.x, -tap.y) / (0.2 * kTestMapSize);
-                         sum += x.scalar(1) <= stored(shadowMap().at(uv).x) ? 1.0 / 16 : 0;
+                         const glm::dvec2 texel = uv * double{kTestMapSize};
+                         const double plane = x.scalar(1) + glm::dot(x.vec2(2), glm::floor(texel) + 0.5 - texel);
+                         sum += plane <= stored(shadowMap().at(uv).x) ? 1.0 / 16 : 0;
                      }
                  return values(sum);
              },

@@ -193,7 +193,7 @@ def page(folder):
     text = [f"""# Both heads, five views, three sizes of maps, with peers
 
 What [speed-error.md](../speed-error.md) says of views. {first['device']}, driver {first['driver'].replace('NVIDIA ', '')}, {first['compiler']},
-{first['date']}; {width} x {height}; light from behind has 4,096 pixels of reference, the others 1,024. Milliseconds are net of clears, gross in brackets;
+{first['date']}; {width} x {height}; 1,024 pixels of reference, from behind means of 4 x 4 samples in 512. Milliseconds are net of clears, gross in brackets;
 *maps/shadow* in texels. Columns: [bench.md](../../bench.md). Written by `python3 tests/tools/skin_table.py RESULTS --write`.
 
     tegument bench --scene effects/workspaces/human.json --map-size 512 1024 2048 --shadow-size 2048 --setting paper corrected --json RESULTS/human-all.json

@@ -37,6 +37,7 @@ struct BenchArguments {
     std::vector<int> shadowSizes;
     int frames = 0;
     std::string reference = "1024";
+    int grid = 1;
     std::string referencePart; // empty: all of it, and the comparison
     std::string keepScenes;
     std::string catalogue = "effects/catalogue.json";
@@ -100,6 +101,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
                                 .compiler = *compiler,
                                 .pixels = *pixels,
+                                .grid = arguments.grid,
                                 .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
@@ -379,6 +381,8 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--frames", arguments->frames, "Frames to time; default: 5 after 2 on a processor, else 50 after 10")
         ->check(CLI::Range(1, 100000));
     command->add_option("--reference", arguments->reference, "Pixels that get a reference, or 'full'")->capture_default_str();
+    command->add_option("--oversample", arguments->grid, "N: means of N x N samples a pixel are compared, the truth's and the picture's")
+        ->check(CLI::Range(1, 8));
     command->add_option("--reference-part", arguments->referencePart,
                         "Only compute and keep a part of the reference, 3/16, and draw nothing (docs/many.md)");
     command->add_option("--keep-scenes", arguments->keepScenes, "Folder for the scenes' workspaces and meshes; default: the cache");

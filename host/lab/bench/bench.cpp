@@ -23,7 +23,7 @@ Scene fitted(Scene scene, const BenchOptions& options) {
 struct Stage {
     Stage(Scene loaded, const BenchOptions& options)
         : scene(fitted(std::move(loaded), options)), truth(truthScene(scene, options.width, options.height)),
-          sample(samplePixels(scene, truth, options.pixels)) {}
+          sample(samplePixels(scene, truth, options.pixels, options.grid)) {}
 
     Scene scene;
     TruthScene truth; // refers to the scene's mesh
@@ -87,6 +87,7 @@ Row rowOf(const Stage& stage, const Contender& contender, const Contest& contest
             .own = {},
             .referenceId = stage.sample.id,
             .referencePixels = stage.sample.points.size(),
+            .samples = stage.sample.grid * stage.sample.grid,
             .wholeReference = stage.sample.whole,
             .failure = {}};
 }
@@ -182,8 +183,16 @@ Result<void> runContest(gpu::Device& device, const Stage& stage, const Contest& 
                         const BenchOptions& options, const BenchTools& tools, std::vector<Row>& rows) {
     const std::string place = fmt::format("{}, maps of {}, shadows of {}", stage.scene.name, contest.mapSize,
                                           contest.shadowSize > 0 ? contest.shadowSize : contest.mapSize);
-    const auto drawn = drawInTurns(device, entriesOf(contest, contenders), options.frames,
-                                   [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
+    auto drawn = drawInTurns(device, entriesOf(contest, contenders), options.frames,
+                             [&](const std::string& what) { tools.say(fmt::format("{}: {}", place, what)); });
+    for (std::size_t i = 0; options.grid > 1 && i < drawn.size(); ++i)
+        if (drawn[i]) {
+            auto mean = drawMean(device, {contest, contenders[i]}, options.grid);
+            if (mean)
+                drawn[i]->picture = std::move(*mean);
+            else
+                drawn[i] = mean.error();
+        }
     const std::size_t first = rows.size();
     for (std::size_t i = 0; i < contenders.size(); ++i) {
         rows.push_back(rowOf(stage, contenders[i], contest));

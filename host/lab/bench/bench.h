@@ -22,6 +22,7 @@ struct BenchOptions {
     Frames frames;
     Compiler compiler = Compiler::Dxc;
     std::size_t pixels = 1024;      // of the reference; 0: all
+    int grid = 1;                   // samples along each side of a pixel whose mean is held against the truth's
     std::filesystem::path kept;     // folder for references of many pixels; empty: none is kept
     std::filesystem::path pictures; // folder for the truth and what each technique draws of it, as EXR; empty: none
     bool count = false;             // what each frame fetches and moves, too (traffic.h)
@@ -45,6 +46,7 @@ struct Row {
     std::optional<Errors> own; // against what it claims, where that is something else
     std::string referenceId;
     std::size_t referencePixels = 0;
+    int samples = 1; // of each of them
     bool wholeReference = false;
     std::optional<Error> failure; // then the figures above have no meaning
 };

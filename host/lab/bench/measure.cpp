@@ -84,6 +84,19 @@ Result<Drawn> outcome(gpu::Device& device, Entrant& entrant) {
     return drawn;
 }
 
+/// Each pixel the mean of `side` x `side`.
+Image meanOfBlocks(const Image& fine, int side) {
+    Image mean{.width = fine.width / side, .height = fine.height / side, .channels = fine.channels, .pixels = {}, .metadata = {}};
+    mean.pixels.assign(
+        static_cast<std::size_t>(mean.width) * static_cast<std::size_t>(mean.height) * static_cast<std::size_t>(mean.channels), 0.0F);
+    const float share = 1.0F / static_cast<float>(side * side);
+    for (int y = 0; y < mean.height * side; ++y)
+        for (int x = 0; x < mean.width * side; ++x)
+            for (int c = 0; c < mean.channels; ++c)
+                mean.at(x / side, y / side, c) += share * fine.at(x, y, c);
+    return mean;
+}
+
 } // namespace
 
 Result<Effect> loadContender(const Contest& contest, const Contender& contender) {
@@ -134,6 +147,17 @@ std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<En
             outcomes.emplace_back(entrant.error());
     }
     return outcomes;
+}
+
+Result<Image> drawMean(gpu::Device& device, const Entry& entry, int grid) {
+    Contest fine = entry.contest;
+    fine.width *= grid;
+    fine.height *= grid;
+    auto entrant = enter(device, fine, entry.contender);
+    if (!entrant) return entrant.error();
+    const auto picture = run::readBack(device, *entrant->session->target(""));
+    if (!picture) return picture.error();
+    return meanOfBlocks(*picture, grid);
 }
 
 Result<Errors> errorsOf(const Image& picture, const Sample& sample, const std::vector<glm::dvec3>& truth) {

@@ -71,6 +71,9 @@ struct Entry {
 [[nodiscard]] std::vector<Result<Drawn>> drawInTurns(gpu::Device& device, const std::vector<Entry>& entries, const Frames& frames,
                                                      const std::function<void(const std::string&)>& say);
 
+/// The entry's picture by `grid` x `grid` samples a pixel: drawn so many times as large, each pixel the mean of its own. Not timed.
+[[nodiscard]] Result<Image> drawMean(gpu::Device& device, const Entry& entry, int grid);
+
 /// Relative figures are to the mean of the truth over the compared pixels.
 struct Errors {
     double relativeL2 = 0;

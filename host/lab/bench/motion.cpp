@@ -106,11 +106,12 @@ Sample atPlaces(const Sample& sample, const std::vector<Place>& places) {
     std::map<Place, std::size_t> index;
     for (std::size_t i = 0; i < sample.points.size(); ++i)
         index[{sample.points[i].y, sample.points[i].x}] = i;
-    Sample chosen{.points = {}, .interior = {}};
+    Sample chosen{.points = {}, .interior = {}, .id = {}, .parts = {}, .partOf = {}};
     for (const Place& place : places) {
         chosen.points.push_back(sample.points[index.at(place)]);
         chosen.interior.push_back(sample.interior[index.at(place)]);
     }
+    chosen.parts = chosen.points;
     return chosen;
 }
 

@@ -100,7 +100,8 @@ Json rowJson(const Row& row, const Machine& machine) {
                                                                           : Json(nullptr);
     json["reference"] = {{"kind", row.wholeReference ? "brute force, every pixel" : "brute force, stratified pixels"},
                          {"id", row.referenceId},
-                         {"pixels", row.referencePixels}};
+                         {"pixels", row.referencePixels},
+                         {"samples", row.samples}};
     return json;
 }
 

@@ -2,6 +2,7 @@
 
 #include "generated/setting_names.h"
 #include "host/support/file.h"
+#include "host/support/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,15 +85,46 @@ std::string identify(const Scene& scene, const reference::Pinhole& camera, const
         add(point.y);
         add(point.point.position);
     }
+    if (sample.grid > 1) add(sample.grid);
     return contentHash(bytes).substr(0, 12);
+}
+
+/// Fills in what light is computed at.
+void takeParts(Sample& sample, const TruthScene& truth) {
+    const auto grid = static_cast<std::size_t>(sample.grid);
+    reference::Pinhole fine = truth.camera;
+    fine.width *= sample.grid;
+    fine.height *= sample.grid;
+    std::vector<std::vector<reference::ShadedPoint>> seen(sample.points.size());
+    forEachInParallel(seen.size(), [&](std::size_t i) {
+        for (std::size_t k = 0; k < grid * grid; ++k) {
+            const int x = sample.points[i].x * sample.grid + static_cast<int>(k % grid);
+            const int y = sample.points[i].y * sample.grid + static_cast<int>(k / grid);
+            if (const auto hit = truth.skin.rays().nearest(fine.start(x, y), fine.ray(x, y)))
+                seen[i].push_back({x, y, interpolate(truth.skin.mesh(), hit->place)});
+        }
+    });
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        sample.parts.insert(sample.parts.end(), seen[i].begin(), seen[i].end());
+        sample.partOf.insert(sample.partOf.end(), seen[i].size(), static_cast<std::uint32_t>(i));
+    }
+}
+
+/// Light of the pixels from that of their parts.
+std::vector<glm::dvec3> gathered(const Sample& sample, const std::vector<glm::dvec3>& light) {
+    const double share = 1.0 / (sample.grid * sample.grid);
+    std::vector<glm::dvec3> pixels(sample.points.size(), sample.background);
+    for (std::size_t i = 0; i < light.size(); ++i)
+        pixels[sample.partOf[i]] += share * (light[i] - sample.background);
+    return pixels;
 }
 
 Result<std::vector<glm::dvec3>> lightOf(const TruthScene& truth, const Sample& sample, const std::string& kind,
                                         reference::RadialProfile profile, KeptLight kept, const Progress& progress) {
     kept.key += "-" + contentHash(kind).substr(0, 8);
     reference::BssrdfOptions options{.profile = std::move(profile), .progress = {}};
-    const std::span<const reference::ShadedPoint> points = sample.points;
-    return keptLight(kept, points.size(), [&](std::size_t first, std::size_t last) {
+    const std::span<const reference::ShadedPoint> points = sample.parts;
+    auto parts = keptLight(kept, points.size(), [&](std::size_t first, std::size_t last) {
         if (progress) options.progress = [&](std::size_t done, std::size_t) { progress(first + done, points.size()); };
         std::vector<glm::dvec3> light;
         for (const reference::Radiance& radiance :
@@ -100,19 +132,20 @@ Result<std::vector<glm::dvec3>> lightOf(const TruthScene& truth, const Sample& s
             light.push_back(radiance.total());
         return light;
     });
+    return parts && sample.grid > 1 ? gathered(sample, *parts) : std::move(parts);
 }
 
 /// Every point sends back what enters it.
 std::vector<glm::dvec3> undiffusedLight(const TruthScene& truth, const Sample& sample) {
     std::vector<glm::dvec3> light;
-    for (const reference::ShadedPoint& pixel : sample.points) {
-        const reference::SurfacePoint& point = pixel.point;
+    for (const reference::ShadedPoint& part : sample.parts) {
+        const reference::SurfacePoint& point = part.point;
         const bool lit = truth.skin.lit(point);
         light.push_back((truth.skin.entering(point, lit) + truth.skin.enteringMore(point)) * truth.skin.leaving(point, truth.camera.eye) +
                         truth.skin.reflected(point, truth.skin.mappedNormal(point), truth.camera.eye, lit) +
                         truth.skin.reflectedMore(point, truth.skin.mappedNormal(point), truth.camera.eye));
     }
-    return light;
+    return sample.grid > 1 ? gathered(sample, light) : light;
 }
 
 } // namespace
@@ -127,7 +160,7 @@ TruthScene truthScene(const Scene& scene, int width, int height) {
                 reference::SkinScene(scene.mesh, light, glm::dvec3(placed.light.color), settingsOf(scene.workspace), scene.lights.more)};
 }
 
-Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t count) {
+Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t count, int grid) {
     const auto all = reference::visiblePoints(truth.skin, truth.camera, 0);
     const Seen seen(all, truth.camera);
     std::size_t skin = 0;
@@ -137,11 +170,18 @@ Sample samplePixels(const Scene& scene, const TruthScene& truth, std::size_t cou
         ++skin;
         if (seen.neighbours(point).covered) kept.push_back(point);
     }
-    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}};
+    Sample sample{.points = reference::spreadEvenly(kept, count), .interior = {}, .id = {}, .parts = {}, .partOf = {}};
     for (const reference::ShadedPoint& point : sample.points)
         sample.interior.push_back(seen.neighbours(point).interior ? 1 : 0);
     sample.coverage = static_cast<double>(skin) / (static_cast<double>(truth.camera.width) * truth.camera.height);
     sample.whole = sample.points.size() == kept.size();
+    sample.grid = grid;
+    sample.background = glm::dvec3(scene.workspace.background);
+    if (grid > 1) {
+        takeParts(sample, truth);
+    } else {
+        sample.parts = sample.points;
+    }
     sample.id = identify(scene, truth.camera, sample);
     return sample;
 }

@@ -9,7 +9,7 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr std::string_view kMagic = "TGBSSRD2"; // the digit: raise it with every change of what is computed
+constexpr std::string_view kMagic = "TGBSSRD3"; // the digit: raise it with every change of what is computed
 constexpr std::size_t kChecksumSize = 32;
 
 class Key {

@@ -87,7 +87,7 @@ glm::dvec3 SkinScene::mappedNormal(const SurfacePoint& point) const {
 }
 
 bool SkinScene::lit(const SurfacePoint& point) const {
-    return reaches(point.position, kFacets);
+    return reaches(outsideFacet(mesh_, point), kFacets);
 }
 
 bool SkinScene::reaches(const glm::dvec3& position, double slack) const {

@@ -64,7 +64,8 @@ public:
         return glm::normalize(light_.origin(point.position) - point.position);
     }
 
-    /// What the light's view does not show is lit: there is no map that could say otherwise.
+    /// What the light's view does not show is lit: there is no map that could say otherwise. Facets do not hide the round surface that
+    /// their normals mean: near its horizon they turn away before it does.
     [[nodiscard]] bool lit(const SurfacePoint& point) const;
     /// The shadow map cannot tell: within `texels` of its texels the light is cut off somewhere and not elsewhere, or the map ends, or the
     /// surface is seen edge-on by the light, N.L of the mesh in 0..0.15.

@@ -66,6 +66,17 @@ SurfacePoint interpolate(const Mesh& mesh, const Place& place) {
     return point;
 }
 
+glm::dvec3 outsideFacet(const Mesh& mesh, const SurfacePoint& point) {
+    if (mesh.normals.empty()) return point.position;
+    glm::dvec3 raised = point.position;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const glm::dvec3 from = point.position - glm::dvec3(corner(mesh, mesh.positions, point.place.triangle, c));
+        const glm::dvec3 normal(corner(mesh, mesh.normals, point.place.triangle, c));
+        raised -= point.place.weights[static_cast<int>(c)] * std::min(0.0, glm::dot(from, normal)) * normal;
+    }
+    return raised;
+}
+
 glm::dvec3 faceNormal(const Mesh& mesh, std::uint32_t triangle) {
     const glm::dvec3 a = corner(mesh, mesh.positions, triangle, 0);
     const glm::dvec3 b = corner(mesh, mesh.positions, triangle, 1);

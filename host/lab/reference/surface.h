@@ -33,6 +33,10 @@ struct SurfacePoint {
 };
 [[nodiscard]] SurfacePoint interpolate(const Mesh& mesh, const Place& place);
 
+/// Where the round surface stands that the normals mean, at or outside of the flat triangle: the point by the planes through its corners,
+/// as far as it lies below them (Hanika 2021, "Hacking the Shadow Terminator"). Of a mesh without normals, the point.
+[[nodiscard]] glm::dvec3 outsideFacet(const Mesh& mesh, const SurfacePoint& point);
+
 /// Of the flat triangle, counter-clockwise; zero where it is degenerate.
 [[nodiscard]] glm::dvec3 faceNormal(const Mesh& mesh, std::uint32_t triangle);
 

@@ -154,8 +154,7 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
 {
     float under = step(gCoatChildren - 0.5, number);
     float child = number - gCoatChildren * under;
-    float strands = under > 0.5 ? gCoatUnderfur : gCoatChildren;
-    LockShare share = lockShare(input, child, strands, ribbonPixel() * length(frame.toEye), 0.0);
+    LockShare share = lockShareOf(input, child, under, ribbonPixel() * length(frame.toEye));
     bool drawn = input.uv.y > 0.5 && ribbonDrawn(input, share.rank, share.share) && ribbonSeen(input, frame);
     LockLooks looks = (LockLooks)0;
     [branch] if (drawn)
@@ -166,11 +165,11 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
         [branch] if (drawn)
         {
             TgRibbon ribbon = tgRibbon(input.uv.x);
-            ribbon.along = ribbonAlong(min(2.0 * row, ribbonSegments()));
+            ribbon.along = lerp(share.begin, 1.0, ribbonAlong(min(2.0 * row, ribbonSegments())));
             RibbonPlace place = lockPlace(looks.strand, ribbon.along);
             float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
             float radius = share.width * lockRadius(looks, ribbon.along, under);
-            ribbonNote(at, input, frame, place, radius, color, under > 0.5 ? 1.0 : share.afar);
+            ribbonNote(at, input, frame, place, radius, color, share.afar);
         }
     }
 }

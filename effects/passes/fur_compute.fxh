@@ -165,7 +165,7 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
         [branch] if (drawn)
         {
             TgRibbon ribbon = tgRibbon(input.uv.x);
-            ribbon.along = lerp(share.begin, 1.0, ribbonAlong(min(2.0 * row, ribbonSegments())));
+            ribbon.along = max(ribbonAlong(min(2.0 * row, ribbonSegments())), share.begin);
             RibbonPlace place = lockPlace(looks.strand, ribbon.along);
             float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
             float radius = share.width * lockRadius(looks, ribbon.along, under);

@@ -194,6 +194,27 @@ TEST(FurStrands, by_compute_shaders_are_those_of_vertex_shaders) {
     }
 }
 
+TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_that_is_needed) {
+    // Five strands to a root, of four rows each.
+    const auto drawn = [](const char* rows) {
+        return draw(scratch() / "rows.png",
+                    {"--mesh", ballMesh(), "-t", "CoatCompute", "--set", "gCoatChildren=3", "--set", "gCoatUnderfur=2", "-D", rows});
+    };
+    const Ran fits = drawn("TEGUMENT_RIBBON_ROWS=4096");
+    ASSERT_EQ(fits.code, 0) << fits.err;
+    const Ran less = drawn("TEGUMENT_RIBBON_ROWS=16");
+    ASSERT_EQ(less.code, 1);
+    const std::string before = "-D TEGUMENT_RIBBON_ROWS=";
+    const std::size_t at = less.err.find(before);
+    ASSERT_TRUE(less.err.find("TG4064") != std::string::npos && at != std::string::npos) << less.err;
+    const int needed = std::stoi(less.err.substr(at + before.size()));
+    EXPECT_EQ(needed % (5 * 4), 0) << "whole rows of roots";
+    EXPECT_EQ(drawn(("TEGUMENT_RIBBON_ROWS=" + std::to_string(needed)).c_str()).code, 0);
+    EXPECT_EQ(drawn(("TEGUMENT_RIBBON_ROWS=" + std::to_string(needed - 1)).c_str()).code, 1);
+    const Ran strands = draw(scratch() / "rows.png", {"--mesh", ballMesh(), "-t", "StrandsCompute", "-D", "TEGUMENT_RIBBON_ROWS=6"});
+    EXPECT_NE(strands.err.find("TG4064"), std::string::npos) << "seven rows to a strand: " << strands.err;
+}
+
 TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
     const auto at = [](const char* wind, const char* time) {
         const fs::path picture = scratch() / "wind.exr";

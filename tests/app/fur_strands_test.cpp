@@ -215,6 +215,24 @@ TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_t
     EXPECT_NE(strands.err.find("TG4064"), std::string::npos) << "seven rows to a strand: " << strands.err;
 }
 
+TEST(FurShells, lit_at_vertices_are_those_lit_at_pixels_where_triangles_are_small) {
+    const auto lit = [](const char* vertices) {
+        const fs::path picture = scratch() / "shells.exr";
+        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "--samples", "1", "-D", vertices}, "effects/Fur.fx").code, 0);
+        return pixels(picture);
+    };
+    const std::vector<float> atPixels = lit("TEGUMENT_FUR_VERTEX_LIGHT=0");
+    const std::vector<float> atVertices = lit("TEGUMENT_FUR_VERTEX_LIGHT=1");
+    ASSERT_EQ(atPixels.size(), atVertices.size());
+    double apart = 0, all = 0;
+    for (std::size_t i = 0; i < atPixels.size(); ++i) {
+        apart += std::pow(static_cast<double>(atVertices[i]) - static_cast<double>(atPixels[i]), 2);
+        all += std::pow(static_cast<double>(atPixels[i]), 2);
+    }
+    EXPECT_GT(apart, 0) << "the switch does something";
+    EXPECT_LT(std::sqrt(apart / all), 0.05) << "the Bunny, with smaller triangles, has 0.025";
+}
+
 TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
     const auto at = [](const char* wind, const char* time) {
         const fs::path picture = scratch() / "wind.exr";

@@ -20,6 +20,7 @@
 #include "passes/fur_lock_parameters.fxh"
 #include "passes/relight.fxh"
 #include "passes/fur_opacity.fxh"
+static const float kLockHidden = 0.35; // of a strand, below others
 #include "passes/fur_locks.fxh"
 #include "passes/fur_compute.fxh"
 

@@ -50,6 +50,7 @@
 //   TEGUMENT_SOFT_SHADOWS  0 (default); 1: shadows of lamps have penumbras, by the lamps' radius
 //   TEGUMENT_RIBBON_ROWS    height of the maps in which fur by compute shaders is noted: 1,366 rows of strands each (2048, default)
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
+//   TEGUMENT_FUR_VERTEX_LIGHT  0 (default); 1 finds the light of Fur's layers at vertices, for meshes whose triangles are small
 
 // What tools call the values of the first switch, and what a picture's metadata say of the others (docs/effect-files.md).
 #define FX_SETTINGS TEGUMENT_SETTING seed deon2007 corrected
@@ -92,6 +93,9 @@
 #endif
 #ifndef TEGUMENT_FUR_COLOR_MAP
 #define TEGUMENT_FUR_COLOR_MAP 0
+#endif
+#ifndef TEGUMENT_FUR_VERTEX_LIGHT
+#define TEGUMENT_FUR_VERTEX_LIGHT 0
 #endif
 #ifndef TEGUMENT_PEERS_AS_PRINTED
 #define TEGUMENT_PEERS_AS_PRINTED (TEGUMENT_SETTING != 2)

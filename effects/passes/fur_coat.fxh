@@ -21,6 +21,10 @@ struct FurVarying
     centroid float4 coat : TEXCOORD4; // furHeights, furMapPlace
     float4 plainRest : TEXCOORD5;     // furRound
     float3 plainNormal : TEXCOORD6;
+#if TEGUMENT_FUR_VERTEX_LIGHT
+    centroid float3 lit : TEXCOORD7;      // radiance of a white coat, less what it mirrors
+    centroid float4 mirrored : TEXCOORD8; // that; shellWay
+#endif
 };
 
 // In the coat: 0 skin, 1 tips.
@@ -87,6 +91,10 @@ FurVarying furVarying(VertexInput stored, float2 heights, float round)
     output.normal = input.normal;
     output.plainRest = float4(output.rest, round);
     output.plainNormal = input.normal;
+#if TEGUMENT_FUR_VERTEX_LIGHT
+    output.lit = 0.0;
+    output.mirrored = 0.0;
+#endif
     output.coat = float4(heights.x, kTgFurColorMap ? input.uv : float2(0.0, 0.0), heights.y);
     output.world = skin + tgFurStrand(tgWorldNormal(input.normal), furHang(), heights.x)
         * tgFurDistance(gFurLength, gMeshRadius, heights.x);

@@ -11,7 +11,7 @@ float gRibbonWhole < string UIWidget = "None"; > = 1000000.0; // pass Roots draw
 #define RIBBON_COLUMNS 1366
 #define RIBBON_ROOT_ROWS 256
 static const float2 kRibbonRootSize = float2(1366.0, 256.0);   // as above
-static const float2 kRibbonValueSize = float2(1366.0, TEGUMENT_RIBBON_ROWS); // as above: what does not fit is not drawn
+static const float2 kRibbonValueSize = float2(1366.0, TEGUMENT_RIBBON_ROWS); // as above
 static const float kRibbonTexels = 3.0;                        // of a root in its texture
 
 // x, y, z of the vertex as stored; its code (tgRibbon).
@@ -154,8 +154,7 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
 {
     float under = step(gCoatChildren - 0.5, number);
     float child = number - gCoatChildren * under;
-    float strands = under > 0.5 ? gCoatUnderfur : gCoatChildren;
-    LockShare share = lockShare(input, child, strands, ribbonPixel() * length(frame.toEye), 0.0);
+    LockShare share = lockShareOf(input, child, under, ribbonPixel() * length(frame.toEye));
     bool drawn = input.uv.y > 0.5 && ribbonDrawn(input, share.rank, share.share) && ribbonSeen(input, frame);
     LockLooks looks = (LockLooks)0;
     [branch] if (drawn)
@@ -166,11 +165,11 @@ void lockNote(uint2 texel, VertexInput input, RibbonFrame frame, float4 ball, fl
         [branch] if (drawn)
         {
             TgRibbon ribbon = tgRibbon(input.uv.x);
-            ribbon.along = ribbonAlong(min(2.0 * row, ribbonSegments()));
+            ribbon.along = max(ribbonAlong(min(2.0 * row, ribbonSegments())), share.begin);
             RibbonPlace place = lockPlace(looks.strand, ribbon.along);
             float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
             float radius = share.width * lockRadius(looks, ribbon.along, under);
-            ribbonNote(at, input, frame, place, radius, color, under > 0.5 ? 1.0 : share.afar);
+            ribbonNote(at, input, frame, place, radius, color, share.afar);
         }
     }
 }
@@ -269,20 +268,24 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
 #define NOTES_SCRIPT \
     "RenderColorTarget0=gRibbonFlowMap; RenderColorTarget1=gRibbonRootMap; RenderDepthStencilTarget=;" \
     "ClearSetColor=gClearEmpty; Clear=Color; Pass=Roots; RenderColorTarget1=; Pass=Notes;"
+// Rows: what does not fit is an error of the host. Each of a lock's as lockRows, of a strand as strandTexel.
+#define NOTED_ROWS string Part = "underfur"; string Rows = "gRibbonPlaceMap"; string RowsMacro = "TEGUMENT_RIBBON_ROWS"; \
+    string RowsEach = "gCoatSegments";
+#define LOCK_ROWS float RowsScale = 0.5; string RowsStrands = "gCoatChildren"; string RowsMore = "gCoatUnderfur";
 // As wide as pixels of the picture: Viewport.
-#define NOTES_PASSES(cs) TG_SEEN_PASS(Roots, "underfur", RIBBON_WHOLE, RibbonRootsVS, RibbonRootsPS, TG_STATE_BUFFER) \
-    pass Notes < string Script = "Draw=Compute;"; string Threads = "gRibbonRootMap"; string Viewport = ""; > \
+#define NOTES_PASSES(cs, rows) TG_SEEN_PASS(Roots, "underfur", RIBBON_WHOLE, RibbonRootsVS, RibbonRootsPS, TG_STATE_BUFFER) \
+    pass Notes < string Script = "Draw=Compute;"; string Threads = "gRibbonRootMap"; string Viewport = ""; NOTED_ROWS rows > \
     { ComputeShader = compile cs_5_0 cs(); }
 #define STRANDS_COMPUTE_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) NOTES_SCRIPT \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
 #define STRANDS_COMPUTE_PASSES \
-    TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) NOTES_PASSES(StrandsCS) \
+    TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) NOTES_PASSES(StrandsCS, float RowsScale = 1.0;) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
     TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_CORE, StrandsNotedVS, RibbonSoftCorePS, TG_STATE_STRAND) \
     TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH STRANDS_SHARE, StrandsNotedVS, RibbonSoftFringePS, TG_STATE_FRINGE)
 #define COAT_COMPUTE_SCRIPT LIGHT_SCRIPT(OPACITY_SCRIPT) NOTES_SCRIPT \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat; Pass=Underfur; Pass=Core; Pass=Fringe;"
-#define COAT_COMPUTE_PASSES OPACITY_PASSES NOTES_PASSES(LocksCS) \
+#define COAT_COMPUTE_PASSES OPACITY_PASSES NOTES_PASSES(LocksCS, LOCK_ROWS) \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
     TG_SEEN_LAYER_PASS(Underfur, "underfur", LOCK_UNDER, "gCoatUnderfur", UnderfurNotedVS, UnderfurSoftPS, TG_STATE_STRAND) \
     TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksNotedVS, RibbonSoftCorePS, TG_STATE_STRAND) \

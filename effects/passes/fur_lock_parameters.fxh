@@ -52,6 +52,7 @@ float gCoatVariation < UI_SLIDER("Variation", 0.0, 1.0, 0.01)
 float gCoatPainted < UI_SLIDER("Painted", 0.0, 1.0, 0.01)
     string UIHelp = "how much of the colours that the strands bring replaces these"; > = 0.0;
 float gCoatThin < UI_SLIDER("Thinnest", 0.1, 4.0, 0.01) string UIHelp = "pixels: of thinner strands fewer are drawn, wider"; > = 0.7;
+float gCoatUnderThin < UI_SLIDER("Thinnest underfur", 0.1, 4.0, 0.01) string UIHelp = "the same of underfur"; > = 1.05;
 float gCoatShineExponent < UI_SLIDER("Sharpness of the shine", 1.0, 500.0, 1.0) > = 60.0;
 float gCoatSheenExponent < UI_SLIDER("Sharpness of the sheen", 1.0, 500.0, 1.0) > = 14.0;
 float gCoatShadowStrands < UI_SLIDER("Strands that throw shadows", 1.0, 32.0, 1.0)

@@ -6,10 +6,16 @@
 static const float kLockSink = 0.15;      // spacings that roots stand below the skin
 static const float3 kLockWaves = float3(1.25, 2.6, 13.0); // a coat's waves in a mesh's radius
 static const float kLockWrap = 0.4;     // cosine beyond the horizon to which light wanders through the coat
-static const float2 kLockShifts = float2(-0.1, 0.2); // of highlights R and TRT, along the normal: 6 and 11 degrees, as tilted scales do
+static const float2 kLockShifts = float2(-0.04, 0.26); // of highlights R and TRT, along the normal: 6 and 11 degrees, as tilted scales do,
+static const float kLockShift = 0.12;                  // less this of each strand, half of it on average
 static const float kLockFade = 8.0;     // one in so many of the strands that are drawn is narrower than it should be
+// Where strands hide nothing, what others stand before would be blended over them: there those with underfur below begin at kLockHidden
+// (of the effect, shares of their length); from afar, where a pixel shows the mean of many, at the root again. Of what share is left: how
+// fast that begins, and how and from where it ends.
+static const float3 kLockBeginning = float3(-1.75, 1.05, -0.175);
 static const float2 kLockFar = float2(5.0, -0.25); // pixels 0.05 thicknesses wide show places of strands; 0.3 wide, the mean of many
 static const float2 kLockMean = float2(0.5, 0.4); // there: place along a strand, height in the coat
+static const float kLockHeight = 0.8; // of the tips of a coat that lies, thicknesses
 static const float kShadowFirst = 0.5;     // added to ranks of strands that throw shadows: none stands in its own as a rule
 static const float kLockOfUnderfur = 64.0; // noise of its own: number of its first strand
 
@@ -103,9 +109,9 @@ LockLooks lockLooks(VertexInput input, RibbonFrame frame, TgRibbon ribbon, float
         * (under > 0.5 ? gCoatUnderLength * (0.85 + 0.3 * looks.more.x) : 0.75 + 0.3 * looks.more.x + 0.35 * looks.guard);
     float3 flow = input.tangent.xyz + gCoatWaves * 0.5 * looks.waves + gCoatLocks * (looks.lock - 0.5);
     flow -= s.normal * dot(flow, s.normal);
-    float lie = gCoatLean * (0.7 + 0.15 * looks.waves.z + 0.5 * looks.lock.z) * (1.0 - 0.25 * under);
-    s.flow = flow * (1.25 * lie * rsqrt(1.0 + dot(flow, flow)));
-    s.sink = 0.38 * min(lie, 1.4);
+    float lie = (1.25 * gCoatLean) * (0.7 + 0.15 * looks.waves.z + 0.5 * looks.lock.z) * (1.0 - 0.25 * under);
+    s.flow = flow * (lie * rsqrt(1.0 + dot(flow, flow)));
+    s.sink = 0.304 * min(lie, 1.75);
     s.clump = gCoatClump * (0.5 + 0.5 * looks.lock.x) * (1.0 - 0.5 * max(looks.guard, under));
     float3 stray = (looks.more - 0.5) * (gCoatStray * (1.0 + under)) + lockBlown(looks, input);
     s.stray = (stray - s.normal * dot(stray, s.normal)) * s.height;
@@ -125,18 +131,36 @@ struct LockShare
     float share;
     float rank;
     float width;
-    float afar; // below 0: strands are drawn narrower than gCoatAfar. As the host's Least
+    float afar;  // below 0: strands are drawn narrower than gCoatAfar. As the host's Least
+    float begin; // place along a strand from which it is drawn; below 0: all of it
 };
 
-// pixel: across it, at the strand. strands: of the lock; the last of them go first. first: is added to the root's rank.
-LockShare lockShare(VertexInput input, float child, float strands, float pixel, float first)
+// thinnest: gCoatThin or gCoatUnderThin. pixel: across it, at the strand. strands: of the lock; the last of them go first. first: is added
+// to the root's rank.
+LockShare lockShare(VertexInput input, float child, float strands, float thinnest, float pixel, float first)
 {
     LockShare s;
-    float thin = (2.0 * gCoatRadius * gMeshRadius / gCoatThin) / pixel;
+    float thin = (2.0 * gCoatRadius * gMeshRadius / thinnest) / pixel;
     s.share = gFurShare * clamp(thin, gRibbonFewest, 1.0);
-    s.afar = thin - (gCoatAfar / gCoatThin) * s.share;
-    s.rank = (child + frac(tgRibbonRank(input.uv.y) + first)) * (1.0 / strands);
-    s.width = saturate(kLockFade * (s.share - s.rank) / s.share) * (kLockFade / (kLockFade - 0.5)) / s.share;
+    s.afar = thin - (gCoatAfar / thinnest) * s.share;
+    float2 rise = kLockBeginning.xy * thin + float2(-kLockBeginning.x * gCoatAfar / thinnest, kLockBeginning.z);
+    s.begin = min(min(rise.x, rise.y), kLockHidden * saturate(gCoatUnderfur));
+    s.rank = (child + (first > 0.0 ? frac(tgRibbonRank(input.uv.y) + first) : tgRibbonRank(input.uv.y))) * (1.0 / strands);
+    float times = 1.0 / s.share;
+    s.width = saturate(kLockFade - kLockFade * s.rank * times) * (kLockFade / (kLockFade - 0.5)) * times;
+    return s;
+}
+
+// Of a strand, or of the underfur, which lies below strands and has no part that others hide.
+LockShare lockShareOf(VertexInput input, float child, float under, float pixel)
+{
+    float strands = under > 0.5 ? gCoatUnderfur : gCoatChildren;
+    LockShare s = lockShare(input, child, strands, under > 0.5 ? gCoatUnderThin : gCoatThin, pixel, 0.0);
+    if (under > 0.5)
+    {
+        s.afar = 1.0;
+        s.begin = 0.0;
+    }
     return s;
 }
 
@@ -196,7 +220,8 @@ float3 lockLight(LockPoint p, float3 toLight, float3 color, float open, float un
 float3 lockSurroundings(LockPoint p, float3 up)
 {
     float3 shaded = 0.9 * p.normal + 0.36 * p.tangent; // as long as 1 where the tangent stands at 60 degrees
-    float gap = lerp(0.2, 1.0, saturate(1.1 * p.height)) * lerp(0.55, 1.0, saturate(1.4 * p.along));
+    float2 gaps = lerp(float2(0.2, 0.55), 1.0, saturate(float2(1.1, 1.4) * float2(p.height, p.along)));
+    float gap = gaps.x * gaps.y;
     return p.albedo * lerp(gCoatGround, gCoatSky, 0.5 + 0.5 * dot(shaded, up)) * (gap * gap);
 }
 
@@ -217,17 +242,17 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
 {
     float pixel = ribbonPixel() * length(frame.toEye);
     float far = lockFar(pixel);
-    float thickness = coatThickness() * (1.0 - gCoatShort * ribbon.shortness);
-    float3 seen = lerp(offset, kLockMean.y * thickness * looks.strand.normal, far);
+    float height = kLockHeight * coatThickness() * (1.0 - gCoatShort * ribbon.shortness);
+    float3 seen = lerp(offset, (kLockMean.y / kLockHeight) * height * looks.strand.normal, far);
     float3 up = -strandsAxes(gFurDown, input);
     LockPoint p;
     p.normal = looks.strand.normal;
     p.tangent = tangent;
     p.toEye = tgSafeNormalize(frame.toEye - offset);
     p.along = lerp(ribbon.along, kLockMean.x, far);
-    p.height = saturate(dot(seen, p.normal) / (0.8 * thickness));
+    p.height = saturate(dot(seen, p.normal) / height);
     p.albedo = lockAlbedo(looks, ribbon, p.along, -dot(p.normal, up), under, gCoatVariation * (1.0 - far));
-    p.shift = 0.12 * (looks.more.y - 0.5);
+    p.shift = kLockShift * looks.more.y;
     float open = coatOpen(ribbonWorld(frame, seen, input), pixel);
     float3 color = lockLight(p, tgSafeNormalize(frame.toLight - offset), gLightColor, open, under) + lockSurroundings(p, up);
     if (under < 0.5)
@@ -240,18 +265,18 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
     RibbonFrame frame = ribbonFrame(input, ball);
-    LockShare share = lockShare(input, child, under > 0.5 ? gCoatUnderfur : gCoatChildren, ribbonPixel() * length(frame.toEye), 0.0);
+    LockShare share = lockShareOf(input, child, under, ribbonPixel() * length(frame.toEye));
     [branch] if (ribbonDrawn(input, share.rank, share.share) && ribbonSeen(input, frame))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
+        ribbon.along = max(ribbon.along, share.begin);
         float number = child + kLockOfUnderfur * under;
         LockLooks looks = lockLooks(input, frame, ribbon, ball, furRootsHeader(2.0).x, number, under);
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
         output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
-        if (under < 0.5)
-            output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
+        output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
     }
     return output;
 }
@@ -292,7 +317,7 @@ OpacityVarying OpacityVS(TG_LAYER_INPUT(VertexInput, input))
     float pixel = tgShadowFootprint(mul(float4(frame.world, 1.0), gLightViewProjection).w, tgLightSpread()) / tgMillimetres(1.0);
     // Nor is drawn what a picture as wide as the map would not show.
     float coarser = max(pixel, ribbonPixel() * length(frame.toEye));
-    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), gCoatShadowStrands, coarser, kShadowFirst);
+    LockShare share = lockShare(input, TG_LAYER_INDEX(gFurChild), gCoatShadowStrands, gCoatThin, coarser, kShadowFirst);
     [branch] if (ribbonDrawn(input, share.rank, share.share))
     {
         TgRibbon ribbon = tgRibbon(input.uv.x);
@@ -330,7 +355,8 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
     return float4(albedo * (gLightColor * (0.5 * lit) + 0.12 * around), 1.0);
 }
 
-#define LOCK_SHARE string Share = "gFurShare"; string ShareRadius = "gCoatRadius"; string ShareThinnest = "gCoatThin"; LOCK_FEWER
+#define LOCK_SHARE LOCK_SHARE_OF("gCoatThin")
+#define LOCK_SHARE_OF(thinnest) string Share = "gFurShare"; string ShareRadius = "gCoatRadius"; string ShareThinnest = thinnest; LOCK_FEWER
 #define LOCK_FEWER string ShareFewest = "gRibbonFewest"; string Segment = "gCoatSegment"; string SegmentsOf = "gFurLength";
 #define OPACITY_SHARE LOCK_SHARE float SegmentFewest = 2.0; float ShareFirst = 0.5;
 #define COAT_SCRIPT LIGHT_SCRIPT(OPACITY_SCRIPT) \
@@ -340,7 +366,7 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 #define LOCK_SEEN RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;
 // Least: of Core as lockAfar; of the underfur the widest, lockRadius times lockShare, and no pixel shows it.
 #define LOCK_CORE LOCK_SEEN string Least = "gCoatAfar"; string LeastRadius = "gCoatRadius";
-#define LOCK_UNDER RIBBON_REACH LOCK_SHARE LOCK_LEAST float SegmentScale = 0.5;
+#define LOCK_UNDER RIBBON_REACH LOCK_SHARE_OF("gCoatUnderThin") LOCK_LEAST float SegmentScale = 0.5;
 #define LOCK_LEAST string Least = "gFurCut"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.01;
 #define COAT_PASSES(under, core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \

@@ -19,11 +19,36 @@ float shellNearness(FurVarying input)
     return rsqrt(dot(fromEye, fromEye));
 }
 
+// How far over the skin a ray goes while it falls by the coat's height, in the world.
+float shellWay(FurVarying input)
+{
+    float3 normal = tgWorldNormal(input.normal);
+    float3 view = tgSafeNormalize(input.world - gCameraPosition);
+    float3 strand = normal + 2.0 * furHeight(input) * furHang();
+    return tgFurWayOver(view, normal, strand) * gFurLength * gMeshRadius;
+}
+
 FurVarying shellVarying(VertexInput input, float layer, float round)
 {
     float height = tgFurSpread(tgFurLayerHeight(layer, gFurLayers, gFurOuterFirst), gFurSpread);
     float above = pow(max((layer + 2.0) / max(gFurLayers, 1.0), 1e-6), gFurSpread); // beyond the tips, too
-    return furVarying(input, float2(height, above), round);
+    FurVarying output = furVarying(input, float2(height, above), round);
+#if TEGUMENT_FUR_VERTEX_LIGHT
+    float passed = furHullShadow(output);
+    output.mirrored = float4(furRadiance(output, 0.0, 1.0, passed), shellWay(output));
+    output.lit = furRadiance(output, 1.0, 1.0, passed) - output.mirrored.rgb;
+#endif
+    return output;
+}
+
+// Radiance of strands of this albedo.
+float3 shellRadiance(FurVarying input, float3 albedo)
+{
+#if TEGUMENT_FUR_VERTEX_LIGHT
+    return albedo * input.lit + input.mirrored.rgb;
+#else
+    return furRadiance(input, albedo, 1.0, furHullShadow(input));
+#endif
 }
 
 FurVarying ShellsVS(TG_LAYER_INPUT(VertexInput, input))
@@ -52,10 +77,11 @@ float4 CoatEndPS(FurVarying input) : SV_Target0
 // side: of a pixel, radians of the map.
 float shellSlope(FurVarying input, float side)
 {
-    float3 normal = tgWorldNormal(input.normal);
-    float3 view = tgSafeNormalize(input.world - gCameraPosition);
-    float3 strand = normal + 2.0 * furHeight(input) * furHang();
-    float way = tgFurWayOver(view, normal, strand) * gFurLength * gMeshRadius;
+#if TEGUMENT_FUR_VERTEX_LIGHT
+    float way = input.mirrored.w;
+#else
+    float way = shellWay(input);
+#endif
     float pixel = max(length(ddx(input.plainRest.xyz)), length(ddy(input.plainRest.xyz)));
     return tgFurHeightSlope(gFurDeviation, gFurGrain) * side * way / max(pixel, 1e-20);
 }
@@ -112,7 +138,7 @@ float4 shell(FurVarying input, ShellPixel own, float4 texel, out float left)
     float4 color = float4(0.0, 0.0, 0.0, max(drawn, gFurOuterFirst));
     float3 albedo = furAlbedo(input) * texel.rgb;
     [branch] if (left >= 0.0)
-        color.rgb = furRadiance(input, albedo, 1.0, furHullShadow(input));
+        color.rgb = shellRadiance(input, albedo);
     return color;
 }
 

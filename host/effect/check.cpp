@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 59> kAnnotations{{
+constexpr std::array<KnownAnnotation, 65> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -74,6 +74,12 @@ constexpr std::array<KnownAnnotation, 59> kAnnotations{{
     {"LeastScale", kNumber},
     {"Stores", kText},
     {"Threads", kText},
+    {"Rows", kText},
+    {"RowsStrands", kText},
+    {"RowsMore", kText},
+    {"RowsEach", kText},
+    {"RowsScale", kNumber},
+    {"RowsMacro", kText},
     {"Viewport", kText},
     {"Groups", kNumber, 1, 3},
     {"GroupCount", kText},
@@ -275,8 +281,8 @@ private:
 
     /// The names of parameters in a pass's annotations get the spelling of their declaration, like those in scripts.
     void namedNumbers(Pass& pass) {
-        constexpr std::array kNames = {"Instances", "Reach",      "Share", "ShareRadius", "ShareThinnest", "ShareFewest",
-                                       "Segment",   "SegmentsOf", "Least", "LeastRadius", "LeastSpacings"};
+        constexpr std::array kNames = {"Instances",  "Reach", "Share",       "ShareRadius",   "ShareThinnest", "ShareFewest", "Segment",
+                                       "SegmentsOf", "Least", "LeastRadius", "LeastSpacings", "RowsStrands",   "RowsMore",    "RowsEach"};
         for (Annotation& annotation : pass.annotations.list)
             if (auto* name = std::get_if<std::string>(&annotation.value);
                 name != nullptr && std::ranges::any_of(kNames, [&](const char* own) { return equalsIgnoreCase(annotation.name, own); }))
@@ -288,7 +294,8 @@ private:
         for (Annotation& annotation : pass.annotations.list) {
             auto* name = std::get_if<std::string>(&annotation.value);
             if (name == nullptr) continue;
-            if (equalsIgnoreCase(annotation.name, "Threads")) target(*name, "RENDERCOLORTARGET", annotation.at);
+            for (const char* own : {"Threads", "Rows"})
+                if (equalsIgnoreCase(annotation.name, own)) target(*name, "RENDERCOLORTARGET", annotation.at);
             if (equalsIgnoreCase(annotation.name, "Viewport") && !name->empty()) target(*name, "RENDERCOLORTARGET", annotation.at);
             if (equalsIgnoreCase(annotation.name, "GroupCount")) numeric(*name, annotation.at);
         }

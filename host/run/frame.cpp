@@ -2,6 +2,7 @@
 
 #include "host/run/constants.h"
 #include "host/run/groups.h"
+#include "host/run/noted_rows.h"
 #include "host/run/part_draws.h"
 #include "host/support/text.h"
 
@@ -205,6 +206,7 @@ Extent extentOf(const Builder& builder, const DrawStep& step, const PassProgram&
 
 Result<void> addDispatch(Builder& builder, const DrawStep& step) {
     const PassProgram& program = *builder.prepared.programs.at(step.pass);
+    if (const auto fits = checkNotedRows(builder.input, builder.prepared, *step.pass); !fits) return fits;
     const auto groups = groupsOf(builder.input.effect, builder.prepared, *step.pass);
     if (!groups) return groups.error();
     const auto pipeline = computePipelineFor(builder, *step.pass, program);

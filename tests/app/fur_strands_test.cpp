@@ -194,6 +194,45 @@ TEST(FurStrands, by_compute_shaders_are_those_of_vertex_shaders) {
     }
 }
 
+TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_that_is_needed) {
+    // Five strands to a root, of four rows each.
+    const auto drawn = [](const char* rows) {
+        return draw(scratch() / "rows.png",
+                    {"--mesh", ballMesh(), "-t", "CoatCompute", "--set", "gCoatChildren=3", "--set", "gCoatUnderfur=2", "-D", rows});
+    };
+    const Ran fits = drawn("TEGUMENT_RIBBON_ROWS=4096");
+    ASSERT_EQ(fits.code, 0) << fits.err;
+    const Ran less = drawn("TEGUMENT_RIBBON_ROWS=16");
+    ASSERT_EQ(less.code, 1);
+    const std::string before = "-D TEGUMENT_RIBBON_ROWS=";
+    const std::size_t at = less.err.find(before);
+    ASSERT_TRUE(less.err.find("TG4064") != std::string::npos && at != std::string::npos) << less.err;
+    const int needed = std::stoi(less.err.substr(at + before.size()));
+    EXPECT_EQ(needed % (5 * 4), 0) << "whole rows of roots";
+    EXPECT_EQ(drawn(("TEGUMENT_RIBBON_ROWS=" + std::to_string(needed)).c_str()).code, 0);
+    EXPECT_EQ(drawn(("TEGUMENT_RIBBON_ROWS=" + std::to_string(needed - 1)).c_str()).code, 1);
+    const Ran strands = draw(scratch() / "rows.png", {"--mesh", ballMesh(), "-t", "StrandsCompute", "-D", "TEGUMENT_RIBBON_ROWS=6"});
+    EXPECT_NE(strands.err.find("TG4064"), std::string::npos) << "seven rows to a strand: " << strands.err;
+}
+
+TEST(FurShells, lit_at_vertices_are_those_lit_at_pixels_where_triangles_are_small) {
+    const auto lit = [](const char* vertices) {
+        const fs::path picture = scratch() / "shells.exr";
+        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "--samples", "1", "-D", vertices}, "effects/Fur.fx").code, 0);
+        return pixels(picture);
+    };
+    const std::vector<float> atPixels = lit("TEGUMENT_FUR_VERTEX_LIGHT=0");
+    const std::vector<float> atVertices = lit("TEGUMENT_FUR_VERTEX_LIGHT=1");
+    ASSERT_EQ(atPixels.size(), atVertices.size());
+    double apart = 0, all = 0;
+    for (std::size_t i = 0; i < atPixels.size(); ++i) {
+        apart += std::pow(static_cast<double>(atVertices[i]) - static_cast<double>(atPixels[i]), 2);
+        all += std::pow(static_cast<double>(atPixels[i]), 2);
+    }
+    EXPECT_GT(apart, 0) << "the switch does something";
+    EXPECT_LT(std::sqrt(apart / all), 0.05) << "the Bunny, with smaller triangles, has 0.025";
+}
+
 TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
     const auto at = [](const char* wind, const char* time) {
         const fs::path picture = scratch() / "wind.exr";

@@ -7,6 +7,7 @@
 #include "../hlsl/shadow.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
+#include "passes/quad.fxh"
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"

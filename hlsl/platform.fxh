@@ -29,13 +29,17 @@
 #define TG_SAMPLER2D_ARG_OF(s, map) s
 #define TG_TEX2D(s, uv) tex2D(s, uv)
 #define TG_TEX2DLOD(s, uvzl) tex2Dlod(s, uvzl)
+#define TG_FEW_SLOTS true
 #else
 #define TG_SAMPLER2D_PARAM(s) Texture2D s##Map, SamplerState s
 #define TG_SAMPLER2D_ARG(s) s##Map, s
 #define TG_SAMPLER2D_ARG_OF(s, map) map, s
 #define TG_TEX2D(s, uv) s##Map.Sample(s, uv)
 #define TG_TEX2DLOD(s, uvzl) s##Map.SampleLevel(s, (uvzl).xy, (uvzl).w)
+#define TG_FEW_SLOTS false
 #endif
+// A shader has 512 instruction slots: what only saves time is left out.
+static const bool kTgFewSlots = TG_FEW_SLOTS;
 
 #ifndef TEGUMENT_LIBRARY
 // Samplers, look-ups in Direct3D 9's spelling, and the half pixel by which it misses texel centres: viewport = size of the current target.

@@ -45,8 +45,8 @@
 //   TEGUMENT_SHADOW_FROM_TSM  1 (default): the translucent shadow map serves as the shadow map; 0: a shadow map of its own, to measure
 //                      what that saves
 //   TEGUMENT_SURROUNDINGS  0 (default); 1 lights skin by surroundings too: gEnvironmentMap, gOcclusionMap
-//   TEGUMENT_LAMPS  0 (default) to 3: so many lamps light skin beside the light of the workspace: gLampPlace and the others
-//   TEGUMENT_LAMP_SHADOWS  how many of them throw shadows, from the first on (default: all)
+//   TEGUMENT_LAMPS  0 (default) to 7: so many lamps light skin beside the light of the workspace: gLampPlace and the others
+//   TEGUMENT_LAMP_SHADOWS  how many of them throw shadows, from the first on, 0 to 3 (default: as many as may)
 //   TEGUMENT_SOFT_SHADOWS  0 (default); 1: shadows of lamps have penumbras, by the lamps' radius
 //   TEGUMENT_RIBBON_ROWS    height of the maps in which fur by compute shaders is noted: 1,366 rows of strands each (2048, default)
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
@@ -78,7 +78,11 @@
 #define TEGUMENT_LAMPS 0
 #endif
 #ifndef TEGUMENT_LAMP_SHADOWS
+#if TEGUMENT_LAMPS > 3
+#define TEGUMENT_LAMP_SHADOWS 3
+#else
 #define TEGUMENT_LAMP_SHADOWS TEGUMENT_LAMPS
+#endif
 #endif
 #ifndef TEGUMENT_SOFT_SHADOWS
 #define TEGUMENT_SOFT_SHADOWS 0

@@ -5,4 +5,5 @@
 #include "../hlsl/printed/filter.fxh"
 #include "../hlsl/shadow/tsm.fxh"
 #include "../hlsl/shadow/planar.fxh"
+#include "../hlsl/shadow/blocks.fxh"
 #include "../hlsl/shadow/soft.fxh"

@@ -1,25 +1,36 @@
 // Lamps beside the light of the workspace (TEGUMENT_LAMPS), and what of them is seen. Each that throws a shadow (TEGUMENT_LAMP_SHADOWS)
 // draws the mesh into a shadow map of its own, fitted to the mesh's bounding sphere; pass LampsSeen then asks all maps once for each texel
-// of the skin, so that whatever is lit afterwards reads one texel. Techniques begin with LAMPS_SCRIPT and LAMPS_PASSES; without lamps both
-// are empty.
+// of the skin, so that whatever is lit afterwards reads one texel; passes LampBlocks say where that is settled without a tap. Techniques
+// begin with LAMPS_SCRIPT and LAMPS_PASSES; without lamps both are empty.
 #ifndef TEGUMENT_PASSES_LAMPS_FXH
 #define TEGUMENT_PASSES_LAMPS_FXH
 
 #if TEGUMENT_LAMPS
-// As many as there may be: the first TEGUMENT_LAMPS are lit, of them the first TEGUMENT_LAMP_SHADOWS throw shadows. By default a fill from
-// the left in front, a rim from the right behind, and one from the left behind, all parallel.
-float4 gLampPlace[3] < string UIName = "Lamps: place";
+// Three, or seven where there are more: the first TEGUMENT_LAMPS are lit, of them the first TEGUMENT_LAMP_SHADOWS throw shadows. By default
+// a fill from the left in front, a rim from the right behind, and one from the left behind, all parallel; the other four are dark.
+#if TEGUMENT_LAMPS > 3
+#define LAMP_VALUES 7
+#define WITH_DARK_LAMPS(values) , values, values, values, values
+#else
+#define LAMP_VALUES 3
+#define WITH_DARK_LAMPS(values)
+#endif
+#define DARK_LAMP_PLACE { 0.0, 1.0, 0.0, 0.0 }
+#define DARK_LAMP_COLOR { 0.0, 0.0, 0.0, 0.0 }
+#define LAMP_AXIS { 0.0, 0.0, 1.0, 0.15 }
+#define LAMP_SPOT { -1.0, -2.0, 1.0, 1.0 }
+float4 gLampPlace[LAMP_VALUES] < string UIName = "Lamps: place";
     string UIHelp = "w 1: a point in the world; 0: the direction that light comes from"; > = {
-    { 0.85, 0.1, 0.5, 0.0 }, { -0.7, 0.45, -0.55, 0.0 }, { 0.6, 0.5, -0.65, 0.0 } };
-float4 gLampColor[3] < string UIName = "Lamps: colour";
+    { 0.85, 0.1, 0.5, 0.0 }, { -0.7, 0.45, -0.55, 0.0 }, { 0.6, 0.5, -0.65, 0.0 } WITH_DARK_LAMPS(DARK_LAMP_PLACE) };
+float4 gLampColor[LAMP_VALUES] < string UIName = "Lamps: colour";
     string UIHelp = "irradiance / pi, linear; w: the distance where it is that, then inverse square; 0: everywhere"; > = {
-    { 0.25, 0.27, 0.30, 0.0 }, { 0.8, 0.85, 0.9, 0.0 }, { 0.6, 0.6, 0.6, 0.0 } };
-float4 gLampAxis[3] < string UIName = "Lamps: the way they shine";
+    { 0.25, 0.27, 0.30, 0.0 }, { 0.8, 0.85, 0.9, 0.0 }, { 0.6, 0.6, 0.6, 0.0 } WITH_DARK_LAMPS(DARK_LAMP_COLOR) };
+float4 gLampAxis[LAMP_VALUES] < string UIName = "Lamps: the way they shine";
     string UIHelp = "unit; w: radius; of parallel light the sine of its half angle"; > = {
-    { 0.0, 0.0, -1.0, 0.25 }, { 0.0, 0.0, 1.0, 0.15 }, { 0.0, 0.0, 1.0, 0.15 } };
-float4 gLampSpot[3] < string UIName = "Lamps: spots";
+    { 0.0, 0.0, -1.0, 0.25 }, LAMP_AXIS, LAMP_AXIS WITH_DARK_LAMPS(LAMP_AXIS) };
+float4 gLampSpot[LAMP_VALUES] < string UIName = "Lamps: spots";
     string UIHelp = "cosines of the inner and outer half angle; weight of the shadow; of the highlight"; > = {
-    { -1.0, -2.0, 1.0, 1.0 }, { -1.0, -2.0, 1.0, 1.0 }, { -1.0, -2.0, 1.0, 1.0 } };
+    LAMP_SPOT, LAMP_SPOT, LAMP_SPOT WITH_DARK_LAMPS(LAMP_SPOT) };
 #endif
 
 #if TEGUMENT_LAMP_SHADOWS
@@ -105,31 +116,33 @@ struct LampReceiver
     float2 slope;
     float cosine; // N.L of the mesh
     float texel;  // mm across a texel of the skin
-    float turn;   // from texel to texel of the skin, rad
+    float2 way;   // of the filter's first tap: another from texel to texel of the skin
 };
 
 #if TEGUMENT_SOFT_SHADOWS
 // The lamp has its radius; what hides it is taken to be no nearer to it than it is wide.
-float lampOpen(TG_SAMPLER2D_PARAM(map), int i, LampReceiver r)
+float lampOpen(TG_SAMPLER2D_PARAM(map), TG_SAMPLER2D_PARAM(blocks), int i, LampReceiver r)
 {
     bool near = gLampPlace[i].w > 0.5;
     float radius = gLampAxis[i].w;
     float2 size = near ? float2(tgMillimetres(radius), 1.0) : float2(radius * rsqrt(max(1.0 - radius * radius, 0.1)), 0.0);
     float nearest = max(tgMillimetres(lampView(i).near), 2.0 * size.x * size.y);
-    return tgShadowSoft(TG_SAMPLER2D_ARG(map), tgShadowCoordinate(r.place), r.depth, r.slope, r.place.w, size, nearest, r.turn);
+    return tgShadowSoft(TG_SAMPLER2D_ARG(map), TG_SAMPLER2D_ARG(blocks), tgShadowCoordinate(r.place), r.depth, r.slope, r.place.w, size,
+                        nearest, r.way);
 }
 #else
 // The lamp is a point. Seen from it a texel of the skin is as much smaller as it is turned away.
-float lampOpen(TG_SAMPLER2D_PARAM(map), int i, LampReceiver r)
+float lampOpen(TG_SAMPLER2D_PARAM(map), TG_SAMPLER2D_PARAM(blocks), int i, LampReceiver r)
 {
     float2 size = float2(0.0, gLampPlace[i].w > 0.5 ? 1.0 : 0.0);
     float radius = clamp(kLampFilter.x * r.texel * saturate(r.cosine) / r.place.w, kLampFilter.y, kLampFilter.z);
-    return tgShadowDisc(TG_SAMPLER2D_ARG(map), tgShadowCoordinate(r.place), r.depth, r.slope, size, radius, 0.0);
+    return tgShadowDiscSpared(TG_SAMPLER2D_ARG(map), TG_SAMPLER2D_ARG(blocks), tgShadowCoordinate(r.place), r.depth, r.slope, size, radius,
+                              float2(1.0, 0.0));
 }
 #endif
 
 // Behind a lamp, w < 0, all is beyond its map, which is lit.
-float lampSeen(TG_SAMPLER2D_PARAM(map), int i, LampsSeenVarying input, float3 normal, LampReceiver r)
+float lampSeen(TG_SAMPLER2D_PARAM(map), TG_SAMPLER2D_PARAM(blocks), int i, LampsSeenVarying input, float3 normal, LampReceiver r)
 {
     float3 toLight = tgSafeNormalize(tgLampVector(gLampPlace[i], input.world));
     float3 axis = tgLampAxis(gLampPlace[i], gLampBody);
@@ -142,21 +155,31 @@ float lampSeen(TG_SAMPLER2D_PARAM(map), int i, LampsSeenVarying input, float3 no
     // Where the surface turns away from the lamp, no map need say so.
     float seen = tgShadowPlanarHorizon(r.cosine);
     [branch] if (seen > 0.0)
-        seen *= lampOpen(TG_SAMPLER2D_ARG(map), i, r);
+        seen *= lampOpen(TG_SAMPLER2D_ARG(map), TG_SAMPLER2D_ARG(blocks), i, r);
     return seen;
 }
 
+#define LAMP_BLOCKS ((TEGUMENT_SHADOW_SIZE + 7) / 8)
 #define LAMP_SHADOW(number, i) \
 Texture2D gLampShadow##number##Map : RENDERCOLORTARGET < SQUARE_TARGET(TEGUMENT_SHADOW_SIZE, "R32F") >; \
+Texture2D gLampBlocks##number##Map : RENDERCOLORTARGET < SQUARE_TARGET(LAMP_BLOCKS, "A32B32G32R32F") >; \
 TG_SAMPLER2D(gLampShadow##number, POINT, CLAMP); \
+TG_SAMPLER2D(gLampBlocks##number, POINT, CLAMP); \
 LampDepthVarying LampShadow##number##VS(VertexInput stored) \
 { \
     return lampDepth(stored, i); \
+} \
+float4 LampBlocks##number##PS(QuadVarying input) : SV_Target0 \
+{ \
+    return tgShadowBlock(TG_SAMPLER2D_ARG(gLampShadow##number), floor(input.uv * kTgBlocks)); \
 }
 #define LAMP_SHADOW_SCRIPT(number) \
     "RenderColorTarget0=gLampShadow" number "Map; RenderDepthStencilTarget=gLampDepthMap;" \
-    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=LampShadow" number ";"
-#define LAMP_SHADOW_PASS(number) TG_MESH_PASS(LampShadow##number, LampShadow##number##VS, LampDepthPS, TG_STATE_TWOSIDED)
+    "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=LampShadow" number ";" \
+    "RenderColorTarget0=gLampBlocks" number "Map; RenderDepthStencilTarget=; Pass=LampBlocks" number ";"
+#define LAMP_SHADOW_PASS(number) \
+    TG_MESH_PASS(LampShadow##number, LampShadow##number##VS, LampDepthPS, TG_STATE_TWOSIDED) \
+    TG_QUAD_PASS(LampBlocks##number, QuadVS, LampBlocks##number##PS, TG_STATE_BUFFER)
 
 LAMP_SHADOW(1, 0)
 #if TEGUMENT_LAMP_SHADOWS > 1
@@ -171,14 +194,14 @@ float4 LampsSeenPS(LampsSeenVarying input) : SV_Target0
     LampReceiver r = (LampReceiver)0;
     float3 normal = tgSafeNormalize(input.normal);
     r.texel = tgMillimetres(length(ddx(input.world)));
-    r.turn = 2.0 * kTgPi * tgSoftNoise(input.uv * kTgMapSize);
+    r.way = tgSoftWay(2.0 * kTgPi * tgSoftNoise(input.uv * kTgMapSize));
     float4 seen = 1.0;
-    seen.x = lampSeen(TG_SAMPLER2D_ARG(gLampShadow1), 0, input, normal, r);
+    seen.x = lampSeen(TG_SAMPLER2D_ARG(gLampShadow1), TG_SAMPLER2D_ARG(gLampBlocks1), 0, input, normal, r);
 #if TEGUMENT_LAMP_SHADOWS > 1
-    seen.y = lampSeen(TG_SAMPLER2D_ARG(gLampShadow2), 1, input, normal, r);
+    seen.y = lampSeen(TG_SAMPLER2D_ARG(gLampShadow2), TG_SAMPLER2D_ARG(gLampBlocks2), 1, input, normal, r);
 #endif
 #if TEGUMENT_LAMP_SHADOWS > 2
-    seen.z = lampSeen(TG_SAMPLER2D_ARG(gLampShadow3), 2, input, normal, r);
+    seen.z = lampSeen(TG_SAMPLER2D_ARG(gLampShadow3), TG_SAMPLER2D_ARG(gLampBlocks3), 2, input, normal, r);
 #endif
     return seen;
 }

@@ -20,6 +20,7 @@
 #include "../../hlsl/light/lamps.fxh"
 #include "../../hlsl/shadow/map.fxh"
 #include "../../hlsl/shadow/planar.fxh"
+#include "../../hlsl/shadow/blocks.fxh"
 #include "../../hlsl/shadow/soft.fxh"
 #include "../../hlsl/shadow/filter.fxh"
 #include "../../hlsl/printed/filter.fxh"

@@ -24,16 +24,7 @@ std::vector<reference::Lamp> portraitLamps() {
 void addLamps(LightSet& set) {
     set.more.lamps = portraitLamps();
     set.defines.emplace_back("TEGUMENT_LAMPS", std::to_string(set.more.lamps.size()));
-    const auto put = [&](const char* name, glm::dvec4 reference::Lamp::*member) {
-        std::vector<double>& values = set.parameters[name];
-        for (const reference::Lamp& lamp : set.more.lamps)
-            for (int i = 0; i < 4; ++i)
-                values.push_back((lamp.*member)[i]);
-    };
-    put("gLampPlace", &reference::Lamp::place);
-    put("gLampColor", &reference::Lamp::colour);
-    put("gLampAxis", &reference::Lamp::axis);
-    put("gLampSpot", &reference::Lamp::spot);
+    set.parameters.merge(reference::lampParameters(set.more.lamps));
 }
 
 void addStudio(LightSet& set, double share) {

@@ -106,11 +106,8 @@ std::vector<Case> unitCases() {
                      Asks::Nothing,
                      alone([](EngineScene& s) { changeWorldUnit(s, 1000); }),
                      {}});
-    cases.push_back({"world's unit",
-                     "world_unit_mm of the workspace is 10",
-                     Asks::Nothing,
-                     alone([](EngineScene& s) { s.workspace.worldUnitMm = 10; }),
-                     {}});
+    cases.push_back(
+        {"world's unit", "world_unit_mm of the workspace is 10", Asks::Nothing, alone([](EngineScene& s) { changeHostUnit(s, 10); }), {}});
     cases.push_back({"world's unit", "world and mesh in metres, lit from behind", Asks::Nothing, inMetres, fromBehind});
     for (const double factor : {0.01, kInch})
         cases.push_back({"size",
@@ -149,13 +146,41 @@ std::vector<Case> orderCases() {
             {"all at once", "the same under parallel light", Asks::Nothing, everything, parallelLight}};
 }
 
+/// Every case again, in a scene with several lights.
+std::vector<Case> withLamps(const std::vector<Case>& cases) {
+    std::vector<Case> lit;
+    for (const Case& each : cases) {
+        Case copy = each;
+        copy.limitsOf = each.column;
+        copy.column = "several lights";
+        copy.name = "several lights: " + each.name;
+        copy.lamps = true;
+        lit.push_back(std::move(copy));
+    }
+    return lit;
+}
+
 } // namespace
+
+std::vector<std::pair<std::string, std::string>> lampDefines() {
+    return {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SOFT_SHADOWS", "1"}};
+}
+
+void addLamps(EngineScene& scene) {
+    auto& values = scene.workspace.parameters;
+    values["gLampPlace"] = {0.85, 0.1, 0.5, 0, -260, 160, -200, 1, 150, 40, 60, 1};
+    values["gLampColor"] = {0.25, 0.27, 0.30, 0, 0.8, 0.7, 0.6, 300, 0.3, 0.5, 0.7, 120};
+    values["gLampAxis"] = {0, 0, -1, 0.15, 0.712, -0.438, 0.548, 15, 0, 0, -1, 8};
+    values["gLampSpot"] = {-1, -2, 1, 1, 0.98, 0.93, 1, 1, -1, -2, 1, 0.5};
+}
 
 const std::vector<Case>& allCases() {
     static const std::vector<Case> kCases = [] {
         std::vector<Case> cases;
         for (const auto& some : {unitCases(), motionCases(), orderCases()})
             cases.insert(cases.end(), some.begin(), some.end());
+        const std::vector<Case> lit = withLamps(cases);
+        cases.insert(cases.end(), lit.begin(), lit.end());
         return cases;
     }();
     return kCases;

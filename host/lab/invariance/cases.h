@@ -7,6 +7,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tegument::invariance {
@@ -32,6 +33,8 @@ struct Case {
     Asks asks = Asks::Nothing;
     std::function<void(EngineScene&, const Subject&)> change;
     std::function<void(EngineScene&, const Subject&)> common; // done to both scenes before; may be none
+    bool lamps = false;                                       // the scene has several lights
+    std::string limitsOf;                                     // the column whose exceptions hold; empty: its own
 };
 
 [[nodiscard]] const std::vector<Case>& allCases();
@@ -41,6 +44,10 @@ struct Limits {
     double beyond = 0;
     std::string excused;
 };
+
+/// Switches of an effect for several lights, and the lamps themselves: one parallel, one a spot near by, one a point beside the mesh.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> lampDefines();
+void addLamps(EngineScene& scene);
 
 /// Why the technique's definition excepts a case, or nothing.
 [[nodiscard]] std::string apart(const Subject& subject, const Case& each);

@@ -38,12 +38,34 @@ void transformMesh(Mesh& mesh, const glm::dmat3& linear, const glm::dvec3& offse
         computeClusters(mesh, part);
 }
 
+/// Four numbers of each lamp, as the effects have them (docs/settings.md).
+void transformLamps(Workspace& workspace, const glm::dmat3& linear, const glm::dvec3& offset) {
+    const auto places = workspace.parameters.find("gLampPlace");
+    if (places == workspace.parameters.end()) return;
+    std::vector<double>& colours = workspace.parameters.at("gLampColor");
+    std::vector<double>& axes = workspace.parameters.at("gLampAxis");
+    const double factor = std::cbrt(std::abs(glm::determinant(linear)));
+    for (std::size_t i = 0; i + 3 < places->second.size(); i += 4) {
+        double* place = places->second.data() + i;
+        const bool point = place[3] > 0.5;
+        const glm::dvec3 to = linear * glm::dvec3(place[0], place[1], place[2]) + (point ? offset : glm::dvec3(0));
+        const glm::dvec3 axis = glm::normalize(linear * glm::dvec3(axes[i], axes[i + 1], axes[i + 2]));
+        for (glm::length_t c = 0; c < 3; ++c) {
+            place[c] = to[c];
+            axes[i + static_cast<std::size_t>(c)] = axis[c];
+        }
+        colours[i + 3] *= factor;
+        if (point) axes[i + 3] *= factor;
+    }
+}
+
 /// Of points: p becomes linear p + offset; directions are turned only.
 void transformView(Workspace& workspace, const glm::dmat3& linear, const glm::dvec3& offset) {
     const auto moved = [&](glm::vec3& p) { p = glm::vec3(linear * glm::dvec3(p) + offset); };
     moved(workspace.camera.position);
     moved(workspace.camera.target);
     moved(workspace.light.position);
+    transformLamps(workspace, linear, offset);
     workspace.camera.up = glm::vec3(glm::normalize(linear * glm::dvec3(workspace.camera.up)));
     const auto factor = static_cast<float>(std::cbrt(std::abs(glm::determinant(linear))));
     if (workspace.light.direction) *workspace.light.direction = glm::vec3(glm::normalize(linear * glm::dvec3(*workspace.light.direction)));
@@ -112,6 +134,11 @@ void changeWorldUnit(EngineScene& scene, double millimetres) {
     assert(!scene.set.contains(kLightMatrix));
     enlarge(scene, 1 / millimetres);
     scene.workspace.parameters[kUnit] = {unitOf(scene) * millimetres};
+}
+
+void changeHostUnit(EngineScene& scene, double millimetres) {
+    scene.workspace.worldUnitMm = static_cast<float>(millimetres);
+    transformLamps(scene.workspace, glm::dmat3(1 / millimetres), glm::dvec3(0));
 }
 
 void enlarge(EngineScene& scene, double factor) {

@@ -25,6 +25,9 @@ struct EngineScene {
 void changeMeshUnit(EngineScene& scene, double millimetres);
 /// World matrix, camera and light in another unit, which gUnitMm tells the effect.
 void changeWorldUnit(EngineScene& scene, double millimetres);
+/// The host gives shaders another unit: the workspace is in millimetres as it was, but its lamps, which no semantic binds, are in the
+/// world's.
+void changeHostUnit(EngineScene& scene, double millimetres);
 /// Everything larger: not the same scene for an effect that knows millimetres.
 void enlarge(EngineScene& scene, double factor);
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -96,16 +97,28 @@ bool wanted(const std::vector<std::string>& only, const std::string& name) {
     return only.empty() || std::ranges::find(only, name) != only.end();
 }
 
-Result<Effect> load(const fs::path& file, const InvarianceOptions& options) {
-    return loadEffect(
-        file, {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(options.mapSize)}}, .includeFolders = {}, .setting = options.setting});
+Result<Effect> load(const fs::path& file, const InvarianceOptions& options, std::vector<std::pair<std::string, std::string>> defines) {
+    defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
+    return loadEffect(file, {.defines = defines, .includeFolders = {}, .setting = options.setting});
 }
 
-/// All cases of one technique.
+/// A scene, and an effect that was compiled for its lights.
+struct Lighting {
+    Effect effect;
+    EngineScene scene;
+    bool lamps = false;
+};
+
+/// All cases of one technique under one lighting.
 class Row {
 public:
-    Row(gpu::Device& device, const Effect& effect, const RunOptions& options, const EngineScene& scene)
-        : painter_(device, effect, options), effect_(effect), technique_(options.technique), scene_(scene) {}
+    Row(gpu::Device& device, const Lighting& lighting, const RunOptions& options)
+        : painter_(device, lighting.effect, options), effect_(lighting.effect), technique_(options.technique), scene_(lighting.scene),
+          lamps_(lighting.lamps) {}
+
+    [[nodiscard]] bool has(const Case& each) const { return each.lamps == lamps_; }
+    /// Otherwise there is nothing to draw.
+    [[nodiscard]] bool knowsItsLights() const { return !lamps_ || effect_.findParameter("gLampPlace"); }
 
     /// Draws the scene as it is, so that the painter knows what the shaders read.
     Result<void> begin() {
@@ -153,6 +166,7 @@ private:
     const Effect& effect_;
     std::string technique_;
     const EngineScene& scene_;
+    bool lamps_ = false;
     Image usual_;
 };
 
@@ -162,14 +176,22 @@ InvarianceCell failed(const std::string& technique, const Error& error) {
     return cell;
 }
 
+/// Whether any of the cases that are wanted is under this lighting.
+bool asked(const InvarianceOptions& options, bool lamps) {
+    return std::ranges::any_of(allCases(), [&](const Case& each) {
+        return each.lamps == lamps && (wanted(options.cases, each.name) || wanted(options.cases, each.column));
+    });
+}
+
 /// Errors of the machine end the run; others are results.
 Result<void> addRow(std::vector<InvarianceCell>& cells, Row& row, const std::string& technique, const InvarianceOptions& options) {
-    if (const auto begun = row.begin(); !begun) {
+    if (const auto begun = row.knowsItsLights() ? row.begin() : Result<void>(); !begun) {
         if (begun.error().blame == Blame::Machine) return begun.error();
         cells.push_back(failed(technique, begun.error()));
         return {};
     }
     for (const Case& each : allCases()) {
+        if (!row.has(each)) continue;
         if (!wanted(options.cases, each.name) && !wanted(options.cases, each.column)) continue;
         cells.push_back(row.cell(each));
         if (cells.back().error && cells.back().error->blame == Blame::Machine) return *cells.back().error;
@@ -215,8 +237,10 @@ std::vector<std::string> invarianceColumns() {
 }
 
 Result<std::vector<InvarianceCell>> measureInvariance(gpu::Device& device, const fs::path& file, const InvarianceOptions& options) {
-    const auto effect = load(file, options);
+    auto effect = load(file, options, {});
     if (!effect) return effect.error();
+    auto lit = load(file, options, lampDefines());
+    if (!lit) return lit.error();
     EngineScene scene = sceneOf(options);
     std::error_code code;
     Textures textures(options.folder.empty() ? fs::temp_directory_path(code) : options.folder);
@@ -224,13 +248,19 @@ Result<std::vector<InvarianceCell>> measureInvariance(gpu::Device& device, const
         if (const auto added = addFur(scene, textures, run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart));
             !added)
             return added.error();
+    EngineScene lamps = scene;
+    addLamps(lamps);
+    const std::array lightings = {Lighting{*std::move(effect), std::move(scene), false}, Lighting{*std::move(lit), std::move(lamps), true}};
     std::vector<InvarianceCell> cells;
-    for (const Technique& technique : effect->techniques) {
+    for (const Technique& technique : lightings.front().effect.techniques) {
         if (!wanted(options.techniques, technique.name)) continue;
         const RunOptions run{
             .technique = technique.name, .width = options.pictureSize, .height = options.pictureSize, .compiler = options.compiler};
-        Row row(device, *effect, run, scene);
-        if (const auto added = addRow(cells, row, technique.name, options); !added) return added.error();
+        for (const Lighting& lighting : lightings) {
+            if (!asked(options, lighting.lamps)) continue;
+            Row row(device, lighting, run);
+            if (const auto added = addRow(cells, row, technique.name, options); !added) return added.error();
+        }
     }
     for (InvarianceCell& cell : cells)
         cell.effect = shownName(file);

@@ -42,6 +42,7 @@ bool showsMap(const Subject& subject) {
 }
 
 std::string apart(const Subject& subject, const Case& each) {
+    if (each.lamps && !subject.effect.findParameter("gLampPlace")) return "it takes no lamps";
     if (each.asks == Asks::NoMeshAxes && isFur(subject)) return "the coat grows along the axes of the mesh's file";
     if (each.asks == Asks::NoLengths && !isFur(subject) && knowsLengths(subject)) return "it is defined in millimetres";
     if (each.asks == Asks::NoLengths && stem(subject) == "FurSkin") return "its skin scatters light over millimetres";
@@ -49,14 +50,19 @@ std::string apart(const Subject& subject, const Case& each) {
     if (each.asks == Asks::MirrorPicture && (stem(subject) == "Burley" || subject.technique == "PreintegratedPenumbra"))
         return "its samples are turned from pixel to pixel, to one sense";
     if (each.asks == Asks::MirrorPicture && stem(subject) == "Pyramid") return "the grid of its shadow taps is turned, to one sense";
+    if (each.asks == Asks::MirrorPicture && each.lamps) return "the taps of penumbras are turned from texel to texel, to one sense";
     return {};
 }
 
 Limits limitsOf(const Subject& subject, const Case& each) {
     Limits limits = usual();
     if (isFur(subject)) limits = {.relativeL2 = kFurLimit, .beyond = 1, .excused = {}};
+    if (each.lamps && each.asks == Asks::NoMeshAxes && showsMap(subject))
+        limits = {.relativeL2 = 2e-3,
+                  .beyond = 5e-3,
+                  .excused = "maps of lamps turn with the mesh's own axes, so that shadows stand still on it"};
     for (const InvarianceException& exception : invarianceExceptions())
-        if (stem(subject) == exception.effect && each.column == exception.column)
+        if (stem(subject) == exception.effect && exception.column == (each.limitsOf.empty() ? each.column : each.limitsOf))
             limits = {.relativeL2 = exception.relativeL2, .beyond = exception.beyond, .excused = exception.cause};
     return limits;
 }

@@ -65,6 +65,16 @@ void addLamp(const Lamp& lamp, int side, const glm::dvec3& point, const glm::dve
 
 } // namespace
 
+std::map<std::string, std::vector<double>> lampParameters(const std::vector<Lamp>& lamps) {
+    std::map<std::string, std::vector<double>> parameters;
+    for (const Lamp& lamp : lamps)
+        for (const auto& [name, value] : {std::pair("gLampPlace", lamp.place), std::pair("gLampColor", lamp.colour),
+                                          std::pair("gLampAxis", lamp.axis), std::pair("gLampSpot", lamp.spot)})
+            for (glm::length_t i = 0; i < 4; ++i)
+                parameters[name].push_back(value[i]);
+    return parameters;
+}
+
 std::vector<SkyPiece> skyPieces(const Image& panorama, int rows) {
     struct Sum {
         glm::dvec3 towards{0};

@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace tegument::reference {
@@ -17,6 +19,9 @@ struct Lamp {
     glm::dvec4 axis{0, 0, -1, 0};  // the way that a spot shines; w: radius, of parallel light the sine of its half angle
     glm::dvec4 spot{-1, -2, 1, 1}; // cosines of the inner and the outer half angle; weight of the shadow; of the highlight
 };
+
+/// As parameters of the effects: four numbers of each lamp, one behind the other.
+[[nodiscard]] std::map<std::string, std::vector<double>> lampParameters(const std::vector<Lamp>& lamps);
 
 /// Light that arrives at a point along one direction.
 struct Beam {

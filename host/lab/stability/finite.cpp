@@ -79,38 +79,63 @@ std::string causes(const Tally& tally) {
     return text.empty() ? "-" : text;
 }
 
+/// Files that the scenes need, and that go with this.
+struct Files {
+    Temporary folder{std::filesystem::temp_directory_path() / fmt::format("tegument_stability_{}", ::getpid())};
+    std::filesystem::path roots = folder.path() / "roots.dds";
+};
+
+/// All scenes in one setting. How many were drawn: those with more light that the effect knows nothing of are left out.
+Result<std::size_t> drawScenes(const Context& context, const std::filesystem::path& file, const std::string& setting,
+                               const std::vector<HardScene>& scenes, const Files& files, Tally& tally) {
+    std::size_t drawn = 0;
+    for (const HardScene& scene : scenes) {
+        const auto effect = load(context, file, setting, scene.defines);
+        if (!effect) return effect.error();
+        if (!scene.defines.empty() && !knowsLightsOf(*effect, scene)) continue;
+        context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
+        const bool strands = run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart);
+        const auto done = drawScene(context, *effect, setting, strands ? withStrands(scene, files.roots) : scene, tally);
+        if (!done) return done.error();
+        ++drawn;
+    }
+    return drawn;
+}
+
+std::string drawnCase(std::size_t scenes, std::size_t techniques, const std::vector<std::string>& settings) {
+    return fmt::format("{} scenes, {} technique{}, {}", scenes, techniques, techniques > 1 ? "s" : "",
+                       settings.front().empty() ? "no settings" : fmt::format("{}", fmt::join(settings, " and ")));
+}
+
 } // namespace
 
 Result<void> measureFinite(const Context& context) {
-    const std::vector<HardScene> scenes = hostileScenes();
-    const Temporary roots(std::filesystem::temp_directory_path() / fmt::format("tegument_stability_{}.dds", ::getpid()));
+    const Files files;
+    std::vector<HardScene> scenes = hostileScenes();
+    const auto lit = litScenes(files.folder.path());
+    if (!lit) return lit.error();
+    scenes.insert(scenes.end(), lit->begin(), lit->end());
     for (const auto& file : effectFiles(context)) {
         Tally tally;
-        std::size_t techniques = 0;
         const auto settings = outerSettings(context, file);
         if (!settings) return settings.error();
+        const auto effect = load(context, file, settings->front());
+        if (!effect) return effect.error();
+        std::size_t count = 0;
         for (const std::string& setting : *settings) {
-            const auto effect = load(context, file, setting);
-            if (!effect) return effect.error();
-            techniques = effect->techniques.size();
-            for (const HardScene& scene : scenes) {
-                context.say(fmt::format("finite: {} [{}], {}", file.stem().string(), setting, scene.name));
-                const bool strands = run::drawsPart(*effect, kStrandsPart) || run::drawsPart(*effect, kUnderfurPart);
-                const auto drawn = drawScene(context, *effect, setting, strands ? withStrands(scene, roots.path()) : scene, tally);
-                if (!drawn) return drawn.error();
-            }
+            const auto drawn = drawScenes(context, file, setting, scenes, files, tally);
+            if (!drawn) return drawn.error();
+            count = *drawn;
         }
-        context.report.rows.push_back(
-            {.part = {},
-             .module = file.stem().string(),
-             .hardCase = fmt::format("{} scenes, {} technique{}, {}", scenes.size(), techniques, techniques > 1 ? "s" : "",
-                                     settings->front().empty() ? "no settings" : fmt::format("{}", fmt::join(*settings, " and "))),
-             .figure = "values that are not finite, all targets",
-             .value = static_cast<double>(tally.values),
-             .limit = 0,
-             .cause = causes(tally),
-             .notFinite = tally.values,
-             .why = "finite numbers in, finite numbers out"});
+        context.report.rows.push_back({.part = {},
+                                       .module = file.stem().string(),
+                                       .hardCase = drawnCase(count, effect->techniques.size(), *settings),
+                                       .figure = "values that are not finite, all targets",
+                                       .value = static_cast<double>(tally.values),
+                                       .limit = 0,
+                                       .cause = causes(tally),
+                                       .notFinite = tally.values,
+                                       .why = "finite numbers in, finite numbers out"});
     }
     return {};
 }

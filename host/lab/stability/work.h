@@ -40,6 +40,7 @@ struct HardScene {
     Mesh mesh;
     Workspace workspace;
     Numbers parameters; // those that an effect does not have are left out
+    Defines defines{};  // beside the setting
 };
 
 /// "seed", "deon2007", "corrected": TEGUMENT_SETTING by name.
@@ -94,6 +95,10 @@ struct NotFinite {
 [[nodiscard]] HardScene capScene(double radius, double degrees, const glm::dvec3& toEye, const glm::dvec3& toLight);
 /// What each scene asks of every effect: values must stay finite.
 [[nodiscard]] std::vector<HardScene> hostileScenes();
+/// The same with several lights or with surroundings, whose files go into the folder; and whatever writing them says.
+[[nodiscard]] Result<std::vector<HardScene>> litScenes(const std::filesystem::path& folder);
+/// Whether an effect that was loaded with the scene's defines has what they ask for.
+[[nodiscard]] bool knowsLightsOf(const Effect& effect, const HardScene& scene);
 /// A curved sheet under charts that are hard to blur in.
 [[nodiscard]] std::vector<HardScene> chartScenes();
 /// A plane under the same charts, half of it lit: an edge of light along x = 0.

@@ -14,6 +14,7 @@ namespace {
 struct Module {
     const char* name;
     Result<ModuleReport> (*verify)(const verify::Context&);
+    const char* effect = nullptr; // that draws it; none: the one of its name
 };
 
 constexpr std::array kModules = {
@@ -28,6 +29,8 @@ constexpr std::array kModules = {
     Module{"Convolution", verify::verifyConvolution},
     Module{"Main", verify::verifyMain},
     Module{"Pyramid", verify::verifyPyramid},
+    Module{"Lamps", verify::verifyLamps, "Main"},
+    Module{"Surroundings", verify::verifySurroundings, "Main"},
     Module{"Fur", verify::verifyFur},
     Module{"FurRoots", verify::verifyFurRoots},
     Module{"FurCoat", verify::verifyFurCoat},
@@ -40,6 +43,10 @@ std::vector<std::string> names() {
     return all;
 }
 
+std::string effectOf(const Module& module) {
+    return std::string(module.effect ? module.effect : module.name) + ".fx";
+}
+
 } // namespace
 
 bool ModuleReport::pass() const {
@@ -47,8 +54,9 @@ bool ModuleReport::pass() const {
 }
 
 std::vector<std::string> verifiableModules(const std::filesystem::path& effects) {
-    std::vector<std::string> there = names();
-    std::erase_if(there, [&](const std::string& name) { return !std::filesystem::exists(effects / (name + ".fx")); });
+    std::vector<std::string> there;
+    for (const Module& module : kModules)
+        if (std::filesystem::exists(effects / effectOf(module))) there.emplace_back(module.name);
     return there;
 }
 

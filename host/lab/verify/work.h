@@ -85,6 +85,8 @@ inline constexpr const char* kShadowApart = "within 3 texels of the shadow map f
 [[nodiscard]] Result<ModuleReport> verifyConvolution(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyMain(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyPyramid(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifyLamps(const Context& context);
+[[nodiscard]] Result<ModuleReport> verifySurroundings(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFur(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFurRoots(const Context& context);
 [[nodiscard]] Result<ModuleReport> verifyFurCoat(const Context& context);

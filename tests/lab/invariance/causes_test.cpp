@@ -32,6 +32,9 @@ const Change kSoftShadow{"hlsl/shadow/map.fxh", "return depth <= texel + kTgFarB
 const Change kLengthsOfVectors{"hlsl/printed/preintegrated.fxh", "length(abs(nx) + abs(ny)) / max(length(abs(px) + abs(py)), 1e-6)",
                                "(length(nx) + length(ny)) / max(length(px) + length(py), 1e-6)"};
 
+const Change kUpOfTheWorld{"effects/passes/lamps.fxh", "gLampBodyRadius, up, tgWorldNormal(float3(1.0, 0.0, 0.0)));",
+                           "gLampBodyRadius, float3(0.0, 1.0, 0.0), float3(1.0, 0.0, 0.0));"};
+
 class Causes : public testing::Test {
 protected:
     void SetUp() override {
@@ -142,4 +145,15 @@ TEST_F(Causes, fur_of_the_seed_in_two_draws_shows_the_layers_that_other_lighting
     EXPECT_GT(usual.relativeL2, usual.limit) << message(usual);
     EXPECT_TRUE(coat("gFurKajiyaKay", 1).pass()) << "as deon2007 and corrected light it";
     EXPECT_LT(coat("gFurLayers", 1).relativeL2, 1e-3) << "nothing to be blended over but skin";
+}
+
+TEST_F(Causes, maps_of_lamps_turn_with_the_axes_of_the_mesh) {
+    const fs::path world = changed(kUpOfTheWorld);
+    for (const char* name : {"several lights: mesh with z up", "several lights: mesh with odd axes"}) {
+        const InvarianceCell usual = cell(".", "Irradiance.fx", "Irradiance", name);
+        const InvarianceCell without = cell(world, "Irradiance.fx", "Irradiance", name);
+        EXPECT_TRUE(usual.pass()) << message(usual);
+        EXPECT_LT(without.beyond, 1e-3) << "within the usual limits; " << message(without);
+        EXPECT_LT(without.relativeL2, 0.5 * usual.relativeL2) << message(usual) << message(without);
+    }
 }

@@ -2,6 +2,7 @@
 
 #include "host/effect/model.h"
 #include "host/image/compare.h"
+#include "host/lab/invariance/cases.h"
 #include "host/lab/invariance/invariance.h"
 #include "host/lab/invariance/painter.h"
 #include "host/support/file.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -51,11 +53,18 @@ class EveryEffect : public Invariance, public testing::WithParamInterface<fs::pa
 class Mistakes : public Invariance {
 protected:
     [[nodiscard]] double difference(const fs::path& file, const std::string& technique, const EngineScene& wrong) {
-        const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_MAP_SIZE", "192"}}, .includeFolders = {}});
+        return difference(file, technique, wrong, scene_);
+    }
+
+    [[nodiscard]] double difference(const fs::path& file, const std::string& technique, const EngineScene& wrong,
+                                    const EngineScene& asItIs) {
+        std::vector<std::pair<std::string, std::string>> defines{{"TEGUMENT_MAP_SIZE", "192"}};
+        if (asItIs.workspace.parameters.contains("gLampPlace")) std::ranges::copy(lampDefines(), std::back_inserter(defines));
+        const auto effect = loadEffect(file, {.defines = defines, .includeFolders = {}});
         EXPECT_TRUE(effect) << format(effect.error());
         const RunOptions run{.technique = technique, .width = 192, .height = 192, .compiler = defaultCompiler()};
         Painter painter(*device_, *effect, run);
-        const auto right = painter.draw(scene_);
+        const auto right = painter.draw(asItIs);
         const auto picture = painter.draw(wrong);
         EXPECT_TRUE(right && picture);
         const auto compared = compareImages(*picture, *right);
@@ -188,6 +197,16 @@ TEST_F(Mistakes, a_light_that_is_not_turned_along_is_another_picture) {
     turnWorldAndAim(scene, {0, 10, 0});
     scene.workspace.light = before;
     EXPECT_GT(difference("effects/ShadowMap.fx", "Shadow", scene), 0.02);
+}
+
+TEST_F(Mistakes, lamps_that_stand_still_while_the_scene_turns_are_another_picture) {
+    EngineScene lit = scene_;
+    addLamps(lit);
+    EngineScene turned = lit;
+    turnWorld(turned, {0, 10, 0}, glm::vec3(0));
+    EXPECT_LT(difference("effects/Main.fx", "Lambert", turned, lit), 1e-3) << "as it should be";
+    turned.workspace.parameters["gLampPlace"] = lit.workspace.parameters["gLampPlace"];
+    EXPECT_GT(difference("effects/Main.fx", "Lambert", turned, lit), 0.02);
 }
 
 TEST_F(Mistakes, vertices_shuffled_without_their_texture_coordinates_are_another_picture) {

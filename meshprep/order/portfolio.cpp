@@ -54,41 +54,43 @@ private:
 constexpr unsigned kLeastReserve = 5;
 
 /// Strips of full width first, as on regular meshes; then narrower ones while that helps, as on irregular ones. Ends when the best so far
-/// is out of reach: one step narrower gains a twentieth at most, and there are seldom more than two. `starts`: where the first strip of
-/// full width begins, one after the other.
+/// is out of reach: one step narrower gains a twentieth at most, the third step a hundredth. `starts`: where the first strip of full width
+/// begins, one after the other.
 void addHoppe(Choice& choice, unsigned entries, std::uint32_t starts = 1) {
     const Piece& piece = choice.piece();
     const std::vector<std::uint32_t> links = linkFaces(piece);
     const unsigned step = std::max(entries / 8, 1u);
+    const unsigned full = std::min(kLeastReserve, entries - 1);
     std::size_t last = std::numeric_limits<std::size_t>::max();
-    for (unsigned reserve = std::min(kLeastReserve, entries - 1); reserve < entries; reserve += step) {
+    for (unsigned reserve = full; reserve < entries; reserve += step) {
         std::size_t misses = last;
-        for (std::uint32_t i = 0; i < starts; ++i)
+        for (std::uint32_t i = 0; i < (reserve == full ? starts : 1); ++i)
             misses = std::min(misses, choice.add(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i)));
-        if (misses >= last || misses > choice.fewest() + choice.fewest() / 10) return;
+        if (misses >= last || misses > choice.fewest() + choice.fewest() / (reserve == full ? 10 : 100)) return;
         last = misses;
-        starts = 1;
     }
 }
 
 constexpr std::uint32_t kCheapFaces = 50'000;
 
 /// Where a greedy order begins changes its misses by chance, by a share that falls with the root of the number of faces: 2 % for 4,000.
-/// Small pieces are therefore tried from several vertices, the more the smaller they are: as long as that is a hundredth of a second.
+/// Small meshes are therefore tried from several vertices, the more the smaller they are: as long as that is a hundredth of a second. Over
+/// many pieces chance evens out.
 /// Of a larger cache chance has more to say: on the Bunny's 70,000 faces 0.3 % for 16 entries, 1.1 % for 24, 1.9 % for 32.
-constexpr std::uint32_t kTriedFaces = 16'384;
-constexpr std::uint32_t kMostTries = 6;
+constexpr std::uint32_t kTriedFaces = 12'000;
+constexpr std::uint32_t kMostTries = 2;
 constexpr std::uint32_t kTriedTwice = 100'000;
 constexpr unsigned kLargeCache = 17;
 
-std::uint32_t triesOf(std::uint32_t faces, unsigned entries) {
+std::uint32_t triesOf(std::size_t faces, unsigned entries) {
     const std::uint32_t least = entries >= kLargeCache && faces < kTriedTwice ? 2 : 1;
-    return std::clamp(1 + kTriedFaces / faces, least, kMostTries);
+    return std::clamp(static_cast<std::uint32_t>(1 + kTriedFaces / faces), least, kMostTries);
 }
 
-void addLinYu(Choice& choice, unsigned entries) {
+/// `faces`: of all pieces.
+void addLinYu(Choice& choice, unsigned entries, std::size_t faces) {
     const Piece& piece = choice.piece();
-    const std::uint32_t tries = triesOf(piece.faceCount(), entries);
+    const std::uint32_t tries = triesOf(faces, entries);
     for (std::uint32_t i = 0; i < tries && choice.fewest() > piece.vertexCount; ++i)
         choice.add(linYu(piece, entries, piece.vertexCount / kMostTries * i));
 }
@@ -107,13 +109,14 @@ constexpr std::uint32_t kRegularStarts = 5; // of strips, which take a tenth of 
 constexpr double kRegular = 0.8;
 constexpr double kIrregular = 0.4;
 
-Corners best(const Piece& piece, const CacheModel& cache) {
+Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
     Choice choice(piece, cache);
     const unsigned entries = fifoEntries(cache);
     const bool cheap = piece.faceCount() < kCheapFaces;
     const double share = regularity(piece);
-    if (piece.faceCount() <= kFewFaces || share <= (cheap ? kAllRegular : kRegular)) addLinYu(choice, entries);
-    if (cheap || share >= kIrregular) addHoppe(choice, entries, share > kAllRegular ? kRegularStarts : 1);
+    if (piece.faceCount() <= kFewFaces || share <= (cheap ? kAllRegular : kRegular)) addLinYu(choice, entries, faces);
+    if (cheap || share >= kIrregular)
+        addHoppe(choice, entries, share > kAllRegular && 2 * std::size_t{piece.faceCount()} > faces ? kRegularStarts : 1);
     return choice.take();
 }
 
@@ -177,7 +180,7 @@ private:
     [[nodiscard]] std::size_t faces() const { return indices_.size() / 3; }
 
     void runCached() {
-        tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_); }); }});
+        tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_, faces()); }); }});
         if (fewest_ == named_) return;
         const bool lru = cache_.replacement == Replacement::Lru;
         if (lru) tryAll({meshoptAsItCame(), meshoptSorted()});

@@ -12,7 +12,9 @@ using Corners = std::vector<std::uint32_t>;
 
 /// For a FIFO cache of `entries` vertices; a strip is broken off when more than `limit` vertices would have come since the start of the
 /// next. `links`: of `linkFaces`.
-[[nodiscard]] Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit);
+/// `first`: where the first strip starts; 0: where the fewest neighbours are.
+[[nodiscard]] Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit,
+                            std::uint32_t first = 0);
 
 inline constexpr std::size_t kBatchVariations = 6;
 /// For batches of at most so many vertices and triangles that share nothing. `variation`: which of the rules; the first is the best of

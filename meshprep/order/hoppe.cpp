@@ -15,7 +15,8 @@ public:
         out_.reserve(piece.corners.size());
     }
 
-    Corners run() {
+    Corners run(std::uint32_t first) {
+        if (first != 0) drawStrips(startCorner(first));
         for (std::uint32_t f = open_.fewestNeighbours(); f != kNoLink; f = open_.fewestNeighbours())
             drawStrips(startCorner(f));
         return std::move(out_);
@@ -96,8 +97,8 @@ private:
 
 } // namespace
 
-Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit) {
-    return Hoppe(piece, links, entries, limit).run();
+Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit, std::uint32_t first) {
+    return Hoppe(piece, links, entries, limit).run(first);
 }
 
 } // namespace tegument::order

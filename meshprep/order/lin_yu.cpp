@@ -23,7 +23,11 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kMostLookedAt = 64;
 
 /// The vertices longest in the cache are tried as focus, for C3 favours them: all of them give orders 0.1 % better in a quarter more time.
+/// Of 16 entries the 10 oldest are as good as 12.
 constexpr unsigned kMostCandidates = 12;
+unsigned candidatesOf(unsigned entries) {
+    return std::clamp(entries * 5 / 8, 1u, kMostCandidates);
+}
 
 struct Vertex {
     std::uint32_t stamp = 0;  // the time of its last push
@@ -70,8 +74,9 @@ struct Pushed {
 class LinYu {
 public:
     LinYu(const Piece& piece, unsigned entries)
-        : entries_(entries), mask_(std::bit_ceil(entries) - 1), now_(entries), perAge_(kPerPlace / static_cast<float>(entries)),
-          vertices_(piece.vertexCount), drawn_(piece.faceCount(), 0), ring_(std::bit_ceil(entries), kNone) {
+        : entries_(entries), mask_(std::bit_ceil(entries) - 1), mostCandidates_(candidatesOf(entries)), now_(entries),
+          perAge_(kPerPlace / static_cast<float>(entries)), vertices_(piece.vertexCount), drawn_(piece.faceCount(), 0),
+          ring_(std::bit_ceil(entries), kNone) {
         pushed_.reserve(entries + 3);
         wedges_.reserve(piece.around.faces.size());
         for (std::uint32_t v = 0; v < piece.vertexCount; ++v) {
@@ -121,7 +126,7 @@ private:
         std::uint32_t best = kNone;
         std::uint32_t crowded = kNone;
         unsigned candidates = 0;
-        for (std::uint32_t time = now_ - entries_ + 1; time != now_ + 1 && candidates < kMostCandidates; ++time) {
+        for (std::uint32_t time = now_ - entries_ + 1; time != now_ + 1 && candidates < mostCandidates_; ++time) {
             const std::uint32_t v = ring_[time & mask_];
             if (v == kNone || vertices_[v].live == 0) continue;
             if (vertices_[v].live > std::max(kMostLookedAt, entries_)) { // would fill the cache and leave it: any other is better
@@ -167,8 +172,10 @@ private:
         Vertex& v = vertices_[x];
         pushed_.push_back({.vertex = x, .stamp = v.stamp});
         v.stamp = ++now_;
-        for (const Wedge& w : lookedAt(v))
-            drawnInSimulation_ += complete(w) && !drawn_[w.face];
+        int drawn = 0;
+        for (const Wedge& w : lookedAt(v)) // without branches, which nobody could foresee
+            drawn += static_cast<int>(cached(w.next)) & static_cast<int>(cached(w.last)) & (1 - drawn_[w.face]);
+        drawnInSimulation_ += drawn;
     }
 
     void push(std::uint32_t x) {
@@ -241,6 +248,7 @@ private:
 
     std::uint32_t entries_;
     std::uint32_t mask_; // of the ring
+    unsigned mostCandidates_;
     std::uint32_t now_;
     float perAge_;
     std::vector<Vertex> vertices_;

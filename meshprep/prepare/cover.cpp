@@ -1,131 +1,242 @@
 #include "meshprep/prepare/cover.h"
 
+#include "host/support/parallel.h"
+
 namespace tegument::prep {
 
-/// Convex.
-struct Cover::Polygon {
-    static constexpr std::size_t kMost = 12;
+namespace {
 
-    std::array<glm::dvec3, kMost> corners;
-    std::size_t count = 0;
+/// Sides that pass a corner of the triangle, where the surface has a vertex, are left out; rounding is a thousandth of this.
+constexpr double kShrunk = 1e-8;
 
-    void add(const glm::dvec3& corner) { corners[count++] = corner; }
+/// A place as the triangle sees it: the shares of its second and third corner there, and how high above its plane.
+struct Seen {
+    double u = 0;
+    double v = 0;
+    double height = 0;
 };
 
-/// By a plane.
-class Cover::Cut {
+/// Of each corner, less what it is at least in the shrunk triangle.
+using Shares = std::array<double, 3>;
+
+Shares sharesOf(const Seen& place) {
+    return {1 - place.u - place.v - kShrunk, place.u - kShrunk, place.v - kShrunk};
+}
+
+/// A bit for each that is not reached.
+unsigned outside(const Shares& shares) {
+    return static_cast<unsigned>(shares[0] < 0) | static_cast<unsigned>(shares[1] < 0) << 1u | static_cast<unsigned>(shares[2] < 0) << 2u;
+}
+
+Seen mix(const Seen& a, const Seen& b, double t) {
+    return {.u = glm::mix(a.u, b.u, t), .v = glm::mix(a.v, b.v, t), .height = glm::mix(a.height, b.height, t)};
+}
+
+/// Twice the area of a, b and c, negative when they turn the other way.
+double turn(const Seen& a, const Seen& b, const Seen& c) {
+    return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+}
+
+/// Of each side of a triangle, how a point is turned against it.
+std::array<double, 3> turnsAt(const std::array<Seen, 3>& corners, const Seen& point) {
+    return {turn(corners[0], corners[1], point), turn(corners[1], corners[2], point), turn(corners[2], corners[0], point)};
+}
+
+enum class Where { Inside, Outside, Unknown };
+
+/// Whether a triangle hides the point.
+Where whereBy(const std::array<double, 3>& turns) {
+    constexpr double kRounding = 1e-12;
+    const double least = std::min({turns[0], turns[1], turns[2]});
+    const double most = std::max({turns[0], turns[1], turns[2]});
+    if (least > kRounding || most < -kRounding) return Where::Inside;
+    return least < -kRounding && most > kRounding ? Where::Outside : Where::Unknown;
+}
+
+/// The side that is between the triangle and the point.
+std::size_t sideTowards(const std::array<double, 3>& turns) {
+    const double sign = turns[0] + turns[1] + turns[2] < 0 ? -1 : 1;
+    return static_cast<std::size_t>(std::ranges::min_element(turns, {}, [&](double turned) { return sign * turned; }) - turns.begin());
+}
+
+constexpr Seen kMiddle{.u = 0.3271, .v = 0.3413, .height = 0}; // on no side of a regular pattern
+constexpr std::array kCorners = {Seen{.u = kShrunk, .v = kShrunk, .height = 0}, Seen{.u = 1 - 2 * kShrunk, .v = kShrunk, .height = 0},
+                                 Seen{.u = kShrunk, .v = 1 - 2 * kShrunk, .height = 0}};
+
+/// The piece of a side within the shrunk triangle.
+struct Inside {
+    double first = 0;
+    double last = 1;
+
+    [[nodiscard]] bool any() const { return first <= last; }
+};
+
+Inside insideOf(const Shares& a, const Shares& b) {
+    const unsigned outA = outside(a);
+    const unsigned outB = outside(b);
+    if ((outA & outB) != 0) return {.first = 1, .last = 0};
+    Inside piece;
+    for (std::size_t i = 0; (outA | outB) >> i != 0; ++i) {
+        if ((outA >> i & 1u) != 0) piece.first = std::max(piece.first, a[i] / (a[i] - b[i]));
+        if ((outB >> i & 1u) != 0) piece.last = std::min(piece.last, a[i] / (a[i] - b[i]));
+    }
+    return piece;
+}
+
+} // namespace
+
+/// One triangle of the surface as the other one sees it.
+class Cover::View {
 public:
-    Cut(const Polygon& polygon, const glm::dvec3& at, const glm::dvec3& inwards) : polygon_(polygon) {
-        for (std::size_t i = 0; i < polygon.count; ++i) {
-            height_[i] = glm::dot(polygon.corners[i] - at, inwards);
-            anyOut_ = anyOut_ || height_[i] < 0;
-        }
+    View() = default;
+    explicit View(const std::array<Seen, 3>& corners) : corners_(corners) {
+        const std::array<Shares, 3> shares = {sharesOf(corners[0]), sharesOf(corners[1]), sharesOf(corners[2])};
+        for (std::size_t side = 0; side < 3; ++side)
+            inside_[side] = insideOf(shares[side], shares[(side + 1) % 3]);
     }
 
-    [[nodiscard]] bool anyOut() const { return anyOut_; }
+    [[nodiscard]] bool meets(std::size_t side) const { return inside_[side].any(); }
 
-    /// False: too many corners.
-    [[nodiscard]] bool make(Polygon& inside, Polygon& outside) const {
-        if (polygon_.count + 2 > Polygon::kMost) return false;
-        for (std::size_t i = 0; i < polygon_.count; ++i) {
-            const std::size_t next = (i + 1) % polygon_.count;
-            (height_[i] < 0 ? outside : inside).add(polygon_.corners[i]);
-            if ((height_[i] < 0) == (height_[next] < 0)) continue;
-            const glm::dvec3 between = glm::mix(polygon_.corners[i], polygon_.corners[next], height_[i] / (height_[i] - height_[next]));
-            inside.add(between);
-            outside.add(between);
+    /// Whether it hides a point.
+    [[nodiscard]] Where where(const Seen& point) const { return whereBy(turnsAt(corners_, point)); }
+
+    /// No further than `most` over what both have in common.
+    [[nodiscard]] bool within(double most) const {
+        const auto low = [&](const Seen& place) { return std::abs(place.height) <= most; };
+        if (std::ranges::all_of(corners_, low)) return true;
+        for (std::size_t side = 0; side < 3; ++side) {
+            const Seen& from = corners_[side];
+            const Seen& to = corners_[(side + 1) % 3];
+            if (meets(side) && !(low(mix(from, to, inside_[side].first)) && low(mix(from, to, inside_[side].last)))) return false;
         }
+        return std::ranges::all_of(kCorners, [&](const Seen& corner) { return where(corner) == Where::Outside || low(over(corner)); });
+    }
+
+private:
+    [[nodiscard]] Seen over(const Seen& point) const {
+        const std::array<double, 3> turns = turnsAt(corners_, point);
+        const double sum = turns[0] + turns[1] + turns[2];
+        return {.u = point.u,
+                .v = point.v,
+                .height = (turns[1] * corners_[0].height + turns[2] * corners_[1].height + turns[0] * corners_[2].height) / sum};
+    }
+
+    std::array<Seen, 3> corners_;
+    std::array<Inside, 3> inside_;
+};
+
+/// What lies over one triangle.
+class Cover::Sheet {
+public:
+    Sheet(const Cover& cover, const std::array<glm::dvec3, 3>& triangle, double most) : cover_(cover), at_(triangle[0]) {
+        const glm::dvec3 a = triangle[1] - at_;
+        const glm::dvec3 b = triangle[2] - at_;
+        const glm::dvec3 normal = glm::cross(a, b);
+        const double squared = glm::dot(normal, normal);
+        const double longest = std::sqrt(std::max(glm::dot(a, a), glm::dot(b, b)));
+        constexpr double kLeastSine = 1e-4; // below, rounding counts
+        seen_ = squared > kLeastSine * kLeastSine * glm::dot(a, a) * glm::dot(b, b);
+        u_ = glm::cross(b, normal) / squared;
+        v_ = glm::cross(normal, a) / squared;
+        up_ = normal / std::sqrt(squared);
+        most_ = most - 4 * kShrunk * longest; // no point is further from the shrunk triangle
+    }
+
+    /// Whether a sheet of the surface hides the triangle and is near enough. The sheet grows across all sides that pass over the triangle.
+    /// So none of its borders does, and the number of its triangles over a point is odd at all points or even at all.
+    [[nodiscard]] bool covers(std::uint32_t& near) {
+        if (!seen_ || !(most_ > 0)) return false;
+        if (!reachMiddle(near)) return false;
+        bool odd = false;
+        triangles_[count_++] = near;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const View view(seenOf(triangles_[i]));
+            const Where middle = view.where(kMiddle);
+            if (middle == Where::Unknown || !view.within(most_)) return false;
+            odd = odd != (middle == Where::Inside);
+            for (std::size_t side = 0; side < 3; ++side)
+                if (view.meets(side) && !enter(cover_.neighbour(triangles_[i], side))) return false;
+        }
+        return odd;
+    }
+
+private:
+    [[nodiscard]] std::array<Seen, 3> seenOf(std::uint32_t triangle) const {
+        std::array<Seen, 3> seen;
+        const std::array<glm::dvec3, 3> corners = cover_.surface_.triangle(triangle);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 apart = corners[i] - at_;
+            seen[i] = {.u = glm::dot(apart, u_), .v = glm::dot(apart, v_), .height = glm::dot(apart, up_)};
+        }
+        return seen;
+    }
+
+    /// From neighbour to neighbour to one over the middle.
+    [[nodiscard]] bool reachMiddle(std::uint32_t& near) const {
+        constexpr unsigned kMostSteps = 32;
+        std::uint32_t triangle = near;
+        for (unsigned step = 0; step < kMostSteps && triangle != kNoHint; ++step) {
+            const std::array<Seen, 3> corners = seenOf(triangle);
+            const std::array<double, 3> turns = turnsAt(corners, kMiddle);
+            if (whereBy(turns) == Where::Inside) {
+                near = triangle;
+                return true;
+            }
+            triangle = cover_.neighbour(triangle, sideTowards(turns));
+        }
+        return false;
+    }
+
+    /// False: there is none, or no room.
+    [[nodiscard]] bool enter(std::uint32_t triangle) {
+        if (triangle == kNoHint) return false;
+        std::uint32_t known = 0; // no early end: the processor compares several at once
+        for (std::size_t i = 0; i < count_; ++i)
+            known |= static_cast<std::uint32_t>(triangles_[i] == triangle);
+        if (known != 0) return true;
+        if (count_ == triangles_.size()) return false;
+        triangles_[count_++] = triangle;
         return true;
     }
 
-private:
-    const Polygon& polygon_;
-    std::array<double, Polygon::kMost> height_; // of its corners
-    bool anyOut_ = false;
-};
-
-class Cover::Walk {
-public:
-    Walk(const Cover& cover, double most) : cover_(cover), surface_(cover.surface_), most_(most) {}
-
-    /// Whether `polygon` is near enough to the triangle `over`, its neighbours, theirs, and so on but for `from`.
-    [[nodiscard]] bool near(const Polygon& polygon, std::uint32_t over, std::uint32_t from) {
-        if (steps_-- == 0) return false;
-        const std::array<glm::dvec3, 3> t = surface_.triangle(over);
-        if (mayBeNear(t, polygon) && nearTo(over, polygon)) return true;
-        const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-        const Polygon* rest = &polygon;
-        std::array<Polygon, 3> inside;
-        bool within = true; // all three sides
-        for (std::size_t side = 0; side < 3; ++side) {
-            const Cut cut(*rest, t[side], glm::cross(normal, t[(side + 1) % 3] - t[side]));
-            if (!cut.anyOut()) continue;
-            const std::uint32_t next = cover_.neighbour(over, side);
-            within = within && next != from;
-            if (next == from) continue; // a fold's wedge is on neither side
-            Polygon outside;
-            if (next == kNoHint || !cut.make(inside[side], outside) || !near(outside, next, over)) return false;
-            if (inside[side].count == 0) return true;
-            rest = &inside[side];
-        }
-        return within ? nearPlane(t[0], normal, *rest) : nearTo(over, *rest);
-    }
-
-private:
-    template <class Is>
-    [[nodiscard]] static bool allCorners(const Polygon& polygon, Is is) {
-        return std::all_of(polygon.corners.begin(), polygon.corners.begin() + static_cast<std::ptrdiff_t>(polygon.count), is);
-    }
-
-    /// False spares most questions.
-    [[nodiscard]] bool mayBeNear(const std::array<glm::dvec3, 3>& t, const Polygon& polygon) const {
-        const auto squared = [](const glm::dvec3& v) { return glm::dot(v, v); };
-        const double size = std::sqrt(std::max(squared(t[1] - t[0]), squared(t[2] - t[0])));
-        return allCorners(polygon, [&](const glm::dvec3& corner) { return squared(corner - t[0]) <= (size + most_) * (size + most_); });
-    }
-
-    [[nodiscard]] bool nearTo(std::uint32_t triangle, const Polygon& polygon) const {
-        return allCorners(polygon, [&](const glm::dvec3& corner) { return surface_.distanceTo(triangle, corner) <= most_; });
-    }
-
-    /// For what lies over the triangle.
-    [[nodiscard]] bool nearPlane(const glm::dvec3& at, const glm::dvec3& normal, const Polygon& polygon) const {
-        const double most = most_ * glm::length(normal);
-        return allCorners(polygon, [&](const glm::dvec3& corner) { return std::abs(glm::dot(corner - at, normal)) <= most; });
-    }
-
     const Cover& cover_;
-    const NearSurface& surface_;
-    double most_;
-    unsigned steps_ = 96;
+    glm::dvec3 at_;
+    glm::dvec3 u_{}, v_{}, up_{};
+    double most_ = 0;
+    bool seen_ = false;
+    std::array<std::uint32_t, 256> triangles_;
+    std::size_t count_ = 0;
 };
 
-Cover::Cover(const NearSurface& surface) : surface_(surface), first_(surface.points().size() + 1), faces_(surface.corners().size()) {
-    for (const std::uint32_t corner : surface.corners())
-        ++first_[corner];
+Cover::Cover(const NearSurface& surface) : surface_(surface), neighbours_(surface.corners().size(), kNoHint) {
+    const std::span<const std::uint32_t> corners = surface.corners();
+    std::vector<std::uint32_t> first(surface.points().size() + 1);
+    for (const std::uint32_t corner : corners)
+        ++first[corner];
     std::uint32_t sum = 0;
-    for (std::uint32_t& first : first_)
-        first = sum += first; // behind its faces
-    for (std::size_t i = faces_.size(); i-- > 0;)
-        faces_[--first_[surface.corners()[i]]] = static_cast<std::uint32_t>(i / 3);
+    for (std::uint32_t& behind : first)
+        behind = sum += behind;
+    std::vector<std::uint32_t> around(corners.size());
+    for (std::size_t i = corners.size(); i-- > 0;)
+        around[--first[corners[i]]] = static_cast<std::uint32_t>(i / 3);
+    inChunks(surface.size(), 0, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t side = 3 * begin; side < 3 * end; ++side) {
+            const std::uint32_t from = corners[side];
+            const std::uint32_t to = corners[side - side % 3 + (side + 1) % 3];
+            unsigned others = 0;
+            for (std::uint32_t i = first[from]; i < first[from + 1]; ++i) {
+                const auto other = corners.subspan(3 * std::size_t{around[i]}, 3);
+                if (around[i] == side / 3 || (other[0] != to && other[1] != to && other[2] != to)) continue;
+                neighbours_[side] = around[i];
+                ++others;
+            }
+            if (others != 1) neighbours_[side] = kNoHint;
+        }
+    });
 }
 
-std::uint32_t Cover::neighbour(std::uint32_t triangle, std::size_t side) const {
-    const auto corners = surface_.corners();
-    const std::uint32_t from = corners[3 * std::size_t{triangle} + side];
-    const std::uint32_t to = corners[3 * std::size_t{triangle} + (side + 1) % 3];
-    for (std::uint32_t i = first_[from]; i < first_[from + 1]; ++i) {
-        const auto other = corners.subspan(3 * std::size_t{faces_[i]}, 3);
-        if (faces_[i] != triangle && (other[0] == to || other[1] == to || other[2] == to)) return faces_[i];
-    }
-    return kNoHint;
-}
-
-bool Cover::within(const std::array<glm::dvec3, 3>& triangle, std::uint32_t start, double most) const {
-    Polygon polygon;
-    for (const glm::dvec3& corner : triangle)
-        polygon.add(corner);
-    return Walk(*this, most).near(polygon, start, kNoHint);
+bool Cover::within(const std::array<glm::dvec3, 3>& triangle, std::uint32_t& near, double most) const {
+    return Sheet(*this, triangle, most).covers(near);
 }
 
 } // namespace tegument::prep

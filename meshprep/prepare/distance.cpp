@@ -56,9 +56,12 @@ struct Effort {
     std::size_t atLeast = 0;
     std::size_t atMost = 0;
 };
-constexpr Effort kThorough{.perTriangle = 8, .atLeast = 30'000, .atMost = 200'000};
+constexpr Effort kThorough{.perTriangle = 8, .atLeast = 30'000, .atMost = 400'000};
 constexpr Effort kDear{.perTriangle = 0, .atLeast = 256, .atMost = 256};
 constexpr Effort kRough{.perTriangle = 1, .atLeast = 3'000, .atMost = 500'000};
+
+/// Corners whose greatest distance is a first guess.
+constexpr std::size_t kMostSampled = 4096;
 
 /// What is further than this share of the greatest distance is worth mending.
 constexpr double kPeak = 0.5;
@@ -71,7 +74,7 @@ public:
             places_[other.corners()[i]] = {.apart = 0, .hint = static_cast<std::uint32_t>(i / 3)};
     }
 
-    /// The greatest distance of the corners that the other surface does not have, and of every triangle's middle.
+    /// The greatest distance of the corners that the other surface does not have.
     double measureCorners(double reached) {
         std::vector<std::uint32_t> asked;
         for (const std::uint32_t triangle : own_.alongCurve())
@@ -81,7 +84,7 @@ public:
                 place.apart = 0; // so that it is asked once
                 asked.push_back(corner);
             }
-        const std::size_t samples = std::clamp<std::size_t>(asked.size() / 64, 512, 4096);
+        const std::size_t samples = std::clamp<std::size_t>(asked.size() / 64, 512, kMostSampled);
         const std::size_t step = asked.size() / samples + 1; // their greatest distance spares most others an exact answer
         for (std::size_t i = 0; i < asked.size(); i += step)
             reached = std::max(reached, measure(asked[i], kNoHint, reached));
@@ -93,6 +96,22 @@ public:
             }
             return ofRun;
         });
+    }
+
+    /// Of a few of them, and of those near the farthest few.
+    double sampleCorners(double reached) {
+        constexpr std::size_t kHills = 24;
+        constexpr std::size_t kRound = 64; // triangles along the curve on either side
+        const std::size_t step = own_.size() / kMostSampled + 1;
+        std::vector<std::pair<double, std::size_t>> far;
+        for (std::size_t i = 0; i < own_.size(); i += step)
+            far.emplace_back(sampleAt(i, reached), i);
+        const auto hills = far.begin() + static_cast<std::ptrdiff_t>(std::min(kHills, far.size()));
+        std::ranges::partial_sort(far, hills, std::ranges::greater());
+        for (auto hill = far.begin(); hill != hills; ++hill)
+            for (std::size_t i = hill->second - std::min(hill->second, kRound); i < std::min(hill->second + kRound, own_.size()); ++i)
+                sampleAt(i, reached);
+        return reached;
     }
 
     /// A point, or a triangle, far from the other surface.
@@ -148,6 +167,13 @@ public:
     [[nodiscard]] Found bound(double reached, const Effort& effort, const Cover* cover = nullptr) const;
 
 private:
+    /// Of the first corner of a triangle, in their order along the curve.
+    double sampleAt(std::size_t place, double& reached) {
+        const std::uint32_t corner = own_.corners()[3 * std::size_t{own_.alongCurve()[place]}];
+        if (places_[corner].apart == Place::kUnknown) reached = std::max(reached, measure(corner, kNoHint, reached));
+        return places_[corner].apart;
+    }
+
     /// `work(first, last, reached)` gives the greatest that it reached.
     template <class Work>
     static double inRuns(std::size_t count, double reached, Work work) {
@@ -202,6 +228,18 @@ public:
     [[nodiscard]] double reached() const { return reached_; }
     [[nodiscard]] const OneWay::Peak& highest() const { return highest_; }
 
+    /// What is not known of `places` is found out, unless all of the triangle is near.
+    void add(std::uint32_t triangle, const Triangle& corners, std::array<Place, 3> places) {
+        if (places[0].hint != kNoHint) near_ = places[0].hint;
+        if (near_ != kNoHint && isNear(corners, closeTo(reached_))) return;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (places[i].apart == Place::kUnknown) places[i] = at(corners[i], near_, triangle);
+            if (places[i].hint == kNoHint) return;
+            near_ = places[i].hint;
+        }
+        add({.corners = corners, .places = places, .triangle = triangle});
+    }
+
     void add(Piece piece) {
         const double close = closeTo(reached_);
         double apart = 0;
@@ -217,8 +255,9 @@ public:
     /// Cuts until nothing can be further than what was reached, or so many nearest points were asked for. Gives the bound of what is left.
     double cut(std::size_t most) {
         // A point whose distance is not exact may hold a piece up however small it is: its cuts ask nothing new, and count as well.
+        const std::size_t before = asked_.size();
         for (std::size_t cuts = 0; !pieces_.empty() && pieces_.top().bound > closeTo(reached_);) {
-            if (std::max(asked_.size(), cuts) >= most) return pieces_.top().bound;
+            if (std::max(asked_.size() - before, cuts) >= most) return pieces_.top().bound;
             const Piece piece = pieces_.top();
             pieces_.pop();
             if (within(piece, closeTo(reached_))) continue;
@@ -242,8 +281,14 @@ private:
         return farthest;
     }
 
+    /// All of a triangle: to the last one that was near, for the distance from one triangle is greatest at a corner, or to what lies below.
+    [[nodiscard]] bool isNear(const Triangle& corners, double most) {
+        const auto near = [&](const glm::dvec3& corner) { return other_.distanceTo(near_, corner) <= most; };
+        return std::ranges::all_of(corners, near) || (cover_ != nullptr && cover_->within(corners, near_, most));
+    }
+
     [[nodiscard]] bool within(const Piece& piece, double most) const {
-        const std::uint32_t start = piece.places[0].hint;
+        std::uint32_t start = piece.places[0].hint;
         return cover_ != nullptr && start != kNoHint && cover_->within(piece.corners, start, most);
     }
 
@@ -291,6 +336,7 @@ private:
     const Cover* cover_;
     double reached_;
     OneWay::Peak highest_;
+    std::uint32_t near_ = kNoHint; // the last triangle
     std::priority_queue<Piece> pieces_;
     std::unordered_map<std::array<double, 3>, Place, Hash> asked_;
 };
@@ -309,11 +355,11 @@ OneWay::Found OneWay::bound(double reached, const Effort& effort, const Cover* c
     std::vector<Run> ofRun(runs);
     forEachInParallel(runs, [&](std::size_t run) {
         Undecided undecided(other_, reached, cover);
-        for (std::size_t i = own_.size() * run / runs; i < own_.size() * (run + 1) / runs; ++i) {
-            const auto corners = own_.corners().subspan(3 * i, 3);
-            undecided.add({.corners = own_.triangle(i),
-                           .places = {places_[corners[0]], places_[corners[1]], places_[corners[2]]},
-                           .triangle = static_cast<std::uint32_t>(i)});
+        const std::size_t last = own_.size() * (run + 1) / runs;
+        for (std::size_t i = own_.size() * run / runs; i < last; ++i) {
+            const std::uint32_t triangle = own_.alongCurve()[i];
+            const auto corners = own_.corners().subspan(3 * std::size_t{triangle}, 3);
+            undecided.add(triangle, own_.triangle(triangle), {places_[corners[0]], places_[corners[1]], places_[corners[2]]});
         }
         ofRun[run] = {.bound = undecided.cut(most), .highest = undecided.highest()};
     });
@@ -406,13 +452,14 @@ SurfaceDistance DistanceFrom::to(std::span<const std::uint32_t> triangles) const
     if (!state_->surface || triangles.empty()) return {};
     const Surface& own = *state_->surface;
     const Surface other(state_->points, triangles);
+    const Cover cover(other);
     OneWay there(own, other);
     OneWay back(other, own);
-    const double reached = back.measureCorners(there.measureCorners(0));
+    const double reached = back.sampleCorners(there.sampleCorners(0));
     const bool dear = there.dear() || back.dear();
     const Effort& effort = dear ? kDear : kThorough;
-    const OneWay::Found first = back.bound(reached, effort, dear ? nullptr : state_->cover.get());
-    const OneWay::Found last = there.bound(first.reached, effort);
+    const OneWay::Found first = there.bound(reached, effort, dear ? nullptr : &cover);
+    const OneWay::Found last = back.bound(first.reached, effort, dear ? nullptr : state_->cover.get());
     const double bound = std::max({first.bound, last.bound, Undecided::closeTo(last.reached)}) + kRounding;
     return {.greatest = state_->scale * bound,
             .reached = state_->scale * last.reached,

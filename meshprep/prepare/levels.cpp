@@ -56,9 +56,13 @@ public:
 
     [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, Simplifier simplifier = {},
                                      std::set<std::uint32_t> locked = {}) const {
-        return simplify(
-            {.from = from, .positions = positions_, .attributes = attributes_, .triangles = triangles, .locked = std::move(locked)},
-            simplifier);
+        return simplify({.from = from,
+                         .positions = positions_,
+                         .attributes = attributes_,
+                         .counted = mesh_.uvs.empty() ? 3u : 5u,
+                         .triangles = triangles,
+                         .locked = std::move(locked)},
+                        simplifier);
     }
 
     /// Each part loses the same share, and keeps its borders.

@@ -30,10 +30,11 @@ struct Simplifier {
 using SimplifiedAttributes = std::array<float, 5>;
 
 struct Simplification {
-    std::span<const std::uint32_t> from;                // corners of triangles
-    std::span<const glm::vec3> positions;               // of unit size
-    std::span<const SimplifiedAttributes> attributes{}; // of each position, for simplifiers that weigh them
-    std::size_t triangles = 0;                          // that are wanted; there may be more
+    std::span<const std::uint32_t> from;                           // corners of triangles
+    std::span<const glm::vec3> positions;                          // of unit size
+    std::span<const SimplifiedAttributes> attributes{};            // of each position, for simplifiers that weigh them
+    std::size_t counted = std::tuple_size_v<SimplifiedAttributes>; // of each's numbers: the first so many
+    std::size_t triangles = 0;                                     // that are wanted; there may be more
     bool keepBorders = false;
     std::set<std::uint32_t> locked{}; // vertices that stay; not together with `keepBorders`
 };

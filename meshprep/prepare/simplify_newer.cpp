@@ -28,7 +28,7 @@ std::vector<std::uint32_t> simplifyNewer(const Simplification& what, float norma
     std::vector<std::uint32_t> coarse(what.from.size());
     coarse.resize(meshopt_simplifyWithAttributes(
         coarse.data(), what.from.data(), what.from.size(), &what.positions[0].x, what.positions.size(), sizeof(glm::vec3),
-        counted ? what.attributes[0].data() : nullptr, sizeof(SimplifiedAttributes), weights.data(), counted ? weights.size() : 0,
+        counted ? what.attributes[0].data() : nullptr, sizeof(SimplifiedAttributes), weights.data(), counted ? what.counted : 0,
         locked.empty() ? nullptr : locked.data(), std::min(3 * what.triangles, what.from.size()), std::numeric_limits<float>::max(),
         what.keepBorders ? meshopt_SimplifyLockBorder : 0, nullptr));
     return coarse;

@@ -48,8 +48,9 @@ double farthestOf(const Triangle& triangle, const NearSurface& surface) {
     return farthest;
 }
 
-std::uint32_t startOf(const Triangle& triangle, const NearSurface& surface) {
-    return surface.nearest(triangle[0]).triangle;
+bool within(const Triangle& triangle, const NearSurface& surface, double most) {
+    std::uint32_t near = surface.nearest(triangle[0]).triangle;
+    return Cover(surface).within(triangle, near, most);
 }
 
 } // namespace
@@ -65,9 +66,8 @@ TEST(Cover, never_calls_near_what_is_not) {
             for (glm::dvec3& corner : triangle)
                 corner = {unit(random), unit(random), height * unit(random)};
             const double truth = farthestOf(triangle, surface);
-            const Cover cover(surface);
             for (const double share : {0.3, 0.7, 0.95, 0.999})
-                EXPECT_FALSE(cover.within(triangle, startOf(triangle, surface), share * truth))
+                EXPECT_FALSE(within(triangle, surface, share * truth))
                     << "sheet " << seed << " of height " << height << ": " << share << " of " << truth;
         }
 }
@@ -83,7 +83,7 @@ TEST(Cover, finds_a_large_triangle_above_many_small_ones_near) {
         for (glm::dvec3& corner : triangle)
             corner = {unit(random), unit(random), 0.01};
         // A point's height over the sheet is at most 1.06 times its distance, the steepest side rising 0.02 * sqrt(2) in 0.1.
-        EXPECT_TRUE(Cover(surface).within(triangle, startOf(triangle, surface), 1.06 * farthestOf(triangle, surface) + 1e-3)) << seed;
+        EXPECT_TRUE(within(triangle, surface, 1.06 * farthestOf(triangle, surface) + 1e-3)) << seed;
     }
 }
 
@@ -91,6 +91,46 @@ TEST(Cover, does_not_pass_over_a_hole) {
     const Sheet sheet = sheetOf(0, 1, true);
     const NearSurface surface(sheet.points, sheet.triangles);
     const Triangle above = {glm::dvec3(0.05, 0.05, 0), glm::dvec3(0.95, 0.1, 0), glm::dvec3(0.4, 0.95, 0)};
-    EXPECT_FALSE(Cover(surface).within(above, startOf(above, surface), 0.05)) << "the middle is 0.1 from the hole's edge";
-    EXPECT_TRUE(Cover(surface).within({glm::dvec3(0.05, 0.05, 0), glm::dvec3(0.35, 0.1, 0), glm::dvec3(0.1, 0.35, 0)}, 0, 1e-9));
+    EXPECT_FALSE(within(above, surface, 0.05)) << "the middle is 0.1 from the hole's edge";
+    EXPECT_TRUE(within({glm::dvec3(0.05, 0.05, 0), glm::dvec3(0.35, 0.1, 0), glm::dvec3(0.1, 0.35, 0)}, surface, 1e-6));
+}
+
+/// Places that lie up to two squares beside their own: the sheet passes over itself, and some of its triangles have next to no area.
+TEST(Cover, never_calls_near_what_is_not_below_folds) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::size_t found = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        Sheet sheet = sheetOf(0.1, seed, seed % 3 == 0);
+        const double aside = 0.2 * unit(random);
+        for (glm::dvec3& point : sheet.points)
+            point += glm::dvec3(aside * (unit(random) - 0.5), seed % 2 == 0 ? aside * (unit(random) - 0.5) : 0, 0);
+        const NearSurface surface(sheet.points, sheet.triangles);
+        Triangle triangle{};
+        for (glm::dvec3& corner : triangle)
+            corner = {unit(random), unit(random), 0.1 * unit(random)};
+        const double truth = farthestOf(triangle, surface);
+        EXPECT_FALSE(within(triangle, surface, 0.98 * truth)) << "sheet " << seed;
+        found += within(triangle, surface, 2 * truth);
+    }
+    EXPECT_GT(found, 40u) << "of 200: what is near must be found, too";
+}
+
+/// Three corners on a line lie over nothing, whatever their plane seems to be.
+TEST(Cover, a_triangle_without_area_hides_nothing) {
+    const std::vector<glm::dvec3> points = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}};
+    const std::vector<std::uint32_t> triangles = {0, 1, 2};
+    EXPECT_FALSE(within({glm::dvec3(0.2, 0, 0), glm::dvec3(0.8, 0, 0), glm::dvec3(0.5, 0.7, 0)}, NearSurface(points, triangles), 0.1));
+}
+
+/// A fin stands on a side: the sheet does not go on across sides of three triangles.
+TEST(Cover, ends_where_three_triangles_meet) {
+    Sheet sheet = sheetOf(0, 1);
+    const auto tip = static_cast<std::uint32_t>(sheet.points.size());
+    sheet.points.emplace_back(0.55, 0.5, 0.3);
+    const std::uint32_t middle = 5 * (kSteps + 1) + 5;
+    sheet.triangles.insert(sheet.triangles.end(), {middle, middle + 1, tip});
+    const NearSurface surface(sheet.points, sheet.triangles);
+    EXPECT_FALSE(within({glm::dvec3(0.5, 0.45, 0), glm::dvec3(0.6, 0.45, 0), glm::dvec3(0.55, 0.56, 0)}, surface, 0.01));
+    EXPECT_TRUE(within({glm::dvec3(0.1, 0.1, 0), glm::dvec3(0.4, 0.15, 0), glm::dvec3(0.2, 0.4, 0)}, surface, 1e-6));
 }

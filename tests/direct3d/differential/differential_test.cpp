@@ -108,6 +108,12 @@ std::string mutant(std::uint32_t seed) {
     return textOf(parameters) + "\n" + kFunctions + textOf(technique) + "\n";
 }
 
+/// The code of functions is the compilers' alone: lines 10 and 11.
+bool isOfCode(const MicrosoftResult& result) {
+    const auto first = std::ranges::find(result.diagnostics, Severity::Error, &Diagnostic::severity);
+    return first != result.diagnostics.end() && (first->at.line == 10 || first->at.line == 11);
+}
+
 TEST(Differential, effects_that_microsofts_compiler_reads_and_refuses_are_read_and_refused) {
     if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     const char* asked = std::getenv("TEGUMENT_MUTANTS");
@@ -130,17 +136,18 @@ TEST(Differential, effects_that_microsofts_compiler_reads_and_refuses_are_read_a
         const auto ours = load({{"main.fx", mutant(static_cast<std::uint32_t>(i))}}, {.lenient = true});
         read += good ? 1 : 0;
         refusedByUs += good && !ours ? 1 : 0;
-        const bool silent = ours && ours->warnings.empty(); // what is left out leniently is said
+        const bool silent = ours && ours->warnings.empty() && !isOfCode((*theirs)[i]); // what is left out leniently is said
         readByUs += !good && silent ? 1 : 0;
         if (show && (good ? !ours : silent)) {
             std::cout << "--- " << i << (good ? ": they read it; " + format(ours.error()) : ": we read it; ")
-                      << (good || (*theirs)[i].diagnostics.empty() ? std::string() : format((*theirs)[i].diagnostics.front())) << "\n";
+                      << (good || (*theirs)[i].diagnostics.empty() ? std::string() : format((*theirs)[i].diagnostics.front())) << "\n"
+                      << mutant(static_cast<std::uint32_t>(i));
         }
     }
     std::cout << count << " effects: Microsoft's compiler reads " << read << ", of which we refuse " << refusedByUs << "; of the "
               << count - read << " that it refuses we read without a warning " << readByUs << "\n";
     EXPECT_EQ(refusedByUs, 0U);
-    EXPECT_LE(readByUs, 0U);
+    EXPECT_EQ(readByUs, 0U);
 }
 
 } // namespace

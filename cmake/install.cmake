@@ -13,7 +13,7 @@ install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegu
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
 # What a program may include: these, and no other header of host. A repository check keeps them from including what is not installed.
 set(public_headers
-    host/support/file.h host/support/layout.h host/support/result.h host/support/state.h
+    host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/state.h
     host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
     host/spirv/compile.h host/spirv/dxil.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h

@@ -74,6 +74,7 @@ CheckOptions checkOptions(const CheckArguments& arguments) {
                          .includeFolders = load.includeFolders};
     options.allSettings = arguments.allSettings;
     options.compatible = arguments.compatible;
+    options.roots = load.roots;
     if (options.allSettings) options.variants.front() = {.name = {}, .defines = load.defines};
     return options;
 }

@@ -11,6 +11,7 @@ namespace tegument::app {
 void addEffectOptions(CLI::App& command, EffectOptions& options) {
     repeatable(command.add_option("-D,--define", options.defines, "Preprocessor definition NAME or NAME=VALUE; may be repeated"));
     repeatable(command.add_option("-I,--include", options.includeFolders, "Folder searched for #include files; may be repeated"));
+    command.add_flag("--anywhere", options.anywhere, "Includes and textures may lie outside of the effect's project and -I");
     command.add_option("--setting", options.setting, "Setting of the effect, by name; tegument info lists them (docs/settings.md)");
     command.add_option("--map-size", options.mapSize, "Texels along each side of the texture-space maps")->check(CLI::Range(1, 16384));
     command
@@ -31,6 +32,7 @@ LoadOptions loadOptions(const EffectOptions& options) {
     }
     load.lenient = true;
     load.setting = options.setting;
+    load.roots.anywhere = options.anywhere;
     if (options.mapSize > 0) load.defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(options.mapSize));
     if (options.shadowSize > 0) load.defines.emplace_back("TEGUMENT_SHADOW_SIZE", std::to_string(options.shadowSize));
     for (const std::string& folder : options.includeFolders)

@@ -16,6 +16,7 @@ namespace tegument::app {
 struct EffectOptions {
     std::vector<std::string> defines; // NAME or NAME=VALUE
     std::vector<std::string> includeFolders;
+    bool anywhere = false;
     std::string setting; // one of the effect's own; empty: its default
     int mapSize = 0;     // 0: the effect's default
     int shadowSize = 0;  // likewise

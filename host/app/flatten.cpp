@@ -19,6 +19,7 @@ struct FlattenArguments {
     std::string output;
     std::vector<std::string> includeFolders;
     bool library = false;
+    bool anywhere = false;
 };
 
 constexpr const char* kLibraryHead = "hlsl/tegument.fxh";
@@ -27,10 +28,11 @@ int flatten(const FlattenArguments& arguments) {
     if (const auto can = checkOutput(arguments.output, {}); !can) return fail(can.error(), false);
     const auto file = arguments.library && arguments.file.empty() ? ownFile(kLibraryHead) : findEffect(arguments.file);
     if (!file) return fail(file.error(), false);
-    PreprocessOptions options{
-        .defines = {}, .includeFolders = {}, .read = [](const std::filesystem::path& path) { return readFile(path); }};
+    PreprocessOptions options{.defines = {}, .includeFolders = {}, .read = {}};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
+    const Roots roots = rootsOf(*file, options.includeFolders, {.folders = {}, .anywhere = arguments.anywhere});
+    options.read = confinedReader(*file, roots);
     const auto text = arguments.library ? flattenLibrary(*file, options) : flattenEffect(*file, options);
     if (!text) return fail(text.error(), false);
     if (arguments.output.empty()) {
@@ -52,6 +54,7 @@ void addFlatten(CLI::App& program, Action& action) {
     auto* effect = command->add_option("effect", arguments->file, "Effect file (.fx); with --library: another head than hlsl/tegument.fxh");
     command->add_option("-o,--output", arguments->output, "The one file; without it: standard output");
     repeatable(command->add_option("-I,--include", arguments->includeFolders, "Folder searched for #include files; may be repeated"));
+    command->add_flag("--anywhere", arguments->anywhere, "Includes may lie outside of the effect's project and -I");
     addExamples(*command, {{"flatten Main -o main_alone.fx", ""}, {"flatten --library -o tegument.hlsl", ""}},
                 "Comments and conditionals stay: -D selects targets and settings as before.");
     command->callback([arguments, effect, library, &action] {

@@ -128,7 +128,9 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     }
     if (!options.scene.mesh.empty())
         if (const auto exists = fileExists(options.scene.mesh, "--mesh"); !exists) return exists.error();
-    auto effect = loadEffect(*file, loadOptions(options.effect));
+    LoadOptions load = loadOptions(options.effect);
+    if (!sceneOptions.workspace.empty()) load.roots.folders.push_back(std::filesystem::path(sceneOptions.workspace).parent_path());
+    auto effect = loadEffect(*file, load);
     if (!effect) return effect.error();
     if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();
     const auto rules = bindRules(options.binds);

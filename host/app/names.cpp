@@ -1,5 +1,6 @@
 #include "host/app/names.h"
 
+#include "host/support/process.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,10 @@ std::vector<fs::path> ownFolders() {
     if (!givenFolder().empty()) return {givenFolder()};
     std::error_code code;
     const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
-    return {program / "../share/tegument", fs::path(TEGUMENT_TREE)};
+    std::vector<fs::path> folders = {program / "../share/tegument"};
+    if (const auto tree = folderAboveProgramWith("hlsl/platform.fxh")) folders.push_back(*tree);
+    if (const fs::path tree(TEGUMENT_TREE); !tree.empty()) folders.push_back(tree);
+    return folders;
 }
 
 /// The files of a folder that end so; their names sorted, without their folder.

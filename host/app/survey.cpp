@@ -71,6 +71,13 @@ void blame(Row& row, const Error& error) {
     row.construct = error.diagnostics.empty() ? std::string() : error.diagnostics.front().text;
 }
 
+/// The effects of a folder may include each other's files.
+LoadOptions loadIn(const SurveyOptions& options) {
+    LoadOptions load = loadOptions(options.effect);
+    load.roots.folders.emplace_back(options.folder);
+    return load;
+}
+
 /// Whether every pixel of the picture is the same, and black.
 std::string pictureOf(const Image& image) {
     const auto plain = plainPictureNote(image, {});
@@ -104,9 +111,10 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
 /// The targets' verdicts of all these files at once: Microsoft's compiler is started once for many.
 void check(const std::vector<fs::path>& files, const std::vector<Target>& targets, const SurveyOptions& options, std::vector<Row>& rows) {
     if (targets.empty()) return;
-    const LoadOptions load = loadOptions(options.effect);
-    const CheckReport report =
-        checkEffects(files, targets, {.variants = {Variant{.name = {}, .defines = load.defines}}, .includeFolders = load.includeFolders});
+    const LoadOptions load = loadIn(options);
+    CheckOptions wanted{.variants = {Variant{.name = {}, .defines = load.defines}}, .includeFolders = load.includeFolders};
+    wanted.roots = load.roots;
+    const CheckReport report = checkEffects(files, targets, wanted);
     for (const FileReport& file : report.files)
         for (Row& row : rows) {
             if (row.file != file.file.string()) continue;
@@ -204,7 +212,7 @@ std::string answerFor(const SurveyOptions& options, const std::vector<Target>& t
     static auto device = gpu::Device::create({.validation = false, .prefer = options.device});
     std::vector<Row> rows{{.file = std::string(file)}};
     Row& row = rows.front();
-    const auto effect = loadEffect(row.file, loadOptions(options.effect));
+    const auto effect = loadEffect(row.file, loadIn(options));
     if (!effect) {
         row.read = "refused: " + codeOf(effect.error());
         blame(row, effect.error());

@@ -31,6 +31,7 @@ std::vector<std::string> renderArguments(const JobOptions& options) {
         words.insert(words.end(), {"-D", define});
     for (const std::string& folder : options.effect.includeFolders)
         words.insert(words.end(), {"-I", folder});
+    if (options.effect.anywhere) words.emplace_back("--anywhere");
     if (options.effect.mapSize > 0) words.insert(words.end(), {"--map-size", std::to_string(options.effect.mapSize)});
     for (const std::string& bind : options.binds)
         words.insert(words.end(), {"--bind", bind});

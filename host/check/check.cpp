@@ -30,12 +30,18 @@ bool isError(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::Error;
 }
 
+/// The setting that is to be found out is left out.
+LoadOptions loadOptions(const Variant& variant, const CheckOptions& options) {
+    LoadOptions load{.defines = variant.defines, .includeFolders = options.includeFolders, .setting = {}, .lenient = true};
+    load.roots = options.roots;
+    return load;
+}
+
 std::vector<Variant> variantsOf(const std::filesystem::path& file, const CheckOptions& options) {
     if (!options.allSettings) return options.variants;
     std::vector<Variant> all;
     for (const Variant& variant : options.variants)
-        for (Variant setting :
-             settingVariants(file, {.defines = variant.defines, .includeFolders = options.includeFolders, .lenient = true})) {
+        for (Variant setting : settingVariants(file, loadOptions(variant, options))) {
             setting.name = variant.name.empty() ? setting.name : variant.name + " " + setting.name;
             all.push_back(std::move(setting));
         }
@@ -197,8 +203,9 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
     work.report.variant = variant.name;
     for (const Target target : targets)
         work.report.targets.push_back({.target = target});
-    auto effect = loadEffect(
-        file, {.defines = variant.defines, .includeFolders = options.includeFolders, .setting = variant.setting, .lenient = true});
+    LoadOptions wanted = loadOptions(variant, options);
+    wanted.setting = variant.setting;
+    auto effect = loadEffect(file, wanted);
     if (!effect) {
         work.report.diagnostics = effect.error().diagnostics;
         for (TargetCheck& target : work.report.targets)

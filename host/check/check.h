@@ -43,6 +43,7 @@ struct CheckOptions {
     std::vector<std::filesystem::path> includeFolders;
     bool allSettings = false; // each variant once for each setting that a file has
     bool compatible = false;  // Microsoft's compiler with its option /Gec
+    Roots roots = {};         // as in LoadOptions
 };
 
 /// NotApplicable: the file has nothing for this target, which is no fault of anybody. NotChecked: the machine lacks the target's tool.

@@ -64,7 +64,8 @@ void addJob(Work& work, TargetCheck& report, EntryPoint* entry, std::string prof
                           .output = {},
                           .includeFolders = work.includeFolders,
                           .shader = {},
-                          .compatible = work.compatible});
+                          .compatible = work.compatible,
+                          .roots = work.effect().roots});
     batch.tickets.push_back({&work, &report, entry});
 }
 

@@ -33,7 +33,9 @@ constexpr std::size_t kMostProcesses = 8;
 fs::path driver() {
     std::error_code code;
     const fs::path here = fs::read_symlink("/proc/self/exe", code).parent_path();
-    for (const fs::path& candidate : {here / "hlslc.exe", here / "../lib/tegument/hlslc.exe", fs::path(TEGUMENT_HLSLC)})
+    const fs::path built(TEGUMENT_HLSLC); // below the build's folder
+    const auto build = folderAboveProgramWith(built);
+    for (const fs::path& candidate : {here / "hlslc.exe", here / "../lib/tegument/hlslc.exe", build ? *build / built : fs::path()})
         if (!candidate.empty() && fs::is_regular_file(candidate, code)) return candidate;
     return {};
 }
@@ -81,6 +83,17 @@ Diagnostic withoutMessage(const MicrosoftJob& job, std::uint32_t code) {
     const std::string why =
         code == kNotFound || code == kNoPath ? "the file cannot be opened" : fmt::format("failed without a message (result {:#x})", code);
     return failedJob(job, 3101, why).diagnostics.front();
+}
+
+/// The first included file that may not be read; a message could show its text.
+std::optional<Diagnostic> readOutside(const nlohmann::json& json, const MicrosoftJob& job) {
+    if (!job.roots || !json.contains("included") || !json["included"].is_array()) return std::nullopt;
+    for (const auto& name : json["included"]) {
+        if (!name.is_string()) continue;
+        const fs::path path = unixPath(name.get<std::string>());
+        if (!job.roots->hold(path)) return outsideOf(path, {.file = job.source.string(), .byte = {}});
+    }
+    return std::nullopt;
 }
 
 /// Where what was compiled is kept: a folder for each version of the compiler (and of the files' form, the number). Empty where there can
@@ -211,7 +224,14 @@ private:
         MicrosoftResult result{
             .ok = json["ok"].get<bool>(), .diagnostics = {}, .binary = {}, .sm3 = {}, .sm5 = {}, .milliseconds = json["ms"].get<double>()};
         result.kept = json.value("kept", false);
-        Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source, job.includeFolders);
+        if (const auto outside = readOutside(json, job)) {
+            result.ok = false;
+            result.diagnostics = {*outside};
+            results_[index] = std::move(result);
+            return;
+        }
+        Messages messages = readMicrosoftMessages(json["messages"].get<std::string>(), job.source, job.includeFolders,
+                                                  job.roots.value_or(Roots{.folders = {}, .anywhere = true}));
         if (!result.ok && messages.errors.empty()) messages.errors.push_back(withoutMessage(job, json["result"].get<std::uint32_t>()));
         result.diagnostics = shortened(std::move(messages.errors));
         for (Diagnostic& warning : shortened(std::move(messages.warnings)))

@@ -3,6 +3,7 @@
 
 #include "host/spirv/compile.h"
 #include "host/support/result.h"
+#include "host/support/roots.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,6 +27,8 @@ struct MicrosoftJob {
     std::vector<std::filesystem::path> includeFolders; // empty: Microsoft's own include handler, as in most engines
     std::string shader;                                // of a listing
     bool compatible = false;                           // fxc's option /Gec; a byte order mark is left out
+    /// Where files may lie that the source includes: else TG1014, and nothing of what the compiler says. None: anywhere.
+    std::optional<Roots> roots = {};
 };
 
 /// What ps_3_0 or vs_3_0 used, read from the disassembly: the SM3 limits are asserted by us because the compiler does not hold all of them.

@@ -15,17 +15,11 @@ namespace {
 constexpr int kError = 3101;
 constexpr int kWarning = 3102;
 
-fs::path unixPath(std::string_view written) {
-    std::string path(written);
-    std::ranges::replace(path, '\\', '/');
-    const bool drive = path.size() > 2 && std::isalpha(static_cast<unsigned char>(path[0])) != 0 && path[1] == ':';
-    return fs::path(drive ? path.substr(2) : path).lexically_normal();
-}
-
 /// Where the messages come from.
 struct Job {
     const fs::path& source;
     const std::vector<fs::path>& folders;
+    const Roots& roots;
 };
 
 /// The file as the user would name it: like `source`, beside it, or in the first folder that has it.
@@ -89,14 +83,14 @@ std::string hintFor(std::string_view text) {
     return {};
 }
 
-void add(Messages& messages, bool error, SourcePosition at, std::string_view text) {
+void add(Messages& messages, bool error, SourcePosition at, std::string_view text, const Roots& roots) {
     Diagnostic message{.severity = error ? Severity::Error : Severity::Warning,
                        .code = error ? kError : kWarning,
                        .at = std::move(at),
                        .text = std::string(text),
                        .hint = hintFor(text),
                        .sourceLine = {}};
-    message.sourceLine = sourceLineAt(message.at);
+    if (roots.hold(message.at.file)) message.sourceLine = sourceLineAt(message.at);
     (error ? messages.errors : messages.warnings).push_back(std::move(message));
 }
 
@@ -117,21 +111,22 @@ void readLine(std::string_view line, const Job& job, Messages& into) {
         const std::string marker = ": " + std::string(kind.marker);
         const std::size_t separator = line.find(marker);
         if (line.starts_with(kind.marker))
-            return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line.substr(kind.marker.size()));
+            return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line.substr(kind.marker.size()), job.roots);
         if (separator == std::string_view::npos) continue;
-        return add(into, kind.error, readPlace(line.substr(0, separator), job), line.substr(separator + marker.size()));
+        return add(into, kind.error, readPlace(line.substr(0, separator), job), line.substr(separator + marker.size()), job.roots);
     }
     static constexpr Kind kLinkage[] = {{"Stage linkage error: ", true}, {"Stage linkage warning: ", false}};
     for (const Kind& kind : kLinkage)
-        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line);
+        if (line.starts_with(kind.marker)) return add(into, kind.error, {.file = job.source.string(), .byte = {}}, line, job.roots);
     constexpr std::string_view kEffect = "D3DEffectCompiler: ERROR: ";
-    if (line.starts_with(kEffect)) return add(into, true, {.file = job.source.string(), .byte = {}}, line.substr(kEffect.size()));
+    if (line.starts_with(kEffect))
+        return add(into, true, {.file = job.source.string(), .byte = {}}, line.substr(kEffect.size()), job.roots);
     if (line.find("error") == std::string_view::npos) return;
     const std::size_t end = line.find("): "); // "file(3,42-67): There was an error compiling expression"
-    if (end == std::string_view::npos) return add(into, true, {.file = job.source.string(), .byte = {}}, line);
+    if (end == std::string_view::npos) return add(into, true, {.file = job.source.string(), .byte = {}}, line, job.roots);
     const SourcePosition at = readPlace(line.substr(0, end + 1), job);
     if (line.find("There was an error compiling expression") == std::string_view::npos || into.errors.empty())
-        return add(into, true, at, line.substr(end + 3));
+        return add(into, true, at, line.substr(end + 3), job.roots);
     // It only says which `compile` the errors before it came from: the place of those that have none.
     for (Diagnostic& error : into.errors)
         if (error.at.line == 0) error.at = at, error.sourceLine = sourceLineAt(at);
@@ -139,16 +134,23 @@ void readLine(std::string_view line, const Job& job, Messages& into) {
 
 } // namespace
 
+fs::path unixPath(std::string_view written) {
+    std::string path(written);
+    std::ranges::replace(path, '\\', '/');
+    const bool drive = path.size() > 2 && std::isalpha(static_cast<unsigned char>(path[0])) != 0 && path[1] == ':';
+    return fs::path(drive ? path.substr(2) : path).lexically_normal();
+}
+
 std::string windowsPath(const fs::path& absolute) {
     std::string path = "Z:" + absolute.lexically_normal().string();
     std::ranges::replace(path, '/', '\\');
     return path;
 }
 
-Messages readMicrosoftMessages(std::string_view log, const fs::path& source, const std::vector<fs::path>& folders) {
+Messages readMicrosoftMessages(std::string_view log, const fs::path& source, const std::vector<fs::path>& folders, const Roots& roots) {
     Messages messages;
     forEachLine(log, [&](std::string_view line) {
-        if (!isNoise(line)) readLine(line, Job{source, folders}, messages);
+        if (!isNoise(line)) readLine(line, Job{source, folders, roots}, messages);
     });
     return messages;
 }

@@ -22,6 +22,15 @@ std::optional<double> valueNamed(std::string_view name, Vocabulary vocabulary) {
     return std::nullopt;
 }
 
+/// `<gMap>`, `(gMap)`, `gMap`, each also with an index.
+bool isTextureName(std::span<const Token> value) {
+    const bool bracket =
+        value.size() > 2 && ((value.front().is('<') && value.back().is('>')) || (value.front().is('(') && value.back().is(')')));
+    if (bracket) value = value.subspan(1, value.size() - 2);
+    const bool indexed = value.size() == 4 && value[1].is('[') && value[3].is(']');
+    return (value.size() == 1 || indexed) && (value[0].kind == TokenKind::Word || value[0].is("0"));
+}
+
 bool allowed(double number, Vocabulary vocabulary) {
     if (vocabulary.data() == kWriteMask.data()) return number >= 0 && number <= 15 && number == std::floor(number);
     if (vocabulary.data() == kBool.data()) return true;
@@ -82,12 +91,21 @@ bool Parser::assignment(std::vector<Assignment>& result) {
     return expect(';', "after the state");
 }
 
+/// Microsoft's compiler takes no `;` alone.
+bool Parser::emptyState() {
+    const Token at = take();
+    return refuse(1101, at, "expected a state, found ';'");
+}
+
 /// A block `{ Name = value; ... }`. Goes on after errors, so that all of them are found.
 bool Parser::assignments(std::vector<Assignment>& result) {
     const Token opened = take();
     while (!accept('}')) {
         if (atEnd()) return fail(1102, opened, "this '{' is never closed");
-        if (accept(';')) continue;
+        if (peek().is(';')) {
+            if (!emptyState()) return false;
+            continue;
+        }
         const std::size_t before = at_;
         if (!assignment(result)) recover();
         if (at_ == before) return unexpected("a state");
@@ -109,6 +127,11 @@ std::optional<std::vector<double>> Parser::stateValue(const Assignment& assignme
         return std::nullopt;
     };
     const Token start = peek();
+    const bool truth = equalsIgnoreCase(start.text, "true") || equalsIgnoreCase(start.text, "false");
+    const bool alone = assignment.value.last == assignment.value.first + 1;
+    if (truth && alone && !valueNamed(start.text, vocabulary) &&
+        !refuse(2002, start, fmt::format("'{}' is not a value of {}", start.text, assignment.name.text), valueHint("", vocabulary)))
+        return std::nullopt;
     std::optional<std::vector<double>> result;
     if (start.is('{')) {
         std::vector<double> numbers;
@@ -204,6 +227,8 @@ bool Parser::fixedFunction(const Assignment& assignment) {
 
 /// `Texture = <gMap>`, `Texture = (gMap)`, `Texture = gMap`.
 bool Parser::samplerTexture(Sampler& sampler, const Assignment& assignment) {
+    const std::span value(tokens_.data() + assignment.value.first, assignment.value.last - assignment.value.first);
+    if (!isTextureName(value) && !refuse(1101, value.front(), "Texture takes the name of a texture: Texture = <gMap>;")) return false;
     for (std::size_t i = assignment.value.first; i < assignment.value.last; ++i)
         if (tokens_[i].kind == TokenKind::Word && sampler.texture.empty()) sampler.texture = tokens_[i].text;
     if (lenient_ && (equalsIgnoreCase(sampler.texture, "NULL") || tokens_[assignment.value.first].is("0"))) {

@@ -101,6 +101,7 @@ public:
         uniqueNames(effect_.parameters, "parameter");
         uniqueNames(effect_.samplers, "sampler");
         uniqueNames(effect_.techniques, "technique");
+        namesApart();
         for (const Parameter& parameter : effect_.parameters)
             annotations(parameter.annotations);
         samplers();
@@ -135,6 +136,25 @@ private:
             std::string hint = fmt::format("the first is in line {}", first->second->at.line);
             soft ? refuse(2015, item.at, std::move(text), std::move(hint)) : fail(2015, item.at, std::move(text), std::move(hint));
         }
+    }
+
+    /// Parameters, samplers and techniques have their names in common; what is declared first keeps it.
+    void namesApart() {
+        std::map<std::string_view, std::string_view> kinds;
+        for (const Parameter& parameter : effect_.parameters)
+            kinds.emplace(parameter.name, "parameter");
+        for (const std::string& function : parsed_.functions)
+            if (!kinds.emplace(function, "function").second)
+                refuse(2015, effect_.findParameter(function)->at, fmt::format("parameter '{}' has the name of a function", function));
+        const auto add = [&](const auto& list, std::string_view what) {
+            for (const auto& item : list) {
+                const auto [other, isNew] = kinds.emplace(item.name, what);
+                if (!isNew && other->second != what && !item.name.empty())
+                    refuse(2015, item.at, fmt::format("{} '{}' has the name of a {}", what, item.name, other->second));
+            }
+        };
+        add(effect_.samplers, "sampler");
+        add(effect_.techniques, "technique");
     }
 
     void annotations(const Annotations& annotations) {

@@ -3,7 +3,6 @@
 #include "host/effect/check.h"
 #include "host/effect/code_view.h"
 #include "host/effect/parser.h"
-#include "host/support/file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -77,6 +76,7 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
     effect.file = file;
     effect.defines = options.defines;
     effect.includeFolders = options.includeFolders;
+    effect.roots.anywhere = true;
     effect.includes = metadata->includes;
     effect.ownDialect = metadata->ownDialect;
     effect.settings = std::move(metadata->settings);
@@ -97,7 +97,10 @@ Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& 
 }
 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options) {
-    return loadEffect(file, options, readFile);
+    Roots roots = rootsOf(file, options.includeFolders, options.roots);
+    auto effect = loadEffect(file, options, confinedReader(file, roots));
+    if (effect) effect->roots = std::move(roots);
+    return effect;
 }
 
 } // namespace tegument

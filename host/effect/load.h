@@ -6,6 +6,7 @@
 
 namespace tegument {
 
+/// The roots of the effect are everywhere.
 [[nodiscard]] Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read);
 
 } // namespace tegument

@@ -4,6 +4,7 @@
 
 #include "host/effect/script.h"
 #include "host/support/result.h"
+#include "host/support/roots.h"
 #include "host/support/state.h"
 
 #include <filesystem>
@@ -177,6 +178,7 @@ struct Effect {
     std::vector<std::filesystem::path> includes;              // every file read besides `file`
     std::vector<std::pair<std::string, std::string>> defines; // as given at load
     std::vector<std::filesystem::path> includeFolders;        // likewise
+    Roots roots;                                              // where files that it names may lie
     std::vector<Diagnostic> warnings;
     bool adopted = false;    // host/adopt has put it into this host's spelling: its colours are those of a display, not radiance
     std::string shown;       // the technique that is drawn where nobody names one; empty: as scripts say, else the first
@@ -197,6 +199,8 @@ struct LoadOptions {
     /// What Microsoft's compiler reads and this host cannot draw, or has no use for, is a warning and no error. Effects that ask for
     /// FX_ENTRY, FX_D3D10 or FX_D3D11 are written for this host and are read strictly all the same.
     bool lenient = false;
+    /// Where the files that it names may lie, besides its own folder, its project and includeFolders (rootsOf).
+    Roots roots = {};
 };
 
 /// The D3DFORMAT that a `Format` annotation names: upper case, without D3DFMT_ or FMT_, known misspellings corrected. Nullopt when unknown.
@@ -208,7 +212,7 @@ struct LoadOptions {
 [[nodiscard]] std::optional<Diagnostic> direct3D9Intrinsic(const Effect& effect);
 
 /// Reads, preprocesses (metadata view with FX_D3D11, code view with FX_ENTRY=1) and parses an effect file. TG4051: it has no setting of
-/// that name.
+/// that name. TG1014: it includes a file that lies outside of where it may.
 [[nodiscard]] Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options = {});
 
 } // namespace tegument

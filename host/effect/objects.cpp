@@ -13,7 +13,11 @@ bool Parser::samplerBlock(Sampler& sampler, bool direct3D9, const Declarator& d)
     const std::size_t first = at_;
     bool block = peek().is('{');
     if (accept('=')) {
-        if (!acceptWord("sampler_state") && !(lenient_ && peek().is('{'))) return unexpected("'sampler_state'");
+        if (peek().is('{')) {
+            if (!refuse(1101, peek(), "expected 'sampler_state', found '{'")) return false;
+        } else if (!acceptWord("sampler_state")) {
+            return unexpected("'sampler_state'");
+        }
         block = true;
         if (!peek().is('{')) return unexpected("'{' after sampler_state");
     }

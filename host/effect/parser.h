@@ -172,6 +172,7 @@ private:
     bool assignment(std::vector<Assignment>& result);
     bool samplerStates(Sampler& sampler, bool block, bool direct3D9);
     bool samplerTexture(Sampler& sampler, const Assignment& assignment);
+    bool emptyState();
     std::optional<std::vector<double>> stateValue(const Assignment& assignment, Vocabulary vocabulary);
     template <class Target>
     bool apply(const Assignment& assignment, std::span<const StateEntry<Target>> table, Target& target, std::string_view what);

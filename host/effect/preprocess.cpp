@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 constexpr int kDeepestInclude = 64;
 constexpr std::size_t kMostBytes = 8u << 20; // of all files read for one effect, each inclusion counted; the largest effect has 100 KB
 constexpr int kMostFiles = 4096;
+constexpr int kOutside = 1014;
 
 using Line = std::span<const Token>;
 
@@ -317,7 +318,9 @@ private:
             return fail(1011, line[1], fmt::format("more than {} inclusions or {} MiB of text", kMostFiles, kMostBytes >> 20));
         const Token& at = line.size() > 2 ? line[2] : line[1];
         std::vector<std::string> tried;
+        outside_.reset();
         const std::optional<fs::path> path = find(*name, sources_[line[0].file].name, at, tried);
+        if (!path && outside_) return fail(kOutside, at, outside_->text, outside_->hint);
         if (!path)
             return fail(1001, at, fmt::format("cannot find include file '{}'", *name),
                         fmt::format("looked for {}", fmt::join(tried, ", ")));
@@ -342,7 +345,11 @@ private:
     bool readable(const fs::path& path) {
         if (texts_.contains(path)) return true;
         const Result<std::string> text = options_.read(path);
-        if (!text) return false;
+        if (!text) {
+            const Diagnostic& why = text.error().diagnostics.front();
+            if (why.code == kOutside && !outside_) outside_ = why;
+            return false;
+        }
         texts_[path] = std::make_shared<const std::string>(*text);
         result_.includes.push_back(path);
         return true;
@@ -373,6 +380,7 @@ private:
     Macros macros_;
     Preprocessed result_;
     std::optional<Diagnostic> failure_;
+    std::optional<Diagnostic> outside_; // the first candidate of an include that is there and may not be read
     std::map<fs::path, std::shared_ptr<const std::string>> texts_;
     std::set<std::string> once_;
     std::vector<fs::path> including_; // the folders of the files that include the present one, the effect first
@@ -380,6 +388,14 @@ private:
 };
 
 } // namespace
+
+FileReader confinedReader(const fs::path& effect, Roots roots) {
+    return [effect, roots = std::move(roots)](const fs::path& path) -> Result<std::string> {
+        std::error_code code;
+        if (path == effect || !fs::exists(path, code) || roots.hold(path)) return readFile(path);
+        return Error{Blame::Input, {outsideOf(path, {.file = path.string(), .byte = {}})}};
+    };
+}
 
 Result<Preprocessed> preprocess(const fs::path& file, const PreprocessOptions& options, Sources& sources) {
     return Preprocessor(options, sources).run(file);

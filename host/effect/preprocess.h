@@ -18,6 +18,9 @@ namespace tegument {
 /// Reads a file, or says why not. Tests and the fuzzer give texts that are in no file.
 using FileReader = std::function<Result<std::string>(const std::filesystem::path&)>;
 
+/// Reads the effect, and what lies within the roots; TG1014 for what is there and lies outside.
+[[nodiscard]] FileReader confinedReader(const std::filesystem::path& effect, Roots roots);
+
 struct PreprocessOptions {
     std::vector<std::pair<std::string, std::string>> defines;
     std::vector<std::filesystem::path> includeFolders;
@@ -43,7 +46,7 @@ struct Preprocessed {
     bool ownDialect = false;                     // FX_ENTRY, FX_D3D10 or FX_D3D11 was asked for
 };
 
-/// TG1001..TG1012. The tokens point into `sources`.
+/// TG1001..TG1014. The tokens point into `sources`.
 [[nodiscard]] Result<Preprocessed> preprocess(const std::filesystem::path& file, const PreprocessOptions& options, Sources& sources);
 
 } // namespace tegument

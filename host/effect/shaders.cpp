@@ -18,6 +18,13 @@ std::optional<ShaderReference>* shaderSlot(Pass& pass, std::string_view stage) {
     return equalsIgnoreCase(stage, "ComputeShader") ? &pass.computeShader : nullptr;
 }
 
+/// vs_3_0, ps_2_a, gs_4_0, hs_5_0, ds_5_0, cs_5_0; tx_1_0 fills textures.
+bool isProfile(std::string_view word) {
+    const bool stage = word.starts_with("tx_") ||
+                       (word.size() > 3 && word.substr(1, 2) == "s_" && std::string_view("vpghdc").find(word[0]) != std::string_view::npos);
+    return stage && word.size() > 3 && word[3] >= '1' && word[3] <= '9';
+}
+
 } // namespace
 
 /// VertexShader X = CompileShader(vs_5_0, F()); VertexShader Y[2] = { compile vs_2_0 F(0), compile vs_2_0 F(1) };
@@ -51,6 +58,10 @@ bool Parser::shaderStatement(Pass& pass, const Token& stage) {
     ShaderObject shader;
     if (!shaderValue(shader)) return false;
     std::optional<ShaderReference>* slot = shaderSlot(pass, stage.text);
+    if (slot != nullptr && shader.reference && !shader.streamOutput && isProfile(shader.reference->profile) &&
+        shader.reference->profile[0] != toLower(stage.text)[0] &&
+        !refuse(1101, stage, fmt::format("{} is compiled as {}", stage.text, shader.reference->profile)))
+        return false;
     if (slot == nullptr && shader.reference) return fail(2021, stage, fmt::format("{} is not supported", stage.text));
     const bool tessellates = equalsIgnoreCase(stage.text, "HullShader") || equalsIgnoreCase(stage.text, "DomainShader");
     if (tessellates && shader.reference && !refuse(2021, stage, fmt::format("{} is not supported", stage.text))) return false;
@@ -66,6 +77,8 @@ bool Parser::shaderCall(ShaderObject& shader, bool call) {
     Token profile;
     Token entry;
     if (!expectName(profile, "a profile such as ps_3_0")) return false;
+    if (!isProfile(profile.text) && !refuse(1101, profile, fmt::format("expected a profile such as ps_3_0, found '{}'", profile.text)))
+        return false;
     if (call && !expect(',', "after the profile")) return false;
     if (!expectName(entry, "the shader's function")) return false;
     shader.reference = ShaderReference{.entry = std::string(entry.text), .profile = std::string(profile.text), .at = position(entry)};

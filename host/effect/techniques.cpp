@@ -118,7 +118,10 @@ bool Parser::pass(Technique& technique) {
     while (!accept('}')) {
         if (atEnd()) return fail(1102, opened, "this '{' is never closed");
         if (full()) return false;
-        if (accept(';')) continue;
+        if (peek().is(';')) {
+            if (!emptyState()) return false;
+            continue;
+        }
         const std::size_t before = mark();
         if (!passStatement(technique, pass, states)) recover();
         if (mark() == before) return unexpected("a state");

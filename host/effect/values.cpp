@@ -99,7 +99,8 @@ bool Parser::annotation(Annotations& result) {
     do {
         if (!annotationValue(*type, result)) return false;
     } while (accept(','));
-    return peek().is('>') || expect(';', "after the annotation");
+    if (peek().is('>')) return refuse(1101, peek(), "expected ';' after the annotation, found '>'");
+    return expect(';', "after the annotation");
 }
 
 bool Parser::annotationValue(const Type& type, Annotations& result) {
@@ -139,6 +140,7 @@ bool Parser::annotations(Annotations& result) {
 bool Parser::annotationList(Annotations& result) {
     while (!accept('>')) {
         const std::size_t errors = result_.errors.size();
+        if (peek().is(';') && !refuse(1101, peek(), "expected an annotation, found ';'")) return false;
         if (accept(';') || annotation(result)) continue;
         soften(errors);
         while (!atEnd() && !peek().is(';') && !peek().is('>') && !peek().is('{') && !peek().is('}'))

@@ -212,7 +212,9 @@ Result<Prepared> Products::prepareNode(const Request& request, Producer& produce
 Result<Products::Producer*> Products::load(const fs::path& file, const std::string& canonical, const Effect& consumer) {
     std::unique_ptr<Producer>& producer = producers_[canonical];
     if (producer) return producer.get();
-    auto effect = loadEffect(file, {.defines = consumer.defines, .includeFolders = consumer.includeFolders});
+    LoadOptions load{.defines = consumer.defines, .includeFolders = consumer.includeFolders};
+    load.roots = consumer.roots;
+    auto effect = loadEffect(file, load);
     if (!effect) return effect.error();
     producer = std::make_unique<Producer>(Producer{.effect = std::move(*effect), .kit = {}});
     return producer.get();

@@ -48,6 +48,12 @@ std::optional<fs::path> resource(const Parameter& parameter, const Effect& effec
     return fs::is_regular_file(path, code) ? std::optional(path) : std::nullopt;
 }
 
+/// What the effect itself names, as opposed to who draws it.
+Result<TextureSource> within(const Parameter& parameter, const Effect& effect, const fs::path& file, TextureSource source) {
+    if (effect.roots.hold(file)) return source;
+    return namedBy("the effect", parameter, {Blame::Input, {outsideOf(file.lexically_normal(), parameter.at)}});
+}
+
 Result<TextureSource> producer(const Parameter& parameter, const Effect& effect) {
     const Annotation* annotation = parameter.annotations.find("Producer");
     const std::string text = parameter.annotations.string("Producer").value_or("");
@@ -55,7 +61,8 @@ Result<TextureSource> producer(const Parameter& parameter, const Effect& effect)
     if (slash == std::string::npos || slash == 0 || slash + 1 == text.size())
         return inputError(4033, annotation->at, fmt::format("Producer \"{}\" of {} names no target", text, parameter.name),
                           "write \"Stretch.fx/gStretchMap\"");
-    return TextureSource(ProducerSource{effect.file.parent_path() / text.substr(0, slash), text.substr(slash + 1)});
+    const fs::path file = effect.file.parent_path() / text.substr(0, slash);
+    return within(parameter, effect, file, ProducerSource{file, text.substr(slash + 1)});
 }
 
 TextureSource fallback(const Parameter& parameter) {
@@ -102,7 +109,7 @@ Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effe
     if (const std::string* file = byNameOrSemantic(workspace.textures, parameter))
         return TextureSource(FileSource{workspace.file.parent_path() / *file, fmt::format("the workspace {}", workspace.file.string())});
     if (const EmbeddedTexture* texture = embedded(parameter, mesh)) return TextureSource(texture);
-    if (auto path = resource(parameter, effect)) return TextureSource(FileSource{std::move(*path), kResourceName});
+    if (const auto path = resource(parameter, effect)) return within(parameter, effect, *path, FileSource{*path, kResourceName});
     if (parameter.annotations.find("Producer")) return producer(parameter, effect);
     if (const auto generator = parameter.annotations.string("Generator"); generator && mesh && options.meshTextures.make)
         return TextureSource(GeneratorSource{*generator});

@@ -38,7 +38,8 @@ struct ProcedureSource {
 };
 using TextureSource = std::variant<FileSource, const EmbeddedTexture*, ProducerSource, GeneratorSource, ConstantSource, ProcedureSource>;
 
-/// TG4030 nothing gives it a texture; TG4033 the Producer annotation is not "File.fx/target".
+/// TG1014 the effect names a file outside of its roots; TG4030 nothing gives it a texture; TG4033 the Producer annotation is not
+/// "File.fx/target".
 [[nodiscard]] Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effect, const RunOptions& options,
                                                 const Workspace& workspace, const Mesh* mesh);
 

@@ -9,7 +9,8 @@ namespace tegument {
 
 namespace fs = std::filesystem;
 
-IncludeReader::IncludeReader(const std::string& file, const std::vector<fs::path>& folders) : folders_{fs::path(file).parent_path()} {
+IncludeReader::IncludeReader(const std::string& file, const std::vector<fs::path>& folders)
+    : folders_{fs::path(file).parent_path()}, roots_(rootsOf(file, folders)) {
     folders_.insert(folders_.end(), folders.begin(), folders.end());
 }
 
@@ -26,7 +27,7 @@ std::optional<IncludeReader::Found> IncludeReader::openFrom(const fs::path& incl
 
 std::optional<IncludeReader::Found> IncludeReader::read(const fs::path& path, const std::string& asked) {
     std::error_code code;
-    if (!fs::is_regular_file(path, code)) return {};
+    if (!fs::is_regular_file(path, code) || !roots_.hold(path)) return {};
     const std::string normal = path.lexically_normal().string();
     auto text = readFile(normal);
     if (!text) return {};

@@ -1,6 +1,8 @@
 #pragma once
 // #include for both compilers, with a list of what was read: a cached shader holds only while these files are unchanged.
 
+#include "host/support/roots.h"
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -17,7 +19,7 @@ struct IncludedFile {
 
 class IncludeReader {
 public:
-    /// Looks beside `file` first, then in the folders in order.
+    /// Looks beside `file` first, then in the folders in order. What lies outside of rootsOf() is not there.
     IncludeReader(const std::string& file, const std::vector<std::filesystem::path>& folders);
 
     struct Found {
@@ -37,6 +39,7 @@ private:
     [[nodiscard]] std::optional<Found> read(const std::filesystem::path& path, const std::string& asked);
 
     std::vector<std::filesystem::path> folders_;
+    Roots roots_;
     std::vector<IncludedFile> files_;
     std::map<std::string, std::string> asked_;
 };

@@ -272,6 +272,15 @@ int exitCode(int status) {
 
 } // namespace
 
+std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
+    std::error_code code;
+    if (named.empty()) return std::nullopt;
+    for (fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path(); folder.has_relative_path();
+         folder = folder.parent_path())
+        if (fs::exists(folder / named, code)) return folder;
+    return std::nullopt;
+}
+
 std::optional<fs::path> findProgram(const std::string& name) {
     const auto executable = [](const fs::path& path) {
         std::error_code code;

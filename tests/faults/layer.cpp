@@ -4,7 +4,11 @@
 //   lost    vkQueueSubmit, vkQueueSubmit2, vkWaitForFences, vkWaitSemaphores: VK_ERROR_DEVICE_LOST
 //   old     every device offers Vulkan 1.1 only
 //   bare    every device is without optional features
+//   count   nothing fails
+// It counts what lives on the device: tegumentLiveObjects().
 //   crash   vkCreateGraphicsPipelines: the process is ended by a signal, as by a driver's own fault
+
+#include "tests/faults/live_objects.h"
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -59,9 +63,21 @@ PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
 VkInstance theInstance = VK_NULL_HANDLE;
 VkDevice theDevice = VK_NULL_HANDLE;
 
+} // namespace
+
 template <class Function>
-Function below(const char* name) {
+Function tegument::test::below(const char* name) {
     return reinterpret_cast<Function>(nextDevice(theDevice, name));
+}
+
+namespace {
+
+using tegument::test::below;
+using tegument::test::liveObjects;
+
+VkResult counted(VkResult result, int objects = 1) {
+    if (result == VK_SUCCESS) liveObjects += objects;
+    return result;
 }
 
 /// The loader's link for this layer, in the chain behind a create info.
@@ -110,19 +126,19 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
 VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkDeviceMemory* memory) {
     if (fault().strikes("memory")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return below<PFN_vkAllocateMemory>("vkAllocateMemory")(device, info, allocator, memory);
+    return counted(below<PFN_vkAllocateMemory>("vkAllocateMemory")(device, info, allocator, memory));
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createImage(VkDevice device, const VkImageCreateInfo* info, const VkAllocationCallbacks* allocator,
                                            VkImage* image) {
     if (fault().strikes("host")) return VK_ERROR_OUT_OF_HOST_MEMORY;
-    return below<PFN_vkCreateImage>("vkCreateImage")(device, info, allocator, image);
+    return counted(below<PFN_vkCreateImage>("vkCreateImage")(device, info, allocator, image));
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createBuffer(VkDevice device, const VkBufferCreateInfo* info, const VkAllocationCallbacks* allocator,
                                             VkBuffer* buffer) {
     if (fault().strikes("host")) return VK_ERROR_OUT_OF_HOST_MEMORY;
-    return below<PFN_vkCreateBuffer>("vkCreateBuffer")(device, info, allocator, buffer);
+    return counted(below<PFN_vkCreateBuffer>("vkCreateBuffer")(device, info, allocator, buffer));
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
@@ -153,7 +169,15 @@ VKAPI_ATTR VkResult VKAPI_CALL createPipelines(VkDevice device, VkPipelineCache 
         std::signal(SIGSEGV, SIG_DFL);
         ::kill(::getpid(), SIGSEGV);
     }
-    return below<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(device, cache, count, infos, allocator, pipelines);
+    const auto create = below<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines");
+    return counted(create(device, cache, count, infos, allocator, pipelines), static_cast<int>(count));
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                                      const VkComputePipelineCreateInfo* infos, const VkAllocationCallbacks* allocator,
+                                                      VkPipeline* pipelines) {
+    const auto create = below<PFN_vkCreateComputePipelines>("vkCreateComputePipelines");
+    return counted(create(device, cache, count, infos, allocator, pipelines), static_cast<int>(count));
 }
 
 /// Not counted: every call answers so.
@@ -193,9 +217,12 @@ PFN_vkVoidFunction ours(std::string_view name) {
         {"vkWaitForFences", reinterpret_cast<PFN_vkVoidFunction>(waitForFences)},
         {"vkWaitSemaphores", reinterpret_cast<PFN_vkVoidFunction>(waitSemaphores)},
         {"vkCreateGraphicsPipelines", reinterpret_cast<PFN_vkVoidFunction>(createPipelines)},
+        {"vkCreateComputePipelines", reinterpret_cast<PFN_vkVoidFunction>(createComputePipelines)},
     };
-    const auto found = kOurs.find(name);
-    return found == kOurs.end() ? nullptr : found->second;
+    static const tegument::test::Functions kCounted = tegument::test::countedFunctions();
+    if (const auto found = kOurs.find(name); found != kOurs.end()) return found->second;
+    const auto found = kCounted.find(name);
+    return found == kCounted.end() ? nullptr : found->second;
 }
 
 } // namespace
@@ -213,6 +240,11 @@ EXPORTED PFN_vkVoidFunction VKAPI_CALL faultInstanceProcAddr(VkInstance instance
     const std::scoped_lock lock(mutex);
     if (const auto own = ours(name)) return own;
     return nextInstance != nullptr ? nextInstance(instance, name) : nullptr;
+}
+
+/// How many objects of the device live.
+EXPORTED std::int64_t VKAPI_CALL tegumentLiveObjects() {
+    return liveObjects;
 }
 
 EXPORTED VkResult VKAPI_CALL vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* versions) {

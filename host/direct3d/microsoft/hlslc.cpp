@@ -20,6 +20,7 @@
 #include <io.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -94,7 +95,12 @@ std::string folderOf(const std::string& path) {
     return slash == std::string::npos ? "" : path.substr(0, slash + 1);
 }
 
-/// Microsoft's own include handler knows no folders. This one looks beside the including file, beside the main file, then in the folders.
+bool isAbsolute(const std::string& path) {
+    return path.rfind('/', 0) == 0 || path.rfind('\\', 0) == 0 || path.find(':') == 1;
+}
+
+/// Microsoft's own include handler knows no folders, and does not say what it opened. This one looks where that does, beside the including
+/// file and beside each on the way up to the main file, then in the folders.
 class Includes final : public ID3DInclude {
 public:
     explicit Includes(const Job& job) : main_(folderOf(job.source)) {
@@ -103,14 +109,19 @@ public:
     }
 
     HRESULT WINAPI Open(D3D_INCLUDE_TYPE, LPCSTR name, LPCVOID parent, LPCVOID* data, UINT* size) override {
-        std::vector<std::string> folders{parent != nullptr && opened_.count(parent) != 0 ? opened_[parent].folder : main_, main_};
+        std::vector<std::string> folders;
+        for (LPCVOID above = parent; above != nullptr && opened_.count(above) != 0; above = opened_[above].parent)
+            folders.push_back(opened_[above].folder);
+        folders.push_back(main_);
         folders.insert(folders.end(), folders_.begin(), folders_.end());
+        if (isAbsolute(name)) folders = {""};
         for (const std::string& folder : folders) {
             auto text = std::string();
             if (!readFile(folder + name, text)) continue;
             char* copy = new char[text.size() + 1];
             text.copy(copy, text.size());
-            opened_[copy] = {folderOf(folder + name)};
+            opened_[copy] = {folderOf(folder + name), parent};
+            files_.insert(folder + name);
             *data = copy;
             *size = static_cast<UINT>(text.size());
             return S_OK;
@@ -124,13 +135,17 @@ public:
         return S_OK;
     }
 
+    const std::set<std::string>& files() const { return files_; }
+
 private:
     struct Opened {
         std::string folder;
+        LPCVOID parent;
     };
     std::string main_;
     std::vector<std::string> folders_;
     std::map<LPCVOID, Opened> opened_;
+    std::set<std::string> files_;
 };
 
 double seconds() {
@@ -146,6 +161,7 @@ struct Outcome {
     bool ok = false;
     bool found = false; // in the store
     hlslc::Compiled compiled{{}, {}, "null", {}};
+    std::set<std::string> included;
 };
 
 bool list(const Api& api, LPCVOID shader, SIZE_T size, std::string& listing) {
@@ -191,16 +207,14 @@ bool readSource(const Job& job, std::string& text) {
     return true;
 }
 
-HRESULT compiled(const Api& api, const Job& job, ID3DBlob** binary, ID3DBlob** messages) {
-    Includes own(job);
-    ID3DInclude* includes = job.folders.empty() ? D3D_COMPILE_STANDARD_FILE_INCLUDE : &own;
+HRESULT compiled(const Api& api, const Job& job, Includes& includes, ID3DBlob** binary, ID3DBlob** messages) {
     const char* entry = job.entry.empty() ? nullptr : job.entry.c_str();
     const std::vector<D3D_SHADER_MACRO> macros = macrosOf(job);
     if (!job.compatible)
-        return api.compileFromFile(wide(job.source).c_str(), macros.data(), includes, entry, job.profile.c_str(), 0, 0, binary, messages);
+        return api.compileFromFile(wide(job.source).c_str(), macros.data(), &includes, entry, job.profile.c_str(), 0, 0, binary, messages);
     std::string text;
     if (!readSource(job, text)) return E_FAIL;
-    return api.compile(text.data(), text.size(), job.source.c_str(), macros.data(), includes, entry, job.profile.c_str(),
+    return api.compile(text.data(), text.size(), job.source.c_str(), macros.data(), &includes, entry, job.profile.c_str(),
                        D3DCOMPILE_ENABLE_BACKWARDS_COMPATIBILITY, 0, binary, messages);
 }
 
@@ -208,7 +222,9 @@ Outcome compile(const Api& api, const Job& job) {
     ID3DBlob* binary = nullptr;
     ID3DBlob* messages = nullptr;
     Outcome outcome;
-    outcome.result = compiled(api, job, &binary, &messages);
+    Includes includes(job);
+    outcome.result = compiled(api, job, includes, &binary, &messages);
+    outcome.included = includes.files();
     outcome.compiled.messages = textOf(messages);
     outcome.ok = SUCCEEDED(outcome.result) && binary != nullptr;
     if (outcome.ok) outcome.compiled.binary = bytesOf(*binary);
@@ -224,6 +240,7 @@ Outcome compile(const Api& api, const Job& job) {
 struct Text {
     std::string placed;
     std::string bare;
+    std::set<std::string> included;
 };
 
 std::string withoutPlaces(const std::string& text) {
@@ -234,15 +251,15 @@ std::string withoutPlaces(const std::string& text) {
 }
 
 Text preprocess(const Api& api, const Job& job) {
-    Includes own(job);
-    ID3DInclude* includes = job.folders.empty() ? D3D_COMPILE_STANDARD_FILE_INCLUDE : &own;
+    Includes includes(job);
     std::string source;
     ID3DBlob* code = nullptr;
     ID3DBlob* messages = nullptr;
     Text text;
     if (readSource(job, source) &&
-        SUCCEEDED(api.preprocess(source.data(), source.size(), job.source.c_str(), macrosOf(job).data(), includes, &code, &messages)))
+        SUCCEEDED(api.preprocess(source.data(), source.size(), job.source.c_str(), macrosOf(job).data(), &includes, &code, &messages)))
         text.placed = textOf(code), text.bare = withoutPlaces(text.placed);
+    text.included = includes.files();
     if (code != nullptr) code->Release();
     if (messages != nullptr) messages->Release();
     return text;
@@ -281,7 +298,7 @@ Outcome compileOnce(const Api& api, const hlslc::Store& store, const Job& job) {
     const std::string anywhere = keyFor(job, text.bare);
     const std::string here = keyFor(job, text.placed);
     for (const std::string& key : {anywhere, here})
-        if (auto found = store.find(key)) return {S_OK, true, true, std::move(*found)};
+        if (auto found = store.find(key)) return {S_OK, true, true, std::move(*found), text.included};
     Outcome outcome = compile(api, job);
     outcome.compiled.messages = withoutDeprecation(outcome.compiled.messages);
     if (outcome.ok) store.keep(outcome.compiled.messages.empty() ? anywhere : here, outcome.compiled);
@@ -301,7 +318,11 @@ std::string run(const Api& api, const hlslc::Store& store, const Job& job) {
     char numbers[96];
     std::snprintf(numbers, sizeof numbers, "{\"ok\":%s,\"kept\":%s,\"result\":%lu,\"ms\":%.3f,", outcome.ok ? "true" : "false",
                   outcome.found ? "true" : "false", static_cast<unsigned long>(outcome.result), (seconds() - start) * 1000);
-    return numbers + ("\"messages\":" + jsonString(outcome.compiled.messages)) + ",\"reflection\":" + outcome.compiled.reflection + "}";
+    std::string included;
+    for (const std::string& file : outcome.included)
+        included += (included.empty() ? "" : ",") + jsonString(file);
+    return numbers + ("\"messages\":" + jsonString(outcome.compiled.messages)) + ",\"reflection\":" + outcome.compiled.reflection +
+           ",\"included\":[" + included + "]}";
 }
 
 std::string narrow(const std::wstring& text) {

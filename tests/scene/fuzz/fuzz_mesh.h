@@ -42,14 +42,24 @@ inline void checkMesh(const Mesh& mesh) {
     require(covered == mesh.indices.size(), "parts that cover the mesh");
 }
 
-inline void loadBytes(const std::uint8_t* data, std::size_t size, const char* extension) {
-    static const std::string path = "/tmp/tegument-fuzz-" + std::to_string(::getpid()) + "." + extension;
-    std::ofstream(path, std::ios::binary | std::ios::trunc).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+/// A new file each time: one that is cut short and written again is put on disk at once by some file systems, which takes most of the time.
+inline void writeAnew(const std::string& path, const std::uint8_t* data, std::size_t size) {
+    std::remove(path.c_str());
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+}
+
+inline void check(const std::string& path) {
     const Result<Mesh> mesh = loadMesh(path, {.unitMm = 1});
     if (mesh)
         checkMesh(*mesh);
     else
         require(mesh.error().diagnostics.size() == 1 && !format(mesh.error()).empty(), "one error");
+}
+
+inline void loadBytes(const std::uint8_t* data, std::size_t size, const char* extension) {
+    static const std::string path = "/tmp/tegument-fuzz-" + std::to_string(::getpid()) + "." + extension;
+    writeAnew(path, data, size);
+    check(path);
 }
 
 } // namespace tegument::fuzz

@@ -1,0 +1,28 @@
+#pragma once
+// Which files another file may name: what a stranger's effect includes must not be any file of the machine.
+
+#include "host/support/result.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace tegument {
+
+/// Folders, with all that lies below them. Symbolic links are followed first: what counts is where a file is, not how it is written.
+struct Roots {
+    std::vector<std::filesystem::path> folders;
+    bool anywhere = false; // every file of the machine
+
+    /// Whether the file lies below one of the folders.
+    [[nodiscard]] bool hold(const std::filesystem::path& file) const;
+};
+
+/// What `file` may name, besides `more` and the folders that the user names: its own folder (where a link to it stands, and where it is
+/// itself), the project around it (the nearest folder above that holds .git, .hg, .svn or .tegument-root; never the home folder), and this
+/// library where it is part of it (the nearest folder above that holds hlsl/platform.fxh).
+[[nodiscard]] Roots rootsOf(const std::filesystem::path& file, const std::vector<std::filesystem::path>& named, const Roots& more = {});
+
+/// TG1014, with a hint that says how it may be read all the same.
+[[nodiscard]] Diagnostic outsideOf(const std::filesystem::path& file, SourcePosition at);
+
+} // namespace tegument

@@ -1,0 +1,154 @@
+// Small effects, changed at random but the same on every machine: what Microsoft's compiler reads we read, and what it refuses we refuse.
+// TEGUMENT_MUTANTS says how many (default 300); TEGUMENT_MUTANTS_SHOW=1 prints each about which the two do not agree.
+
+#include "host/direct3d/microsoft.h"
+#include "host/support/file.h"
+#include "host/support/temporary.h"
+#include "tests/effect/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace tegument::test {
+namespace {
+
+constexpr std::size_t kUsual = 300;
+constexpr const char* kProfile = "fx_2_0";
+
+/// What is changed: all but the code of functions, which is the compilers' alone. Tokens are separated by blanks.
+constexpr const char* kParameters =
+    "float4 gColor : DIFFUSE < string UIName = \"Colour\" ; float UIMin = 0 ; > = float4 ( 1 , 0.5 , 0.25 , 1 ) ; \n"
+    "float gScale [ 2 ] = { 1 , 2 } ; \n"
+    "float4x4 gWorld : WORLD ; \n"
+    "bool gOn = true ; \n"
+    "int gCount < int UIMax = 4 ; > = 3 ; \n"
+    "float3 gAxis = { 0 , 1 , - 2 } ; \n"
+    "texture gMap < string ResourceName = \"a.png\" ; > ; \n"
+    "sampler2D gSampler = sampler_state { Texture = < gMap > ; MinFilter = LINEAR ; MagFilter = POINT ; AddressU = WRAP ; } ; \n";
+constexpr const char* kFunctions = "float4 VS(float4 p : POSITION) : POSITION { return p; }\nfloat4 PS() : COLOR { return 1; }\n";
+constexpr const char* kTechnique = "technique T < int a = 1 ; > { \n"
+                                   "pass P < string Script = \"Draw=geometry;\" ; > { \n"
+                                   "CullMode = NONE ; ZEnable = TRUE ; AlphaBlendEnable = false ; SrcBlend = SRCALPHA ; StencilRef = 1 ; \n"
+                                   "VertexShader = compile vs_2_0 VS ( ) ; \n"
+                                   "PixelShader = compile ps_2_0 PS ( ) ; \n"
+                                   "} } \n";
+
+std::vector<std::string> wordsOf(const std::string& text) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        if (end > at) words.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return words;
+}
+
+const std::vector<std::string>& others() {
+    static const auto kOthers =
+        wordsOf("; { } ( ) < > = , : [ ] 0 1 2 -1 1.5 1e2 1.0f 0x10 true false TRUE NULL float float2 float4 float4x4 int bool half "
+                "string texture texture2D sampler sampler2D matrix vector static const uniform shared register c0 POSITION "
+                "WORLDVIEWPROJECTION LINEAR NONE CCW CLAMP Texture MipFilter FillMode compile vs_3_0 ps_3_0 technique pass \"x\" + * / 99 "
+                "gColor gMap");
+    return kOthers;
+}
+
+/// Another word of the same kind: what is well-formed stays so more often than not.
+std::string like(const std::string& word, std::mt19937& random) {
+    static const std::vector<std::vector<std::string>> kKinds = {
+        {"0", "1", "2", "3", "0.5", "1e2", "1.0f", "0x10", "99", "-1"},
+        {"float", "float2", "float3", "float4", "float4x4", "int", "bool", "half", "string", "matrix", "texture", "sampler2D"},
+        {"DIFFUSE", "WORLD", "POSITION", "WORLDVIEWPROJECTION", "COLOR0", "Anything"},
+        {"NONE", "CCW", "LINEAR", "POINT", "WRAP", "CLAMP", "TRUE", "true", "false", "SRCALPHA", "INVSRCALPHA", "ONE", "1"},
+        {"CullMode", "ZEnable", "AlphaBlendEnable", "SrcBlend", "DestBlend", "StencilRef", "ZWriteEnable", "FillMode", "AlphaRef",
+         "Lighting"},
+        {"MinFilter", "MagFilter", "MipFilter", "AddressU", "AddressV", "AddressW", "BorderColor", "MaxAnisotropy"},
+        {"vs_2_0", "vs_3_0", "vs_1_1", "ps_2_0", "ps_3_0"},
+        {"gColor", "gScale", "gWorld", "gOn", "gCount", "gAxis", "gMap", "gSampler", "T", "P", "VS", "PS"}};
+    for (const std::vector<std::string>& kind : kKinds)
+        if (std::ranges::find(kind, word) != kind.end()) return kind[random() % kind.size()];
+    return word;
+}
+
+/// One to two changes: a word left out, doubled, exchanged with the next one, or replaced by another, in half of the cases by one of its
+/// kind.
+std::vector<std::string> changed(std::vector<std::string> words, std::mt19937& random) {
+    for (unsigned changes = 1 + random() % 2; changes > 0; --changes) {
+        const std::size_t at = random() % words.size();
+        const auto place = words.begin() + static_cast<std::ptrdiff_t>(at);
+        switch (random() % 8) {
+        case 0: words.erase(place); break;
+        case 1: words.insert(place, words[at]); break;
+        case 2: std::swap(words[at], words[(at + 1) % words.size()]); break;
+        case 3: words[at] = others()[random() % others().size()]; break;
+        default: words[at] = like(words[at], random); break;
+        }
+    }
+    return words;
+}
+
+std::string textOf(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += word + ' ';
+    return text;
+}
+
+/// In one half of the files the parameters are changed, in the other the technique.
+std::string mutant(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::vector<std::string> parameters = wordsOf(kParameters);
+    std::vector<std::string> technique = wordsOf(kTechnique);
+    (seed % 2 == 0 ? parameters : technique) = changed(seed % 2 == 0 ? parameters : technique, random);
+    return textOf(parameters) + "\n" + kFunctions + textOf(technique) + "\n";
+}
+
+/// The code of functions is the compilers' alone: lines 10 and 11.
+bool isOfCode(const MicrosoftResult& result) {
+    const auto first = std::ranges::find(result.diagnostics, Severity::Error, &Diagnostic::severity);
+    return first != result.diagnostics.end() && (first->at.line == 10 || first->at.line == 11);
+}
+
+TEST(Differential, effects_that_microsofts_compiler_reads_and_refuses_are_read_and_refused) {
+    if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
+    const char* asked = std::getenv("TEGUMENT_MUTANTS");
+    const bool show = std::getenv("TEGUMENT_MUTANTS_SHOW") != nullptr;
+    const std::size_t count = asked != nullptr ? std::strtoul(asked, nullptr, 10) : kUsual;
+    const Temporary folder(std::filesystem::temp_directory_path() / ("tegument-differential-" + std::to_string(::getpid())));
+    std::vector<MicrosoftJob> jobs;
+    for (std::uint32_t seed = 0; seed < count; ++seed) {
+        const auto file = folder.path() / (std::to_string(seed) + ".fx");
+        ASSERT_TRUE(writeFile(file, mutant(seed)));
+        jobs.push_back({.profile = kProfile, .entry = {}, .source = file, .defines = {}, .output = {}, .includeFolders = {}, .shader = {}});
+    }
+    const auto theirs = compileWithMicrosoft(jobs);
+    ASSERT_TRUE(theirs) << format(theirs.error());
+    std::size_t read = 0;
+    std::size_t refusedByUs = 0;
+    std::size_t readByUs = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool good = (*theirs)[i].ok;
+        const auto ours = load({{"main.fx", mutant(static_cast<std::uint32_t>(i))}}, {.lenient = true});
+        read += good ? 1 : 0;
+        refusedByUs += good && !ours ? 1 : 0;
+        const bool silent = ours && ours->warnings.empty() && !isOfCode((*theirs)[i]); // what is left out leniently is said
+        readByUs += !good && silent ? 1 : 0;
+        if (show && (good ? !ours : silent)) {
+            std::cout << "--- " << i << (good ? ": they read it; " + format(ours.error()) : ": we read it; ")
+                      << (good || (*theirs)[i].diagnostics.empty() ? std::string() : format((*theirs)[i].diagnostics.front())) << "\n"
+                      << mutant(static_cast<std::uint32_t>(i));
+        }
+    }
+    std::cout << count << " effects: Microsoft's compiler reads " << read << ", of which we refuse " << refusedByUs << "; of the "
+              << count - read << " that it refuses we read without a warning " << readByUs << "\n";
+    EXPECT_EQ(refusedByUs, 0U);
+    EXPECT_EQ(readByUs, 0U);
+}
+
+} // namespace
+} // namespace tegument::test

@@ -62,7 +62,8 @@ std::optional<glm::dvec3> vectorOf(const Json& json) {
 }
 
 std::optional<SurfaceFigures> figuresOf(const Json& json) {
-    const Json surface = json.value("mesh", Json::object()).value("surface", Json::object());
+    const Json mesh = json.contains("mesh") ? json["mesh"] : Json();
+    const Json surface = mesh.is_object() && mesh.contains("surface") ? mesh["surface"] : Json();
     if (!surface.is_object() || !surface.contains("area") || !surface["area"].is_number()) return std::nullopt;
     const auto middle = vectorOf(surface.value("middle", Json()));
     const auto spread = vectorOf(surface.value("spread", Json()));
@@ -94,7 +95,7 @@ Result<void> checkSkinLinks(const fs::path& file, const Mesh& mesh) {
     const auto text = readFile(besides(file));
     if (!text) return {};
     const Json json = Json::parse(*text, nullptr, false);
-    if (!json.is_object() || json.value("kind", "") != kKind) return {};
+    if (!json.is_object() || !json.contains("kind") || json["kind"] != kKind) return {};
     const auto made = figuresOf(json);
     if (!made) return {};
     const auto why = whyNotSame(*made, surfaceFigures(mesh));

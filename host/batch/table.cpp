@@ -20,16 +20,23 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
     return text;
 }
 
+/// A text, or nothing: any command's JSON is read here.
+std::string textAt(const Json& json, const char* key, const char* otherwise = "") {
+    const auto found = json.find(key);
+    if (found == json.end()) return otherwise;
+    return found->is_string() ? found->get<std::string>() : std::string();
+}
+
 /// Of the first error among the diagnostics that stand somewhere in printed JSON: "a.fx(3): TG1101: text".
-std::string firstDiagnostic(const Json& json) {
-    if (json.is_object() && json.contains("code") && json.value("severity", "error") == "error" && json.contains("text")) {
-        const std::string place = json.value("file", "") + (json.contains("line") ? fmt::format("({})", json["line"].dump()) : "");
-        return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", json["code"].is_string() ? json["code"].get<std::string>() : "",
-                           json["text"].is_string() ? json["text"].get<std::string>() : "");
+std::string firstDiagnostic(const Json& json, int depth = 0) {
+    constexpr int kDeepest = 32;
+    if (json.is_object() && json.contains("code") && textAt(json, "severity", "error") == "error" && json.contains("text")) {
+        const std::string place = textAt(json, "file") + (json.contains("line") ? fmt::format("({})", json["line"].dump()) : "");
+        return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", textAt(json, "code"), textAt(json, "text"));
     }
-    if (json.is_structured())
+    if (json.is_structured() && depth < kDeepest)
         for (const Json& part : json)
-            if (std::string found = firstDiagnostic(part); !found.empty()) return found;
+            if (std::string found = firstDiagnostic(part, depth + 1); !found.empty()) return found;
     return {};
 }
 

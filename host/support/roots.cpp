@@ -36,7 +36,7 @@ bool isHome(const fs::path& folder) {
 /// The nearest folder, from this one upwards, that holds one of these.
 std::optional<fs::path> nearestWith(fs::path folder, std::initializer_list<const char*> markers) {
     std::error_code code;
-    for (; folder.has_relative_path() && !isHome(folder); folder = folder.parent_path())
+    for (; folder.has_relative_path(); folder = folder.parent_path())
         for (const char* marker : markers)
             if (fs::exists(folder / marker, code)) return folder;
     return std::nullopt;
@@ -66,9 +66,9 @@ Roots rootsOf(const fs::path& file, const std::vector<fs::path>& named, const Ro
     if (roots.anywhere) return roots;
     for (const fs::path& folder : {resolved(file.parent_path()), resolved(file).parent_path()}) {
         add(roots.folders, folder);
-        for (const auto& project :
-             {nearestWith(folder, {".git", ".hg", ".svn", ".tegument-root"}), nearestWith(folder, {"hlsl/platform.fxh"})})
-            if (project) add(roots.folders, *project);
+        if (const auto project = nearestWith(folder, {".git", ".hg", ".svn", ".tegument-root"}); project && !isHome(*project))
+            add(roots.folders, *project);
+        if (const auto library = nearestWith(folder, {"hlsl/platform.fxh"})) add(roots.folders, *library);
     }
     for (const auto* folders : {&named, &more.folders})
         for (const fs::path& folder : *folders)

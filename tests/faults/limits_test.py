@@ -4,6 +4,7 @@ compressed, or repeated, takes a stated multiple, and ends at --max-memory. usag
 """
 
 import io
+import json
 import os
 import pathlib
 import struct
@@ -151,6 +152,19 @@ class Limits(Faults):
         self.assertRegex(said, "TG(8001|5205)")
         self.assertLess(peak, 700 * MIB)
         self.refused(self.run_it("info", "Main", "--max-memory", "much"), "TG8005", code=2)
+
+    def test_records_of_commands_that_print_any_json_are_merged(self):
+        odd = ({"code": 1, "severity": 5, "file": [], "line": {}, "text": {}}, {"code": "TG1", "text": 7}, {"severity": "error", "code": None, "text": None})
+        results = self.folder / "results/records"
+        results.mkdir(parents=True)
+        for number, result in enumerate(odd):
+            record = dict(seeds.RECORD, input=str(number), exit_code=1, messages="", result=result)
+            (results / f"{number}.json").write_text(json.dumps(record), encoding="ascii")
+        nested = json.dumps(dict(seeds.RECORD, input="nested", exit_code=1, messages="", result=0)).replace('"result": 0', '"result": ' + "[" * 50_000 + "]" * 50_000)
+        (results / "nested.json").write_text(nested, encoding="ascii")
+        ran = self.run_it("merge", results.parent)
+        self.assertIn(ran.returncode, (0, 1), ran.stderr)
+        self.assertNotIn("unexpected failure", ran.stderr)
 
     def test_scripts_come_to_an_end(self):
         """Loops in loops of scripts: a million commands, then an error."""

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace tegument::prep {
@@ -337,7 +338,12 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
     if (static_cast<int>(targets.size()) + 1 < count)
         result.whyEarly = fmt::format("another would have fewer than {} triangles", kLeastTriangles);
     if (targets.empty()) return result;
-    std::vector<MeshLevel> levels = allLevels(mesh, targets, method, result.leftOver);
+    std::vector<MeshLevel> levels;
+    std::optional<DistanceFrom> distance;
+    forEachInParallel(2, [&](std::size_t i) {
+        if (i == 0) levels = allLevels(mesh, targets, method, result.leftOver);
+        if (i == 1) distance.emplace(mesh.positions, mesh.indices);
+    });
     std::size_t last = mesh.indices.size();
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::size_t size = levels[i].indices.size();
@@ -352,10 +358,9 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
         }
         last = size;
     }
-    const DistanceFrom distance(mesh.positions, mesh.indices);
     result.levels.resize(levels.size());
     forEachInParallel(levels.size(), [&](std::size_t i) {
-        const SurfaceDistance error = distance.to(levels[i].indices);
+        const SurfaceDistance error = distance->to(levels[i].indices);
         levels[i].errorMm = error.greatest;
         result.levels[i] = {.mesh = std::move(levels[i]), .error = error};
     });

@@ -4,6 +4,7 @@
 #include "host/lab/bench/choice.h"
 #include "host/lab/bench/growth.h"
 #include "host/lab/bench/report.h"
+#include "host/lab/bench/truth.h"
 #include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,34 @@ TEST_F(Comparison, lambert_keeps_its_own_definition) {
     ASSERT_EQ(rows.size(), 1);
     ASSERT_TRUE(rows[0].own);
     EXPECT_LT(rows[0].own->relativeL2, 0.01) << "what shadow map and albedo table leave";
+}
+
+TEST_F(Comparison, means_of_samples_keep_the_definition_too) {
+    for (const int grid : {1, 4}) {
+        options_.grid = grid;
+        const auto rows = run({"Lambert"}, {"corrected"});
+        ASSERT_EQ(rows.size(), 1);
+        ASSERT_FALSE(rows[0].failure) << format(*rows[0].failure);
+        EXPECT_EQ(rows[0].samples, grid * grid);
+        ASSERT_TRUE(rows[0].own);
+        EXPECT_LT(rows[0].own->relativeL2, 0.01) << "a picture that lies half a pixel aside would be .03 off";
+    }
+}
+
+TEST_F(Comparison, samples_lie_evenly_in_their_pixels) {
+    const auto scene = loadScene("sphere-5", {.effects = "effects", .folder = options_.sceneFolder, .width = 48, .height = 48});
+    ASSERT_TRUE(scene) << format(scene.error());
+    const TruthScene truth = truthScene(*scene, 48, 48);
+    const Sample sample = samplePixels(*scene, truth, 16, 3);
+    ASSERT_EQ(sample.parts.size(), 9 * sample.points.size()) << "all eight neighbours of each show the ball";
+    ASSERT_EQ(sample.partOf.size(), sample.parts.size());
+    for (std::size_t i = 0; i < sample.points.size(); ++i) {
+        const reference::ShadedPoint& middle = sample.parts[9 * i + 4];
+        EXPECT_EQ(sample.partOf[9 * i + 4], i);
+        EXPECT_EQ(middle.x, 3 * sample.points[i].x + 1);
+        EXPECT_EQ(middle.y, 3 * sample.points[i].y + 1);
+        EXPECT_LT(glm::length(middle.point.position - sample.points[i].point.position), 1e-9) << "the fifth of nine is the centre";
+    }
 }
 
 TEST_F(Comparison, a_second_run_confirms_the_pick) {

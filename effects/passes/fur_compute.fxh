@@ -128,10 +128,9 @@ void ribbonNote(uint2 texel, VertexInput input, RibbonFrame frame, RibbonPlace p
     float pixel = ribbonPixel() * length(toEye);
     float2 width = tgRibbonWidth(radius, pixel);
     float3 aside = furFromAxes(vertexTurned(tgSafeNormalize(cross(place.tangent, toEye)), input));
-    float faint = width.y * ribbonSpread(place.sharp);
-    gRibbonPlaceStore[texel] = float4(ribbonWorld(frame, place.offset, input), width.x + gFurEdge / place.sharp * pixel);
-    gRibbonAsideStore[texel] = float4(aside, width.x * (place.sharp / pixel));
-    gRibbonLightStore[texel] = float4(color, afar < 0.0 ? -faint : faint);
+    gRibbonPlaceStore[texel] = float4(ribbonWorld(frame, place.offset, input), width.x + gFurEdge * pixel);
+    gRibbonAsideStore[texel] = float4(aside, width.x / pixel);
+    gRibbonLightStore[texel] = float4(color, afar < 0.0 ? -width.y : width.y);
 }
 
 // Half of a strand's rows, for those of `underfur`: every second one, and the tip.

@@ -69,7 +69,6 @@ RibbonPlace lockPlace(LockStrand s, float along)
     float2 turn = tgFurWave(s.turns * along + s.phase + float3(0.0, 0.75, 0.5)).xy; // as cosine and sine, turned by its angle below
     float2 turning = turn + (2.0 * kTgPi * s.turns * along) * float2(-turn.y, turn.x);
     RibbonPlace place;
-    place.sharp = 1.0;
     place.offset = s.height * (s.normal * bent.y + s.flow * bent.x) + s.offset * apart.x + s.stray * (along * along)
         + along * (turn.x * s.side + turn.y * s.across) - s.base;
     place.tangent = tgFurAlong(s.height * (s.normal * bending.y + s.flow * bending.x) + s.offset * apart.y + s.stray * (2.0 * along)
@@ -276,7 +275,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
-        output = ribbonVarying(input, frame, place, radius, color);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
         output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
     }
     return output;

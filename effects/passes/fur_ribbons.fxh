@@ -32,7 +32,6 @@ struct RibbonPlace
 {
     float3 offset;  // from the root
     float3 tangent; // unit
-    float sharp;    // 1; less: edges so much wider, of what a pixel would only flicker of
 };
 
 // Nothing of the vertex's triangles is drawn.
@@ -88,26 +87,20 @@ float ribbonPixel()
     return 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x;
 }
 
-// Of what is a pixel wide, edges that are wider would cover 1 / this.
-float ribbonSpread(float sharp)
+// offset: of the axis from the root; tangent: of the axis, unit; radius: that is drawn there.
+RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset, float3 tangent, float radius, float3 color)
 {
-    return 4.0 * sharp / ((1.0 + sharp) * (1.0 + sharp));
-}
-
-// radius: that is drawn there.
-RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, RibbonPlace place, float radius, float3 color)
-{
-    float3 toEye = frame.toEye - place.offset;
+    float3 toEye = frame.toEye - offset;
     float pixel = ribbonPixel() * length(toEye);
     float2 width = tgRibbonWidth(radius, pixel);
-    float drawn = (width.x + gFurEdge / place.sharp * pixel) * input.tangent.w;
-    float3 aside = tgSafeNormalize(cross(place.tangent, toEye));
-    float4 position = mul(float4(ribbonWorld(frame, place.offset + drawn * aside, input), 1.0), gViewProjection);
+    float drawn = (width.x + gFurEdge * pixel) * input.tangent.w;
+    float3 aside = tgSafeNormalize(cross(tangent, toEye));
+    float4 position = mul(float4(ribbonWorld(frame, offset + drawn * aside, input), 1.0), gViewProjection);
     position.z = tgFurNearDepth(position.z, position.w);
     RibbonVarying output;
     output.position = TG_HALF_PIXEL(position, gViewportSize);
-    output.color = float4(color, width.y * ribbonSpread(place.sharp));
-    output.edge = float2(drawn, width.x) * (place.sharp / pixel);
+    output.color = float4(color, width.y);
+    output.edge = float2(drawn, width.x) / pixel;
     return output;
 }
 

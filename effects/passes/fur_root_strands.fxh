@@ -7,8 +7,6 @@ static const float kStrandTuftSteps = 3.0; // from a root on; less from where a 
 // chord alone parts that cross it would cover too little.
 static const float kStrandFew = 4.0;
 static const float kStrandChord = 0.6;
-static const float kStrandSoft = 0.6;    // and by how much their edges are less sharp, for strands that move by a part of a pixel flicker
-static const float kStrandSoftFew = 1.5; // below so many times kStrandFew
 static const float kStrandBefore = 0.02; // of the coat: from there to the axis runs its tangent
 
 // As FurRoots bends it. Lengths in mm.
@@ -95,7 +93,6 @@ RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)
     float3 chord = strand.normal + strand.share * strand.lean;
     float few = strand.coat * strand.share * frame.perMm * rsqrt(dot(frame.toEye, frame.toEye)) / (kStrandFew * ribbonPixel());
     place.tangent += (kStrandChord * saturate(2.0 - few)) * (chord - place.tangent);
-    place.sharp = 1.0 - kStrandSoft * saturate(kStrandSoftFew - few);
     return place;
 }
 
@@ -114,7 +111,7 @@ RibbonVarying strandVarying(VertexInput input, bool core)
         RibbonPlace place = strandPlace(strand, frame, along);
         float3 color = rootStrandColor(strand, frame, place.offset, along, input);
         float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
-        output = ribbonVarying(input, frame, place, radius, color);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
     }
     return output;
 }

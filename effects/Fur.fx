@@ -4,10 +4,12 @@
 // the nearest coat first: in instanced draws, or, for Direct3D 9, in loops of the script.
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
+#include "../hlsl/light.fxh"
 #include "../hlsl/fur.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamp_light.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_rounds.fxh"
 #include "passes/fur_coat.fxh"

@@ -4,10 +4,12 @@
 // (docs/design/modules/FurCoat.md).
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
+#include "../hlsl/light.fxh"
 #include "../hlsl/fur.fxh"
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamp_light.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"
 #include "passes/fur_ribbon_parameters.fxh"

@@ -7,6 +7,7 @@
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/no_lamps.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"
 #include "passes/fur_roots_map.fxh"

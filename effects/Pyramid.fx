@@ -14,6 +14,7 @@
 #include "passes/materials.fxh"
 #include "passes/skin_parameters.fxh"
 #include "passes/shadow_map.fxh"
+#include "passes/lamp_light.fxh"
 #include "passes/lamps.fxh"
 #include "passes/more_light.fxh"
 #include "passes/surface.fxh"

@@ -14,4 +14,5 @@
 #include "../hlsl/scatter/pyramid.fxh"
 #include "../hlsl/scatter/thickness.fxh"
 #include "../hlsl/scatter/transmission.fxh"
+#include "../hlsl/scatter/slab.fxh"
 #include "../hlsl/printed/transmission.fxh"

@@ -48,6 +48,8 @@
 //   TEGUMENT_LAMPS  0 (default) to 7: so many lamps light skin beside the light of the workspace: gLampPlace and the others
 //   TEGUMENT_LAMP_SHADOWS  how many of them throw shadows, from the first on, 0 to 3 (default: as many as may)
 //   TEGUMENT_SOFT_SHADOWS  0 (default); 1: shadows of lamps have penumbras, by the lamps' radius
+//   TEGUMENT_LOBES  0 (default); 1: skin mirrors by two lobes, as wide as the relief that its normal map loses with distance
+//   TEGUMENT_SLAB  0 (default); 1: d'Eon and Luebke's technique lets as much light through thin parts as simulated skin does
 //   TEGUMENT_RIBBON_ROWS    height of the maps in which fur by compute shaders is noted: 1,366 rows of strands each (2048, default)
 //   TEGUMENT_FUR_COLOR_MAP  0 (default); 1 multiplies the colour of fur by gFurColorMap, for meshes with texture coordinates
 //   TEGUMENT_FUR_VERTEX_LIGHT  0 (default); 1 finds the light of Fur's layers at vertices, for meshes whose triangles are small
@@ -91,6 +93,12 @@
 #define TEGUMENT_MORE_LIGHT 1
 #else
 #define TEGUMENT_MORE_LIGHT 0
+#endif
+#ifndef TEGUMENT_SLAB
+#define TEGUMENT_SLAB 0
+#endif
+#ifndef TEGUMENT_LOBES
+#define TEGUMENT_LOBES 0
 #endif
 #ifndef TEGUMENT_RIBBON_ROWS
 #define TEGUMENT_RIBBON_ROWS 2048

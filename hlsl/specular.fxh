@@ -3,5 +3,6 @@
 #include "../hlsl/specular/fresnel.fxh"
 #include "../hlsl/specular/beckmann.fxh"
 #include "../hlsl/specular/kelemen.fxh"
+#include "../hlsl/specular/lobes.fxh"
 #include "../hlsl/specular/energy.fxh"
 #include "../hlsl/printed/energy.fxh"

@@ -11,6 +11,9 @@ float2 energyTexel(float cosine, float roughness)
 float diffuseShare(float cosine)
 {
     float albedo = tgHalvesSum(energyTexel(cosine, gRoughness));
+#if TEGUMENT_LOBES
+    albedo = lerp(albedo, tgHalvesSum(energyTexel(cosine, gSecondRoughness)), gSecondLobe);
+#endif
     return tgEnergyDiffuseShare(albedo, gSpecularIntensity);
 }
 

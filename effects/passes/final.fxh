@@ -28,6 +28,17 @@ float3 fetchThere(TG_SAMPLER2D_PARAM(map), float2 uv, float4 before, float4 gaus
     return gaussian.rgb * texel.rgb * (tgSeamValidity(texel) * tgTransmissionShare(thickness, gaussian.w, apart));
 }
 
+#if TEGUMENT_SLAB
+// By the widest map, which knows where on the far side light fell, and the slab that lies between.
+float3 fetchThrough(TG_SAMPLER2D_PARAM(map), float2 uv, float4 before, float apart)
+{
+    float4 texel = tex2Dlod(map, float4(uv, 0.0, 0.0));
+    float thickness = tgTransmissionDecode(before.w, tgMillimetres(gLightFar - gLightNear));
+    float fade = saturate(apart / (6.0 * sqrt(max(gGaussianWeight[5].w, kTgSmallestVariance))));
+    return tgSlabPassed(thickness) * texel.rgb * (tgSeamValidity(texel) * fade);
+}
+#endif
+
 float3 diffusedLight(SurfaceVarying input, LitPoint p)
 {
     float3 unblurred = enteringLight(p);
@@ -43,12 +54,16 @@ float3 diffusedLight(SurfaceVarying input, LitPoint p)
                   m4.rgb * gGaussianWeight[3].rgb + m5.rgb * gGaussianWeight[4].rgb + m6.rgb * gGaussianWeight[5].rgb;
     float4 entry = lightEntry(p);
     float apart = tgTransmissionScale(tgMillimetres(input.world), input.uv) * length(input.uv - entry.xy);
+#if TEGUMENT_SLAB
+    float3 there = fetchThrough(TG_SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), entry.xy, m5, apart);
+#else
     float3 there = fetchThere(TG_SAMPLER2D_ARG_OF(gFinal4, gIrradiance4Map), entry.xy, m3, gGaussianWeight[3], apart) +
                    fetchThere(TG_SAMPLER2D_ARG_OF(gFinal5, gIrradiance5Map), entry.xy, m4, gGaussianWeight[4], apart) +
                    fetchThere(TG_SAMPLER2D_ARG_OF(gFinal6, gIrradiance6Map), entry.xy, m5, gGaussianWeight[5], apart);
     if (kTgFirstTransmitted == 2)
         there += fetchThere(TG_SAMPLER2D_ARG_OF(gFinal2, gIrradiance2Map), entry.xy, m1, gGaussianWeight[1], apart) +
                  fetchThere(TG_SAMPLER2D_ARG_OF(gFinal3, gIrradiance3Map), entry.xy, m2, gGaussianWeight[2], apart);
+#endif
     return here + gTransmission * entry.w * there;
 }
 

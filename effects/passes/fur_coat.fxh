@@ -151,6 +151,24 @@ float3 furStrandLight(float3 albedo, float3 strand, float3 toLight, float3 toEye
     return diffuse + gFurSpecular * tgFurSpecular(strand, toLight, toEye, gFurExponent);
 }
 
+#if TEGUMENT_LAMPS
+// Radiance by lamps, as furRadiance() has it by the light of the workspace; of them the coat hides what it hides, other parts of the body
+// nothing.
+float3 furLamps(FurVarying input, float3 albedo, float3 normal, float3 strand, float3 toEye, float strandsShare)
+{
+    float3 sum = 0.0;
+    [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
+    {
+        Lamp lamp = lampAt(i, input.world, 1.0);
+        float cosine = dot(normal, lamp.toLight);
+        float open = lerp(1.0, tgFurTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
+        float3 strands = furStrandLight(albedo, strand, lamp.toLight, toEye);
+        sum += lerp(albedo * saturate(cosine), strands, gFurKajiyaKay * strandsShare) * lamp.light * open;
+    }
+    return sum;
+}
+#endif
+
 // Radiance of what has this albedo: of strands, or of the skin between them, a dull surface. passed: share of the light that other coats
 // let through.
 float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float passed)
@@ -165,7 +183,8 @@ float3 furRadiance(FurVarying input, float3 albedo, float strandsShare, float pa
     float open = lerp(1.0, tgFurTransmittance(furHeight(input), cosine, gFurDensity, gFurLength), gFurKajiyaKay);
     float3 light = gLightColor * (open * passed * furShadow(input, normal, toLight));
     float3 direct = lerp(dull, strands, gFurKajiyaKay * strandsShare) * light;
-    return direct + albedo * gFurFill * tgFurFill(furHeight(input), gFurDensity, gFurMultiple);
+    return WITH_LAMPS(direct + albedo * gFurFill * tgFurFill(furHeight(input), gFurDensity, gFurMultiple),
+                      furLamps(input, albedo, normal, strand, toEye, strandsShare));
 }
 
 float4 SkinPS(FurVarying input) : SV_Target0

@@ -238,6 +238,22 @@ float lockFar(float pixel)
     return saturate(pixel * (kLockFar.x / max(coatThickness(), 1e-20)) + kLockFar.y);
 }
 
+#if TEGUMENT_LAMPS
+// By lamps; of them the coat hides what lies deep, other parts of the body nothing.
+float3 lockLamps(LockPoint p, float3 world, float under, VertexInput input)
+{
+    float3 sum = 0.0;
+    [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
+    {
+        Lamp lamp = lampAt(i, world, 1.0);
+        float3 toLight = strandsAxes(lamp.toLight, input);
+        float open = exp(-gCoatShadow * (1.0 - p.height)) * saturate(1.0 + dot(p.normal, toLight) / kLockWrap);
+        sum += lockLight(p, toLight, lamp.light, open, under);
+    }
+    return sum;
+}
+#endif
+
 float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 offset, float3 tangent, float under, VertexInput input)
 {
     float pixel = ribbonPixel() * length(frame.toEye);
@@ -257,7 +273,7 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     float3 color = lockLight(p, tgSafeNormalize(frame.toLight - offset), gLightColor, open, under) + lockSurroundings(p, up);
     if (under < 0.5)
         color += lockRim(p, up);
-    return color;
+    return WITH_LAMPS(color, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
 }
 
 RibbonVarying lockVarying(VertexInput input, float child, float under)

@@ -65,6 +65,22 @@ float3 rootStrandBend(RootStrand strand, float height, float steps, inout float3
     return strand.coat * height * (strand.normal + height * strand.lean) + strand.spacing * (stray - tuft);
 }
 
+#if TEGUMENT_LAMPS
+// By lamps; of them the coat hides what it hides, other parts of the body nothing.
+float3 rootStrandLamps(RootStrand strand, float3 albedo, float3 axis, float height, float3 toEye, float3 world, VertexInput input)
+{
+    float3 sum = 0.0;
+    [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
+    {
+        Lamp lamp = lampAt(i, world, 1.0);
+        float3 toLight = strandsAxes(lamp.toLight, input);
+        float open = tgFurTransmittance(height, dot(strand.normal, toLight), gFurDensity, gFurLength);
+        sum += furStrandLight(albedo, axis, toLight, toEye) * lamp.light * open;
+    }
+    return sum;
+}
+#endif
+
 // Radiance: as furStrandColor of fur_strands.fxh.
 float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, float along, VertexInput input)
 {
@@ -77,7 +93,8 @@ float3 rootStrandColor(RootStrand strand, RibbonFrame frame, float3 offset, floa
     float open = furSkinShadow(lightClip, furFromLight(world)) *
                  tgFurTransmittance(height, dot(strand.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, axis, toLight, tgSafeNormalize(frame.toEye - offset)) * gLightColor * open;
-    return direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple);
+    return WITH_LAMPS(direct + albedo * gFurFill * tgFurFill(height, gFurDensity, gFurMultiple),
+                      rootStrandLamps(strand, albedo, axis, height, tgSafeNormalize(frame.toEye - offset), world, input));
 }
 
 RibbonPlace strandPlace(RootStrand strand, RibbonFrame frame, float along)

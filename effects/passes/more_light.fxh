@@ -54,25 +54,4 @@ float4 surroundingsLight(float2 uv, float3 normal, float3 meshNormal)
 }
 #endif
 
-#if TEGUMENT_LAMPS
-struct Lamp
-{
-    float3 toLight;
-    float3 light; // E / pi on a surface that faces it, what hides it taken off
-};
-
-// seen: of each of the first three lamps the share that is seen.
-Lamp lampAt(int i, float3 world, float3 seen)
-{
-    Lamp lamp;
-    float open = i < TEGUMENT_LAMP_SHADOWS ? seen[min(i, 2)] : 1.0;
-    float3 towards = tgLampVector(gLampPlace[i], world);
-    float distance = length(towards);
-    lamp.toLight = towards / max(distance, 1e-6);
-    float share = tgLampFalloff(distance, gLampColor[i].w) * tgLampSpot(lamp.toLight, gLampAxis[i].xyz, gLampSpot[i].x, gLampSpot[i].y);
-    lamp.light = gLampColor[i].rgb * (share * lerp(1.0, open, gLampSpot[i].z));
-    return lamp;
-}
-#endif
-
 #endif

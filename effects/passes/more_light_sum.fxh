@@ -45,24 +45,34 @@ float3 moreEntering(LitPoint p)
     return tgIrradianceColour(p.albedo, gMix) * moreCrossing(p);
 }
 
-// Mirrored towards the eye. Of surroundings: the lobe's albedo is what diffuseShare() leaves out.
-float3 moreReflected(LitPoint p, float3 toEye)
-{
-    float3 sum = 0.0;
-    float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
-    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
 #if TEGUMENT_SURROUNDINGS
+// By a lobe of this roughness: its albedo is what diffuseShare() leaves out.
+float3 mirroredSurroundings(LitPoint p, float3 toEye, float roughness, float intensity)
+{
     float cosine = dot(p.normal, toEye);
     float albedo = intensity * tgEnergyAlbedo(tgHalvesSum(energyTexel(cosine, roughness)));
     float share = albedo * tgSurroundingsReflectedShare(cosine, surroundingsLight(p.uv, p.normal, p.meshNormal).w, roughness);
-    sum += gReflections * share * surroundingsAt(reflect(-toEye, p.normal), tgSurroundingsLevel(roughness));
+    return gReflections * share * surroundingsAt(reflect(-toEye, p.normal), tgSurroundingsLevel(roughness));
+}
+#endif
+
+// Mirrored towards the eye.
+float3 moreReflected(LitPoint p, float3 toEye)
+{
+    float3 sum = 0.0;
+    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
+#if TEGUMENT_SURROUNDINGS && TEGUMENT_LOBES
+    float3 lobes = specularLobes(p);
+    sum += lerp(mirroredSurroundings(p, toEye, lobes.x, intensity), mirroredSurroundings(p, toEye, lobes.y, intensity), lobes.z);
+#elif TEGUMENT_SURROUNDINGS
+    sum += mirroredSurroundings(p, toEye, lerp(gPlainRoughness, gRoughness, p.scatters), intensity);
 #endif
 #if TEGUMENT_LAMPS
     float3 seen = lampsSeen(p.uv);
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
     {
         Lamp lamp = lampAt(i, p.world, seen);
-        sum += lamp.light * (gLampSpot[i].w * tgKelemenSpecular(p.normal, lamp.toLight, toEye, roughness, intensity));
+        sum += lamp.light * (gLampSpot[i].w * surfaceSpecular(p, lamp.toLight, toEye, intensity));
     }
 #endif
     return sum;

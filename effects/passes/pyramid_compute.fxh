@@ -307,6 +307,7 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
         surface.tangent = 0.0; // what it is for, the normal knows
         float3 normal = placeNormal(surface.normal, place.xy, right);
         LitPoint p = finalPoint(surface, normal, tex2Dgrad(gSkin, place.xy, right, right.yx));
+        LOBES_AT(p, tex2Dgrad(gNormal, place.xy, right, right.yx).xyz)
         gPictureStore[thread.xy] = finalColour(surface, p);
     }
 }

@@ -73,8 +73,10 @@ float4 finalColour(FinalVarying input, LitPoint p)
 
 float4 PyramidFinalPS(FinalVarying input) : SV_Target0
 {
-    float3 normal = tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz);
-    return finalColour(input, finalPoint(input, normal, tex2D(gSkin, input.uv)));
+    float3 texel = tex2D(gNormal, input.uv).xyz;
+    LitPoint p = finalPoint(input, tgSurfaceNormal(input.normal, input.tangent, texel), tex2D(gSkin, input.uv));
+    LOBES_AT(p, texel)
+    return finalColour(input, p);
 }
 
 #define PYRAMID_FINAL_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"

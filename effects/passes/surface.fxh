@@ -5,6 +5,15 @@
 Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
 TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
 
+// What two lobes ask of a LitPoint: the length of the mean of the normals that a look-up of the normal map has covered.
+#if TEGUMENT_LOBES
+#define LOBE_MEMBERS float meanNormal;
+#define LOBES_AT(p, texel) p.meanNormal = length((texel) * 2.0 - 1.0);
+#else
+#define LOBE_MEMBERS
+#define LOBES_AT(p, texel)
+#endif
+
 struct SurfaceVarying
 {
     float4 position : SV_Position;
@@ -30,6 +39,7 @@ struct LitPoint
     float3 axisX;    // the light's right
     float3 axisY;    // and up
     MORE_LIGHT_MEMBERS
+    LOBE_MEMBERS
 };
 
 SurfaceVarying surfaceVarying(VertexInput stored)
@@ -72,12 +82,16 @@ LitPoint surfacePoint(SurfaceVarying input, float3 normal)
     p.axisX = tgLightRight();
     p.axisY = tgLightUp();
     MORE_LIGHT_AT(p, input.uv, input.world)
+    LOBES_AT(p, float3(0.5, 0.5, 1.0))
     return p;
 }
 
 LitPoint surfacePoint(SurfaceVarying input)
 {
-    return surfacePoint(input, tgSurfaceNormal(input.normal, input.tangent, tex2D(gNormal, input.uv).xyz));
+    float3 texel = tex2D(gNormal, input.uv).xyz;
+    LitPoint p = surfacePoint(input, tgSurfaceNormal(input.normal, input.tangent, texel));
+    LOBES_AT(p, texel)
+    return p;
 }
 
 // map: of depths seen from the light.

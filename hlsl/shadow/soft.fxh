@@ -136,8 +136,8 @@ float tgSoftRadius(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, floa
     return max(widths / max(hiding, 1.0), kTgSoftNarrowest);
 }
 
-// Share of the light that is seen. depth: less tolerance; slope: mm from texel to texel; footprint: mm of a texel; nearest as above; way: of
-// the first tap, from tgSoftWay().
+// Share of the light that is seen. depth: less tolerance; slope: mm from texel to texel; footprint: mm of a texel; nearest as above;
+// way: of the first tap, from tgSoftWay().
 float tgShadowSoft(TG_SAMPLER2D_PARAM(map), TG_SAMPLER2D_PARAM(blocks), float2 coordinate, float depth, float2 slope, float footprint,
                    float2 size, float nearest, float2 way)
 {

@@ -48,6 +48,43 @@ double nodeSampled(double cosine, double m, double i, double j) {
 
 const Argument kRoughness = linear(0.01, 1);
 
+/// A mean of unit normals of this length: what its slopes' variance adds to m^2, twice; the map's rounding, 0.004, is left out.
+double widened(double m, double mean) {
+    const double lost = std::max(1 / std::max(mean, 0.5) - 1.004, 0.0);
+    return std::min(std::sqrt(m * m + 2 * lost), std::max(m, 1.0));
+}
+
+std::vector<FunctionCase> widenedLobes() {
+    std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgRoughnessWidened",
+                     .body = "return float4(tgRoughnessWidened(a0, a1), 0, 0, 0);",
+                     .arguments = {kRoughness, linear(0, 1.02)},
+                     .expected = [](const Inputs& x) { return values(widened(x.scalar(0), x.scalar(1))); },
+                     .tolerance = {.forward = 8, .absolute = 1e-6, .why = "1 / |n| - 1 loses three digits near 1; under a root of m^2"}});
+    cases.push_back(
+        {.function = "tgTwoLobes",
+         .body =
+             "return float4(tgTwoLobes(tgSafeNormalize(a0), tgSafeNormalize(a1), tgSafeNormalize(a2), float2(a3, a4), a5, 0.18), 0, 0, 0);",
+         .arguments = {linear(-1, 1, 3), linear(-1, 1, 3), linear(-1, 1, 3), linear(0.2, 1), linear(0.2, 1), linear(0, 1)},
+         .expected =
+             [](const Inputs& x) {
+                 const glm::dvec3 n = glm::normalize(x.vec3(0));
+                 const glm::dvec3 l = glm::normalize(x.vec3(1));
+                 const glm::dvec3 v = glm::normalize(x.vec3(2));
+                 const double first = specular(n, l, v, x.scalar(3), 0.18);
+                 const double second = specular(n, l, v, x.scalar(4), 0.18);
+                 return values((1 - x.scalar(5)) * first + x.scalar(5) * second);
+             },
+         .tolerance = {.forward = 2 * kExpUlp, .backward = 8, .absolute = 1e-6, .why = "two exponentials of up to 87, 2|x| ULP each"},
+         .domain =
+             [](const Inputs& x) {
+                 const double longest = std::min({glm::length(x.vec3(0)), glm::length(x.vec3(1)), glm::length(x.vec3(2))});
+                 if (longest < 0.05) return false;
+                 return glm::length(glm::normalize(x.vec3(1)) + glm::normalize(x.vec3(2))) > 0.1;
+             }});
+    return cases;
+}
+
 std::vector<FunctionCase> lobes() {
     std::vector<FunctionCase> cases;
     cases.push_back(
@@ -147,8 +184,9 @@ std::vector<FunctionCase> energies() {
 
 std::vector<FunctionCase> specularCases() {
     std::vector<FunctionCase> cases = lobes();
-    for (FunctionCase& one : energies())
-        cases.push_back(std::move(one));
+    for (auto more : {energies(), widenedLobes()})
+        for (FunctionCase& one : more)
+            cases.push_back(std::move(one));
     return cases;
 }
 

@@ -85,6 +85,30 @@ TEST_F(Lamps, add_up) {
     }
 }
 
+// Layers are blended by what they cover, not by their light: a picture of fur is linear in it.
+TEST_F(Lamps, add_up_on_fur) {
+    const Parameters one = {{"gLampPlace", three({3, 4, 5, 0})}, {"gLampColor", three({0.5, 0.25, 1, 0})}, {"gLampSpot", kEverywhere}};
+    const Parameters other = {
+        {"gLampPlace", three({-300, 100, 200, 1})}, {"gLampColor", three({0.1, 0.8, 0.3, 350})}, {"gLampSpot", kEverywhere}};
+    Parameters both = {{"gLampPlace", three({3, 4, 5, 0}, {-300, 100, 200, 1})},
+                       {"gLampColor", three({0.5, 0.25, 1, 0}, {0.1, 0.8, 0.3, 350})},
+                       {"gLampSpot", kEverywhere}};
+    const auto none = draw("effects/Fur.fx", "CubeCombined", 0, {});
+    const auto a = draw("effects/Fur.fx", "CubeCombined", 1, one);
+    const auto b = draw("effects/Fur.fx", "CubeCombined", 1, other);
+    const auto sum = draw("effects/Fur.fx", "CubeCombined", 2, both);
+    ASSERT_TRUE(succeeded(none) && succeeded(a) && succeeded(b) && succeeded(sum));
+    float brightest = 0;
+    for (int y = 0; y < kPicture; ++y)
+        for (int x = 0; x < kPicture; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const float lamps = a->image.at(x, y, c) + b->image.at(x, y, c) - 2 * none->image.at(x, y, c);
+                brightest = std::max(brightest, lamps);
+                EXPECT_NEAR(lamps, sum->image.at(x, y, c) - none->image.at(x, y, c), 2e-3F) << x << " " << y; // blended ten times in halves
+            }
+    EXPECT_GT(brightest, 0.2F) << "there is something to see";
+}
+
 TEST_F(Lamps, of_points_fall_off_with_the_square_of_the_distance) {
     const auto at = [&](double z) {
         return draw("effects/Main.fx", "Lambert", 1,

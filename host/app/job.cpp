@@ -109,7 +109,7 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
         ->capture_default_str();
     command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
         ->transform(oneOf({"dxc", "glslang"}));
-    command.add_option("--device", options.device, "Part of the Vulkan device's name");
+    command.add_option("--device", options.device, "Part of the Vulkan device's name; NAME#2: the second of that name");
     command.add_flag("--validate", options.validate, "Run under the Vulkan validation layers; any message is a failure");
     addEffectOptions(command, options.effect);
 }

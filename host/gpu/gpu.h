@@ -37,7 +37,9 @@ struct WindowSurface {
 
 struct DeviceOptions {
     bool validation = false; // Khronos validation with synchronization validation; a missing layer is an error
-    std::string prefer;      // part of a device name, ignoring case; empty: $TEGUMENT_DEVICE, else discrete, integrated, virtual, CPU
+    /// Part of a device's name, ignoring case; "H200#2": the second of that name. Empty: $TEGUMENT_DEVICE, else discrete, integrated,
+    /// virtual, CPU.
+    std::string prefer;
     const WindowSurface* window = nullptr; // null: headless; else a device that can draw to it (host/gpu/present.h)
 };
 

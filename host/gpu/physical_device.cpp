@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <utility>
 
@@ -73,6 +74,23 @@ std::string wantedName(const DeviceOptions& options) {
     return variable ? variable : "";
 }
 
+/// "H200#2": the second of those with that in their names.
+struct Wanted {
+    std::string name; // in lower case
+    std::size_t number = 1;
+};
+
+Wanted parsed(const std::string& text) {
+    Wanted wanted{.name = toLower(text)};
+    const std::size_t mark = wanted.name.rfind('#');
+    if (mark == std::string::npos) return wanted;
+    std::size_t number = 0;
+    const char* end = wanted.name.data() + wanted.name.size();
+    const auto read = std::from_chars(wanted.name.data() + mark + 1, end, number);
+    if (read.ec == std::errc() && read.ptr == end && number > 0) wanted = {.name = wanted.name.substr(0, mark), .number = number};
+    return wanted;
+}
+
 std::string listed(const std::vector<Candidate>& all) {
     std::string text;
     for (const Candidate& candidate : all)
@@ -128,13 +146,17 @@ Result<void> choosePhysicalDevice(DeviceState& state, const DeviceOptions& optio
     if (all.empty())
         return machineError(6002, "no Vulkan device: the installed drivers found none",
                             "the Debian package mesa-vulkan-drivers has a driver that runs on the CPU");
-    const std::string wanted = toLower(wantedName(options));
-    const auto matches = [&wanted](const Candidate& candidate) { return toLower(candidate.name).find(wanted) != std::string::npos; };
+    const Wanted wanted = parsed(wantedName(options));
+    std::size_t count = 0; // of those with that name
+    const auto matches = [&](const Candidate& candidate) {
+        return toLower(candidate.name).find(wanted.name) != std::string::npos && ++count >= wanted.number;
+    };
     if (std::ranges::none_of(all, matches))
         return machineError(6004, fmt::format("no Vulkan device has '{}' in its name", wantedName(options)),
-                            fmt::format("there are: {}{}", listed(all), nearest(wanted, all)));
+                            fmt::format("there are: {}{}", listed(all), nearest(wanted.name, all)));
+    count = 0;
     const auto chosen =
-        std::ranges::find_if(all, [&](const Candidate& candidate) { return candidate.unfit.empty() && matches(candidate); });
+        std::ranges::find_if(all, [&](const Candidate& candidate) { return matches(candidate) && candidate.unfit.empty(); });
     if (chosen == all.end()) return machineError(6005, "no Vulkan device can be used: " + listed(all), "update the graphics driver");
     adopt(state, std::move(*chosen));
     return {};

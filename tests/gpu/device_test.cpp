@@ -78,6 +78,13 @@ TEST_F(Gpu, a_device_is_found_by_part_of_its_name_ignoring_case) {
     EXPECT_EQ(must(Device::create({.prefer = part})).info().name, device().info().name);
 }
 
+TEST_F(Gpu, a_number_behind_a_name_counts_the_devices_that_have_it) {
+    const std::string& name = device().info().name;
+    EXPECT_EQ(must(Device::create({.prefer = name + "#1"})).info().name, name);
+    EXPECT_EQ(codeOf(Device::create({.prefer = name + "#99"})), 6004);
+    EXPECT_EQ(codeOf(Device::create({.prefer = name + "#0"})), 6004) << "no number: part of a name";
+}
+
 TEST_F(Gpu, the_device_names_itself_its_driver_and_its_version) {
     EXPECT_FALSE(device().info().name.empty());
     EXPECT_FALSE(device().info().driver.empty());

@@ -298,7 +298,7 @@ TEST(OwnMesh, is_told_of_a_generator_that_does_not_exist) {
     text.replace(text.find(include), include.size(),
                  "Texture2D gSkinMap : DIFFUSE < string Generator = \"moss\"; >;\nTG_SAMPLER2D_SRGB(gSkin, LINEAR, CLAMP);");
     const std::string effect = write("effects/Moss.fx", text);
-    const Ran ran = draw("moss", {effect, "--mesh", ballMesh()}).ran;
+    const Ran ran = draw("moss", {effect, "--mesh", ballMesh(), "--anywhere"}).ran;
     EXPECT_EQ(ran.code, 1);
     for (const char* expected : {"TG4054", "moss", "fur roots", "gSkinMap"})
         EXPECT_NE(ran.err.find(expected), std::string::npos) << expected << " in " << ran.err;

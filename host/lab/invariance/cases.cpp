@@ -170,7 +170,8 @@ void addLamps(EngineScene& scene) {
     auto& values = scene.workspace.parameters;
     values["gLampPlace"] = {0.85, 0.1, 0.5, 0, -260, 160, -200, 1, 150, 40, 60, 1};
     values["gLampColor"] = {0.25, 0.27, 0.30, 0, 0.8, 0.7, 0.6, 300, 0.3, 0.5, 0.7, 120};
-    values["gLampAxis"] = {0, 0, -1, 0.15, 0.712, -0.438, 0.548, 15, 0, 0, -1, 8};
+    const glm::dvec3 spot = glm::normalize(glm::dvec3(260, -160, 200)); // as long as transformLamps() leaves it
+    values["gLampAxis"] = {0, 0, -1, 0.15, spot.x, spot.y, spot.z, 15, 0, 0, -1, 8};
     values["gLampSpot"] = {-1, -2, 1, 1, 0.98, 0.93, 1, 1, -1, -2, 1, 0.5};
 }
 

@@ -90,6 +90,10 @@ bool SkinScene::lit(const SurfacePoint& point) const {
     return reaches(outsideFacet(mesh_, point), kFacets);
 }
 
+bool SkinScene::litByFacets(const SurfacePoint& point) const {
+    return reaches(point.position, kFacets);
+}
+
 bool SkinScene::reaches(const glm::dvec3& position, double slack) const {
     return !light_.shows(position) || rays_.reaches(light_.origin(position), position, slack);
 }

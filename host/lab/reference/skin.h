@@ -67,6 +67,8 @@ public:
     /// What the light's view does not show is lit: there is no map that could say otherwise. Facets do not hide the round surface that
     /// their normals mean: near its horizon they turn away before it does.
     [[nodiscard]] bool lit(const SurfacePoint& point) const;
+    /// The same of the flat triangles themselves, as a shadow map holds them.
+    [[nodiscard]] bool litByFacets(const SurfacePoint& point) const;
     /// The shadow map cannot tell: within `texels` of its texels the light is cut off somewhere and not elsewhere, or the map ends, or the
     /// surface is seen edge-on by the light, N.L of the mesh in 0..0.15.
     [[nodiscard]] bool nearShadowEdge(const SurfacePoint& point, double texels) const;

@@ -203,8 +203,8 @@ Result<ModuleReport> verifyShadowMap(const Context& context) {
     if (!shaded) return shaded.error();
     const Seen seen = look(truth.skin, truth.camera);
     const auto counts = awayFromShadowEdges(truth, seen);
-    const Image exact =
-        paint(seen, 1, [&](const reference::SurfacePoint& point, std::size_t) { return glm::dvec4(truth.skin.lit(point) ? 1 : 0); });
+    const Image exact = paint(
+        seen, 1, [&](const reference::SurfacePoint& point, std::size_t) { return glm::dvec4(truth.skin.litByFacets(point) ? 1 : 0); });
     const auto compared =
         compare(report, context, {"shadow on the mesh", channel(shaded->image, 0), exact, counts, interior(seen)}, shadowLimits(context));
     if (!compared) return compared.error();

@@ -14,11 +14,13 @@ namespace fs = std::filesystem;
 
 /// An effect that divides by zero in every pixel, beside a catalogue that names nothing.
 std::string faultyEffects() {
-    fs::create_directories(scratch() / "faulty");
-    const auto library = fs::absolute("hlsl").string();
-    const auto passes = fs::absolute("effects/passes").string();
-    const std::string effect = write("faulty/Faulty.fx", "#include \"" + library + "/platform.fxh\"\n#include \"" + library +
-                                                             "/workspace.fxh\"\n#include \"" + passes + "/quad.fxh\"\n" + R"(
+    const fs::path folder = scratch() / "faulty"; // with a copy of ours: an effect reads no file outside of its project
+    fs::create_directories(folder / "effects");
+    fs::copy("hlsl", folder / "hlsl", fs::copy_options::recursive);
+    fs::copy("effects/passes", folder / "effects/passes", fs::copy_options::recursive);
+    const std::string effect = write("faulty/Faulty.fx", R"(#include "hlsl/platform.fxh"
+#include "hlsl/workspace.fxh"
+#include "effects/passes/quad.fxh"
 float4 gZero = { 0.0, 0.0, 0.0, 0.0 };
 float4 FaultyPS(QuadVarying input) : SV_Target0 { return (input.uv.x + 1.0) / gZero; }
 #ifdef FX_TECHNIQUES

@@ -57,13 +57,17 @@ class EffectFolder {
 public:
     explicit EffectFolder(const std::string& expression)
         : folder_(std::filesystem::temp_directory_path() / ("tegument-stability-" + std::to_string(::getpid()))) {
-        const auto library = std::filesystem::absolute("hlsl").string();
-        const auto passes = std::filesystem::absolute("effects/passes").string();
-        const std::string text = "#include \"" + library + "/platform.fxh\"\n#include \"" + library + "/workspace.fxh\"\n#include \"" +
-                                 passes + "/quad.fxh\"\n" + R"(
+        // A copy: an effect reads no file outside of its project.
+        std::filesystem::create_directories(folder_ / "effects");
+        std::filesystem::copy("hlsl", folder_ / "hlsl", std::filesystem::copy_options::recursive);
+        std::filesystem::copy("effects/passes", folder_ / "effects/passes", std::filesystem::copy_options::recursive);
+        const std::string text = std::string(R"(#include "hlsl/platform.fxh"
+#include "hlsl/workspace.fxh"
+#include "effects/passes/quad.fxh"
+
 float gZero = 0.0;
 float3 gPadding = { 0.0, 0.0, 0.0 };
-float4 BadPS(QuadVarying input) : SV_Target0 { return float4()" +
+float4 BadPS(QuadVarying input) : SV_Target0 { return float4()") +
                                  expression + R"(, gPadding.x, 0.0, 1.0); }
 #ifdef FX_TECHNIQUES
 technique Bad < string Script = "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Bad;"; >

@@ -11,4 +11,7 @@ inline constexpr bool kMemoryCanBeLimited = false;
 inline constexpr bool kMemoryCanBeLimited = true;
 #endif
 
+/// They also keep for a while what was freed: the memory of the process says nothing of ours.
+inline constexpr bool kMemoryCanBeMeasured = kMemoryCanBeLimited;
+
 } // namespace tegument

@@ -3,6 +3,7 @@
 
 #include "host/adopt/adopt.h"
 #include "host/run/run.h"
+#include "host/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(Load, memory_files_and_objects_of_the_device_stay_as_many_as_they_are) {
     EXPECT_GT(begun.objects, 0);
     EXPECT_EQ(ended.objects, begun.objects);
     EXPECT_EQ(ended.files, begun.files);
-    EXPECT_LT(ended.mebibytes, begun.mebibytes + kMost);
+    EXPECT_TRUE(!kMemoryCanBeMeasured || ended.mebibytes < begun.mebibytes + kMost) << ended.mebibytes << " MiB, " << begun.mebibytes;
 }
 
 } // namespace

@@ -48,7 +48,8 @@ TEST(MissingData, of_somebody_s_own_is_the_workspace_s_fault) {
 }
 
 TEST(PrepBunny, makes_all_that_its_workspaces_name) {
-    if (!fs::exists("/usr/share/glmark2/models/bunny.obj")) GTEST_SKIP() << "glmark2-data is not installed: ./bootstrap demo brings it";
+    if (!fs::exists("/usr/share/glmark2/models/bunny.obj"))
+        GTEST_SKIP() << "glmark2-data is not installed (./bootstrap test brings it), and no test takes a mesh from the network";
     const Ran made = tegument({"prep", "bunny"}, bare("bunny"));
     ASSERT_EQ(made.code, 0) << made.err;
     const Ran kept = tegument({"prep", "bunny", "--keep", "--json"}, bare("bunny"));

@@ -78,7 +78,7 @@ TEST(Effects, compile_to_spirv_by_both_compilers_which_see_the_same_parameters_i
 }
 
 TEST(Effects, compile_for_direct3d_12_in_every_setting) {
-    if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not there: ./bootstrap build";
+    if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
     for (const FileReport& file : checkEffects(effectFiles(), {Target::Dxil}, {.includeFolders = {}, .allSettings = true}).files)
         EXPECT_EQ(file.targets.at(0).verdict, Verdict::Passed) << describe(file);
 }

@@ -5,6 +5,7 @@
 
 #include "host/spirv/dxil.h"
 #include "host/support/file.h"
+#include "tests/spirv/missing.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ using nlohmann::json;
 class DxilEmit : public testing::Test {
 protected:
     void SetUp() override {
-        if (!compilerAvailable(Compiler::Dxc)) GTEST_SKIP() << "DXC is not there: ./bootstrap build";
+        if (const std::string missing = test::compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
         const CheckReport checked = checkEffects({"effects/Pyramid.fx"}, {Target::Dxil});
         report_ = checked.files.at(0);
         const auto written = emitEffect(report_, {.folder = folder_, .kinds = {EmitKind::Dxil}, .defines = {}});

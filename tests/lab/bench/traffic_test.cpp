@@ -2,6 +2,7 @@
 
 #include "host/lab/bench/traffic.h"
 #include "tests/gpu/with_device.h"
+#include "tests/spirv/missing.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ class FrameTraffic : public test::WithDevice, public testing::WithParamInterface
 protected:
     void SetUp() override {
         test::WithDevice::SetUp();
-        if (!compilerAvailable(GetParam())) GTEST_SKIP() << "DXC is not installed";
+        if (const std::string missing = test::compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
     }
 
     std::vector<Traffic> count(const std::string& technique, double turns = 5) {

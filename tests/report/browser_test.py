@@ -124,7 +124,8 @@ class Report(unittest.TestCase):
             shown.append(self.page.evaluate(centre.format(30)))
         picture, reference, difference = shown
         self.assertGreater(sum(picture), sum(reference), "the one pixel that is too bright")
-        self.assertEqual(difference[0] > difference[2], True, f"{difference}: .02 of the mean is between red and yellow")
+        for value, expected in zip(difference, (245, 149, 61)):  # log10(.02) is .717 of the way from -6 to 0, 3.58 of the ramp's five steps
+            self.assertAlmostEqual(value, expected, delta=3, msg=str(difference))
         # Half way: the difference to the left of the border, the reference to its right.
         self.page.evaluate("(s => { s.value = 1.5; s.dispatchEvent(new Event('input')); })(document.querySelector('.wipe input'))")
         self.assertEqual(self.page.evaluate(centre.format(30)), reference)

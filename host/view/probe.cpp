@@ -26,7 +26,7 @@ std::string lineOf(const ProbedTarget& target, std::size_t width, glm::dvec2 pla
     const int y = texelAt(place.y, image.height);
     std::string text = fmt::format("{:<{}} {:>4},{:>4}", nameOf(target), width, x, y);
     for (int c = 0; c < image.channels; ++c)
-        text += fmt::format(" {:>9.4g}", image.at(x, y, c));
+        text += fmt::format(" {:>8.4g}", image.at(x, y, c));
     return text;
 }
 

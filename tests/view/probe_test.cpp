@@ -48,7 +48,7 @@ TEST(Probe, tells_the_texel_and_its_values_the_shown_target_first) {
     EXPECT_NE(lines[1].find("5,   2"), std::string::npos) << lines[1];
     EXPECT_NE(lines[1].find(" 22"), std::string::npos) << lines[1]; // 2 * 8 + 5, counted from 1
     EXPECT_EQ(lines[2].substr(0, 7), "picture");
-    EXPECT_NE(lines[2].find("19        20        21"), std::string::npos) << lines[2]; // texel (2, 1): 3 * (4 + 2) + 1
+    EXPECT_NE(lines[2].find("19       20       21"), std::string::npos) << lines[2]; // texel (2, 1): 3 * (4 + 2) + 1
 }
 
 TEST(Probe, its_last_texel_is_the_last) {

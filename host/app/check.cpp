@@ -1,17 +1,21 @@
 // tegument check: does an effect compile for every target? No GPU is needed.
 
 #include "host/check/check.h"
+#include "host/app/check_page.h"
 #include "host/app/command_line.h"
 #include "host/app/effect_options.h"
 #include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/check/resources.h"
 #include "host/emit/emit.h"
+#include "host/lsp/server.h"
+#include "host/run/semantics.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
+#include <unistd.h>
 
 namespace tegument::app {
 
@@ -28,6 +32,8 @@ struct CheckArguments {
     bool resources = false;
     bool skipMissing = false;
     bool json = false;
+    ReportOptions report;
+    bool server = false;
 };
 
 /// Every chosen target once, in the order of kAllTargets.
@@ -236,7 +242,7 @@ Result<std::vector<std::filesystem::path>> filesOf(const CheckArguments& argumen
     return files;
 }
 
-void printJson(const CheckReport& report, const CheckArguments& arguments, const std::vector<std::string>& emitted) {
+Json runJson(const CheckReport& report, const CheckArguments& arguments, const std::vector<std::string>& emitted) {
     Json json{{"passed", exitCode(report, arguments.skipMissing) == 0},
               {"failed", report.failed()},
               {"complete", report.complete()},
@@ -246,7 +252,7 @@ void printJson(const CheckReport& report, const CheckArguments& arguments, const
         json["files"].push_back(fileJson(file));
     if (!emitted.empty()) json["emitted"] = emitted;
     if (arguments.resources) json["resources"] = resourcesJson(resourceTable(report));
-    print(json);
+    return json;
 }
 
 void printText(const CheckReport& report, const CheckArguments& arguments, const std::vector<std::string>& emitted) {
@@ -262,10 +268,14 @@ void printText(const CheckReport& report, const CheckArguments& arguments, const
 }
 
 int check(const CheckArguments& arguments) {
+    if (arguments.server)
+        return lsp::serve(STDIN_FILENO, STDOUT_FILENO, {.load = loadOptions(arguments.effect), .semantics = run::numericSemantics()});
     const auto targets = chosenTargets(arguments.targets);
     if (!targets) return fail(targets.error(), arguments.json);
     const auto files = filesOf(arguments);
     if (!files) return fail(files.error(), arguments.json);
+    const auto earlier = earlierRun(arguments.report, checkFigures);
+    if (!earlier) return fail(earlier.error(), arguments.json);
     Progress progress;
     progress.say(fmt::format("checking {} files", files->size()));
     const CheckOptions options = checkOptions(arguments);
@@ -276,10 +286,13 @@ int check(const CheckArguments& arguments) {
         if (!arguments.json) printText(report, arguments, {});
         return fail(emitted.error(), arguments.json);
     }
+    const Json run = runJson(report, arguments, *emitted);
     if (arguments.json)
-        printJson(report, arguments, *emitted);
+        print(run);
     else
         printText(report, arguments, *emitted);
+    const auto told = tellReport(arguments.report, *earlier, run, checkFigures, [&] { return checkPage(run); });
+    if (!told) return fail(told.error(), false);
     return exitCode(report, arguments.skipMissing);
 }
 
@@ -288,7 +301,8 @@ int check(const CheckArguments& arguments) {
 void addCheck(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand("check", "Compile effects for every target, offline and without a GPU");
-    command->add_option("effects", arguments->files, "Effects: files (.fx), or names of ours, such as Main")->required();
+    CLI::Option* files =
+        command->add_option("effects", arguments->files, "Effects: files (.fx), or names of ours, such as Main")->required();
     repeatable(command->add_option("--target", arguments->targets,
                                    "fx_2_0, fx_4_0, fx_5_0, sm5, dxil, spirv-dxc, spirv-glslang or all; may be repeated"))
         ->capture_default_str();
@@ -306,8 +320,19 @@ void addCheck(CLI::App& program, Action& action) {
                       "Print what each pass takes of shader model 3 instead (docs/design/tables/resources.md); needs target fx_2_0");
     command->add_flag("--skip-missing", arguments->skipMissing, "Accept targets whose tool this machine lacks: exit code 0, not 3");
     command->add_flag("--json", arguments->json, "Print JSON");
+    addReportOptions(*command, arguments->report, "--json");
+    command
+        ->add_flag_callback(
+            "--lsp",
+            [arguments, files] {
+                arguments->server = true;
+                files->required(false);
+            },
+            "Serve an editor by the Language Server Protocol on standard input and output, until it says exit (docs/your-effect.md)")
+        ->trigger_on_parse();
     addExamples(*command,
                 {{"check Main", "every target"},
+                 {"check Main --html check.html", "the same as a page: diagnostics, resources"},
                  {"check my.fx --target fx_2_0 --target sm5 --all-settings", "two targets, three settings"},
                  {"check Main --emit out --skip-missing", "and write what engines load"}},
                 "passed          the target's own compiler takes the file\n"

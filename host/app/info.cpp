@@ -2,6 +2,7 @@
 
 #include "host/app/command_line.h"
 #include "host/app/effect_options.h"
+#include "host/app/foreign.h"
 #include "host/app/names.h"
 #include "host/app/output.h"
 #include "host/effect/model.h"
@@ -280,10 +281,16 @@ int info(const InfoOptions& options) {
     const Result<Effect> effect = loadEffect(*file, loadOptions(options.effect));
     if (!effect) return fail(effect.error(), options.json);
     warn(effect->warnings);
+    const std::vector<ParameterBinding> bindings = adopted(*effect).bindings; // none of an effect that is written for this host
     if (options.json) {
-        print(effectJson(*effect));
+        Json json = effectJson(*effect);
+        json["bindings"] = Json::array();
+        for (const ParameterBinding& binding : bindings)
+            json["bindings"].push_back({{"parameter", binding.parameter}, {"got", binding.source}, {"by", binding.rule}});
+        print(json);
     } else {
         printEffect(*effect, options.all);
+        printBindings(bindings);
     }
     return 0;
 }
@@ -297,7 +304,9 @@ void addInfo(CLI::App& program, Action& action) {
     addEffectOptions(*command, options->effect);
     command->add_flag("--all", options->all, "Also internal parameters, targets and the shaders of each pass");
     command->add_flag("--json", options->json, "Print JSON, with everything");
-    addExamples(*command, {{"info Main", "what can be turned"}, {"info Main --all", "and everything else"}});
+    addExamples(
+        *command, {{"info Main", "what can be turned"}, {"info Main --all", "and everything else"}},
+        "Of an effect of another host also: what each parameter gets, and by which rule (--bind of render and view says otherwise).");
     command->callback([options, &action] { action = [options] { return info(*options); }; });
 }
 

@@ -4,6 +4,7 @@
 
 #include "host/app/command_line.h"
 #include "host/app/names.h"
+#include "host/app/prep_page.h"
 #include "host/app/prep_report.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
@@ -21,6 +22,7 @@ struct Arguments {
     std::string input;
     std::string output;
     std::string report;
+    ReportOptions page;
     bool dryRun = false;
     bool json = false;
     bool refuseNotFinite = false;
@@ -126,6 +128,8 @@ int run(Arguments& arguments) {
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
     if (const auto exists = inputExists(arguments); !exists) return fail(exists.error(), arguments.json);
+    const auto earlier = earlierRun(arguments.page, prepFigures);
+    if (!earlier) return fail(earlier.error(), arguments.json);
     Progress progress;
     arguments.options.progress = [&](const std::string& step) { progress.say(step); };
     const auto prepared = prep::prepareMesh(arguments.input, arguments.options);
@@ -142,6 +146,9 @@ int run(Arguments& arguments) {
         printReport(prepared->report);
         tellWhatWasWritten(arguments);
     }
+    const Json made = reportOf(arguments, prepared->report);
+    const auto told = tellReport(arguments.page, *earlier, made, prepFigures, [&] { return prepPage(made); });
+    if (!told) return fail(told.error(), false);
     return 0;
 }
 
@@ -232,6 +239,7 @@ void addPrepMesh(CLI::App& command, Action& action) {
     command.add_option("input", arguments->input, "Mesh to prepare: PLY, OBJ, STL, OFF, glb or glTF");
     command.add_option("-o,--output", arguments->output, "Where it goes: .glb or .ply");
     command.add_option("--report", arguments->report, "Write what each step changed, and the figures before and after, as JSON");
+    addReportOptions(command, arguments->page, "--report");
     command.add_flag("--mapping-report", arguments->options.mappingReport, "How evenly textures would lie on it (docs/meshprep.md)");
     command.add_flag("--dry-run", arguments->dryRun, "Do everything but write the mesh");
     command.add_flag("--json", arguments->json, "Print the report as JSON");

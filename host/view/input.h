@@ -17,6 +17,7 @@ struct Input {
     double wheel = 0; // notches; up is positive
     double lightWheel = 0;
     std::vector<std::filesystem::path> dropped; // files
+    glm::dvec2 cursor{-1};                      // share of the window from its left top; outside it: beyond 0 and 1
     bool any = false;                           // something that the overlay may want to know
     bool closed = false;
 };

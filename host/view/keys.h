@@ -29,6 +29,9 @@ enum class Command {
     NextPreset,
     SaveWorkspace,
     CopyCommand,
+    Probe,
+    Strip,
+    Bindings,
     Quit
 };
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kWidestSliders = 0.6F;  // of the window, where something stands beside them
 constexpr float kTallestProblem = 0.4F; // of the window
+constexpr float kTallestStrip = 0.3F;   // of the window
 constexpr float kTallestLines = 0.5F;   // of what is above the problem, where the help stands below them
 
 /// At most as large as the room, which may be none.
@@ -28,14 +29,29 @@ PanelAreas arrange(float width, float height, const PanelSizes& sizes) {
         bottom = area.y - kPanelMargin;
         areas.problem = area;
     }
+    if (sizes.strip) {
+        Area area = fitted(*sizes.strip, kPanelMargin, 0, across, kTallestStrip * height);
+        area.y = bottom - area.height;
+        bottom = area.y - kPanelMargin;
+        areas.strip = area;
+    }
     float right = width - kPanelMargin;
-    if (sizes.sliders) {
-        const bool alone = !sizes.lines && !sizes.help;
-        Area area = fitted(*sizes.sliders, 0, kPanelMargin, alone ? across : kWidestSliders * across, bottom - kPanelMargin);
+    float under = bottom; // of the sliders
+    if (sizes.histogram) {
+        Area area = fitted(*sizes.histogram, 0, 0, kWidestSliders * across, kTallestLines * (bottom - kPanelMargin));
         area.x = right - area.width;
-        right = area.x - kPanelMargin;
+        area.y = bottom - area.height;
+        under = area.y - kPanelMargin;
+        areas.histogram = area;
+    }
+    if (sizes.sliders) {
+        const bool alone = !sizes.lines && !sizes.help && !sizes.histogram;
+        Area area = fitted(*sizes.sliders, 0, kPanelMargin, alone ? across : kWidestSliders * across, under - kPanelMargin);
+        area.x = right - area.width;
         areas.sliders = area;
     }
+    for (const auto& beside : {areas.sliders, areas.histogram})
+        if (beside) right = std::min(right, beside->x - kPanelMargin);
     float top = kPanelMargin;
     if (sizes.lines) {
         const float room = (sizes.help ? kTallestLines : 1) * (bottom - top);

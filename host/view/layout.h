@@ -26,6 +26,8 @@ struct PanelSizes {
     std::optional<PanelSize> help;
     std::optional<PanelSize> sliders;
     std::optional<PanelSize> problem;
+    std::optional<PanelSize> strip;
+    std::optional<PanelSize> histogram;
 };
 
 struct PanelAreas {
@@ -33,12 +35,14 @@ struct PanelAreas {
     std::optional<Area> help;
     std::optional<Area> sliders;
     std::optional<Area> problem;
+    std::optional<Area> strip;
+    std::optional<Area> histogram;
 };
 
 inline constexpr float kPanelMargin = 8;
 
-/// The problem at the bottom, the sliders to the right, the lines to the left and the help below them. What has no room is cut: panels
-/// scroll.
+/// The problem at the bottom and the strip above it, the sliders to the right and the histogram below them, the lines to the left and the
+/// help below them. What has no room is cut: panels scroll.
 [[nodiscard]] PanelAreas arrange(float width, float height, const PanelSizes& sizes);
 
 } // namespace tegument::view

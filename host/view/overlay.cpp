@@ -107,8 +107,11 @@ Result<void> Overlay::draw(Canvas& canvas, gpu::Texture& target, const std::func
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.ElemCount == 0) continue;
             indices.push_back(indicesOf(list, command));
-            meshes.push_back(
-                {.vertices = vertices.back(), .indices = indices.back(), .texture = &state_->font, .clip = clipOf(data, command)});
+            auto* texture = static_cast<gpu::Texture*>(command.GetTexID()); // of a picture; the font has none
+            meshes.push_back({.vertices = vertices.back(),
+                              .indices = indices.back(),
+                              .texture = texture ? texture : &state_->font,
+                              .clip = clipOf(data, command)});
         }
     }
     return meshes.empty() ? Result<void>() : canvas.blend(target, meshes);

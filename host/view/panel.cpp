@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tegument::view {
@@ -20,6 +21,14 @@ constexpr ImGuiWindowFlags kPlain = kFixed | ImGuiWindowFlags_NoInputs | ImGuiWi
 constexpr float kOpacity = 0.75F;
 constexpr float kSliderShare = 0.5F; // of the panel's width; the rest is the name
 const ImVec4 kRed(1.0F, 0.55F, 0.5F, 1.0F);
+const ImVec4 kChosen(0.45F, 0.75F, 1.0F, 1.0F);
+constexpr float kThumbnail = 72; // pixels high
+constexpr float kHistogramWidth = 280;
+constexpr float kHistogramHeight = 80;
+// Half transparent: what lies behind is seen.
+constexpr ImU32 kGrey = IM_COL32(220, 220, 220, 200);
+constexpr std::array<ImU32, Histogram::kChannels> kChannelColors = {IM_COL32(235, 70, 60, 150), IM_COL32(70, 200, 80, 150),
+                                                                    IM_COL32(80, 130, 255, 150)};
 
 void place(const Area& area) {
     ImGui::SetNextWindowPos(ImVec2(area.x, area.y), ImGuiCond_Always);
@@ -177,6 +186,70 @@ bool drawSliders(ViewState& state, const ViewState& start, const std::vector<con
     return changed;
 }
 
+PanelSize stripSize() {
+    const float height =
+        kThumbnail + 2 * ImGui::GetTextLineHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ScrollbarSize;
+    return {.width = ImGui::GetIO().DisplaySize.x, .height = [height](float) { return height; }};
+}
+
+/// The name of the target that was clicked.
+std::optional<std::string> drawStrip(const std::vector<Thumbnail>& thumbnails, const Area& area) {
+    std::optional<std::string> opened;
+    if (area.width <= 0 || area.height <= 0) return opened;
+    place(area);
+    ImGui::Begin("targets", nullptr, kFixed | ImGuiWindowFlags_HorizontalScrollbar);
+    for (const Thumbnail& thumbnail : thumbnails) {
+        const gpu::TextureDesc& desc = thumbnail.texture->desc();
+        const ImVec2 size(kThumbnail * static_cast<float>(desc.width) / static_cast<float>(desc.height), kThumbnail);
+        ImGui::BeginGroup();
+        const ImVec4 frame = thumbnail.shown ? kChosen : ImVec4(0, 0, 0, 0);
+        ImGui::PushID(thumbnail.name.c_str());
+        ImGui::Image(thumbnail.texture, size, ImVec2(0, 0), ImVec2(1, 1), ImVec4(1, 1, 1, 1), frame);
+        if (ImGui::IsItemClicked()) opened = thumbnail.name;
+        ImGui::TextUnformatted(thumbnail.name.empty() ? "picture" : thumbnail.name.c_str());
+        ImGui::TextDisabled("%s", thumbnail.label.c_str());
+        ImGui::PopID();
+        ImGui::EndGroup();
+        ImGui::SameLine();
+    }
+    ImGui::End();
+    return opened;
+}
+
+PanelSize histogramSize() {
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    return {.width = kHistogramWidth,
+            .height = [line](float) { return kHistogramHeight + 2 * line + 2 * ImGui::GetStyle().WindowPadding.y; }};
+}
+
+void drawHistogram(const Histogram& histogram, const Area& area) {
+    if (area.width <= 0 || area.height <= 0) return;
+    place(area);
+    ImGui::Begin("values", nullptr, kPlain);
+    std::size_t most = 1;
+    for (const auto& counts : histogram.counts)
+        most = std::max(most, *std::ranges::max_element(counts));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float step = width / static_cast<float>(Histogram::kBins);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(histogram.channels); ++c)
+        for (std::size_t bin = 0; bin < Histogram::kBins; ++bin) {
+            // The root: what few texels hold is seen, too.
+            const float height = kHistogramHeight * std::sqrt(static_cast<float>(histogram.counts[c][bin]) / static_cast<float>(most));
+            const float left = corner.x + step * static_cast<float>(bin);
+            const float bottom = corner.y + kHistogramHeight;
+            ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, bottom - height), ImVec2(left + step, bottom),
+                                                      histogram.channels == 1 ? kGrey : kChannelColors.at(c));
+        }
+    ImGui::Dummy(ImVec2(width, kHistogramHeight));
+    ImGui::Text("%.4g", static_cast<double>(histogram.low));
+    const std::string high = fmt::format("{:.4g}", histogram.high);
+    ImGui::SameLine(std::max(0.0F, width - ImGui::CalcTextSize(high.c_str()).x + ImGui::GetStyle().WindowPadding.x));
+    ImGui::TextUnformatted(high.c_str());
+    if (histogram.notFinite > 0) ImGui::TextColored(kRed, "%zu values are not finite", histogram.notFinite);
+    ImGui::End();
+}
+
 } // namespace
 
 bool isWhole(const Parameter& parameter) {
@@ -188,6 +261,20 @@ bool isWhole(const Parameter& parameter) {
     return whole("UIMin") && whole("UIMax") && whole("UIStep") && annotated(parameter, "UIStep", 0) >= 1;
 }
 
+std::string bindingLines(const std::vector<ParameterBinding>& bindings) {
+    if (bindings.empty()) return "written for this host: its semantics say what each parameter gets\n";
+    std::size_t name = 0;
+    std::size_t source = 0;
+    for (const ParameterBinding& binding : bindings) {
+        name = std::max(name, binding.parameter.size());
+        source = std::max(source, binding.source.size());
+    }
+    std::string text = "what each parameter got, by which rule; --bind NAME=RULE says otherwise\n";
+    for (const ParameterBinding& binding : bindings)
+        text += fmt::format("  {:<{}}  {:<{}}  {}\n", binding.parameter, name, binding.source, source, binding.rule);
+    return text;
+}
+
 std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& effect) {
     std::vector<const Parameter*> parameters;
     for (const Parameter& parameter : effect.parameters)
@@ -195,12 +282,16 @@ std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& ef
     return parameters;
 }
 
-bool drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text) {
+PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text,
+                       const PanelPictures& pictures) {
     const std::vector<const Parameter*> parameters = slidersOf(state, effect);
     const std::string lines = linesOf(text);
     PanelSizes sizes;
     if (state.information) sizes.lines = sizeOf(lines);
-    if (state.help) sizes.help = sizeOf(bindingsHelp());
+    const std::string help = state.help ? bindingsHelp() : state.bindings ? text.bindings : std::string();
+    if (!help.empty()) sizes.help = sizeOf(help);
+    if (!pictures.thumbnails.empty()) sizes.strip = stripSize();
+    if (pictures.histogram) sizes.histogram = histogramSize();
     if (state.sliders) sizes.sliders = sliderSize(state, parameters);
     if (!text.problem.empty()) {
         sizes.problem = sizeOf(text.problem);
@@ -213,8 +304,12 @@ bool drawPanel(ViewState& state, const ViewState& start, const Effect& effect, c
         drawText("problem", *areas.problem, text.problem);
         ImGui::PopStyleColor();
     }
-    if (areas.help) drawText("help", *areas.help, bindingsHelp());
-    return areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
+    if (areas.help) drawText("help", *areas.help, help);
+    if (areas.histogram) drawHistogram(*pictures.histogram, *areas.histogram);
+    PanelOutcome outcome;
+    if (areas.strip) outcome.opened = drawStrip(pictures.thumbnails, *areas.strip);
+    outcome.moved = areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
+    return outcome;
 }
 
 } // namespace tegument::view

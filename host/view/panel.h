@@ -1,7 +1,10 @@
 #pragma once
 // What stands on the picture: what is shown, errors, the help, the effect's parameters as sliders. To be called inside Overlay::draw.
 
+#include "host/adopt/adopt.h"
 #include "host/effect/model.h"
+#include "host/gpu/gpu.h"
+#include "host/view/probe.h"
 #include "host/view/state.h"
 
 namespace tegument::view {
@@ -10,6 +13,30 @@ struct PanelText {
     std::vector<std::string> lines; // what is shown
     std::string problem;            // why the picture is not up to date; empty: it is
     std::string notice;             // "wrote out/Main-001.png"
+    std::string bindings;           // what each parameter got, by which rule
+};
+
+/// A target as a small picture.
+struct Thumbnail {
+    std::string name;  // empty: the picture
+    std::string label; // with its size
+    gpu::Texture* texture = nullptr;
+    bool shown = false;
+};
+
+/// What is shown besides text; empty: not asked for.
+struct PanelPictures {
+    std::vector<Thumbnail> thumbnails;
+    std::optional<Histogram> histogram;
+};
+
+/// "gWorld  WORLD  by semantic", a line for each parameter; why there is none where there is none.
+[[nodiscard]] std::string bindingLines(const std::vector<ParameterBinding>& bindings);
+
+/// What was done in the panels.
+struct PanelOutcome {
+    bool moved = false;                // a slider, or a preset was chosen: `state.parameters` then holds the values
+    std::optional<std::string> opened; // a thumbnail
 };
 
 /// Of a parameter without fractions, by its type or because its range and step are whole numbers.
@@ -18,7 +45,8 @@ struct PanelText {
 /// What stands in the panel of parameters: those with a UIWidget that make a difference to the frame.
 [[nodiscard]] std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& effect);
 
-/// True when a slider moved or a preset was chosen: `state.parameters` then holds the values. `start`: what presets are laid over.
-[[nodiscard]] bool drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text);
+/// `start`: what presets are laid over.
+[[nodiscard]] PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text,
+                                     const PanelPictures& pictures);
 
 } // namespace tegument::view

@@ -123,9 +123,21 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::NextPreset: return stepPreset(state, start);
     case Command::SaveWorkspace: return Request::SaveWorkspace;
     case Command::CopyCommand: return Request::CopyCommand;
+    case Command::Probe: return toggle(state.probe);
+    case Command::Strip: return toggle(state.strip);
+    case Command::Bindings: return toggle(state.bindings);
     case Command::Quit: return Request::Quit;
     }
     return Request::None;
+}
+
+Request showTarget(ViewState& state, const std::string& name) {
+    if (name.empty()) return showPicture(state);
+    if (!indexOf(state.targets, name)) return Request::None;
+    state.target = name;
+    state.show = Show::Target;
+    showAnew(state);
+    return Request::Draw;
 }
 
 void choosePreset(ViewState& state, const std::string& name, const ViewState& start) {

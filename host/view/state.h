@@ -38,6 +38,9 @@ struct ViewState {
     bool help = false;
     bool sliders = false;
     bool information = true;
+    bool probe = false;
+    bool strip = false;
+    bool bindings = false;
 };
 
 /// `start`: what Command::Reset goes back to.
@@ -49,6 +52,9 @@ void choosePreset(ViewState& state, const std::string& name, const ViewState& st
 /// Passes, targets and techniques of what was drawn or loaded; what is shown stays where it can.
 void adopt(ViewState& state, const SessionFrame& frame);
 void adopt(ViewState& state, const Effect& effect);
+
+/// Shows this target of the whole frame; the picture for an empty name.
+[[nodiscard]] Request showTarget(ViewState& state, const std::string& name);
 
 /// How many passes are to be drawn.
 [[nodiscard]] std::size_t passCount(const ViewState& state);

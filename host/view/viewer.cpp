@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 #include <thread>
 
 namespace tegument::view {
@@ -28,17 +27,12 @@ constexpr int kSettlingFrames = 3;
 constexpr int kDeviceLost = 6007;
 constexpr int kMostPictures = 9999;
 
-std::string firstLine(const std::string& text) {
-    return text.substr(0, text.find('\n'));
-}
-
-Result<Effect> readEffect(const ViewRequest& request, const std::string& setting) {
+Result<Adoption> readEffect(const ViewRequest& request, const std::string& setting) {
     LoadOptions load = request.load;
     load.setting = setting;
     auto effect = loadEffect(request.effect, load);
-    if (!effect) return effect;
-    return adopted(std::move(*effect), {.bind = request.binds, .technique = {}, .width = request.run.width, .height = request.run.height})
-        .effect;
+    if (!effect) return effect.error();
+    return adopted(std::move(*effect), {.bind = request.binds, .technique = {}, .width = request.run.width, .height = request.run.height});
 }
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
@@ -64,11 +58,6 @@ std::string quoted(const std::string& word) {
     for (const char c : word)
         text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
-}
-
-double totalMilliseconds(const SessionFrame& frame) {
-    return std::accumulate(frame.passes.begin(), frame.passes.end(), 0.0,
-                           [](double sum, const SessionPass& pass) { return sum + pass.milliseconds; });
 }
 
 } // namespace
@@ -143,6 +132,7 @@ Result<void> Viewer::step() {
     const bool seen = pixels.width > 0 && pixels.height > 0;
     const Input input = window_.wait(seen && settling_ > 0 ? kShort : kPatience, overlay_->wantsMouse());
     if (input.any) settling_ = kSettlingFrames;
+    cursor_ = input.cursor;
     if (input.closed) running_ = false;
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
     for (const fs::path& file : input.dropped)
@@ -210,6 +200,7 @@ Result<void> Viewer::load() {
     }
     loaded_ = std::move(loaded);
     levelled_.clear();
+    targets_.forgetAll();
     readPresets();
     start_.presets = state_.presets;
     watchFiles(&loaded_->effect, nullptr);
@@ -242,6 +233,7 @@ Result<void> Viewer::open(const fs::path& file) {
     }
     loaded_ = std::move(loaded);
     levelled_.clear();
+    targets_.forgetAll();
     readPresets();
     start_ = state_;
     notice("shown: " + file.string());
@@ -266,7 +258,9 @@ Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
 Result<void> Viewer::develop(SessionFrame frame) {
     if (!problem_.empty()) say_("the picture is up to date again");
     problem_.clear();
+    if (frame.technique != frame_.technique) targets_.forgetAll();
     frame_ = std::move(frame);
+    targets_.forget();
     adopt(state_, frame_);
     for (const Diagnostic& warning : frame_.warnings)
         if (std::string text = format(warning); warned_.insert(text).second) say_(text);
@@ -312,14 +306,17 @@ Result<void> Viewer::show() {
         composed_ = std::move(*composed);
     }
     if (const auto shown = canvas_->show(composed_, picture_, {}); !shown) return shown;
-    bool moved = false;
-    const auto text = [&] { moved = drawPanel(state_, start_, loaded_->effect, panelText()); };
+    const auto pictures = panelPictures();
+    if (!pictures) return pictures.error();
+    PanelOutcome outcome;
+    const auto text = [&] { outcome = drawPanel(state_, start_, loaded_->effect, panelText(), *pictures); };
     if (const auto drawn = overlay_->draw(*canvas_, composed_, text); !drawn) return drawn;
     if (std::string title = titleText(); title != title_) window_.setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
     if (!shown) return shown.error();
     if (!*shown) settling_ = kSettlingFrames;
-    return moved ? draw() : Result<void>();
+    if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
+    return outcome.moved ? draw() : Result<void>();
 }
 
 void Viewer::save() {
@@ -383,29 +380,6 @@ RunOptions Viewer::runOptions() const {
     options.width = static_cast<int>(size_.width);
     options.height = static_cast<int>(size_.height);
     return options;
-}
-
-PanelText Viewer::panelText() const {
-    PanelText text{.lines = {}, .problem = problem_, .notice = notice_};
-    text.lines.push_back(
-        fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
-    text.lines.push_back(shownText(state_, frame_));
-    text.lines.push_back(
-        fmt::format("{} passes {:.2f} ms, frame {:.1f} ms", frame_.passes.size(), totalMilliseconds(frame_), milliseconds_));
-    text.lines.push_back(device_.info().name);
-    if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
-    if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
-    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
-    if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
-    if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
-    if (!state_.help) text.lines.emplace_back("h: help");
-    return text;
-}
-
-std::string Viewer::titleText() const {
-    if (!problem_.empty()) return firstLine(problem_);
-    return fmt::format("{} {} [{}] {}, {:.1f} ms - tegument", request_.effect.filename().string(), state_.technique, state_.setting,
-                       shownText(state_, frame_), milliseconds_);
 }
 
 void Viewer::watchFiles(const Effect* effect, const Error* error) {

@@ -1,11 +1,13 @@
 #pragma once
 // The loop behind viewEffect(): what is loaded, what is drawn, what the window shows.
 
+#include "host/adopt/adopt.h"
 #include "host/gpu/present.h"
 #include "host/view/canvas.h"
 #include "host/view/overlay.h"
 #include "host/view/panel.h"
 #include "host/view/state.h"
+#include "host/view/targets.h"
 #include "host/view/view.h"
 #include "host/view/watch.h"
 
@@ -15,13 +17,15 @@ namespace tegument::view {
 
 /// An effect that has been drawn at least once.
 struct Loaded {
-    Loaded(gpu::Device& device, Effect source, const ViewRequest& request)
-        : keeps(request.keeps), effect(std::move(source)), session(device, effect, request.scene) {}
+    Loaded(gpu::Device& device, Adoption source, const ViewRequest& request)
+        : keeps(request.keeps), effect(std::move(source.effect)), bindings(std::move(source.bindings)),
+          session(device, effect, request.scene) {}
     Loaded(const Loaded&) = delete; // the session points at the effect
     Loaded& operator=(const Loaded&) = delete;
 
     std::shared_ptr<const void> keeps; // the session's scene
     Effect effect;
+    std::vector<ParameterBinding> bindings; // of an effect of another host
     EffectSession session;
 };
 
@@ -65,7 +69,10 @@ private:
     void notice(std::string text);
 
     [[nodiscard]] RunOptions runOptions() const;
-    [[nodiscard]] PanelText panelText() const;
+    /// What the panels show of the targets: read back and made small only while it is asked for.
+    [[nodiscard]] Result<PanelPictures> panelPictures();
+    [[nodiscard]] std::vector<std::string> probed();
+    [[nodiscard]] PanelText panelText();
     [[nodiscard]] std::string titleText() const;
     /// The sources of the picture; with an error also what it points at, and their folders, where a missing file may appear.
     void watchFiles(const Effect* effect, const Error* error);
@@ -85,6 +92,8 @@ private:
     ViewState start_;
 
     SessionFrame frame_;      // the last good one
+    ShownTargets targets_;    // of the last good one
+    glm::dvec2 cursor_{-1};   // share of the window
     gpu::Texture picture_;    // as it is shown, without text
     gpu::Texture composed_;   // with text, of the window's size
     Levels levels_;           // of what is shown

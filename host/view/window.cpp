@@ -145,6 +145,10 @@ Input Window::wait(double seconds, bool overlay) {
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(state_->window, &width, &height);
+    state_->input.cursor = state_->mouse / glm::dvec2(std::max(1, width), std::max(1, height));
     state_->input.closed = glfwWindowShouldClose(state_->window) == GLFW_TRUE;
     return std::exchange(state_->input, Input{});
 }

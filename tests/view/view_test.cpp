@@ -251,14 +251,17 @@ TEST(Panels, stand_inside_the_window_and_none_covers_another) {
     for (const float width : {160.0F, 320.0F, 900.0F, 2560.0F})
         for (const float height : {120.0F, 320.0F, 900.0F})
             for (const float text : {60.0F, 400.0F, 3000.0F})
-                for (int shown = 0; shown < 16; ++shown) {
+                for (int shown = 0; shown < 64; ++shown) {
                     PanelSizes sizes;
                     if (shown & 1) sizes.lines = panel(text, 90);
                     if (shown & 2) sizes.help = panel(420, 400);
                     if (shown & 4) sizes.sliders = panel(380, text);
                     if (shown & 8) sizes.problem = panel(text, 200);
+                    if (shown & 16) sizes.strip = panel(width, 120);
+                    if (shown & 32) sizes.histogram = panel(280, 120);
                     const PanelAreas areas = arrange(width, height, sizes);
-                    const std::vector<std::optional<Area>> all = {areas.lines, areas.help, areas.sliders, areas.problem};
+                    const std::vector<std::optional<Area>> all = {areas.lines,   areas.help,  areas.sliders,
+                                                                  areas.problem, areas.strip, areas.histogram};
                     for (std::size_t i = 0; i < all.size(); ++i) {
                         EXPECT_EQ(all[i].has_value(), (shown >> i & 1) != 0);
                         for (std::size_t j = 0; j < i; ++j)

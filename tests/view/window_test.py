@@ -245,6 +245,30 @@ class Window(unittest.TestCase):
             self.view.screen.press(key)
             self.assertEqual(self.view.still(unlike=over), self.start)
 
+    def test_x_tells_values_and_how_they_are_spread(self):
+        self.view.screen.move(160, 160)
+        self.view.screen.press("x")
+        over = self.keep(self.view.still(unlike=self.start), "key_x")
+        self.assertGreater(over.share_apart(self.start), 0.02)
+        self.view.screen.press("i")  # the values stand in the text
+        here = self.keep(self.view.still(unlike=over), "key_x_values")
+        self.view.screen.move(150, 120)
+        self.assertNotEqual(self.keep(self.view.still(unlike=here), "key_x_elsewhere"), here)
+        self.view.screen.press("i")
+        self.view.still()
+        self.view.screen.press("x")
+        self.assertEqual(self.view.still(unlike=over), self.start)
+
+    def test_v_shows_targets_as_small_pictures_and_a_click_opens_one(self):
+        self.view.screen.press("v")
+        strip = self.keep(self.view.still(unlike=self.start), "key_v")
+        self.assertGreater(strip.share_apart(self.start), 0.05)
+        self.view.screen.drag((130, 250), (130, 250))  # the picture is the first and as wide as high: this is one behind it
+        self.view.title("target g")
+        self.keep(self.view.still(unlike=strip), "key_v_opened")
+        self.view.screen.press("v")
+        self.assertEqual(self.view.start_again(), self.start)
+
     def test_s_writes_a_png_of_the_windows_size(self):
         self.view.screen.press("s")
         path = self.view.folder / "out" / "Main-001.png"
@@ -370,6 +394,14 @@ class ForeignWindow(unittest.TestCase):
 
     def test_is_shown_in_its_own_colours(self):
         self.assertEqual(self.middle(self.first), (255, 0, 0))
+
+    def test_b_tells_what_each_parameter_got(self):
+        self.view.screen.press("b")
+        over = self.view.still(unlike=self.first)
+        if PICTURES:
+            over.save(PICTURES / "key_b.png")
+        self.view.screen.press("b")
+        self.assertEqual(self.view.still(unlike=over), self.first)
 
     def test_t_shows_its_next_technique(self):
         self.view.screen.press("t")

@@ -6,6 +6,7 @@
 #include "host/app/job.h"
 #include "host/app/names.h"
 #include "host/app/output.h"
+#include "host/lab/app/bench_page.h"
 #include "host/lab/app/bench_stability.h"
 #include "host/lab/app/commands.h"
 #include "host/lab/bench/choice.h"
@@ -13,6 +14,7 @@
 #include "host/lab/bench/python.h"
 #include "host/lab/bench/report.h"
 #include "host/support/file.h"
+#include "host/support/temporary.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -20,6 +22,7 @@
 #include <charconv>
 #include <ctime>
 #include <memory>
+#include <unistd.h>
 
 namespace tegument::app {
 
@@ -47,6 +50,7 @@ struct BenchArguments {
     std::string csv;
     std::string plot;
     std::string pictures;
+    ReportOptions report;
     bool count = false;
     bool pick = false;
     double maxError = 0;
@@ -268,24 +272,41 @@ Result<int> keep(const BenchArguments& arguments, const std::vector<bench::Conte
     return 0;
 }
 
+/// The report, and what has changed since an earlier run.
+Result<void> tell(const BenchArguments& arguments, const std::vector<bench::Row>& rows, const Work& work, const Json& earlier) {
+    const Json run = Json::parse(bench::toJson(rows, work.machine));
+    return tellReport(arguments.report, earlier, run, benchFigures, [&] { return benchPage(run, work.options.pictures); });
+}
+
 Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto earlier = earlierRun(arguments.report, benchFigures);
+    if (!earlier) return earlier.error();
+    // Where every pixel has its reference, the page shows them; what it shows is kept for as long as it is made.
+    const Temporary scratch(fs::temp_directory_path() / fmt::format("tegument-bench-pictures-{}", ::getpid()));
+    if (!arguments.report.html.empty() && work.options.pictures.empty() && work.options.pixels == 0) work.options.pictures = scratch.path();
     const auto rows = shown([&](const bench::Say& say) {
         return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(ownFile(kFlipScript))});
     });
     if (!rows) return rows.error();
     auto code = report(arguments, *rows, work.machine);
-    if (!code || arguments.plot.empty()) return code;
+    if (!code) return code;
+    if (const auto told = tell(arguments, *rows, work, *earlier); !told) return told.error();
+    if (arguments.plot.empty()) return code;
     if (const auto plotted = plot(arguments, "pareto", bench::toJson(*rows, work.machine)); !plotted) return plotted.error();
     const auto grown = growth(arguments, work);
     return grown ? code : grown;
 }
 
 Result<int> fur(const BenchArguments& arguments, const std::vector<bench::Contender>& contenders, Work& work) {
+    const auto earlier = earlierRun(arguments.report, benchFigures);
+    if (!earlier) return earlier.error();
     const auto rows =
         shown([&](const bench::Say& say) { return bench::runFur(work.device, contenders, work.options, {.say = say, .flip = nullptr}); });
     if (!rows) return rows.error();
     auto code = report(arguments, *rows, work.machine);
-    if (!code || arguments.plot.empty()) return code;
+    if (!code) return code;
+    if (const auto told = tell(arguments, *rows, work, *earlier); !told) return told.error();
+    if (arguments.plot.empty()) return code;
     const auto plotted = plot(arguments, "pareto", bench::toJson(*rows, work.machine));
     return plotted ? code : plotted.error();
 }
@@ -311,7 +332,8 @@ Result<int> stability(const BenchArguments& arguments) {
                               .modules = arguments.modules,
                               .compiler = *compiler,
                               .device = arguments.device,
-                              .json = arguments.json};
+                              .json = arguments.json,
+                              .report = arguments.report};
     if (!arguments.mapSizes.empty()) chosen.size = arguments.mapSizes.front();
     return benchStability(chosen);
 }
@@ -427,6 +449,9 @@ void addBench(CLI::App& program, Action& action) {
         ->needs(stability);
     command->add_option("--module", arguments->modules, "With --stability: names of effects, Main for Main.fx; default: all")
         ->needs(stability);
+    addReportOptions(*command, arguments->report, "--json");
+    for (CLI::Option* only : {growth, ablation, command->get_option("--motion")}) // they have plots and tables of their own
+        command->get_option("--html")->excludes(only), command->get_option("--against")->excludes(only);
     command->add_option("--markdown", arguments->markdown, "Measure nothing: print the tables of a file that --json wrote, as Markdown")
         ->check(CLI::ExistingFile);
     addExamples(
@@ -434,6 +459,7 @@ void addBench(CLI::App& program, Action& action) {
         {{"bench", "every technique on the default head"},
          {"bench --scene sphere-10 head@90+4px --technique Main", "some of it"},
          {"bench --pick --max-error 0.02", "which one to take"},
+         {"bench --html out/bench.html --json new.json --against old.json", "a report to look at, and what got slower or less accurate"},
          {"bench --fur --plot out/fur", "every technique of fur, near and far"}},
         "Scenes: plane-edge, plane-disc, sphere-5, sphere-10, sphere-20, cylinder, lobes, head; each as NAME[@LIGHT][+shadow][+bumps]"
         "[+checker][+Npx] with LIGHT in degrees from the camera or 'behind', and N pixels to the mm. docs/bench.md explains the columns.");

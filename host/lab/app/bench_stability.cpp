@@ -1,6 +1,6 @@
 #include "host/lab/app/bench_stability.h"
 
-#include "host/app/output.h"
+#include "host/lab/app/bench_page.h"
 #include "host/lab/stability/stability.h"
 #include "host/support/file.h"
 
@@ -24,6 +24,8 @@ void printReport(const bench::StabilityReport& report) {
 }
 
 Result<bool> measure(const StabilityArguments& arguments) {
+    const auto earlier = earlierRun(arguments.report, stabilityFigures);
+    if (!earlier) return earlier.error();
     auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
     if (!device) return device.error();
     Progress progress;
@@ -37,6 +39,9 @@ Result<bool> measure(const StabilityArguments& arguments) {
     progress.clear();
     if (!report) return report.error();
     const std::string json = bench::stabilityJson(*report);
+    const Json run = Json::parse(json);
+    const auto told = tellReport(arguments.report, *earlier, run, stabilityFigures, [&] { return stabilityPage(run); });
+    if (!told) return told.error();
     if (arguments.json == "-") {
         fmt::print("{}", json);
         return report->pass();

@@ -1,6 +1,7 @@
 #pragma once
 // tegument bench --stability: every module over its hard cases.
 
+#include "host/app/report_options.h"
 #include "host/spirv/compile.h"
 
 #include <filesystem>
@@ -18,6 +19,7 @@ struct StabilityArguments {
     Compiler compiler = Compiler::Dxc;
     std::string device;
     std::string json; // file, "-": standard output, empty: none
+    ReportOptions report;
 };
 
 /// The exit code: 1 where something is not finite or beyond its limit.

@@ -28,32 +28,11 @@ struct VerifyArguments {
     std::string compiler;
     std::string device;
     std::string output = "out/verify";
+    ReportOptions report;
     int mapSize = 256;
     int pictureSize = 256;
     bool json = false;
 };
-
-Json metricsJson(const std::vector<VerifiedModule>& modules) {
-    Json list = Json::array();
-    for (const VerifiedModule& module : modules) {
-        for (const Metric& metric : module.report.metrics)
-            list.push_back({{"module", module.module},
-                            {"setting", module.setting},
-                            {"metric", metric.name},
-                            {"value", metric.value},
-                            {"limit", metric.limit},
-                            {"pass", metric.pass}});
-        if (module.error)
-            list.push_back({{"module", module.module},
-                            {"setting", module.setting},
-                            {"metric", "runs"},
-                            {"value", nullptr},
-                            {"limit", nullptr},
-                            {"pass", false},
-                            {"diagnostics", toJson(module.error->diagnostics)}});
-    }
-    return list;
-}
 
 void printTable(const std::vector<VerifiedModule>& modules) {
     std::vector<std::vector<std::string>> rows;
@@ -110,23 +89,24 @@ Result<VerifyOptions> optionsOf(const VerifyArguments& arguments) {
     return options;
 }
 
-int verify(const VerifyArguments& arguments) {
+int verify(VerifyArguments arguments) {
     const auto options = optionsOf(arguments);
     if (!options) return fail(options.error(), arguments.json);
+    const fs::path folder = arguments.output;
+    if (arguments.report.html.empty()) arguments.report.html = (folder / "index.html").string();
+    const auto earlier = earlierRun(arguments.report, verifyFigures);
+    if (!earlier) return fail(earlier.error(), arguments.json);
     if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);
     auto device = gpu::Device::create({.validation = false, .prefer = arguments.device});
     if (!device) return fail(device.error(), arguments.json);
     const auto modules = verifyAll(arguments, *device, *options);
     if (!modules) return fail(modules.error(), arguments.json);
     tell(*modules);
-    const fs::path folder = arguments.output;
     const PageHeader header{.device = device->info().name,
                             .driver = device->info().driver,
                             .compiler = compilerName(options->compiler),
                             .mesh = "the built-in body",
                             .mapSize = options->mapSize};
-    const auto page = writePage(folder, header, *modules);
-    if (!page) return fail(page.error(), arguments.json);
     const Json metrics = metricsJson(*modules);
     if (const auto written = writeFile(folder / "verify.json", metrics.dump(2) + "\n"); !written)
         return fail(written.error(), arguments.json);
@@ -134,9 +114,11 @@ int verify(const VerifyArguments& arguments) {
         print(metrics);
     } else {
         printTable(*modules);
-        fmt::print("\n{} of {} pass on {}\nwrote {}\nwrote {}\n", std::ranges::count_if(*modules, &VerifiedModule::pass), modules->size(),
-                   header.device, page->string(), (folder / "verify.json").string());
+        fmt::print("\n{} of {} pass on {}\nwrote {}\n", std::ranges::count_if(*modules, &VerifiedModule::pass), modules->size(),
+                   header.device, (folder / "verify.json").string());
     }
+    const auto told = tellReport(arguments.report, *earlier, metrics, verifyFigures, [&] { return verifyPage(header, *modules); });
+    if (!told) return fail(told.error(), arguments.json);
     return std::ranges::all_of(*modules, &VerifiedModule::pass) ? 0 : static_cast<int>(Blame::Input);
 }
 
@@ -159,10 +141,15 @@ void addVerify(CLI::App& program, Action& action) {
     command->add_option("--compiler", arguments->compiler, "dxc or glslang; default: DXC where it is installed")
         ->transform(oneOf({"dxc", "glslang"}));
     command->add_option("--device", arguments->device, "Part of the Vulkan device's name");
-    command->add_option("-o,--output", arguments->output, "Folder for index.html, its pictures and verify.json")->capture_default_str();
+    command->add_option("-o,--output", arguments->output, "Folder for verify.json, and for index.html without --html")
+        ->capture_default_str();
     command->add_flag("--json", arguments->json, "Print JSON: a list of {module, setting, metric, value, limit, pass}");
-    addExamples(*command, {{"verify", "all modules"}, {"verify Beckmann TSM --setting seed", "two of them, as first printed"}},
-                "Exit code 1 when any figure is beyond its limit.");
+    addReportOptions(*command, arguments->report, "verify.json");
+    addExamples(*command,
+                {{"verify", "all modules; then open out/verify/index.html"},
+                 {"verify Beckmann TSM --setting seed", "two of them, as first printed"},
+                 {"verify --html after.html --against before/verify.json", "what has changed since"}},
+                "Exit code 1 when any figure is beyond its limit; --against does not change it.");
     command->callback([arguments, &action] { action = [arguments] { return verify(*arguments); }; });
 }
 

@@ -1,9 +1,10 @@
 #pragma once
-// What `tegument verify` found, as one HTML page with its pictures beside it.
+// What `tegument verify` found, as a report.
 
+#include "host/app/report_options.h"
 #include "host/lab/verify/verify.h"
+#include "host/report/report.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +29,11 @@ struct PageHeader {
     int mapSize = 0;
 };
 
-/// Writes index.html and the pictures into `folder`; returns the page's path.
-[[nodiscard]] Result<std::filesystem::path> writePage(const std::filesystem::path& folder, const PageHeader& header,
-                                                      const std::vector<VerifiedModule>& modules);
+/// verify.json: {module, setting, metric, value, limit, pass} of every figure.
+[[nodiscard]] Json metricsJson(const std::vector<VerifiedModule>& modules);
+/// Each figure's size, from such a list; a hundredth of its limit counts as noise.
+[[nodiscard]] std::vector<report::Figure> verifyFigures(const Json& metrics);
+
+[[nodiscard]] report::Page verifyPage(const PageHeader& header, const std::vector<VerifiedModule>& modules);
 
 } // namespace tegument::app

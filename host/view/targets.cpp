@@ -1,0 +1,64 @@
+#include "host/view/targets.h"
+
+#include "host/run/read_back.h"
+
+#include <algorithm>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr std::uint32_t kHeight = 96; // of a small picture, in texels: a little more than it is shown with
+
+std::uint32_t widthFor(const gpu::TextureDesc& desc) {
+    return std::max(1U, kHeight * desc.width / std::max(1U, desc.height));
+}
+
+} // namespace
+
+void ShownTargets::forget() {
+    images_.clear();
+    for (auto& [name, small] : small_)
+        small.drawn = false;
+}
+
+void ShownTargets::forgetAll() {
+    images_.clear();
+    small_.clear();
+}
+
+Result<const Image*> ShownTargets::image(gpu::Device& device, EffectSession& session, const std::string& name) {
+    const auto found = images_.find(name);
+    if (found != images_.end()) return &found->second;
+    gpu::Texture* target = session.target(name);
+    if (!target) return inputError(4029, {.file = name, .byte = {}}, "the frame has no such target");
+    auto image = run::readBack(device, *target);
+    if (!image) return image.error();
+    return &(images_[name] = std::move(*image));
+}
+
+Result<gpu::Texture*> ShownTargets::thumbnail(gpu::Device& device, Canvas& canvas, EffectSession& session, const std::string& name,
+                                              bool radiance) {
+    gpu::Texture& target = *session.target(name);
+    Small& small = small_[name];
+    const std::uint32_t width = widthFor(target.desc());
+    if (!small.texture.state || small.texture.desc().width != width) {
+        auto texture = device.createTexture(
+            {.name = "small " + name, .format = gpu::Format::RGBA8, .width = width, .height = kHeight, .renderTarget = true});
+        if (!texture) return texture.error();
+        small.texture = std::move(*texture);
+        small.levels = {.toneMap = radiance, .encode = radiance};
+        if (!name.empty() || gpu::isDepth(target.desc().format)) {
+            const auto values = image(device, session, name);
+            if (!values) return values.error();
+            small.levels = levelsOf(**values);
+        }
+        small.drawn = false;
+    }
+    if (!small.drawn)
+        if (const auto drawn = canvas.show(small.texture, target, small.levels); !drawn) return drawn.error();
+    small.drawn = true;
+    return &small.texture;
+}
+
+} // namespace tegument::view

@@ -1,0 +1,37 @@
+#pragma once
+// The targets of a frame as the panels want them: their values, and small pictures of them. Read and drawn when they are asked for, once a
+// frame.
+
+#include "host/run/session.h"
+#include "host/view/canvas.h"
+#include "host/view/levels.h"
+
+#include <map>
+#include <string>
+
+namespace tegument::view {
+
+class ShownTargets {
+public:
+    /// There is another frame. Small pictures keep their textures and levels.
+    void forget();
+    /// Another effect, or other targets: levels are found anew.
+    void forgetAll();
+
+    /// The picture for an empty name.
+    [[nodiscard]] Result<const Image*> image(gpu::Device& device, EffectSession& session, const std::string& name);
+    /// `radiance`: the picture is light, no display's colours.
+    [[nodiscard]] Result<gpu::Texture*> thumbnail(gpu::Device& device, Canvas& canvas, EffectSession& session, const std::string& name,
+                                                  bool radiance);
+
+private:
+    struct Small {
+        gpu::Texture texture;
+        Levels levels;
+        bool drawn = false; // from this frame
+    };
+    std::map<std::string, Image> images_;
+    std::map<std::string, Small> small_;
+};
+
+} // namespace tegument::view

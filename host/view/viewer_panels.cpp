@@ -1,0 +1,91 @@
+// What the viewer's panels and title say of the frame.
+
+#include "host/view/viewer.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+
+namespace tegument::view {
+
+namespace {
+
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+double totalMilliseconds(const SessionFrame& frame) {
+    return std::accumulate(frame.passes.begin(), frame.passes.end(), 0.0,
+                           [](double sum, const SessionPass& pass) { return sum + pass.milliseconds; });
+}
+
+} // namespace
+
+Result<PanelPictures> Viewer::panelPictures() {
+    PanelPictures pictures;
+    const std::string shown = shownTarget(state_, frame_);
+    if (state_.probe)
+        if (const auto image = targets_.image(device_, loaded_->session, shown)) pictures.histogram = histogramOf(**image);
+    if (!state_.strip) return pictures;
+    std::vector<std::string> names = state_.targets;
+    names.insert(names.begin(), std::string());
+    for (const std::string& name : names) {
+        const gpu::Texture* target = loaded_->session.target(name);
+        if (!target) continue; // of a part of the frame
+        auto small = targets_.thumbnail(device_, *canvas_, loaded_->session, name, !loaded_->effect.adopted);
+        if (!small) return small.error();
+        pictures.thumbnails.push_back(
+            {.name = name,
+             .label = fmt::format("{} x {}", target->desc().width, target->desc().height),
+             .texture = *small,
+             .shown = state_.show == Show::Target ? name == state_.target : state_.show == Show::Picture && name.empty()});
+    }
+    return pictures;
+}
+
+/// Nothing while the cursor is beside the picture.
+std::vector<std::string> Viewer::probed() {
+    const std::string shown = shownTarget(state_, frame_);
+    const gpu::Texture* texture = loaded_->session.target(shown);
+    if (!texture) return {};
+    const glm::ivec2 size(texture->desc().width, texture->desc().height);
+    const auto place = placeOnPicture(cursor_, size, glm::ivec2(size_.width, size_.height));
+    if (!place) return {};
+    std::vector<ProbedTarget> targets;
+    std::vector<std::string> names = state_.targets;
+    names.emplace_back();
+    for (const std::string& name : names)
+        if (const auto image = targets_.image(device_, loaded_->session, name)) targets.push_back({name, *image});
+    return probeLines(targets, shown, *place);
+}
+
+PanelText Viewer::panelText() {
+    PanelText text{.lines = {}, .problem = problem_, .notice = notice_};
+    text.lines.push_back(
+        fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
+    text.lines.push_back(shownText(state_, frame_));
+    text.lines.push_back(
+        fmt::format("{} passes {:.2f} ms, frame {:.1f} ms", frame_.passes.size(), totalMilliseconds(frame_), milliseconds_));
+    text.lines.push_back(device_.info().name);
+    if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
+    if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
+    constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
+    if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
+    if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
+    if (state_.probe) {
+        const std::vector<std::string> lines = probed();
+        text.lines.insert(text.lines.end(), lines.begin(), lines.end());
+    }
+    if (state_.bindings) text.bindings = bindingLines(loaded_->bindings);
+    if (!state_.help) text.lines.emplace_back("h: help");
+    return text;
+}
+
+std::string Viewer::titleText() const {
+    if (!problem_.empty()) return firstLine(problem_);
+    return fmt::format("{} {} [{}] {}, {:.1f} ms - tegument", request_.effect.filename().string(), state_.technique, state_.setting,
+                       shownText(state_, frame_), milliseconds_);
+}
+
+} // namespace tegument::view

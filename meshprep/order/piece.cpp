@@ -11,11 +11,13 @@ constexpr std::size_t kSmallPiece = 1024;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-bool namedBefore(std::span<const std::uint32_t> corners, std::size_t corner) {
-    const std::size_t face = corner - corner % 3;
-    for (std::size_t i = face; i < corner; ++i)
-        if (corners[i] == corners[corner]) return true;
-    return false;
+/// Each face's vertices, each once.
+template <class Visit>
+void forVerticesOf(std::span<const std::uint32_t> corners, std::size_t face, Visit visit) {
+    const std::uint32_t a = corners[3 * face], b = corners[3 * face + 1], c = corners[3 * face + 2];
+    visit(a);
+    if (b != a) visit(b);
+    if (c != a && c != b) visit(c);
 }
 
 /// A search in breadth over the faces; what it reaches is numbered in the order of reaching.
@@ -60,14 +62,15 @@ private:
 VertexFaces facesOfVertices(std::span<const std::uint32_t> corners, std::size_t vertexCount) {
     VertexFaces around;
     around.first.assign(vertexCount + 1, 0);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        if (!namedBefore(corners, i)) ++around.first[corners[i]];
+    const std::size_t faces = corners.size() / 3;
+    for (std::size_t f = 0; f < faces; ++f)
+        forVerticesOf(corners, f, [&](std::uint32_t v) { ++around.first[v]; });
     std::uint32_t end = 0;
     for (std::uint32_t& first : around.first)
         first = end += first;
     around.faces.resize(end);
-    for (std::size_t i = corners.size(); i-- > 0;)
-        if (!namedBefore(corners, i)) around.faces[--around.first[corners[i]]] = static_cast<std::uint32_t>(i / 3);
+    for (std::size_t f = faces; f-- > 0;)
+        forVerticesOf(corners, f, [&](std::uint32_t v) { around.faces[--around.first[v]] = static_cast<std::uint32_t>(f); });
     return around;
 }
 

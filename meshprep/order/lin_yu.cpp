@@ -17,6 +17,9 @@ namespace {
 constexpr float kPerFace = 0.5f;
 constexpr float kPerPlace = 1.3f;
 
+/// Of an estimate; the result is flat from 0.3 to 0.5.
+constexpr float kEstimated = 0.4f;
+
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Faces of one vertex that are looked at: more than that do not fit round one vertex of any cache that is common.
@@ -144,15 +147,15 @@ private:
         return best != kNone ? best : crowded;
     }
 
-    /// The cost if each vertex outside belonged to two of the faces and no other face became complete. Who does not promise more than the
-    /// best so far is not simulated: in two thirds of the time the orders get better, by 0.3 % on scans.
+    /// About what `simulate` will say: each vertex outside belongs to two of the faces, each of which is drawn. Who does not promise more
+    /// than the best so far is not simulated: in two thirds of the time the orders get better, by 0.3 % on scans.
     float estimate(std::uint32_t focus) {
         dropDrawn(focus);
         const Vertex& v = vertices_[focus];
         std::uint32_t outside = 0;
         for (const Wedge& w : lookedAt(v))
             outside += static_cast<std::uint32_t>(!cached(w.next)) + static_cast<std::uint32_t>(!cached(w.last));
-        return 0.5f * static_cast<float>(outside) - kPerFace * static_cast<float>(v.live) + placeCost(v, outside / 2);
+        return kEstimated * (static_cast<float>(outside) - static_cast<float>(v.live)) + placeCost(v, outside / 2);
     }
 
     /// k3 C3, after so many pushes more.

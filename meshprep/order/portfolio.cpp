@@ -95,31 +95,41 @@ void addLinYu(Choice& choice, unsigned entries, std::size_t faces) {
         choice.add(linYu(piece, entries, piece.vertexCount / 2));
 }
 
-/// The share of vertices with six faces, of those with more than three: the others lie on borders. Hoppe's strips win where nearly all have
-/// them, by a twentieth, Lin & Yu's order where few do: below 0.6 strips won nothing on any piece of a machine or a figure.
-double regularity(const Piece& piece) {
-    std::size_t regular = 0;
+/// Shares of the vertices, of those with more than three faces: the others lie on borders.
+struct Regularity {
+    double six = 0;     // have six faces
+    double nearSix = 0; // five to seven
+};
+
+Regularity regularity(const Piece& piece) {
+    std::size_t six = 0;
+    std::size_t nearSix = 0;
     std::size_t inside = 0;
     for (std::uint32_t v = 0; v < piece.vertexCount; ++v) {
-        regular += piece.around.count(v) == 6;
-        inside += piece.around.count(v) > 3;
+        const std::uint32_t faces = piece.around.count(v);
+        six += faces == 6;
+        nearSix += faces >= 5 && faces <= 7;
+        inside += faces > 3;
     }
-    return inside == 0 ? 0 : static_cast<double>(regular) / static_cast<double>(inside);
+    const double all = static_cast<double>(std::max<std::size_t>(inside, 1));
+    return {.six = static_cast<double>(six) / all, .nearSix = static_cast<double>(nearSix) / all};
 }
 
-constexpr double kAllRegular = 0.95;
-constexpr std::uint32_t kRegularStarts = 3; // of strips, which take a tenth of the time
-constexpr double kRegular = 0.8;
-constexpr double kIrregular = 0.6;
+/// Hoppe's strips win where nearly all vertices have six faces, by a twentieth, Lin & Yu's order where few do. Between them both are tried:
+/// where fewer have about six, strips won nothing on any piece of a machine or a scan.
+constexpr double kAllSix = 0.95;
+constexpr double kMostSix = 0.8;
+constexpr double kAboutSix = 0.8;
+constexpr std::uint32_t kRegularStarts = 5; // of strips, which take a tenth of the time
 
 Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
     Choice choice(piece, cache);
     const unsigned entries = fifoEntries(cache);
     const bool cheap = piece.faceCount() < kCheapFaces;
-    const double share = regularity(piece);
-    if (piece.faceCount() <= kFewFaces || share <= (cheap ? kAllRegular : kRegular)) addLinYu(choice, entries, faces);
-    if (share >= kIrregular)
-        addHoppe(choice, entries, share > kAllRegular && 2 * std::size_t{piece.faceCount()} > faces ? kRegularStarts : 1);
+    const Regularity share = regularity(piece);
+    if (piece.faceCount() <= kFewFaces || share.six <= (cheap ? kAllSix : kMostSix)) addLinYu(choice, entries, faces);
+    if (share.nearSix >= kAboutSix)
+        addHoppe(choice, entries, share.six > kAllSix && 2 * std::size_t{piece.faceCount()} > faces ? kRegularStarts : 1);
     return choice.take();
 }
 
@@ -213,7 +223,7 @@ private:
         if (faces() > kFewFaces && static_cast<double>(misses[0]) * among < static_cast<double>(misses[1])) return;
         if (many)
             tryAll({inOne([this](const Piece& p) {
-                return regularity(p) >= kIrregular ? bestHoppe(p, cache_) : Corners(p.corners.begin(), p.corners.end());
+                return regularity(p).nearSix >= kAboutSix ? bestHoppe(p, cache_) : Corners(p.corners.begin(), p.corners.end());
             })});
         else
             tryAll(others());

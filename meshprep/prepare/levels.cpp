@@ -213,9 +213,25 @@ public:
                 take(std::move(made));
     }
 
+    /// As a user of the library would ask for as many triangles as the best has: what it gives then is never nearer than what is kept.
+    void compareWithPlain() {
+        const std::size_t count = best_.level.size() / 3;
+        std::vector<Simplifier> plain;
+        for (const Simplifier& simplifier : simplifiers())
+            if (simplifier.version == simplifiers()[0].version && plain.size() < kPlain) plain.push_back(simplifier);
+        if (count == 0 || count == target_) return; // that was tried
+        std::vector<Made> made(plain.size());
+        forEachInParallel(made.size(),
+                          [&](std::size_t i) { made[i] = judged(whole_.simplified(whole_.full(), count, plain[i]), plain[i]); });
+        for (Made& one : made)
+            take(std::move(one));
+    }
+
     [[nodiscard]] const Indices& best() const { return best_.level; }
 
 private:
+    static constexpr std::size_t kPlain = 2; // with normals and texture coordinates as its documentation says, and by places alone
+
     struct Made {
         Indices level;
         RoughDistance apart;
@@ -301,6 +317,7 @@ std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, cons
         LevelChoice choice(whole, distance, target, tries);
         choice.tryAll([&](std::size_t triangles) { return waysOf(mesh, whole, last, triangles); });
         choice.mend();
+        choice.compareWithPlain();
         last = choice.best();
         levels.push_back(whole.level(last));
     }

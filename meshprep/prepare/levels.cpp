@@ -164,7 +164,7 @@ private:
 /// For each level so many triangles are simplified and judged, that is in about half a second of one processor. Small meshes are tried
 /// often.
 constexpr std::size_t kTrianglesTried = 1'000'000;
-constexpr std::size_t kMostTries = 60;
+constexpr std::size_t kMostTries = 90;
 constexpr std::size_t kLeastWays = 5;            // before the first is mended
 constexpr std::size_t kMostPartsForChoice = 256; // part by part, the time grows with parts times vertices
 

@@ -63,9 +63,9 @@ private:
 constexpr unsigned kLeastReserve = 5;
 
 /// Strips of full width first, as on regular meshes; then narrower ones while that helps, as on irregular ones. Ends when the best so far
-/// is out of reach: one step narrower gains a twentieth at most, the third step a hundredth. `starts`: where the first strip of full width
-/// begins, one after the other.
-void addHoppe(Choice& choice, unsigned entries, std::uint32_t starts = 1) {
+/// is out of reach: one step narrower gains a twentieth at most, the third step a hundredth. `regular`: strips of full width alone.
+/// `starts`: where the first of them begins, one after the other.
+void addHoppe(Choice& choice, unsigned entries, bool regular = false, std::uint32_t starts = 1) {
     const Piece& piece = choice.piece();
     const std::vector<std::uint32_t> links = linkFaces(piece);
     const unsigned step = std::max(entries / 8, 1u);
@@ -75,7 +75,7 @@ void addHoppe(Choice& choice, unsigned entries, std::uint32_t starts = 1) {
         std::size_t misses = last;
         for (std::uint32_t i = 0; i < (reserve == full ? starts : 1); ++i)
             misses = std::min(misses, choice.add(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i)));
-        if (misses >= last || misses > choice.fewest() + choice.fewest() / (reserve == full ? 10 : 100)) return;
+        if (regular || misses >= last || misses > choice.fewest() + choice.fewest() / (reserve == full ? 10 : 100)) return;
         last = misses;
     }
 }
@@ -122,6 +122,7 @@ Regularity regularity(const Piece& piece) {
 /// Hoppe's strips win where nearly all vertices have six faces, by a twentieth, Lin & Yu's order where few do. Between them both are tried:
 /// where fewer have about six, strips won nothing on any piece of a machine or a scan.
 constexpr double kAllSix = 0.95;
+constexpr std::uint32_t kPatchFaces = 5'000; // in so few, regular or not, Lin & Yu's order may win by 2 %
 constexpr double kMostSix = 0.8;
 constexpr double kAboutSix = 0.8;
 constexpr std::uint32_t kRegularStarts = 5; // of strips, which take a tenth of the time
@@ -131,9 +132,10 @@ Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
     const unsigned entries = fifoEntries(cache);
     const bool cheap = piece.faceCount() < kCheapFaces;
     const Regularity share = regularity(piece);
-    if (piece.faceCount() <= kFewFaces || share.six <= (cheap ? kAllSix : kMostSix)) addLinYu(choice, entries, faces);
+    if (piece.faceCount() <= kPatchFaces || share.six <= (cheap ? kAllSix : kMostSix)) addLinYu(choice, entries, faces);
     if (share.nearSix >= kAboutSix)
-        addHoppe(choice, entries, share.six > kAllSix && 2 * std::size_t{piece.faceCount()} > faces ? kRegularStarts : 1);
+        addHoppe(choice, entries, share.six > kAllSix,
+                 share.six > kAllSix && 2 * std::size_t{piece.faceCount()} > faces ? kRegularStarts : 1);
     return choice.take();
 }
 

@@ -1,5 +1,6 @@
 // Colours and properties of a scan's vertices, at the same places whatever is done to the mesh.
 #include "host/mesh/vertex_values.h"
+#include "host/support/file.h"
 #include "tests/meshprep/prepare/meshes.h"
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ std::size_t misplaced(const VertexValues& values, const glm::dvec3& moved) {
         const long x = std::lround(place.x), y = std::lround(place.y);
         const std::array<long, 4> expected = {x % 256, y % 256, 77, (x + y) % 256};
         for (std::size_t k = 0; k < expected.size(); ++k)
-            wrong += std::lround(values.values[k][v]) != expected[k];
+            wrong += std::lround(255 * values.values[k][v]) != expected[k];
     }
     return wrong;
 }

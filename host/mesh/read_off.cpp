@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// The keyword says what a vertex has: texture coordinates behind all else, colours behind the normal.
+    /// The keyword says what a vertex has: texture coordinates behind all else, colours behind the normal. It may be missing.
     std::optional<Error> readHeader() {
         std::string_view keyword = words_.next();
         const auto take = [&](std::string_view prefix) {
@@ -47,18 +47,22 @@ private:
         uvs_ = take("ST");
         colours_ = take("C");
         normals_ = take("N");
-        if (keyword != "OFF")
+        const bool named = keyword == "OFF";
+        const bool number = !keyword.empty() && keyword.find_first_not_of("0123456789") == std::string_view::npos;
+        if (!named && !number)
             return malformed(words_.at(), "the file does not start with OFF, or has vertices of other than 3 coordinates",
                              "save it as PLY");
-        result_.counts.vertices = nextCount("the number of vertices", 6); // "0 0 0 " are the fewest bytes of one
+        result_.counts.vertices = // "0 0 0 " are the fewest bytes of one
+            countOf(named ? words_.next() : keyword, "the number of vertices", 6);
         if (result_.counts.vertices > kMaxVertices) return tooLarge(words_.at());
         result_.counts.faces = nextCount("the number of faces", 2);
         nextCount("the number of edges", 0);
         return words_.error();
     }
 
-    std::size_t nextCount(std::string_view what, std::size_t leastBytes) {
-        const std::string_view word = words_.next();
+    std::size_t nextCount(std::string_view what, std::size_t leastBytes) { return countOf(words_.next(), what, leastBytes); }
+
+    std::size_t countOf(std::string_view word, std::string_view what, std::size_t leastBytes) {
         std::size_t count = 0;
         const auto parsed = std::from_chars(word.data(), word.data() + word.size(), count);
         if (word.empty() || parsed.ec != std::errc() || parsed.ptr != word.data() + word.size())

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -123,6 +124,19 @@ std::size_t play(const CacheModel& model, std::span<const std::uint32_t> indices
     return player.misses();
 }
 
+/// As playing a FIFO cache that keeps everything between triangles, without branches: whether a vertex is there nobody could foresee.
+std::size_t fifoMisses(std::uint32_t entries, std::span<const std::uint32_t> indices, std::size_t vertexCount) {
+    std::vector<std::uint32_t> stamps(vertexCount, 0);
+    std::uint32_t now = entries;
+    for (const std::uint32_t vertex : indices) {
+        const std::uint32_t stamp = stamps[vertex];
+        const bool miss = now - stamp >= entries;
+        now += static_cast<std::uint32_t>(miss);
+        stamps[vertex] = miss ? now : stamp;
+    }
+    return now - entries;
+}
+
 std::size_t countNamed(std::span<const std::uint32_t> indices, std::size_t vertexCount) {
     std::vector<std::uint8_t> named(vertexCount, 0);
     for (const std::uint32_t vertex : indices)
@@ -150,11 +164,15 @@ std::string name(const CacheModel& model) {
     return fmt::format("{}:{} batch:{}/{}", kind, model.entries, model.batchVertices, model.batchTriangles);
 }
 
+std::size_t countMisses(const CacheModel& model, std::span<const std::uint32_t> indices, std::size_t vertexCount) {
+    if (model.replacement == Replacement::Lru) return play<LruCache>(model, indices, vertexCount);
+    const bool countedIn32Bits = indices.size() < std::numeric_limits<std::uint32_t>::max() - model.entries;
+    if (model.batched() || !countedIn32Bits) return play<FifoCache>(model, indices, vertexCount);
+    return fifoMisses(model.entries, indices.first(indices.size() - indices.size() % 3), vertexCount);
+}
+
 CacheCost measure(const CacheModel& model, std::span<const std::uint32_t> indices, std::size_t vertexCount) {
-    const bool inOrderOfArrival = model.replacement == Replacement::Fifo;
-    return {.misses = inOrderOfArrival ? play<FifoCache>(model, indices, vertexCount) : play<LruCache>(model, indices, vertexCount),
-            .faces = indices.size() / 3,
-            .vertices = countNamed(indices, vertexCount)};
+    return {.misses = countMisses(model, indices, vertexCount), .faces = indices.size() / 3, .vertices = countNamed(indices, vertexCount)};
 }
 
 } // namespace tegument::order

@@ -57,5 +57,7 @@ struct CacheCost {
 
 /// Plays the index list through the model. Every index must be below `vertexCount`.
 [[nodiscard]] CacheCost measure(const CacheModel& model, std::span<const std::uint32_t> indices, std::size_t vertexCount);
+/// Its misses alone.
+[[nodiscard]] std::size_t countMisses(const CacheModel& model, std::span<const std::uint32_t> indices, std::size_t vertexCount);
 
 } // namespace tegument::order

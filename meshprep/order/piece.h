@@ -1,5 +1,5 @@
 #pragma once
-// A mesh cut into pieces that share no vertex, numbered so that what is near on the surface is near in memory.
+// A mesh cut into pieces that share no face and few vertices, numbered so that what is near on the surface is near in memory.
 
 #include <cassert>
 #include <cstddef>
@@ -30,7 +30,8 @@ struct Piece {
     [[nodiscard]] std::span<const std::uint32_t, 3> face(std::uint32_t f) const { return corners.subspan(std::size_t{3} * f).first<3>(); }
 };
 
-/// The mesh, face by face as a search in breadth finds them. Pieces are connected, except that components of a few faces are gathered.
+/// The mesh, face by face as a search in breadth finds them. A piece is a component, or half of a large one; components of a few faces are
+/// gathered.
 class Pieces {
 public:
     enum class Cut { Components, Nowhere };

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -15,10 +16,11 @@ namespace tegument::prep {
 struct Simplifier {
     enum class Version {
         Older, // 0.18, Debian's
-        Newer  // that ./bootstrap fetches
+        Newer, // that ./bootstrap fetches: after 0.22
+        Newest // 1.3, that it fetches where it can
     };
     Version version = Version::Older;
-    float normals = 0; // Newer: weight of an error of normals against one of places in the unit box; of texture coordinates, twice that
+    float normals = 0; // but Older: weight of an error of normals against one of places in the unit box; of texture coordinates, twice that
 
     bool operator==(const Simplifier&) const = default;
 };
@@ -42,7 +44,8 @@ struct Simplification {
 /// `simplifier`: one of `simplifiers()`.
 [[nodiscard]] std::vector<std::uint32_t> simplify(const Simplification& what, Simplifier simplifier = {});
 
-/// The newer ones alone.
-[[nodiscard]] std::vector<std::uint32_t> simplifyNewer(const Simplification& what, float normals);
+/// Those versions alone; nothing where this build lacks them.
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> simplifyNewer(const Simplification& what, float normals);
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> simplifyNewest(const Simplification& what, float normals);
 
 } // namespace tegument::prep

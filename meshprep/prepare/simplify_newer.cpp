@@ -1,4 +1,4 @@
-// Compiled against the newer meshoptimizer, whose functions have names of their own here (CMakeLists.txt).
+// Compiled once against each newer meshoptimizer, whose functions have names of their own there, as `simplifyNewer` has (CMakeLists.txt).
 #include "meshprep/prepare/simplify.h"
 
 #include <meshoptimizer.h>
@@ -8,18 +8,7 @@
 
 namespace tegument::prep {
 
-std::span<const Simplifier> simplifiers() {
-    using enum Simplifier::Version;
-    // Half is what the library's documentation recommends, and best for scans; without normals machines come out better. What lies between
-    // is as near on average: which one wins is chance, so the more are tried the better.
-    static constexpr std::array kAll = {
-        Simplifier{Newer, 0.5f},  Simplifier{Newer, 0},     Simplifier{Older, 0},     Simplifier{Newer, 0.1f},  Simplifier{Newer, 0.25f},
-        Simplifier{Newer, 0.05f}, Simplifier{Newer, 0.02f}, Simplifier{Newer, 0.15f}, Simplifier{Newer, 0.07f}, Simplifier{Newer, 0.35f},
-        Simplifier{Newer, 0.01f}, Simplifier{Newer, 0.2f},  Simplifier{Newer, 0.7f},  Simplifier{Newer, 1}};
-    return kAll;
-}
-
-std::vector<std::uint32_t> simplifyNewer(const Simplification& what, float normals) {
+std::optional<std::vector<std::uint32_t>> simplifyNewer(const Simplification& what, float normals) {
     const SimplifiedAttributes weights = {normals, normals, normals, 2 * normals, 2 * normals};
     const bool counted = normals > 0 && !what.attributes.empty();
     std::vector<unsigned char> locked(what.locked.empty() ? 0 : what.positions.size(), 0);

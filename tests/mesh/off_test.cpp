@@ -19,6 +19,12 @@ TEST_F(Off, counts_may_stand_beside_the_keyword) {
     EXPECT_TRUE(load("a.off", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"));
 }
 
+TEST_F(Off, the_keyword_may_be_missing_as_in_geomview_s_own_files) {
+    const auto mesh = load("a.off", "# a triangle\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3u);
+}
+
 TEST_F(Off, normals_colours_and_texture_coordinates_are_told_by_the_keyword) {
     const auto mesh = load("a.off", "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0 0 0 1 1 1 1 1 1 0\n0 1 0 0 0 1 1 1 1 1 0 1\n3 0 1 2\n");
     ASSERT_TRUE(mesh) << format(mesh.error());

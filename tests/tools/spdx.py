@@ -25,10 +25,10 @@ def rows(page):
     """Client, package, version, sha256, licence of every row."""
     for line in page.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if len(cells) < 6 or cells[0] not in ("apt", "pip"):
+        if len(cells) < 6 or cells[0] not in ("apt", "pip", "cargo"):
             continue
         name, _, version = cells[1].strip("`").partition("==")
-        if cells[0] == "pip":
+        if cells[0] != "apt":
             yield cells[0], name, version, cells[2].strip("`"), cells[3]
         else:
             yield cells[0], name, cells[2], "", cells[3]
@@ -47,7 +47,7 @@ def licence(text, others):
 def package(client, name, version, checksum, concluded):
     entry = {"SPDXID": f"SPDXRef-{client}-{re.sub(r'[^A-Za-z0-9.-]', '-', name)}", "name": name, "versionInfo": version, "filesAnalyzed": False,
              "downloadLocation": "NOASSERTION", "licenseDeclared": concluded, "licenseConcluded": concluded, "copyrightText": "NOASSERTION",
-             "comment": "from Debian 12, by apt" if client == "apt" else "read as an archive, by pip"}
+             "comment": "from Debian 12, by apt" if client == "apt" else f"read as an archive, by {client}"}
     if checksum:
         entry["checksums"] = [{"algorithm": "SHA256", "checksumValue": checksum}]
     return entry
@@ -77,7 +77,7 @@ def faults(root):
     made = document(root)
     names = [entry["name"] for entry in made["packages"][1:]]
     page = (root / "docs/dependencies.md").read_text(encoding="utf-8")
-    for client, name in re.findall(r"^\| (apt|pip) \| `([^`=]+)", page, re.M):
+    for client, name in re.findall(r"^\| (apt|pip|cargo) \| `([^`=]+)", page, re.M):
         if name not in names:
             yield f"{client} {name} is not in the document"
     if len({entry["SPDXID"] for entry in made["packages"]}) != len(made["packages"]):

@@ -1,4 +1,6 @@
 // The whole way, from file to file.
+#include "meshprep/prepare/levels.h"
+#include "meshprep/prepare/simplify.h"
 #include "tests/meshprep/prepare/meshes.h"
 
 #include <cmath>
@@ -119,6 +121,26 @@ TEST_F(Prepare, levels_of_a_tiny_and_of_a_huge_mesh_are_those_of_the_same_mesh) 
         EXPECT_NEAR(static_cast<double>(prepared.report.levels[0].triangles), 1280, 26) << size;
         EXPECT_LT(prepared.report.levels[0].error.greatest / size, 0.1);
         EXPECT_GT(prepared.report.levels[0].error.greatest / size, 1e-4);
+    }
+}
+
+/// What a user of the simplifier gets for as many triangles is among what is tried. 1 % is for what is roughly known of a distance.
+TEST_F(Prepare, levels_are_never_further_off_than_what_the_simplifier_gives_its_other_users) {
+    for (const auto& [shape, detail] : {std::pair(Shape::Sphere, 16), std::pair(Shape::Terrain, 35), std::pair(Shape::Terrain, 60)}) {
+        const Mesh mesh = prepare(makeShape(shape, detail), {.levels = 1}).mesh;
+        std::vector<SimplifiedAttributes> attributes;
+        for (const glm::vec3& n : mesh.normals)
+            attributes.push_back({n.x, n.y, n.z, 0, 0});
+        const DistanceFrom distance(mesh.positions, mesh.indices);
+        for (const Level& level : makeLevels(mesh, 4).levels) {
+            const auto plain = simplify({.from = mesh.indices,
+                                         .positions = mesh.positions,
+                                         .attributes = attributes,
+                                         .counted = 3,
+                                         .triangles = level.mesh.indices.size() / 3},
+                                        simplifiers()[0]);
+            EXPECT_LE(level.error.reached, 1.01 * distance.to(plain).reached) << detail << ", " << plain.size() / 3 << " triangles";
+        }
     }
 }
 

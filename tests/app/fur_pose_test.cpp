@@ -50,6 +50,16 @@ glm::dvec3 leaning(const glm::dvec3& p) {
     return {p.x * std::cos(angle) + p.y * std::sin(angle), p.y * std::cos(angle) - p.x * std::sin(angle), p.z};
 }
 
+/// Roots of the ball at rest: few, for they are drawn often.
+const std::string& fewRoots() {
+    static const std::string kRoots = [] {
+        const fs::path file = scratch() / "few_roots.dds";
+        EXPECT_EQ(test::tegument({"fur", "roots", posedBall("rest.obj", same), "-o", file.string(), "--count", "1500"}).code, 0);
+        return file.string();
+    }();
+    return kRoots;
+}
+
 Ran draw(const fs::path& picture, Words more) {
     Words arguments = {"render", "FurCoat", "--size", fmt::format("{0}x{0}", kSide), "-o", picture.string(), "-D", "TEGUMENT_MAP_SIZE=128"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -91,16 +101,16 @@ TEST(FurPose, that_turns_the_body_is_the_body_turned) {
     const std::string rest = posedBall("rest.obj", same);
     const std::string turned = posedBall("turned.obj", [&](const glm::dvec3& p) { return turn * p; });
     for (const char* technique : {"CoatSoft", "StrandsSoft", "CoatCompute"}) {
-        const Words scene = {"--mesh", rest, "-t", technique, "--set", "gCoatBelly=0"};
+        const Words scene = {"--mesh", rest, "-t", technique, "--set", "gCoatBelly=0", "--set", "gFurRootsMap=" + fewRoots()};
         const auto with = [&](Words more) {
             more.insert(more.begin(), scene.begin(), scene.end());
             return picture(more);
         };
         const auto plain = with({});
         const auto back = with({"--pose", turned, "--turn", "-70"});
-        const auto not_ = with({"--turn", "-70"});
+        const auto astray = with({"--turn", "-70"});
         EXPECT_LT(apart(back, plain), 0.1) << technique;
-        EXPECT_GT(apart(not_, plain), 0.3) << technique << ": the ball's bumps and its coat show which way it stands";
+        EXPECT_GT(apart(astray, plain), 0.2) << technique << ": the ball's bumps and its coat show which way it stands";
     }
 }
 
@@ -127,7 +137,7 @@ TEST(FurPose, of_other_triangles_or_for_other_effects_is_refused) {
     EXPECT_NE(mismatch.err.find("TG8048"), std::string::npos) << mismatch.err;
     const Ran missing = draw(scratch() / "x.png", {"--mesh", rest, "--pose", "no such.obj"});
     EXPECT_EQ(missing.code, 2);
-    const Ran bald = test::tegument({"render", "Lambert", "--mesh", rest, "--pose", rest, "-o", (scratch() / "x.png").string()});
+    const Ran bald = test::tegument({"render", "Fur", "--mesh", rest, "--pose", rest, "-o", (scratch() / "x.png").string()});
     EXPECT_EQ(bald.code, 2);
     EXPECT_NE(bald.err.find("TG8047"), std::string::npos) << bald.err;
 }
@@ -154,6 +164,8 @@ TEST(FurPose, is_written_for_engines_by_one_command) {
 
 namespace {
 
+constexpr float kFov = 9; // so near that strands are longer than ten pixels
+
 /// A frame of the coat: what a test sets of it.
 struct Frame {
     glm::dmat4 world{1};
@@ -167,7 +179,7 @@ Matrices camera(const Frame& frame) {
     Camera camera;
     camera.position = glm::vec3(frame.eye);
     camera.target = {0, 0, 0};
-    camera.horizontalFov = 32;
+    camera.horizontalFov = kFov;
     camera.nearPlane = 50;
     camera.farPlane = 2000;
     return cameraMatrices(camera, 1);
@@ -184,13 +196,18 @@ std::string numbers(const glm::dmat4& rows) {
 
 Words sceneOf(const Frame& frame, const std::string& mesh, const std::string& roots) {
     const std::string file = write("frame.json", fmt::format(R"({{"mesh": "{}", "unit_mm": 1, "head": false,
- "camera": {{"position": [{:.9g}, {:.9g}, {:.9g}], "target": [0, 0, 0], "horizontal_fov": 32, "near": 50, "far": 2000, "frame": "world"}},
+ "camera": {{"position": [{:.9g}, {:.9g}, {:.9g}], "target": [0, 0, 0], "horizontal_fov": {}, "near": 50, "far": 2000, "frame": "world"}},
  "textures": {{"gFurRootsMap": "{}"}}}})",
-                                                             mesh, frame.eye.x, frame.eye.y, frame.eye.z, roots));
+                                                             mesh, frame.eye.x, frame.eye.y, frame.eye.z, kFov, roots));
     Words words = {"-w", file, "--samples", "1", "-D", "TEGUMENT_RIBBON_ROWS=256", "-D", "TEGUMENT_MOTION"};
     const auto set = [&](const std::string& value) { words.insert(words.end(), {"--set", value}); };
     set("gWorld=" + numbers(frame.world));
     set("gWorldInverseTranspose=" + numbers(glm::transpose(glm::inverse(frame.world))));
+    // A host binds where the ball's bounds stand in the world.
+    const auto read = loadMesh(mesh);
+    EXPECT_TRUE(read);
+    const glm::dvec3 centre(frame.world * glm::dvec4(read ? glm::dvec3(read->bounds.centre) : glm::dvec3(0), 1));
+    set(fmt::format("gBoundingCenter={:.9g},{:.9g},{:.9g}", centre.x, centre.y, centre.z));
     set("gCoatWind=" + frame.wind);
     set(fmt::format("gTime={}", frame.time));
     if (!frame.pose.empty()) words.insert(words.end(), {"--pose", frame.pose});
@@ -208,12 +225,7 @@ glm::dvec2 pixelOf(const glm::dvec4& clip) {
 /// Targets of a frame that is drawn by compute shaders, which note every row of every strand.
 std::map<std::string, Image> targetsOf(const Frame& frame, const std::string& technique, Words more) {
     const std::string rest = posedBall("rest.obj", same);
-    static const std::string kRoots = [&] {
-        const fs::path file = scratch() / "motion_roots.dds";
-        EXPECT_EQ(test::tegument({"fur", "roots", rest, "-o", file.string(), "--count", "1500"}).code, 0);
-        return file.string();
-    }();
-    const Words scene = sceneOf(frame, rest, kRoots);
+    const Words scene = sceneOf(frame, rest, fewRoots());
     more.insert(more.begin(), scene.begin(), scene.end());
     more.insert(more.end(), {"-t", technique, "--json", "--dump", "gMotionMap", "--dump", "gMotionDepthMap", "--dump", "gRibbonPlaceMap"});
     const Ran ran = draw(scratch() / "motion.exr", more);
@@ -251,12 +263,14 @@ Compared compare(const Frame& now, const Frame& before, const std::string& techn
     const Image& places = shown["gRibbonPlaceMap"];
     const Image& earlier = then["gRibbonPlaceMap"];
     const Matrices eye = camera(now);
+    const std::size_t rows = technique == "CoatCompute" ? 4 : 7; // of a strand's six segments, every second one in a lock
     Compared compared;
     std::vector<double> lengths;
     for (std::size_t i = 0; i + 3 < std::min(places.pixels.size(), earlier.pixels.size()); i += 4) {
         const float* a = &places.pixels[i];
         const float* b = &earlier.pixels[i];
-        if (!(a[3] > 0) || !(b[3] > 0)) continue;
+        const bool root = i / 4 / static_cast<std::size_t>(places.width) % rows == 0;
+        if (root || !(a[3] > 0) || !(b[3] > 0)) continue; // at its root the skin is as near
         const glm::dvec4 clip = clipOf(eye, {a[0], a[1], a[2]});
         const glm::dvec2 pixel = pixelOf(clip);
         const glm::ivec2 at(glm::floor(pixel));
@@ -264,7 +278,10 @@ Compared compare(const Frame& now, const Frame& before, const std::string& techn
         const double depth = static_cast<double>(shown["gMotionDepthMap"].at(at.x, at.y, 0));
         // z / w = f / (f - n) (1 - n / w)
         const double distance = 50 / (1 - depth * (2000.0 - 50) / 2000);
-        if (std::abs(distance - clip.w) > static_cast<double>(a[3])) continue; // another strand is seen there
+        // Else another strand is seen there. Those of a lock stand close, and move each by itself.
+        const bool lock = technique == "CoatCompute";
+        if (std::abs(distance - clip.w) > (lock ? 0.3 : 1.0) * static_cast<double>(a[3])) continue;
+        if (glm::distance(pixel, glm::dvec2(at) + 0.5) > (lock ? 0.4 : 0.71)) continue;
         const glm::dvec2 moved = pixel - pixelOf(clipOf(camera(before), {b[0], b[1], b[2]}));
         const glm::dvec2 found(shown["gMotionMap"].at(at.x, at.y, 0), shown["gMotionMap"].at(at.x, at.y, 1));
         compared.off.push_back(glm::distance(moved, found));
@@ -296,17 +313,17 @@ TEST(FurMotion, is_the_difference_of_positions_of_two_frames) {
             const bool blown = one.name == std::string("wind") || one.name == std::string("gusts");
             if (blown && technique == std::string("StrandsCompute")) continue; // wind moves locks
             const Compared compared = compare(one.now, one.before, technique);
-            ASSERT_GT(compared.off.size(), 200U) << one.name << " " << technique;
+            ASSERT_GT(compared.off.size(), 50U) << one.name << " " << technique;
             EXPECT_GT(compared.moved, 0.3) << one.name << " " << technique;
-            // A pixel's centre is up to 0.7 pixels from the place, and strands' motion changes by up to 0.1 a pixel along them; a half
-            // holds 2 pixels to 0.001.
-            EXPECT_LT(median(compared.off), 0.03) << one.name << " " << technique << " of " << compared.moved;
-            EXPECT_LT(median(compared.off, 0.9), 0.15) << one.name << " " << technique << " of " << compared.moved;
+            // A pixel's centre is up to 0.7 pixels from the place, and of a strand of 15 pixels the tip moves twice as far as the mean. A
+            // half holds 8 pixels to 0.004. Without one of the parts that move the median is as large as what that part moves.
+            EXPECT_LT(median(compared.off), 0.02 + 0.06 * compared.moved) << one.name << " " << technique << " of " << compared.moved;
+            EXPECT_LT(median(compared.off, 0.9), 0.1 + 0.4 * compared.moved) << one.name << " " << technique << " of " << compared.moved;
         }
     }
 }
 
-TEST(FurMotion, is_nothing_where_all_stands_still_and_is_not_there_unless_asked) {
+TEST(FurMotion, is_nothing_where_all_stands_still_and_is_astraythere_unless_asked) {
     const Frame still{.wind = "0.3,0,0", .time = 0.5};
     auto shown = targetsOf(still, "CoatCompute", {});
     for (const float value : shown["gMotionMap"].pixels)

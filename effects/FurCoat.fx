@@ -7,6 +7,9 @@
 #include "../hlsl/light.fxh"
 #include "../hlsl/fur.fxh"
 #include "passes/annotations.fxh"
+#if TEGUMENT_FUR_POSE
+#include "passes/fur_pose.fxh"
+#endif
 #include "passes/vertex.fxh"
 #include "passes/shadow_map.fxh"
 #include "passes/lamp_light.fxh"
@@ -24,6 +27,7 @@
 #include "passes/fur_opacity.fxh"
 static const float kLockHidden = 0.35; // of a strand, below others
 #include "passes/fur_locks.fxh"
+#include "passes/fur_motion.fxh"
 #include "passes/fur_compute.fxh"
 
 float Script : STANDARDSGLOBAL < STARTS_WITH("CoatSoft") string Workspace = "bunny_roots.json"; > = 0.8;

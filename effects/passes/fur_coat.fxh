@@ -70,9 +70,14 @@ float3 furPlace(VertexInput stored)
 }
 
 // The reverse of tgMeshAxes.
+float3 furFromAxes(float3 v, float4x4 world)
+{
+    return v.x * tgWorldUnit(world[0].xyz) + v.y * tgWorldUnit(world[1].xyz) + v.z * tgWorldUnit(world[2].xyz);
+}
+
 float3 furFromAxes(float3 v)
 {
-    return v.x * tgWorldUnit(gWorld[0].xyz) + v.y * tgWorldUnit(gWorld[1].xyz) + v.z * tgWorldUnit(gWorld[2].xyz);
+    return furFromAxes(v, gWorld);
 }
 
 // A direction of the world in the axes of the mesh at rest.

@@ -59,5 +59,6 @@ float gCoatShadowStrands < UI_SLIDER("Strands that throw shadows", 1.0, 32.0, 1.
     string UIHelp = "of a lock: the others are part of them"; > = 2.0;
 float gCoatAfar < UI_SLIDER("Afar", 0.0, 4.0, 0.01)
     string UIHelp = "pixels: where strands are drawn narrower they hide nothing, and are blended after all"; > = 1.0;
+float gFurChild < string UIWidget = "None"; > = 0.0;
 
 #endif

@@ -77,10 +77,15 @@ RibbonPlace lockPlace(LockStrand s, float along)
 }
 
 // Of a strand's tip, lengths along the mesh's axes. Gusts run along x, y and z alike, each lock a little by itself.
+float3 lockBlownBy(LockLooks looks, VertexInput input, float3 wind, float time)
+{
+    float phase = gCoatGusts.z * dot(furPlace(input) / gMeshRadius, 1.0) + 0.25 * looks.lock.x - gCoatGusts.y * time;
+    return wind * (1.0 + gCoatGusts.x * tgFurWave(phase).x);
+}
+
 float3 lockBlown(LockLooks looks, VertexInput input)
 {
-    float phase = gCoatGusts.z * dot(furPlace(input) / gMeshRadius, 1.0) + 0.25 * looks.lock.x - gCoatGusts.y * gTime;
-    return strandsAxes(gCoatWind, input) * (1.0 + gCoatGusts.x * tgFurWave(phase).x);
+    return lockBlownBy(looks, input, strandsAxes(gCoatWind, input), gTime);
 }
 
 // under: 1 underfur.
@@ -276,7 +281,8 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     return WITH_LAMPS(color, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
 }
 
-RibbonVarying lockVarying(VertexInput input, float child, float under)
+// edge: as of ribbonVarying.
+RibbonVarying lockVarying(VertexInput input, float child, float under, float edge)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
@@ -291,7 +297,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
-        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color, edge);
         output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
     }
     return output;
@@ -299,12 +305,18 @@ RibbonVarying lockVarying(VertexInput input, float child, float under)
 
 RibbonVarying LocksVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0);
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0, gFurEdge);
+}
+
+// As pass Core shows them.
+RibbonVarying LocksCoreVS(TG_LAYER_INPUT(VertexInput, input))
+{
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0, ribbonCoreEdge());
 }
 
 RibbonVarying UnderfurVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0);
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0, ribbonCoreEdge());
 }
 
 // Underfur is drawn once: what is below it hides its edges.
@@ -378,7 +390,7 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 #define COAT_SCRIPT LIGHT_SCRIPT(OPACITY_SCRIPT) \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Undercoat;" \
     TG_LAYER_SCRIPT("gCoatUnderfur", "gFurChild", "Underfur") TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Core") \
-    TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe")
+    TG_LAYER_SCRIPT("gCoatChildren", "gFurChild", "Fringe") COAT_MOTION_SCRIPT
 #define LOCK_SEEN RIBBON_REACH LOCK_SHARE float SegmentFewest = 2.0;
 // Least: of Core as lockAfar; of the underfur the widest, lockRadius times lockShare, and no pixel shows it.
 #define LOCK_CORE LOCK_SEEN string Least = "gCoatAfar"; string LeastRadius = "gCoatRadius";
@@ -387,7 +399,7 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 #define COAT_PASSES(under, core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
     TG_SEEN_LAYER_PASS(Underfur, "underfur", LOCK_UNDER, "gCoatUnderfur", UnderfurVS, under, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksVS, core, coreState) \
-    TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksCoreVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE) COAT_MOTION_PASSES
 
 #endif

@@ -128,7 +128,8 @@ RibbonVarying strandVarying(VertexInput input, bool core)
         RibbonPlace place = strandPlace(strand, frame, along);
         float3 color = rootStrandColor(strand, frame, place.offset, along, input);
         float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
-        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
+        float edge = core ? ribbonCoreEdge() : gFurEdge;
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color, edge);
     }
     return output;
 }
@@ -145,11 +146,13 @@ RibbonVarying StrandsCoreVS(VertexInput input)
 
 #define STRANDS_SHARE RIBBON_SHARE float SegmentFewest = 3.0;
 #define STRANDS_CORE STRANDS_SHARE string Least = "gRibbonThin"; string LeastSpacings = "gFurRadius";
-#define STRANDS_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;"
+#define STRANDS_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) \
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;" STRANDS_MOTION_SCRIPT
 #define STRANDS_PASSES(core, fringe, coreState) \
     TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
     TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_CORE, StrandsCoreVS, core, coreState) \
-    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH STRANDS_SHARE, StrandsVS, fringe, TG_STATE_FRINGE)
+    TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH STRANDS_SHARE, StrandsVS, fringe, TG_STATE_FRINGE) \
+    STRANDS_MOTION_PASSES
 
 #endif

@@ -295,13 +295,9 @@ FurPiece furNextPiece(FurPiece last, FurSweep sweep, float steps)
     return piece;
 }
 
-// The layer's colour and coverage. met: as furMeet; last: the last piece. density: as furExpect.
-float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
+// What strands send to the eye. met: as furMeet.
+float3 furStrandRadiance(StrandsVarying input, FurSweep sweep, float4 met)
 {
-    float top = lerp(last.low, sweep.height, sweep.fade);
-    met = furExpect(met, sweep.fade, density * strandsDensity(input), strandsShortest(input), strandsPerLength(input),
-                    float2(top, sweep.bottom), sweep.beyond);
-    clip(sweep.steps < 0.0 ? -1.0 : met.x - 0.004); // an 8-bit target would not show it
     float3 mean = met.yzw / met.x;
     float3 albedo = lerp(gFurRootColor, gFurTipColor, mean.y) * mean.z;
     float3 strand = tgFurAlong(sweep.normal + 2.0 * mean.x * input.lean.xyz);
@@ -310,7 +306,21 @@ float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float
     float open = furSkinShadow(input.lightClip, 1.0 / perDistance) *
                  tgFurTransmittance(mean.x, dot(sweep.normal, toLight), gFurDensity, gFurLength);
     float3 direct = furStrandLight(albedo, strand, toLight, -sweep.view) * gLightColor * open;
-    return float4(direct + albedo * gFurFill * tgFurFill(mean.x, gFurDensity, gFurMultiple), met.x);
+    return direct + albedo * gFurFill * tgFurFill(mean.x, gFurDensity, gFurMultiple);
+}
+
+// The layer's colour and coverage; only what is drawn is lit. met: as furMeet; last: the last piece. density: as furExpect.
+float4 furStrandColor(StrandsVarying input, FurSweep sweep, FurPiece last, float4 met, float density)
+{
+    float top = lerp(last.low, sweep.height, sweep.fade);
+    met = furExpect(met, sweep.fade, density * strandsDensity(input), strandsShortest(input), strandsPerLength(input),
+                    float2(top, sweep.bottom), sweep.beyond);
+    float left = sweep.steps < 0.0 ? -1.0 : met.x - 0.004; // an 8-bit target would not show it
+    float4 color = float4(0.0, 0.0, 0.0, met.x);
+    [branch] if (left >= 0.0 || !TG_LEAVES_EARLY)
+        color.rgb = furStrandRadiance(input, sweep, met);
+    clip(left);
+    return color;
 }
 
 #endif

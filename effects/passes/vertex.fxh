@@ -4,7 +4,9 @@
 //   TEGUMENT_VERTEX_HOOK(rest, input)   TgMeshInput: the vertex to draw, in the space that gWorld leads out of. rest: TgMeshInput, as
 // stored;
 //                                       input: VertexInput, with the streams
-//   TEGUMENT_VERTEX_TURN(input)         float3x3: how the pose turns directions there, dir * M; read by FurRoots.fx alone
+//   TEGUMENT_VERTEX_TURN(input)         float3x3: how the pose turns directions there, dir * M; read by fur alone
+//   TEGUMENT_VERTEX_HOOK_BEFORE(rest, input), TEGUMENT_VERTEX_TURN_BEFORE(input)
+//                                       the same in the frame before, for motion vectors (TEGUMENT_MOTION); without them nothing bends
 #ifndef TEGUMENT_PASSES_VERTEX_FXH
 #define TEGUMENT_PASSES_VERTEX_FXH
 
@@ -61,6 +63,42 @@ float3 vertexTurnedBack(float3 posed, VertexInput input)
 {
     return posed;
 }
+#endif
+
+#if TEGUMENT_MOTION
+// As they were in the frame before.
+#ifndef TEGUMENT_VERTEX_HOOK_BEFORE
+#define TEGUMENT_VERTEX_HOOK_BEFORE(rest, input) TEGUMENT_VERTEX_HOOK(rest, input)
+#ifdef TEGUMENT_VERTEX_TURN
+#define TEGUMENT_VERTEX_TURN_BEFORE(input) TEGUMENT_VERTEX_TURN(input)
+#endif
+#endif
+TgMeshInput meshVertexBefore(VertexInput input)
+{
+    return TEGUMENT_VERTEX_HOOK_BEFORE(vertexAtRest(input), input);
+}
+
+#ifdef TEGUMENT_VERTEX_TURN_BEFORE
+float3 vertexTurnedBefore(float3 atRest, VertexInput input)
+{
+    return mul(atRest, TEGUMENT_VERTEX_TURN_BEFORE(input));
+}
+
+float3 vertexTurnedBackBefore(float3 posed, VertexInput input)
+{
+    return mul(TEGUMENT_VERTEX_TURN_BEFORE(input), posed);
+}
+#else
+float3 vertexTurnedBefore(float3 atRest, VertexInput input)
+{
+    return atRest;
+}
+
+float3 vertexTurnedBackBefore(float3 posed, VertexInput input)
+{
+    return posed;
+}
+#endif
 #endif
 
 #endif

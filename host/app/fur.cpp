@@ -1,6 +1,7 @@
 // tegument fur: the maps that the shells of effects/Fur.fx read.
 
 #include "host/app/command_line.h"
+#include "host/app/fur_pose.h"
 #include "host/app/fur_roots.h"
 #include "host/app/fur_strands.h"
 #include "host/app/output.h"
@@ -258,6 +259,7 @@ void addFur(CLI::App& program, Action& action) {
     addTexture(*command, action);
     addFurRoots(*command, action);
     addFurStrands(*command, action);
+    addFurPose(*command, action);
     addExamples(*command, {{"fur texture -o out/fur", "maps of fur for shells"},
                            {"fur roots bunny.glb -o out/fur/bunny_roots.dds", "strands on the mesh itself"},
                            {"fur strands bunny.glb -o out/fur/bunny_strands.glb", "the same as ribbons, many times as fast"}});

@@ -2,6 +2,7 @@
 
 #include "host/app/command_line.h"
 #include "host/app/foreign.h"
+#include "host/app/fur_pose.h"
 #include "host/app/fur_strands.h"
 #include "host/app/fur_textures.h"
 #include "host/app/given_values.h"
@@ -73,6 +74,9 @@ void addJobOptions(CLI::App& command, JobOptions& options) {
     command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
     command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
     command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .obj, .ply, .stl, .off); default: the workspace's");
+    CLI::Option* pose = command.add_option(
+        "--pose", options.scene.pose, "The same mesh, bent: a file with its vertices moved; strands of FurCoat follow their triangles");
+    command.add_option("--pose-before", options.scene.poseBefore, "The same in the frame before, for gMotionMap")->needs(pose);
     command.add_option(
         "-w,--workspace", options.scene.workspace,
         "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "
@@ -130,6 +134,11 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
         if (const auto exists = fileExists(options.scene.mesh, "--mesh"); !exists) return exists.error();
     LoadOptions load = loadOptions(options.effect);
     if (!sceneOptions.workspace.empty()) load.roots.folders.push_back(std::filesystem::path(sceneOptions.workspace).parent_path());
+    for (const std::string& pose : {options.scene.pose, options.scene.poseBefore})
+        if (!pose.empty())
+            if (const auto exists = fileExists(pose, "--pose"); !exists) return exists.error();
+    if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
+    if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
     auto effect = loadEffect(*file, load);
     if (!effect) return effect.error();
     if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();
@@ -170,6 +179,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
                                                                  : std::filesystem::path(sceneOptions.mesh);
     if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh, say); !grown) return grown.error();
+    if (const auto posed = poseStrands(job.effect, job.run, job.scene); !posed) return posed.error();
     return job;
 }
 

@@ -1,6 +1,7 @@
 #include "host/app/scene.h"
 
 #include "host/app/foreign.h"
+#include "host/app/fur_pose.h"
 #include "host/run/scene_bounds.h"
 #include "host/support/text.h"
 
@@ -85,6 +86,16 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
 }
 
+Result<void> readPoses(const SceneOptions& options, const Mesh& rest, Scene& scene) {
+    for (const auto& [file, pose] : {std::pair(&options.pose, &scene.pose), std::pair(&options.poseBefore, &scene.poseBefore)}) {
+        if (file->empty()) continue;
+        auto read = readPose(*file, rest, meshOptions(scene.workspace));
+        if (!read) return read.error();
+        *pose = *std::move(read);
+    }
+    return {};
+}
+
 /// Foreign effects expect about that, round the origin; many know no WORLD.
 void toUnitSize(Mesh& mesh) {
     if (!(mesh.bounds.radius > 0)) return;
@@ -135,7 +146,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     Scene scene{.workspace = std::move(*workspace), .meshes = {}, .objects = {}, .isOwn = !options.mesh.empty()};
     if (!needsMesh) return scene;
     if (!scene.workspace.objects.empty()) {
-        if (!options.mesh.empty() || options.unitMm)
+        if (!options.mesh.empty() || options.unitMm || !options.pose.empty())
             return usageError(8017,
                               fmt::format("{} has {} objects: which of them is meant?", options.workspace, scene.workspace.objects.size()),
                               "leave --mesh and --unit-mm out, or give a workspace of one mesh");
@@ -146,7 +157,8 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
     auto mesh = chooseMesh(options, scene.workspace);
     if (!mesh) return mesh.error();
     if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
-    if (isFramed(options)) frame(options, *mesh, scene.workspace);
+    if (const auto read = readPoses(options, *mesh, scene); !read) return read.error();
+    if (isFramed(options)) frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
     if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
         scene.workspace.camera.nearPlane = 0.1F;
         scene.workspace.camera.farPlane = 100;

@@ -12,10 +12,12 @@
 namespace tegument::app {
 
 struct SceneOptions {
-    std::string effect;    // the effect file: its folder has the default workspace
-    std::string workspace; // empty: the usual one of the effects' own folder, else built-in defaults
-    std::string usual;     // its name: human.json where the effect's annotation Workspace names no other
-    std::string mesh;      // in place of the workspace's
+    std::string effect;     // the effect file: its folder has the default workspace
+    std::string workspace;  // empty: the usual one of the effects' own folder, else built-in defaults
+    std::string usual;      // its name: human.json where the effect's annotation Workspace names no other
+    std::string mesh;       // in place of the workspace's
+    std::string pose;       // the same mesh, bent; empty: at rest
+    std::string poseBefore; // and in the frame before
     std::optional<double> unitMm;
     std::optional<bool> head; // the mesh is a human head, or is none; none: as the workspace says, and a mesh of one's own is none
     std::optional<UpAxis> up; // of a mesh of one's own; none: z of STL files, else y
@@ -30,6 +32,8 @@ struct Scene {
     Workspace workspace;
     std::deque<Mesh> meshes; // each file once, however many objects have it
     std::vector<RunObject> objects;
+    std::optional<Mesh> pose{}; // of the only mesh: its skin, bent
+    std::optional<Mesh> poseBefore{};
     bool isOwn = false; // the mesh is the user's, not the workspace's
 };
 

@@ -1,5 +1,7 @@
 #include "host/run/geometry.h"
 
+#include "host/mesh/pose.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,9 +38,11 @@ glm::vec4 tangentAcross(const glm::vec3& normal) {
 std::vector<float> interleave(const Mesh& mesh) {
     std::vector<float> stream;
     stream.reserve(mesh.positions.size() * 12);
+    const auto pose = poseOf(mesh);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3 position = mesh.positions[i];
-        const glm::vec3 normal = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
+        const bool posed = pose && !isOnRibbon(mesh, i);
+        const glm::vec3 position = posed ? glm::vec3(pose->position(i)) : mesh.positions[i];
+        const glm::vec3 normal = posed ? glm::vec3(pose->normal(i)) : mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
         const glm::vec4 tangent = mesh.tangents.empty() ? tangentAcross(normal) : mesh.tangents[i];
         const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
         stream.insert(stream.end(), {position.x, position.y, position.z, normal.x, normal.y, normal.z});

@@ -14,7 +14,8 @@ namespace tegument::run {
 
 inline constexpr std::uint32_t kVertexStride = 12 * sizeof(float);
 
-/// Interleaved floats, 12 a vertex; missing normals, tangents and UVs are zeros (no shader that reads them gets this far).
+/// Interleaved floats, 12 a vertex, skin as a pose has it; missing normals, tangents and UVs are zeros (no shader that reads them gets this
+/// far).
 [[nodiscard]] std::vector<float> interleave(const Mesh& mesh);
 /// Clip space, texel row 0 (v = 0) at the top, front faces counter-clockwise.
 [[nodiscard]] Mesh fullScreenQuad();

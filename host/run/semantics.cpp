@@ -1,5 +1,6 @@
 #include "host/run/semantics.h"
 
+#include "host/mesh/pose.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,8 @@ constexpr std::array kMatrices = {
     MatrixName{"WORLDVIEW", true, &Matrices::view, &Matrices::inverseView},
     MatrixName{"VIEWPROJECTION", false, &Matrices::viewProjection, &Matrices::inverseViewProjection},
     MatrixName{"WORLDVIEWPROJECTION", true, &Matrices::viewProjection, &Matrices::inverseViewProjection},
+    MatrixName{"PREVIOUSWORLD", true, nullptr, nullptr}, // of the frame before: a picture by itself stands still
+    MatrixName{"PREVIOUSVIEWPROJECTION", false, &Matrices::viewProjection, &Matrices::inverseViewProjection},
 };
 
 struct MatrixForm {
@@ -56,7 +59,7 @@ constexpr std::array<std::string_view, 15> kOthers = {"POSITION",       "DIFFUSE
                                                       "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",     "BOUNDINGBOXMIN",
                                                       "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE", "UNITMM",
                                                       "LIGHTDIRECTION", "TOLIGHT",         "CAMERADIRECTION"};
-constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
+constexpr std::array<std::string_view, 4> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE", "SAMPLESPERPIXEL"};
 
 /// A mesh that stands where its file has it keeps the matrices of the view bit for bit.
 glm::mat4 withWorld(const glm::mat4& view, const glm::dmat4& world, bool inverse) {
@@ -101,6 +104,7 @@ std::optional<Numbers> ofOwner(std::string_view semantic, Owner owner, const Sce
     if (semantic == "farclip") return Numbers{view.farPlane};
     if (semantic == "fieldofview") return Numbers{view.horizontalFov};
     if (semantic == "unitmm") return Numbers{scene.unitMm};
+    if (semantic == "samplesperpixel") return Numbers{static_cast<double>(scene.samples)};
     if (semantic == "time" || semantic == "elapsedtime") return Numbers{0.0};
     return std::nullopt;
 }
@@ -151,6 +155,7 @@ Result<std::optional<Numbers>> fitted(const Parameter& parameter, Numbers value)
 void intoWorldUnits(SceneView& scene) {
     const float factor = 1 / scene.unitMm;
     scene.bounds = inUnit(scene.bounds, factor);
+    scene.seen = inUnit(scene.seen, factor);
     scene.placed = inUnit(scene.placed, factor);
     for (glm::length_t row = 0; row < 4; ++row)
         scene.world[row] *= glm::dvec4(glm::dvec3(1 / static_cast<double>(scene.unitMm)), 1);
@@ -159,7 +164,7 @@ void intoWorldUnits(SceneView& scene) {
 void fillMatrices(SceneView& scene, Extent picture) {
     if (scene.unitMm != 1) intoWorldUnits(scene);
     scene.camera = cameraMatrices(scene.placed.camera, static_cast<double>(picture.width) / picture.height);
-    scene.light = lightMatrices(scene.placed.light, scene.bounds);
+    scene.light = lightMatrices(scene.placed.light, scene.seen);
 }
 
 Bounds unitBounds() {
@@ -172,10 +177,11 @@ SceneView viewScene(const Workspace& workspace, const Mesh* mesh, Extent picture
     SceneView scene{.hasMesh = mesh != nullptr,
                     .unitMm = workspace.worldUnitMm,
                     .bounds = mesh ? mesh->bounds : unitBounds(),
+                    .seen = mesh ? seenBounds(*mesh) : unitBounds(),
                     .placed = {},
                     .camera = {},
                     .light = {}};
-    scene.placed = placeScene(workspace, scene.bounds);
+    scene.placed = placeScene(workspace, scene.seen);
     fillMatrices(scene, picture);
     return scene;
 }
@@ -184,6 +190,7 @@ SceneView viewScene(const PlacedObject& object, const Mesh& mesh, Extent picture
     SceneView scene{.hasMesh = true,
                     .unitMm = object.worldUnitMm,
                     .bounds = placedBounds(mesh, object.placement),
+                    .seen = placedBounds(mesh, object.placement),
                     .world = worldMatrix(object.placement),
                     .placed = object.scene,
                     .camera = {},

@@ -1,5 +1,6 @@
 #include "host/run/strands.h"
 
+#include "host/mesh/pose.h"
 #include "host/support/parallel.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void appendRows(std::span<const std::uint32_t> ribbon, std::uint32_t segments, s
 class Lister {
 public:
     Lister(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye, const StrandShare& share)
-        : mesh_(mesh), part_(part), view_(view), eye_(eye), share_(share) {}
+        : mesh_(mesh), pose_(poseOf(mesh)), part_(part), view_(view), eye_(eye), share_(share) {}
 
     std::optional<StrandLists> list() {
         find();
@@ -98,8 +99,8 @@ private:
     }
 
     void judge(Seen ribbon, std::uint32_t root, float address, Found& found) const {
-        const glm::dvec3 place(mesh_.positions[root]);
-        if (view_ && !canBeSeen(place, glm::dvec3(mesh_.normals[root]), *view_)) return;
+        const glm::dvec3 place = pose_ ? pose_->position(root) : glm::dvec3(mesh_.positions[root]);
+        if (view_ && !canBeSeen(place, pose_ ? pose_->normal(root) : glm::dvec3(mesh_.normals[root]), *view_)) return;
         const double distance = glm::distance(eye_, place);
         if (isThin(share_, distance, view_ ? view_->reach : distance)) return;
         const double strands = shareAt(share_, distance) * share_.count;
@@ -131,6 +132,7 @@ private:
     }
 
     const Mesh& mesh_;
+    const std::optional<PoseView> pose_;
     const MeshPart& part_;
     const PartView* view_;
     const glm::dvec3 eye_;

@@ -2,7 +2,7 @@
 
 #include "host/mesh/triangles.h"
 #include "host/support/parallel.h"
-#include "host/support/rays/surface_tree.h"
+#include "meshprep/fur/ribbons/below.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,6 @@ namespace {
 constexpr float kRows = 31;       // steps of a vertex's place along its strand
 constexpr float kColorSteps = 31; // of each channel's root
 constexpr float kShortSteps = 15;
-constexpr float kDepth = 0.02F; // radii: how far from its triangle a root may lie
 
 /// Where a ribbon's rows stand: closer at the tip, which bends most and is what one sees. Whole steps of kRows.
 std::vector<float> rowsOf(int segments) {
@@ -42,35 +41,6 @@ Result<void> check(const Mesh& mesh, const RibbonOptions& options) {
                               "give a cube map (DDS with six faces), looked up by the direction from the mesh's centre");
     return {};
 }
-
-/// Places of the surface below roots, where maps are asked: the texture of roots does not say their triangles.
-class Below {
-public:
-    explicit Below(const FurSurface& surface, unsigned threads)
-        : surface_(surface), tree_(surface.positions(), surface.mesh().indices, {.quick = true, .threads = threads == 1 ? 1U : 0U}) {}
-
-    [[nodiscard]] SurfacePoint at(const RootedPlace& root) const {
-        const auto hit = tree_.nearest(root.position + kDepth * root.normal, -root.normal, {.first = 0, .last = 2 * kDepth});
-        if (!hit) return {.position = root.position, .normal = root.normal};
-        return surface_.at(hit->face, barycentric(hit->face, root.position));
-    }
-
-private:
-    [[nodiscard]] glm::vec2 barycentric(std::uint32_t triangle, const glm::vec3& place) const {
-        const std::uint32_t* corner = &surface_.mesh().indices[3 * std::size_t{triangle}];
-        const glm::vec3 a = surface_.positions()[corner[0]];
-        const glm::vec3 u = surface_.positions()[corner[1]] - a;
-        const glm::vec3 v = surface_.positions()[corner[2]] - a;
-        const glm::vec3 n = glm::cross(u, v);
-        const float square = std::max(glm::dot(n, n), 1e-30F);
-        const glm::vec2 weights(glm::dot(glm::cross(place - a, v), n) / square, glm::dot(glm::cross(u, place - a), n) / square);
-        const glm::vec2 inside = glm::max(weights, glm::vec2(0));
-        return inside / std::max(inside.x + inside.y, 1.0F);
-    }
-
-    const FurSurface& surface_;
-    SurfaceTree tree_;
-};
 
 /// What each root's ribbon is, beside its place.
 struct Looks {

@@ -54,30 +54,49 @@ LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
     return p;
 }
 
+// Whether light reaches a surface at all, as far as it says itself: where the mesh or its normal map turns away, no map need be asked.
+bool facesLight(LitPoint p)
+{
+    return min(dot(p.meshNormal, p.toLight), p.cosine) > 0.0;
+}
+
 // density: texels^2 of the base per mm^2.
 float entryShadow(LitPoint p, float density)
 {
-    float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
-    float apart = clamp(0.25 * rsqrt(max(density, 1e-8)), kEntryTaps.x * p.footprint, kEntryTaps.y * p.footprint);
-    PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
-    return tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(), p.footprint,
-                           apart) *
-           tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+    float lit = 0.0;
+    [branch] if (facesLight(p))
+    {
+        float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+        float apart = clamp(0.25 * rsqrt(max(density, 1e-8)), kEntryTaps.x * p.footprint, kEntryTaps.y * p.footprint);
+        PlanarPlace at = planarPlace(p, slope, kTgPlanarTexel);
+        lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(),
+                              p.footprint, apart) *
+              tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+    }
+    return lit;
 }
 
-float4 entryLight(float2 uv, float4 albedo)
+// Texels that no chart covers have nothing to light.
+float4 entryLight(float2 uv)
 {
     float4 place = tex2Dlod(gAtlasPosition, float4(uv, 0.0, 0.0));
-    float4 normal = tex2Dlod(gAtlasNormal, float4(uv, 0.0, 0.0));
-    LitPoint p = entryPoint(uv, albedo, place.xyz, normal.xyz);
-    p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z) * skinOpen(tgWorldPosition(place.xyz));
-    float covered = place.w * normal.w;
-    return float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);
+    float4 light = 0.0;
+    [branch] if (place.w > 0.0)
+    {
+        float2 right = float2(1.0 / kPyramidSize0, 0.0);
+        float4 albedo = tex2Dgrad(gSkin, uv, right, right.yx);
+        float4 normal = tex2Dlod(gAtlasNormal, float4(uv, 0.0, 0.0));
+        LitPoint p = entryPoint(uv, albedo, place.xyz, normal.xyz);
+        p.shadow = entryShadow(p, tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z) * skinOpen(tgWorldPosition(place.xyz));
+        float covered = place.w * normal.w;
+        light = float4(tgIrradianceBounded(enteringLight(p), kTgLargestHalf) * covered, covered);
+    }
+    return light;
 }
 
 float4 EntryPS(QuadVarying input) : SV_Target0
 {
-    return entryLight(input.uv, tex2D(gSkin, input.uv));
+    return entryLight(input.uv);
 }
 
 // A level by itself, weighed: alpha keeps the density, below 0 where links bring the widest Gaussians. fourth: 1 where they
@@ -91,6 +110,15 @@ float4 levelLight(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level, f
     [branch] if (fourth > 0.5 && light.w < 1.0)
         weight += (light.w - 1.0) * ladderWeight(2.0 * kTgLadderSteps + level + 1.0, density);
     return float4(light.rgb * weight, linked > 0.5 ? -density : density);
+}
+
+// Levels up to this one are left out where no chart is near: from 16 texels of the base on nothing reads them there.
+static const float kLastSpared = 2.0;
+
+// Whether a level is worked out at a texel.
+bool levelServes(float level, float2 uv)
+{
+    return level > kLastSpared || tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).w > 0.5;
 }
 
 // What the coarser levels have added up to.
@@ -107,8 +135,11 @@ float4 Reduce##level##PS(QuadVarying input) : SV_Target0 \
 #define PYRAMID_LEVEL(level, wider) \
 float4 Light##level##PS(QuadVarying input) : SV_Target0 \
 { \
-    return levelLight(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level, 0.0, 0.0) + \
-           coarser(TG_SAMPLER2D_ARG(gLight##wider), input.uv); \
+    float4 light = 0.0; \
+    [branch] if (levelServes(level, input.uv)) \
+        light = levelLight(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level, 0.0, 0.0) + \
+                coarser(TG_SAMPLER2D_ARG(gLight##wider), input.uv); \
+    return light; \
 }
 
 PYRAMID_REDUCE(1, 0)

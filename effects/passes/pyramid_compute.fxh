@@ -48,29 +48,17 @@ void name##CS(uint3 thread : SV_DispatchThreadID) \
     store[thread.xy] = name##PS(texelAt(thread, size)); \
 }
 
-// The same where a chart is near; 16 texels of the base from any, nothing reads a level.
-#define PYRAMID_CHARTS_CS(name, store, size) \
-[numthreads(8, 8, 1)] \
-void name##CS(uint3 thread : SV_DispatchThreadID) \
-{ \
-    QuadVarying input = texelAt(thread, size); \
-    float4 light = 0.0; \
-    [branch] if (tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).w > 0.5) \
-        light = name##PS(input); \
-    store[thread.xy] = light; \
-}
-
 // A level and its links: four threads share the list of a texel, for with one each they would wait for memory most of the time. links: the
-// light of some of them; near: whether anything is to be done, of all four alike.
+// light of some of them.
 static const float kLinkThreads = 4.0;
 groupshared float3 gLinkSums[8 * 8 * 4];
 
-#define PYRAMID_LINKS_CS(name, level, more, links, near) \
+#define PYRAMID_LINKS_CS(name, level, more, links) \
 [numthreads(8, 8, 4)] \
 void name##CS(uint3 thread : SV_DispatchThreadID, uint inGroup : SV_GroupIndex) \
 { \
     QuadVarying input = texelAt(thread, kPyramidSize##level); \
-    bool lit = near; \
+    bool lit = levelServes(level, input.uv); \
     gLinkSums[inGroup] = 0.0; \
     [branch] if (lit) \
         gLinkSums[inGroup] = links(input.uv, thread.z, kLinkThreads).rgb; \
@@ -86,18 +74,8 @@ void name##CS(uint3 thread : SV_DispatchThreadID, uint inGroup : SV_GroupIndex) 
         gLight##level##Store[thread.xy] = light; \
     } \
 }
-#define NEAR_CHARTS tex2Dlod(gAtlasMetric, float4(input.uv, 0.0, 0.0)).w > 0.5
 
-// Texels that no chart covers have nothing to light.
-[numthreads(8, 8, 1)]
-void EntryCS(uint3 thread : SV_DispatchThreadID)
-{
-    float2 uv = texelAt(thread, kPyramidSize0).uv;
-    float4 light = 0.0;
-    [branch] if (tex2Dlod(gAtlasPosition, float4(uv, 0.0, 0.0)).w > 0.0)
-        light = entryLight(uv, tex2Dgrad(gSkin, uv, float2(1.0 / kPyramidSize0, 0.0), float2(0.0, 1.0 / kPyramidSize0)));
-    gEntry0Store[thread.xy] = light;
-}
+PYRAMID_CS(Entry, gEntry0Store, kPyramidSize0)
 
 // Three reductions in one pass: a group makes 4 x 4 texels of the last map, and shares what these need of the two before, 10 x 10 and 22 x
 // 22.
@@ -175,32 +153,32 @@ PYRAMID_CS(LinkedLight5, gLight5Store, kPyramidSize5)
 PYRAMID_CS(LinkedLight4, gLight4Store, kPyramidSize4)
 // The level with the links is as large as their map, or the base where that is smaller.
 #if TEGUMENT_MAP_SIZE >= 2048
-PYRAMID_LINKS_CS(LinkedLight3, 3, COARSER(4), anyLinks, true)
-PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
-PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
-PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-PYRAMID_LINKS_CS(FineTop, 3, 0.0, fineLinks, true)
+PYRAMID_LINKS_CS(LinkedLight3, 3, COARSER(4), anyLinks)
+PYRAMID_CS(LinkedLight2, gLight2Store, kPyramidSize2)
+PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineTop, 3, 0.0, fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight3Map")
 #else
 PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
 #if TEGUMENT_MAP_SIZE >= 1024
-PYRAMID_LINKS_CS(LinkedLight2, 2, COARSER(3), anyLinks, NEAR_CHARTS)
-PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
-PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-PYRAMID_LINKS_CS(FineTop, 2, 0.0, fineLinks, NEAR_CHARTS)
+PYRAMID_LINKS_CS(LinkedLight2, 2, COARSER(3), anyLinks)
+PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineTop, 2, 0.0, fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map")
 #else
-PYRAMID_CHARTS_CS(LinkedLight2, gLight2Store, kPyramidSize2)
-PYRAMID_CHARTS_CS(FineTop, gLight2Store, kPyramidSize2)
+PYRAMID_CS(LinkedLight2, gLight2Store, kPyramidSize2)
+PYRAMID_CS(FineTop, gLight2Store, kPyramidSize2)
 #if TEGUMENT_MAP_SIZE >= 512
-PYRAMID_LINKS_CS(LinkedLight1, 1, COARSER(2), anyLinks, NEAR_CHARTS)
-PYRAMID_CHARTS_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-PYRAMID_LINKS_CS(FineLight, 1, COARSER(2), fineLinks, NEAR_CHARTS)
+PYRAMID_LINKS_CS(LinkedLight1, 1, COARSER(2), anyLinks)
+PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
+PYRAMID_LINKS_CS(FineLight, 1, COARSER(2), fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight1Map")
 #else
-PYRAMID_CHARTS_CS(LinkedLight1, gLight1Store, kPyramidSize1)
-PYRAMID_LINKS_CS(LinkedLight0, 0, COARSER(1), anyLinks, NEAR_CHARTS)
-PYRAMID_LINKS_CS(FineLight, 0, COARSER(1), fineLinks, NEAR_CHARTS)
+PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
+PYRAMID_LINKS_CS(LinkedLight0, 0, COARSER(1), anyLinks)
+PYRAMID_LINKS_CS(FineLight, 0, COARSER(1), fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight0Map")
 #endif
 #endif

@@ -45,18 +45,22 @@ LitPoint finalPoint(FinalVarying input, float3 normal, float4 colour)
 
 float finalShadow(LitPoint p)
 {
-    float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
-    bool plain = p.scatters < 0.5; // no level softens its shadows: its filter is some texels of the shadow map wide
-    bool taps = plain || p.footprint < kTgNarrowTexel;
-    float apart = plain ? max(kEntryTaps.x * p.footprint, kTgNarrowStep) : kTgNarrowStep;
-    PlanarPlace at = planarPlace(p, slope, taps ? kTgPlanarTexel : kTgPlanarNearest);
-    float lit;
-    [branch] if (taps)
-        lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(),
-                              p.footprint, apart);
-    else
-        lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope);
-    return lit * tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+    float lit = 0.0;
+    [branch] if (facesLight(p))
+    {
+        float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint);
+        bool plain = p.scatters < 0.5; // no level softens its shadows: its filter is some texels of the shadow map wide
+        bool taps = plain || p.footprint < kTgNarrowTexel;
+        float apart = plain ? max(kEntryTaps.x * p.footprint, kTgNarrowStep) : kTgNarrowStep;
+        PlanarPlace at = planarPlace(p, slope, taps ? kTgPlanarTexel : kTgPlanarNearest);
+        [branch] if (taps)
+            lit = tgShadowOnPlane(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope, p.meshNormal, p.axisX, p.axisY, tgLightRays(),
+                                  p.footprint, apart);
+        else
+            lit = tgShadowSharp(TG_SAMPLER2D_ARG(gShadow), at.uv, at.depth, slope);
+        lit *= tgShadowPlanarHorizon(dot(p.meshNormal, p.toLight));
+    }
+    return lit;
 }
 
 float4 finalColour(FinalVarying input, LitPoint p)

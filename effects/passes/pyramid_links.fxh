@@ -167,7 +167,10 @@ float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
 #define LINKED_LEVEL(name, level, more, links) \
 float4 name(QuadVarying input) : SV_Target0 \
 { \
-    return linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more + links; \
+    float4 light = 0.0; \
+    [branch] if (levelServes(level, input.uv)) \
+        light = linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more + links; \
+    return light; \
 }
 #define COARSER(level) coarser(TG_SAMPLER2D_ARG(gLight##level), input.uv)
 

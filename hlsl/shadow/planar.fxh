@@ -90,21 +90,26 @@ float tgShadowOnPlane(TG_SAMPLER2D_PARAM(map), float2 coordinate, float depth, f
     float3 u = apart * (kTgTurn.x * side + kTgTurn.y * other);
     float3 v = apart * (kTgTurn.x * other - kTgTurn.y * side);
     float scale = 1.0 / footprint;
-    float3 alongU = float3(dot(u, axisX) * scale, -dot(u, axisY) * scale, dot(u, axis));
-    float3 alongV = float3(dot(v, axisX) * scale, -dot(v, axisY) * scale, dot(v, axis));
-    float2 texel = coordinate * kTgShadowSize;
+    float2 alongU = scale * float2(dot(u, axisX), -dot(u, axisY));
+    float2 alongV = scale * float2(dot(v, axisX), -dot(v, axisY));
+    // What the plane through the taps falls beside `slope`, which is not followed as far down.
+    float2 beside = float2(dot(u, axis) - dot(slope, alongU), dot(v, axis) - dot(slope, alongV));
+    // All of it counted from the texel of the look-up: whole numbers stay small.
+    float2 within = frac(coordinate * kTgShadowSize);
+    float2 middle = coordinate + (0.5 - within) / kTgShadowSize;
+    float4 across = float4(-1.5, -0.5, 0.5, 1.5);
+    float4 acrossX = within.x + alongU.x * across;
+    float4 acrossY = within.y + alongU.y * across;
+    float4 acrossZ = depth + dot(slope, 0.5 - within) + beside.x * across;
     float sum = 0.0;
     [unroll] for (int j = 0; j < 4; j++)
     {
+        float4 x = floor(acrossX + (j - 1.5) * alongV.x);
+        float4 y = floor(acrossY + (j - 1.5) * alongV.y);
         float4 row;
-        float4 plane;
         [unroll] for (int i = 0; i < 4; i++)
-        {
-            float3 tap = float3(texel, depth) + (i - 1.5) * alongU + (j - 1.5) * alongV;
-            float2 middle = floor(tap.xy) + 0.5;
-            row[i] = TG_TEX2DLOD(map, float4(middle / kTgShadowSize, 0.0, 0.0)).x;
-            plane[i] = tap.z + dot(slope, middle - tap.xy);
-        }
+            row[i] = TG_TEX2DLOD(map, float4(middle + float2(x[i], y[i]) / kTgShadowSize, 0.0, 0.0)).x;
+        float4 plane = acrossZ + (j - 1.5) * beside.y + slope.x * x + slope.y * y;
         sum += dot(step(plane, tgShadowStored(row)), 0.0625);
     }
     return tgShadowBeyond(coordinate) > 0.0 ? 1.0 : sum;

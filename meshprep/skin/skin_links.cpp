@@ -52,13 +52,34 @@ struct Gathered {
     std::array<double, 2> whole{};
 };
 
-/// Where light arrives, and what is left of the Gaussians for links there: receivers are read by a spline.
+/// A Gaussian for links: narrower along the receiver's plane, in which a spline reads what it receives, than through it, mm^2.
+struct Spread {
+    float along = 0;
+    float through = 0;
+};
+
+/// Where light arrives, and what is left of the Gaussians for links there.
 struct Receiver {
     LinkCells::Middle middle;
-    std::array<double, 2> variances{}; // mm^2
-    double fourth = 0;                 // mm^2
+    glm::vec3 normal{0}; // unit, either way
+    std::array<Spread, 2> spreads;
+    Spread fourth;
     float fourthReach = 0;
     float reach = 0; // mm: sources farther away do not count
+
+    /// Of the way to a source, 1/mm^2.
+    [[nodiscard]] float sent(const glm::vec3& way, const Spread& spread) const {
+        const float height = glm::dot(way, normal);
+        const float squared = glm::dot(way, way) - height * height;
+        return std::exp(-0.5F * (squared / spread.along + height * height / spread.through)) /
+               (2 * std::numbers::pi_v<float> * spread.along);
+    }
+    [[nodiscard]] float peak(const Spread& spread) const { return sent(glm::vec3(0), spread); }
+    /// The same of its distance in the map.
+    [[nodiscard]] float sentAlong(const LinkCell& cell, const Spread& spread) const {
+        const float distance = flat(cell);
+        return std::exp(-0.5F * distance * distance / spread.along) / (2 * std::numbers::pi_v<float> * spread.along);
+    }
 
     /// Distance in the map, mm in the receiver's own plane.
     [[nodiscard]] float flat(const LinkCell& cell) const {
@@ -72,14 +93,20 @@ Receiver receiverAt(const LinkCells& cells, const LinkCells::Middle& middle, con
     const double side = std::min(static_cast<double>(middle.side), kMostSide * usual);
     const double finest = std::min(static_cast<double>(middle.side), kMostFelt * usual) / (1 << kDestinationLevel);
     const auto left = [&](double variance) {
-        return std::max({variance - kReceived * side * side, kLeast * variance, kFelt * finest * finest});
+        const double along = std::max({variance - kReceived * side * side, kLeast * variance, kFelt * finest * finest});
+        return Spread{.along = static_cast<float>(along), .through = static_cast<float>(std::max(along, variance))};
     };
-    Receiver receiver{.middle = middle, .fourth = left(options.fourth)};
-    receiver.fourthReach = static_cast<float>(kReach * std::sqrt(receiver.fourth));
-    for (std::size_t i = 0; i < 2; ++i)
-        receiver.variances[i] = left(options.variances[i]);
-    const double widest = std::max(std::ranges::max(receiver.variances), std::ranges::max(options.variances));
-    receiver.reach = static_cast<float>(kReach * std::sqrt(widest));
+    const glm::vec3 across = glm::cross(middle.alongU, middle.alongV);
+    const float length = glm::length(across);
+    Receiver receiver{
+        .middle = middle, .normal = length > 0 ? across / length : glm::vec3(0), .spreads = {}, .fourth = left(options.fourth)};
+    receiver.fourthReach = static_cast<float>(kReach) * std::sqrt(receiver.fourth.through);
+    float widest = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        receiver.spreads[i] = left(options.variances[i]);
+        widest = std::max(widest, receiver.spreads[i].through);
+    }
+    receiver.reach = static_cast<float>(kReach) * std::sqrt(widest);
     return receiver;
 }
 
@@ -135,12 +162,13 @@ private:
     void visit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
-        const float distance = glm::length(cell.place - receiver.middle.place);
+        const glm::vec3 way = cell.place - receiver.middle.place;
+        const float distance = glm::length(way);
         if (distance - cell.radius > receiver.reach) return;
         const float extent = std::numbers::sqrt2_v<float> * cell.radius;
         float allowed = static_cast<float>(options_.nearest) + static_cast<float>(options_.growth) * std::max(distance - cell.radius, 0.0F);
-        if (brings_ && misses(receiver, cell, distance * distance))
-            allowed = std::min(allowed, static_cast<float>(kMissedSource * std::sqrt(receiver.fourth)));
+        if (brings_ && misses(receiver, cell, way))
+            allowed = std::min(allowed, static_cast<float>(kMissedSource) * std::sqrt(receiver.fourth.along));
         if (level > 0 && extent > allowed) {
             for (int i = 0; i < 4; ++i)
                 visit(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, gathered);
@@ -170,10 +198,9 @@ private:
                 add(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, sum);
             return;
         }
-        const glm::vec3 offset = cell.place - receiver.middle.place;
-        const float squared = glm::dot(offset, offset);
+        const glm::vec3 way = cell.place - receiver.middle.place;
         for (std::size_t i = 0; i < 2; ++i)
-            sum[i] += cell.area * gaussian(squared, receiver.variances[i]);
+            sum[i] += cell.area * receiver.sent(way, receiver.spreads[i]);
         if (!brings_) return;
         Missed missed;
         addMissed(receiver, level, x, y, missed);
@@ -184,11 +211,11 @@ private:
     void addMissed(const Receiver& receiver, int level, int x, int y, Missed& missed) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
-        const float distance = glm::length(cell.place - receiver.middle.place);
-        const float apart = std::min(distance, receiver.flat(cell)) - 2 * cell.radius;
+        const glm::vec3 way = cell.place - receiver.middle.place;
+        const float apart = std::min(glm::length(way), receiver.flat(cell)) - 2 * cell.radius;
         if (apart > receiver.fourthReach) return;
         if (level == 0 || cell.radius * std::numbers::sqrt2_v<float> <= finest_) {
-            const double light = cell.area * unseen(receiver, cell, distance * distance);
+            const double light = cell.area * unseen(receiver, cell, way);
             (light > 0 ? missed.sent : missed.taken) += std::abs(light);
             return;
         }
@@ -196,20 +223,14 @@ private:
             addMissed(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, missed);
     }
 
-    static bool misses(const Receiver& receiver, const LinkCell& cell, float squared) {
-        return std::abs(unseen(receiver, cell, squared)) > kMissed * gaussian(0, receiver.fourth);
+    static bool misses(const Receiver& receiver, const LinkCell& cell, const glm::vec3& way) {
+        return std::abs(unseen(receiver, cell, way)) > kMissed * receiver.peak(receiver.fourth);
     }
 
     /// What a pyramid misses of the fourth Gaussian, 1/mm^2: it takes the distance in the map, in the receiver's own plane, for that in
     /// space. Below 0 for what is near in the map only.
-    [[nodiscard]] static double unseen(const Receiver& receiver, const LinkCell& cell, float squared) {
-        const float flat = receiver.flat(cell);
-        return gaussian(squared, receiver.fourth) - gaussian(flat * flat, receiver.fourth);
-    }
-
-    static float gaussian(float squared, double variance) {
-        const auto v = static_cast<float>(2 * variance);
-        return std::exp(-squared / v) / (std::numbers::pi_v<float> * v);
+    [[nodiscard]] static double unseen(const Receiver& receiver, const LinkCell& cell, const glm::vec3& way) {
+        return receiver.sent(way, receiver.fourth) - receiver.sentAlong(cell, receiver.fourth);
     }
 
     const LinkCells& cells_;

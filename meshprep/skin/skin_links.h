@@ -26,7 +26,7 @@ struct LinkOptions {
 /// A list of links for each texel of a map of kLinkSide texels along each side.
 inline constexpr int kLinkSide = 256;
 inline constexpr int kMostLinks = 64; // of a list: what effects/passes/pyramid_links.fxh reads
-inline constexpr int kLinkVersion = 6;
+inline constexpr int kLinkVersion = 7;
 
 struct SkinLinks {
     Image sheet;           // RGBA: tiles x tiles maps of kLinkSide, as the effect reads it; for half floats

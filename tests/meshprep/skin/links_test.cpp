@@ -118,20 +118,22 @@ TEST(SkinLinks, TheBorderOfLightIsAsWideAsTheGaussianThoughSourcesAreWide) {
         }
 }
 
-TEST(SkinLinks, LightDiesAwayAcrossAGapAsTheGaussianDoes) {
-    constexpr double kApart = 2.5; // mm
-    Mesh sheets;
-    addSheet(sheets, 45, 0, {0.02, 0.02}, 0.45);
-    addSheet(sheets, 45, kApart, {0.02, 0.53}, 0.45);
-    const auto links = makeSkinLinks(sheets);
-    ASSERT_TRUE(links) << format(links.error());
-    const int middle = static_cast<int>(0.245 * kLinkSide);
-    const Read read = listOf(*links, middle, middle);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double receiver = 2 * 100.0 / 512; // 100 mm on 512 cells, two to a receiver
-        const double expected = std::exp(-kApart * kApart / (2 * lessened(kVariances[i], receiver)));
-        EXPECT_NEAR(read.beyond[i] / (read.sum[i] - read.beyond[i]), expected, 0.03) << i;
-        EXPECT_NEAR(read.sum[i], 1 + expected, 0.03) << "not normalised: the other sheet adds to the light";
+// Across a gap nothing is interpolated: what a receiver's side takes from the Gaussian in its plane it must not take there.
+TEST(SkinLinks, LightDiesAwayAcrossAGapAsTheGaussianDoesHoweverWideTheReceiver) {
+    constexpr double kApart = 2.5;                   // mm
+    for (const double side : {45.0, 150.0, 300.0}) { // mm: receivers of 0.4, 1.3 and 2.6 mm
+        Mesh sheets;
+        addSheet(sheets, side, 0, {0.02, 0.02}, 0.45);
+        addSheet(sheets, side, kApart, {0.02, 0.53}, 0.45);
+        const auto links = makeSkinLinks(sheets);
+        ASSERT_TRUE(links) << format(links.error());
+        const int middle = static_cast<int>(0.245 * kLinkSide);
+        const Read read = listOf(*links, middle, middle);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double expected = std::exp(-kApart * kApart / (2 * kVariances[i]));
+            EXPECT_NEAR(read.beyond[i] / (read.sum[i] - read.beyond[i]), expected, 0.03) << side << " mm, " << i;
+            EXPECT_NEAR(read.sum[i], 1 + expected, 0.03) << side << " mm, not normalised: the other sheet adds to the light";
+        }
     }
 }
 

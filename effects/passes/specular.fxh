@@ -15,9 +15,15 @@ float gLostRelief < UI_SLIDER("Relief that is lost", 0.0, 1.0, 0.01)
 
 float3 specularLobes(LitPoint p)
 {
-    float2 roughness = lerp(float2(gPlainRoughness, gPlainRoughness), float2(gRoughness, gSecondRoughness), p.scatters);
+    float2 skin = float2(gRoughness, gSecondRoughness) * p.shine.x;
+    float2 roughness = lerp(float2(gPlainRoughness, gPlainRoughness), skin, p.scatters);
     float mean = lerp(1.0, p.meanNormal, gLostRelief);
     return float3(tgRoughnessWidened(roughness.x, mean), tgRoughnessWidened(roughness.y, mean), gSecondLobe);
+}
+
+float surfaceIntensity(LitPoint p)
+{
+    return lerp(gPlainIntensity, gSpecularIntensity * p.shine.y, p.scatters);
 }
 
 // With this weight of the specular layer.
@@ -27,6 +33,11 @@ float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
     return tgTwoLobes(p.normal, toLight, toEye, lobes.xy, lobes.z, intensity);
 }
 #else
+float surfaceIntensity(LitPoint p)
+{
+    return lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
+}
+
 float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 {
     float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
@@ -36,8 +47,7 @@ float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 
 float3 reflectedLight(LitPoint p, float3 toEye)
 {
-    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
-    return gLightColor * p.shadow * surfaceSpecular(p, p.toLight, toEye, intensity);
+    return gLightColor * p.shadow * surfaceSpecular(p, p.toLight, toEye, surfaceIntensity(p));
 }
 
 #endif

@@ -98,7 +98,8 @@ void growLashes(const std::vector<glm::vec2>& line, const LashRow& row, float si
         const glm::vec2 root = along(line, share) + glm::vec2(0, row.up * kLashRoots * (0.75f + 0.4f * more.y));
         const float outwards = side * (2 * share - 1); // away from the nose, as x grows away from it on the left only
         const float towardsTemple = side > 0 ? share : 1 - share;
-        const float length = row.length * glm::mix(0.55f, 1.0f, random.y) * glm::mix(0.6f, 1.1f, towardsTemple);
+        const float length =
+            row.length * glm::mix(0.4f, 1.0f, random.y) * glm::mix(0.35f, 1.1f, glm::smoothstep(0.0f, 0.6f, towardsTemple));
         const glm::vec2 way = glm::normalize(glm::vec2(side * (0.9f * outwards + 0.25f) + 0.5f * (random.z - 0.5f), row.up));
         const glm::vec2 middle = root + way * (0.55f * length);
         const glm::vec2 tip = middle + glm::normalize(way + glm::vec2(0.2f * side, 0.25f * row.up)) * (0.45f * length);

@@ -69,11 +69,11 @@ float skinNet(const glm::vec3& p, const Regions& r, float texelMm, std::uint32_t
     const float rest = std::max(0.0f, 1 - r.forehead - cheek - r.nose);
     const std::uint32_t side = p.x < 0 ? 50 : 0;
     float depth = 0;
-    if (r.forehead > 0.02f) depth += 0.017f * r.forehead * furrows(q / glm::vec3(2.1f, 0.85f, 2.1f), 0.4f, seed + 20);
-    if (cheek > 0.02f) depth += 0.019f * cheek * furrows(alongCheek(q) / glm::vec3(1.7f, 0.8f, 1.3f), 0.4f, seed + 21 + side);
-    if (rest > 0.02f) depth += 0.012f * rest * furrows(q / glm::vec3(1.3f, 0.75f, 1.3f), 0.4f, seed + 22);
+    if (r.forehead > 0.02f) depth += 0.024f * r.forehead * furrows(q / glm::vec3(2.1f, 0.85f, 2.1f), 0.4f, seed + 20);
+    if (cheek > 0.02f) depth += 0.028f * cheek * furrows(alongCheek(q) / glm::vec3(1.7f, 0.8f, 1.3f), 0.4f, seed + 21 + side);
+    if (rest > 0.02f) depth += 0.017f * rest * furrows(q / glm::vec3(1.3f, 0.75f, 1.3f), 0.4f, seed + 22);
     depth *= resolved(0.5f, texelMm);
-    depth += 0.009f * furrows(q / 0.55f, 0.4f, seed + 30) * resolved(0.3f, texelMm);
+    depth += 0.013f * furrows(q / 0.55f, 0.4f, seed + 30) * resolved(0.3f, texelMm);
     return depth * glm::mix(0.35f, 1.0f, patches(p, 6, seed + 31)) * (1 - 0.5f * r.ears);
 }
 

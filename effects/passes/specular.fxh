@@ -21,11 +21,6 @@ float3 specularLobes(LitPoint p)
     return float3(tgRoughnessWidened(roughness.x, mean), tgRoughnessWidened(roughness.y, mean), gSecondLobe);
 }
 
-float surfaceIntensity(LitPoint p)
-{
-    return lerp(gPlainIntensity, gSpecularIntensity * p.shine.y, p.scatters);
-}
-
 // With this weight of the specular layer.
 float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 {
@@ -33,11 +28,6 @@ float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
     return tgTwoLobes(p.normal, toLight, toEye, lobes.xy, lobes.z, intensity);
 }
 #else
-float surfaceIntensity(LitPoint p)
-{
-    return lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
-}
-
 float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 {
     float roughness = lerp(gPlainRoughness, gRoughness, p.scatters);
@@ -47,7 +37,8 @@ float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 
 float3 reflectedLight(LitPoint p, float3 toEye)
 {
-    return gLightColor * p.shadow * surfaceSpecular(p, p.toLight, toEye, surfaceIntensity(p));
+    float intensity = lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
+    return gLightColor * p.shadow * surfaceSpecular(p, p.toLight, toEye, intensity);
 }
 
 #endif

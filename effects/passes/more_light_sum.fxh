@@ -60,7 +60,7 @@ float3 mirroredSurroundings(LitPoint p, float3 toEye, float roughness, float int
 float3 moreReflected(LitPoint p, float3 toEye)
 {
     float3 sum = 0.0;
-    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
+    float intensity = lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
 #if TEGUMENT_SURROUNDINGS && TEGUMENT_LOBES
     float3 lobes = specularLobes(p);
     sum += lerp(mirroredSurroundings(p, toEye, lobes.x, intensity), mirroredSurroundings(p, toEye, lobes.y, intensity), lobes.z);

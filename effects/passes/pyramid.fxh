@@ -51,6 +51,7 @@ LitPoint entryPoint(float2 uv, float4 albedo, float3 place, float3 normal)
     p.axisY = tgLightUp();
     MORE_LIGHT_AT(p, uv, world)
     LOBES_AT(p, float3(0.5, 0.5, 1.0))
+    SHINE_AT(p, uv)
     return p;
 }
 

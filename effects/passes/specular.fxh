@@ -15,7 +15,8 @@ float gLostRelief < UI_SLIDER("Relief that is lost", 0.0, 1.0, 0.01)
 
 float3 specularLobes(LitPoint p)
 {
-    float2 roughness = lerp(float2(gPlainRoughness, gPlainRoughness), float2(gRoughness, gSecondRoughness), p.scatters);
+    float2 skin = float2(gRoughness, gSecondRoughness) * p.shine.x;
+    float2 roughness = lerp(float2(gPlainRoughness, gPlainRoughness), skin, p.scatters);
     float mean = lerp(1.0, p.meanNormal, gLostRelief);
     return float3(tgRoughnessWidened(roughness.x, mean), tgRoughnessWidened(roughness.y, mean), gSecondLobe);
 }
@@ -36,7 +37,7 @@ float surfaceSpecular(LitPoint p, float3 toLight, float3 toEye, float intensity)
 
 float3 reflectedLight(LitPoint p, float3 toEye)
 {
-    float intensity = lerp(gPlainIntensity, gSpecularIntensity, p.scatters);
+    float intensity = lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
     return gLightColor * p.shadow * surfaceSpecular(p, p.toLight, toEye, intensity);
 }
 

@@ -5,12 +5,21 @@
 Texture2D gNormalMap : NORMAL < float4 Fallback = { 0.5, 0.5, 1.0, 1.0 }; string UIName = "Normal map"; >;
 TG_SAMPLER2D(gNormal, LINEAR, CLAMP);
 
-// What two lobes ask of a LitPoint: the length of the mean of the normals that a look-up of the normal map has covered.
+// What two lobes ask of a LitPoint: the length of the mean of the normals that a look-up of the normal map has covered, and how skin shines
+// there, as factors of its roughness and intensity.
 #if TEGUMENT_LOBES
-#define LOBE_MEMBERS float meanNormal;
+Texture2D gShineMap : SHINE < float4 Fallback = { 0.50196, 0.50196, 0.0, 1.0 }; string UIName = "Shine map";
+    string UIHelp = "red: times the roughness, green: times the specular intensity; 128 of 255 is 1"; >;
+TG_SAMPLER2D(gShine, LINEAR, CLAMP);
+
+#define LOBE_MEMBERS float meanNormal; float2 shine;
+#define SKIN_INTENSITY(p) (gSpecularIntensity * p.shine.y)
+#define SHINE_AT(p, uv) p.shine = tex2Dlod(gShine, float4(uv, 0.0, 0.0)).xy * (255.0 / 128.0);
 #define LOBES_AT(p, texel) p.meanNormal = length((texel) * 2.0 - 1.0);
 #else
 #define LOBE_MEMBERS
+#define SKIN_INTENSITY(p) gSpecularIntensity
+#define SHINE_AT(p, uv)
 #define LOBES_AT(p, texel)
 #endif
 
@@ -83,6 +92,7 @@ LitPoint surfacePoint(SurfaceVarying input, float3 normal)
     p.axisY = tgLightUp();
     MORE_LIGHT_AT(p, input.uv, input.world)
     LOBES_AT(p, float3(0.5, 0.5, 1.0))
+    SHINE_AT(p, input.uv)
     return p;
 }
 

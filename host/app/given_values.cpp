@@ -81,7 +81,7 @@ std::vector<std::string> unknownNames(const Effect& effect, const std::vector<Gi
             if (!effect.findParameter(name)) unknown.push_back(name);
         for (const auto& [name, file] : *one.textures)
             if (!takesTexture(effect, name) && !equalsIgnoreCase(name, "DIFFUSE") && !equalsIgnoreCase(name, "NORMAL") &&
-                !equalsIgnoreCase(name, "KERNELSIZE"))
+                !equalsIgnoreCase(name, "KERNELSIZE") && !equalsIgnoreCase(name, "SHINE"))
                 unknown.push_back(name);
     }
     std::ranges::sort(unknown);

@@ -33,6 +33,7 @@ Json humanJson(const HumanReport& report) {
             {"color_map", report.colorMap.string()},
             {"normal_map", report.normalMap.string()},
             {"kernel_size_map", report.kernelMap.string()},
+            {"shine_map", report.shineMap.string()},
             {"kept", report.kept},
             {"vertices", report.vertices},
             {"triangles", report.triangles},
@@ -54,7 +55,7 @@ void printHuman(const HumanReport& report) {
     fmt::print(
         "\n{} vertices, {} triangles, {:.0f} mm from chin to crown; charts cover {:.0f} % of the map, {:.2f} texels/mm at 1024; {:.1f} s\n",
         report.vertices, report.triangles, report.chinToCrownMm, 100 * report.uvCoverage, report.texelsPerMmAt1024, report.seconds);
-    for (const fs::path& path : {report.mesh, report.colorMap, report.normalMap, report.kernelMap})
+    for (const fs::path& path : {report.mesh, report.colorMap, report.normalMap, report.kernelMap, report.shineMap})
         fmt::print("wrote {}\n", path.string());
 }
 

@@ -1,13 +1,14 @@
 #pragma once
-// Eyebrows painted hair by hair.
+// Eyebrows and lashes painted hair by hair.
 
 #include "meshprep/human/bust.h"
+#include "meshprep/human/eye_opening.h"
+#include "meshprep/human/hair_strokes.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace tegument {
 
@@ -22,24 +23,20 @@ public:
     [[nodiscard]] float presence(const glm::vec3& position) const;
 
 private:
-    /// A bent hair as it is seen from the front, mm.
-    struct Hair {
-        glm::vec2 root{0};
-        glm::vec2 middle{0};
-        glm::vec2 tip{0};
-        float width = 0;
-    };
-    struct Brow {
-        glm::vec2 low{0};
-        glm::vec2 high{0};
-        std::vector<Hair> hairs;
-    };
+    std::array<HairStrokes, 2> brows_; // left, right; from the front
+    float front_ = 0;                  // z in front of which the brows lie
+};
 
-    static float distanceTo(const Hair& hair, const glm::vec2& p);
-    static Brow grow(const Eyeball& eye, float side, std::uint32_t seed);
+/// Lashes as they are seen from the front: on the lids, from their rims outwards.
+class Lashes {
+public:
+    Lashes(const std::array<Eyeball, 2>& eyes, const std::array<EyeOpening, 2>& openings, std::uint32_t seed);
 
-    std::array<Brow, 2> brows_; // left, right
-    float front_ = 0;           // z in front of which the brows lie
+    [[nodiscard]] float coverage(const glm::vec3& position, float texelMm) const;
+
+private:
+    std::array<Eyeball, 2> eyes_;
+    std::array<HairStrokes, 2> lashes_; // in the eyeballs' charts
 };
 
 } // namespace tegument

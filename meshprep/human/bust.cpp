@@ -183,6 +183,46 @@ glm::vec2 eyeChart(const Eyeball& eye, const glm::vec3& position) {
     return glm::vec2(d.x, d.y) * (eye.radius * std::atan2(across, d.z) / across);
 }
 
+float eyeSurface(const Eyeball& eye, const glm::vec3& outward) {
+    // A cornea's radius of curvature is 7.8 mm: at its middle it stands 1 mm before a sphere of 15 that it leaves at the iris's border.
+    constexpr float kCornea = 1.05f; // mm
+    constexpr float kSulcus = 0.2f;  // mm: so softly it passes into the white
+    constexpr float kBorder = kIrisRadius + 0.3f;
+    const float along = eye.radius * std::atan2(std::hypot(outward.x, outward.y), outward.z) / kBorder;
+    const float height = kCornea * (1 - along * along);
+    return eye.radius + (height + std::hypot(height, kSulcus)) / 2 * (1 - glm::smoothstep(1.2f, 1.8f, along));
+}
+
+glm::vec3 eyeNormal(const Eyeball& eye, const glm::vec3& outward) {
+    constexpr float kStep = 0.01f; // rad
+    const glm::vec3 side = glm::normalize(glm::cross(outward, std::abs(outward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+    const auto at = [&](const glm::vec3& way) {
+        const glm::vec3 direction = glm::normalize(outward + kStep * way);
+        return direction * eyeSurface(eye, direction);
+    };
+    const glm::vec3 up = glm::cross(side, outward);
+    const glm::vec3 normal = glm::normalize(glm::cross(at(side) - at(-side), at(up) - at(-up)));
+    return glm::dot(normal, outward) < 0 ? -normal : normal;
+}
+
+void raiseLids(Bust& bust) {
+    constexpr float kLid = 3.5f; // mm before the eyeball: as thick as lids are
+    constexpr float kFace = 8;
+    std::vector<std::uint8_t> moved(bust.positions.size(), 0);
+    for (std::size_t q = 0; q < bust.quads.size(); ++q)
+        for (const std::uint32_t v : bust.quads[q].position) {
+            if (bust.parts[q] != BustPart::Skin || moved[v] != 0) continue;
+            moved[v] = 1;
+            for (const Eyeball& eye : bust.eyes) {
+                const glm::vec3 from = bust.positions[v] - eye.centre;
+                const float off = glm::length(from) - eye.radius;
+                if (from.z <= 0 || off > kFace) continue;
+                const glm::vec3 outward = glm::normalize(from);
+                bust.positions[v] += outward * (eyeSurface(eye, outward) - eye.radius) * (1 - glm::smoothstep(kLid, kFace, off));
+            }
+        }
+}
+
 Result<Bust> takeBust(const QuadMesh& body, const std::string& file, int neckRings) {
     const Result<std::vector<Quad>> skin = quadsOfGroup(body, "body", file);
     if (!skin) return skin.error();

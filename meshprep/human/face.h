@@ -4,8 +4,10 @@
 #include "host/image/image.h"
 #include "host/support/result.h"
 #include "meshprep/human/bake.h"
+#include "meshprep/human/eye_opening.h"
 #include "meshprep/human/head_surface.h"
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -23,6 +25,9 @@ struct RegionMasks {
 /// Reads them and softens their jagged borders. TG52xx when one cannot be read.
 [[nodiscard]] Result<RegionMasks> loadRegionMasks(const std::filesystem::path& folder);
 
+/// Between the four texels around a place (v up); 0 of no image.
+[[nodiscard]] float maskAt(const Image& mask, const glm::vec2& uv);
+
 /// How much a point belongs to each region, 0 to 1. Regions overlap and fade.
 struct Regions {
     float lips = 0;
@@ -32,10 +37,11 @@ struct Regions {
     float cheeks = 0;
     float chin = 0;
     float forehead = 0;
+    float tZone = 0; // its middle and the bridge of the nose, where sebum is
     float underEyes = 0;
     float neck = 0;
-    float waterline = 0; // the moist rim of the lids
-    float upperLashes = 0;
+    float waterline = 0;   // the moist rim of the lids
+    float upperLashes = 0; // the dark line of their roots
     float lowerLashes = 0;
 };
 
@@ -47,10 +53,13 @@ public:
 
     /// Of the eye on the point's side.
     [[nodiscard]] const Eyeball& eyeAt(const glm::vec3& position) const { return eyes_[position.x >= 0 ? 0 : 1]; }
+    [[nodiscard]] const EyeOpening& openingAt(const glm::vec3& position) const { return openings_[position.x >= 0 ? 0 : 1]; }
+    [[nodiscard]] const std::array<EyeOpening, 2>& openings() const { return openings_; }
     [[nodiscard]] const glm::vec3& noseTip() const { return noseTip_; }
 
 private:
     std::array<Eyeball, 2> eyes_;
+    std::array<EyeOpening, 2> openings_;
     RegionMasks masks_;
     glm::vec3 noseTip_{0};
     float chin_ = 0; // height

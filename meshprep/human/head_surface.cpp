@@ -23,7 +23,7 @@ constexpr float kEyeRim = 2;                  // mm; an eyeball needs less: the 
 constexpr double kEyeDensity = 2;             // the iris is small, and the first thing that is looked at
 constexpr double kBaseDensity = 0.25;         // nobody looks at the bottom
 
-/// The limit surface of a control sphere lies inside it; the eyelids were modelled against the control points.
+/// The limit surface of a control sphere lies inside it; the eyelids were modelled against the control points. The cornea is added.
 void restoreEyes(const Bust& bust, Subdivided& fine) {
     std::array<std::vector<std::uint32_t>, 2> vertices;
     for (const Quad& quad : fine.quads) {
@@ -37,8 +37,8 @@ void restoreEyes(const Bust& bust, Subdivided& fine) {
         vertices[e].erase(std::unique(vertices[e].begin(), vertices[e].end()), vertices[e].end());
         for (const std::uint32_t v : vertices[e]) {
             const glm::vec3 outward = glm::normalize(fine.positions[v] - bust.eyes[e].centre);
-            fine.positions[v] = bust.eyes[e].centre + outward * bust.eyes[e].radius;
-            fine.normals[v] = outward;
+            fine.positions[v] = bust.eyes[e].centre + outward * eyeSurface(bust.eyes[e], outward);
+            fine.normals[v] = eyeNormal(bust.eyes[e], outward);
         }
     }
 }

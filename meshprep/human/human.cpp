@@ -6,11 +6,14 @@
 #include "meshprep/human/bake.h"
 #include "meshprep/human/brows.h"
 #include "meshprep/human/bust.h"
+#include "meshprep/human/ears.h"
 #include "meshprep/human/face.h"
 #include "meshprep/human/head_surface.h"
 #include "meshprep/human/kernel_size.h"
 #include "meshprep/human/lips.h"
+#include "meshprep/human/neck.h"
 #include "meshprep/human/quad_mesh.h"
+#include "meshprep/human/shine.h"
 #include "meshprep/human/skin_color.h"
 #include "meshprep/human/skin_relief.h"
 
@@ -28,9 +31,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Counts the changes to this folder's code that change what is made: a head of another version is made anew.
-constexpr int kHumanVersion = 2;
-constexpr float kFileUnitMm = 100; // MakeHuman counts in decimetres
-constexpr int kNeckRings = 8;      // all of the level cut lies above the eighth
+constexpr int kHumanVersion = 3;
+constexpr float kFileUnitMm = 100;    // MakeHuman counts in decimetres
+constexpr int kNeckRings = 8;         // all of the level cut lies above the eighth
+constexpr float kNeckFromMm = 18;     // under the chin: there the neck is narrowest
+constexpr float kEarSharpness = 1.6f; // nearly gives back what subdivision takes
 constexpr int kLeastMap = 64;
 constexpr int kLargestMap = 16384;
 
@@ -43,6 +48,7 @@ public:
         report_.colorMap = options_.output / "color.png";
         report_.normalMap = options_.output / "normal.png";
         report_.kernelMap = options_.output / "kernel_size.png";
+        report_.shineMap = options_.output / "shine.png";
     }
 
     Result<HumanReport> make() {
@@ -98,7 +104,7 @@ private:
 
     [[nodiscard]] bool isCurrent() const {
         std::error_code code;
-        for (const fs::path* file : {&report_.mesh, &report_.colorMap, &report_.normalMap, &report_.kernelMap})
+        for (const fs::path* file : {&report_.mesh, &report_.colorMap, &report_.normalMap, &report_.kernelMap, &report_.shineMap})
             if (!fs::exists(*file, code)) return false;
         const Result<std::string> written = readFile(keyFile());
         const Result<std::string> key = humanKey();
@@ -118,9 +124,15 @@ private:
         Result<Bust> bust = takeBust(*body, file, kNeckRings);
         if (!bust) return bust;
         report_.notes.push_back(fmt::format("kept {} quads of head, neck and eyes", std::ranges::count(bust->support, 0)));
+        Result<RegionMasks> masks = loadRegionMasks(options_.source / "textures");
+        if (!masks) return masks.error();
+        masks_ = std::move(*masks);
+        raiseLids(*bust);
+        report_.notes.push_back(fmt::format("sharpened the ears by up to {:.1f} mm", sharpenEars(*bust, masks_, kEarSharpness)));
         const Result<LipGap> gap = closeLips(*bust, options_.subdivisionLevels);
         if (!gap) return gap.error();
         report_.notes.push_back(fmt::format("closed the lips: gap {:.2f} mm before, {:.2f} mm after", gap->before, gap->after));
+        report_.notes.push_back(fmt::format("straightened the neck: {:.0f} mm of shoulder taken in", straightenNeck(*bust, kNeckFromMm)));
         return bust;
     }
 
@@ -139,13 +151,12 @@ private:
 
     std::optional<Error> bakeMaps(HeadSurface& head) {
         step("painting the colour map");
-        Result<RegionMasks> masks = loadRegionMasks(options_.source / "textures");
-        if (!masks) return masks.error();
-        const Face face(head, std::move(*masks));
+        const Face face(head, masks_);
         const Brows brows(head.eyes, options_.seed);
+        const Lashes lashes(head.eyes, face.openings(), options_.seed);
         const std::uint32_t seed = options_.seed * 1000;
         Image color = bakeTexture(head, options_.colorMapSize, 4, [&](const SurfacePoint& point) {
-            glm::vec4 value = surfaceColor(point, face, brows, seed);
+            glm::vec4 value = surfaceColor(point, face, {brows, lashes}, seed);
             for (glm::length_t c = 0; c < 3; ++c)
                 value[c] = linearToSrgb(value[c]); // textures hold file values
             return value;
@@ -155,7 +166,10 @@ private:
                                    [&](const SurfacePoint& point) { return glm::vec4(reliefNormal(point, face, seed) * 0.5f + 0.5f, 1); });
         step("painting the kernel size map");
         Image kernel = bakeKernelSize(head, options_.kernelMapSize, face, brows);
-        head.mesh.textures = {{"color", std::move(color)}, {"normal", std::move(normal)}, {"kernelSize", std::move(kernel)}};
+        step("painting the shine map");
+        Image shine = bakeShine(head, options_.kernelMapSize, face, seed);
+        head.mesh.textures = {
+            {"color", std::move(color)}, {"normal", std::move(normal)}, {"kernelSize", std::move(kernel)}, {"shine", std::move(shine)}};
         return std::nullopt;
     }
 
@@ -165,7 +179,7 @@ private:
         if (!key) return key.error();
         std::error_code code;
         fs::remove(keyFile(), code);
-        const std::array paths = {&report_.colorMap, &report_.normalMap, &report_.kernelMap};
+        const std::array paths = {&report_.colorMap, &report_.normalMap, &report_.kernelMap, &report_.shineMap};
         for (std::size_t i = 0; i < paths.size(); ++i)
             if (const Result<void> written = writePng(*paths[i], head.mesh.textures[i].image, PngEncoding::Raw); !written)
                 return written.error();
@@ -176,6 +190,7 @@ private:
 
     HumanOptions options_;
     HumanReport report_;
+    RegionMasks masks_;
 };
 
 } // namespace

@@ -16,7 +16,7 @@ struct HumanOptions {
     std::filesystem::path output; // default: cacheFolder()/human
     int colorMapSize = 2048;
     int normalMapSize = 2048;
-    int kernelMapSize = 512; // smooth: more texels would show no more
+    int kernelMapSize = 512; // and of the shine map: smooth, more texels would show no more
     int subdivisionLevels = 2;
     std::uint32_t seed = 1; // of spots, pores and hairs
     bool keep = false;      // do nothing when the output folder holds what this version makes of these options
@@ -25,10 +25,11 @@ struct HumanOptions {
 };
 
 struct HumanReport {
-    std::filesystem::path mesh; // human.glb, with the three maps inside
+    std::filesystem::path mesh; // human.glb, with the four maps inside
     std::filesystem::path colorMap;
     std::filesystem::path normalMap;
     std::filesystem::path kernelMap;
+    std::filesystem::path shineMap;
     bool kept = false; // nothing was made, and nothing below is filled in: the files are current
     std::size_t vertices = 0;
     std::size_t triangles = 0;
@@ -40,8 +41,8 @@ struct HumanReport {
     std::vector<std::string> notes; // one line each: what every step changed
 };
 
-/// Writes human.glb, color.png, normal.png, kernel_size.png and, last, human.key (what they were made of) into the output folder, each
-/// whole or not at all. The same options give the same bytes. TG5001 when the source is absent; what `readQuadObj` says and
+/// Writes human.glb, color.png, normal.png, kernel_size.png, shine.png and, last, human.key (what they were made of) into the output
+/// folder, each whole or not at all. The same options give the same bytes. TG5001 when the source is absent; what `readQuadObj` says and
 /// TG7004 to TG7009 when it is not the MakeHuman body or an option is out of range.
 [[nodiscard]] Result<HumanReport> prepareHuman(const HumanOptions& options);
 

@@ -1,6 +1,7 @@
 #include "meshprep/human/skin_color.h"
 
 #include "meshprep/base/noise.h"
+#include "meshprep/human/eye_color.h"
 #include "meshprep/human/pigment.h"
 
 #include <algorithm>
@@ -21,7 +22,10 @@ constexpr float kUnderEyeBlood = 0.002f;
 constexpr float kForeheadMelanin = 0.003f;
 constexpr float kNeckMelanin = 0.003f;
 constexpr float kWaterlineBlood = 0.018f;
+/// A turn about no axis of the head: noise lies on a lattice, and skin would look woven where it faces along one.
+const glm::mat3 kTurn(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0), glm::vec3(0.48f, 0.64f, 0.6f));
 const glm::vec3 kHair(0.045f, 0.027f, 0.017f); // dark brown
+const glm::vec3 kLashHair(0.018f, 0.012f, 0.009f);
 
 /// Freckles: one spot per cell of 2.2 mm at most, more of them where the sun reaches first.
 float freckles(const glm::vec3& p, const Regions& r, std::uint32_t seed) {
@@ -41,11 +45,12 @@ float freckles(const glm::vec3& p, const Regions& r, std::uint32_t seed) {
 }
 
 Pigments skinPigments(const glm::vec3& p, const Regions& r, std::uint32_t seed) {
-    const float large = fractalNoise(p / 24.0f, 3, seed);      // patches
-    const float mottle = fractalNoise(p / 5.0f, 3, seed + 10); // vascular mottling
-    const float fine = gradientNoise(p / 1.1f, seed + 20);     // grain
+    const glm::vec3 q = kTurn * p;
+    const float large = fractalNoise(q / 24.0f, 3, seed);      // patches
+    const float mottle = fractalNoise(q / 5.0f, 3, seed + 10); // vascular mottling
+    const float fine = gradientNoise(q / 1.1f, seed + 20);     // grain
     Pigments pigments;
-    pigments.melanin *= 1 + 0.12f * large + 0.10f * fractalNoise(p / 3.0f, 3, seed + 30) + 0.10f * fine;
+    pigments.melanin *= 1 + 0.12f * large + 0.10f * fractalNoise(q / 3.0f, 3, seed + 30) + 0.10f * fine;
     pigments.melanin += kLidMelanin * r.lids + kForeheadMelanin * r.forehead + kNeckMelanin * r.neck + 0.002f * r.underEyes;
     pigments.melanin += 0.022f * freckles(p, r, seed + 40);
     const float flush = kCheekBlood * r.cheeks + kNoseBlood * r.nose + kEarBlood * r.ears + kChinBlood * r.chin + kLidBlood * r.lids +
@@ -57,72 +62,32 @@ Pigments skinPigments(const glm::vec3& p, const Regions& r, std::uint32_t seed) 
 
 /// Vermilion: little melanin, much blood, in streaks across the lip.
 Pigments lipPigments(const glm::vec3& p, std::uint32_t seed) {
-    const float streaks = fractalNoise(glm::vec3(p.x / 1.1f, p.y / 5, p.z / 5), 3, seed + 50);
-    return {.melanin = 0.019f, .blood = 0.026f * (1 + 0.4f * streaks + 0.3f * fractalNoise(p / 6.0f, 2, seed + 60)), .oxygenation = 0.75f};
+    const glm::vec3 q = p + 0.9f * glm::vec3(gradientNoise(p / 2.5f, seed + 51), gradientNoise(p / 2.5f, seed + 52), 0);
+    const float streaks = fractalNoise(glm::vec3(q.x / 1.4f, q.y / 3.5f, q.z / 3.5f), 3, seed + 50);
+    return {.melanin = 0.019f, .blood = 0.027f * (1 + 0.22f * streaks + 0.3f * fractalNoise(p / 6.0f, 2, seed + 60)), .oxygenation = 0.75f};
 }
 
-glm::vec3 skinColor(const SurfacePoint& point, const Face& face, const Brows& brows, std::uint32_t seed) {
+glm::vec3 skinColor(const SurfacePoint& point, const Face& face, const FacialHair& hairs, std::uint32_t seed) {
     const Regions r = face.regionsAt(point);
     Pigments pigments = skinPigments(point.position, r, seed);
     const Pigments lips = lipPigments(point.position, seed);
     pigments.melanin = glm::mix(pigments.melanin, lips.melanin, r.lips);
     pigments.blood = std::max(0.001f, glm::mix(pigments.blood, lips.blood, r.lips));
     glm::vec3 color = skinReflectance(pigments);
-    color *= 1 - 0.6f * r.upperLashes * (1 - r.waterline) - 0.15f * r.lowerLashes * (1 - r.waterline); // lashes from the front
-    return glm::mix(color, kHair, 0.9f * brows.coverage(point.position, point.texelMm));
-}
-
-// ---- Eyes
-
-constexpr float kIrisRadius = 6.6f;  // mm along the eyeball; a real iris measures 5.9, the file's eyeballs are larger than real ones
-constexpr float kPupilRadius = 2.0f; // mm, indoors
-
-/// 0 in the iris, 1 in the white.
-float limbus(float radius) {
-    return glm::smoothstep(kIrisRadius - 0.5f, kIrisRadius + 0.35f, radius);
-}
-
-glm::vec3 irisColor(float radius, float angle, std::uint32_t seed) {
-    const glm::vec2 around(std::cos(angle), std::sin(angle));
-    const float share = (radius - kPupilRadius) / (kIrisRadius - kPupilRadius);
-    const float fibres = fractalNoise(glm::vec3(around * 9.0f, share * 0.9f), 4, seed);
-    const float wave = fractalNoise(glm::vec3(around * 2.5f, 3), 2, seed + 5);
-    const glm::vec3 inner(0.12f, 0.078f, 0.04f);  // collarette: hazel
-    const glm::vec3 outer(0.075f, 0.085f, 0.08f); // grey-green
-    const glm::vec3 base = glm::mix(inner, outer, glm::smoothstep(0.1f, 0.55f, share + 0.25f * wave));
-    const float ring = 1 - 0.72f * glm::smoothstep(0.7f, 1.0f, share);            // limbal ring
-    const float rim = glm::mix(0.45f, 1.0f, glm::smoothstep(0.0f, 0.12f, share)); // pupil's frill
-    return base * std::max(0.25f, 1 + 0.85f * fibres) * ring * rim;
-}
-
-glm::vec3 scleraColor(const glm::vec3& fromCentre, float radius, std::uint32_t seed) {
-    const glm::vec3 white(0.62f, 0.56f, 0.52f);
-    const glm::vec3 flushed(0.50f, 0.27f, 0.23f);
-    const glm::vec3 warped =
-        fromCentre + 0.7f * glm::vec3(gradientNoise(fromCentre / 1.6f, seed + 7), gradientNoise(fromCentre / 1.6f, seed + 8), 0);
-    const float lines = std::abs(gradientNoise(glm::vec3(warped.x / 6, warped.y / 1.7f, warped.z / 6), seed + 9));
-    const float vessels = (1 - glm::smoothstep(0.0f, 0.05f, lines)) * (0.5f + 0.5f * gradientNoise(fromCentre / 3.0f, seed + 11));
-    const float corner = glm::smoothstep(7.5f, 15.0f, radius);
-    return glm::mix(white, flushed, std::clamp(0.5f * corner + 0.4f * vessels * (0.35f + corner), 0.0f, 1.0f));
+    color *= 1 - 0.62f * r.upperLashes - 0.16f * r.lowerLashes;
+    color = glm::mix(color, kLashHair, hairs.lashes.coverage(point.position, point.texelMm) * (1 - r.waterline));
+    return glm::mix(color, kHair, 0.9f * hairs.brows.coverage(point.position, point.texelMm));
 }
 
 } // namespace
 
-glm::vec3 eyeColor(const glm::vec3& position, const Eyeball& eye, std::uint32_t seed) {
-    const glm::vec3 d = position - eye.centre;
-    const glm::vec2 plane = eyeChart(eye, position);
-    const float radius = glm::length(plane);
-    const float pupil = 1 - glm::smoothstep(kPupilRadius - 0.15f, kPupilRadius + 0.15f, radius);
-    const glm::vec3 iris = glm::mix(irisColor(radius, std::atan2(plane.y, plane.x), seed), glm::vec3(0.004f), pupil);
-    const glm::vec3 color = glm::mix(iris, scleraColor(d, radius, seed), limbus(radius));
-    const float lidShadow = glm::smoothstep(2.0f, 6.5f, d.y); // lashes and lid take the sky from the upper part
-    return color * (1 - 0.45f * lidShadow);
-}
-
-glm::vec4 surfaceColor(const SurfacePoint& point, const Face& face, const Brows& brows, std::uint32_t seed) {
+glm::vec4 surfaceColor(const SurfacePoint& point, const Face& face, const FacialHair& hairs, std::uint32_t seed) {
     if (point.part == BustPart::Base) return {skinReflectance({}), 1};
-    if (point.part != BustPart::Skin) return {eyeColor(point.position, face.eyeAt(point.position), seed), 0};
-    return {skinColor(point, face, brows, seed), 1};
+    if (point.part != BustPart::Skin) {
+        const float light = face.openingAt(point.position).light(point.position);
+        return {eyeColor(point.position, face.eyeAt(point.position), seed) * light, 0};
+    }
+    return {skinColor(point, face, hairs, seed), 1};
 }
 
 } // namespace tegument

@@ -10,10 +10,12 @@
 
 namespace tegument {
 
-/// Linear Rec. 709 reflectance; alpha is the scatter mask: 1 skin, 0 a plain material (eyes).
-[[nodiscard]] glm::vec4 surfaceColor(const SurfacePoint& point, const Face& face, const Brows& brows, std::uint32_t seed);
+struct FacialHair {
+    const Brows& brows;
+    const Lashes& lashes;
+};
 
-/// Eyeball: white with vessels, iris with fibres, limbal ring, pupil, around the axis of sight +z.
-[[nodiscard]] glm::vec3 eyeColor(const glm::vec3& position, const Eyeball& eye, std::uint32_t seed);
+/// Linear Rec. 709 reflectance; alpha is the scatter mask: 1 skin, 0 a plain material (eyes).
+[[nodiscard]] glm::vec4 surfaceColor(const SurfacePoint& point, const Face& face, const FacialHair& hairs, std::uint32_t seed);
 
 } // namespace tegument

@@ -27,84 +27,139 @@ float pits(const glm::vec3& p, float spacing, float radius, float share, std::ui
         const glm::vec3 random = unitRandom(cell, seed);
         if (random.x > share) continue;
         const glm::vec3 centre = glm::vec3(cell) + 0.25f + 0.5f * unitRandom(cell, seed + 1);
-        const float wide = radius / spacing * glm::mix(0.55f, 1.0f, random.y);
+        const float wide = radius / spacing * glm::mix(0.7f, 1.0f, random.y);
         const float t = glm::distance(p / spacing, centre) / wide;
-        if (t < 1) depth = std::max(depth, (1 - t * t) * (1 - t * t) * glm::mix(0.4f, 1.0f, random.z));
+        if (t < 1) depth = std::max(depth, (1 - t * t) * (1 - t * t) * glm::mix(0.55f, 1.0f, random.z));
     }
     return depth;
 }
 
-/// The net of furrows between polygons of skin: borders of Voronoi cells.
-float furrows(const glm::vec3& p, float spacing, std::uint32_t seed) {
-    const CellDistances cells = cellNoise(p / spacing, seed);
-    return 1 - glm::smoothstep(0.0f, 0.28f, cells.second - cells.nearest);
+/// A pit shows where the surface passes through it, which it seldom does: two sets of them are a face's.
+float twicePits(const glm::vec3& p, float spacing, float radius, float share, std::uint32_t seed) {
+    return std::max(pits(p, spacing, radius, share, seed), pits(p + 0.5f * spacing, spacing, radius, share, seed + 700));
 }
 
-/// Grooves where a noise crosses zero, `width` in units of the noise's value.
+/// The net of furrows between polygons of skin: borders of Voronoi cells, 1 in the middle of a furrow.
+float furrows(const glm::vec3& q, float width, std::uint32_t seed) {
+    const CellDistances cells = cellNoise(q, seed);
+    const float t = std::min(1.0f, (cells.second - cells.nearest) / width);
+    return (1 - t) * (1 - t) * (1 + 2 * t);
+}
+
+/// From 0 to 1 and back over `size` mm, so that no pattern is everywhere alike.
+float patches(const glm::vec3& p, float size, std::uint32_t seed) {
+    return glm::smoothstep(-0.35f, 0.45f, gradientNoise(p / size + 0.37f, seed));
+}
+
+/// The same on both sides of the face, turned about z: x along lines that fall outwards over the cheeks, as the skin's tension has them.
+glm::vec3 alongCheek(const glm::vec3& p) {
+    constexpr float kFall = 0.87f; // rad under the horizon
+    const float x = std::abs(p.x);
+    const float c = std::cos(kFall);
+    const float s = std::sin(kFall);
+    return {c * x - s * p.y, s * x + c * p.y, p.z};
+}
+
+/// Furrows in mm: cells drawn out across the face on the forehead, down the cheeks, hardly on the nose; finer and fainter elsewhere.
+float skinNet(const glm::vec3& p, const Regions& r, float texelMm, std::uint32_t seed) {
+    const float warp = 0.3f;
+    const glm::vec3 q =
+        p + warp * glm::vec3(gradientNoise(p / 1.7f, seed + 3), gradientNoise(p / 1.7f, seed + 4), gradientNoise(p / 1.7f, seed + 5));
+    const float cheek = std::min(1.0f, r.cheeks + 0.5f * r.underEyes);
+    const float rest = std::max(0.0f, 1 - r.forehead - cheek - r.nose);
+    const std::uint32_t side = p.x < 0 ? 50 : 0;
+    float depth = 0;
+    if (r.forehead > 0.02f) depth += 0.024f * r.forehead * furrows(q / glm::vec3(2.1f, 0.85f, 2.1f), 0.4f, seed + 20);
+    if (cheek > 0.02f) depth += 0.028f * cheek * furrows(alongCheek(q) / glm::vec3(1.7f, 0.8f, 1.3f), 0.4f, seed + 21 + side);
+    if (rest > 0.02f) depth += 0.017f * rest * furrows(q / glm::vec3(1.3f, 0.75f, 1.3f), 0.4f, seed + 22);
+    depth *= resolved(0.5f, texelMm);
+    depth += 0.013f * furrows(q / 0.55f, 0.4f, seed + 30) * resolved(0.3f, texelMm);
+    return depth * glm::mix(0.35f, 1.0f, patches(p, 6, seed + 31)) * (1 - 0.5f * r.ears);
+}
+
+/// Pores in mm: round and close together on the nose, wide and drawn out down the cheeks beside it, small and few on chin and forehead.
+float pores(const glm::vec3& p, const Regions& r, float texelMm, std::uint32_t seed) {
+    const float patch = glm::mix(0.3f, 1.0f, patches(p, 8, seed + 40));
+    float depth = 0;
+    if (r.nose > 0.02f) depth += 0.07f * r.nose * twicePits(p, 0.9f, 0.225f, 0.95f, seed) * resolved(0.42f, texelMm);
+    if (r.cheeks > 0.02f) {
+        const std::uint32_t side = p.x < 0 ? 50 : 0;
+        const glm::vec3 drawn = alongCheek(p) / glm::vec3(1.5f, 1, 1);
+        depth += 0.085f * r.cheeks * patch * twicePits(drawn, 1.15f, 0.285f, 0.8f, seed + 5 + side) * resolved(0.5f, texelMm);
+    }
+    const float few = std::max(0.8f * r.chin, 0.55f * r.forehead + 0.45f * r.tZone);
+    if (few > 0.02f) depth += 0.05f * few * patch * pits(p, 1.0f, 0.2f, 0.5f, seed + 10) * resolved(0.38f, texelMm);
+    return depth * (1 - 0.8f * r.lids);
+}
+
+/// Grooves where a noise crosses zero, `width` in units of the noise's value. (Its lattice is kept off the face's planes: there it is
+/// zero.)
 float grooves(const glm::vec3& q, float width, std::uint32_t seed) {
-    const float t = gradientNoise(q, seed) / width;
+    const float t = gradientNoise(q + glm::vec3(0.41f, 0.29f, 0.53f), seed) / width;
     return std::exp(-t * t);
-}
-
-/// Pores and furrows in mm below the surface.
-float microRelief(const glm::vec3& p, const Regions& r, float texelMm, std::uint32_t seed) {
-    const float bare = 1 - r.lips;
-    const float pores =
-        bare * (0.3f + 0.8f * r.nose + 0.65f * r.cheeks + 0.3f * r.forehead + 0.4f * r.chin) * (1 - 0.7f * r.lids) * (1 - 0.8f * r.ears);
-    const float net = bare * (1 - 0.5f * r.ears);
-    const glm::vec3 warped =
-        p + 0.35f * glm::vec3(gradientNoise(p / 1.7f, seed + 3), gradientNoise(p / 1.7f, seed + 4), gradientNoise(p / 1.7f, seed + 5));
-    float depth = 0.07f * pores * pits(p, 1.1f, 0.27f, 0.75f, seed) * resolved(0.5f, texelMm);
-    depth += 0.04f * pores * pits(p, 0.6f, 0.15f, 0.8f, seed + 10) * resolved(0.28f, texelMm);
-    depth += 0.024f * net * furrows(warped, 1.3f, seed + 20) * resolved(0.6f, texelMm);
-    depth += 0.012f * net * furrows(warped, 0.6f, seed + 30) * resolved(0.3f, texelMm);
-    return depth;
 }
 
 /// Lines of expression, faint: forehead, lids and under the eyes, neck.
 float creases(const glm::vec3& p, const Regions& r, const Eyeball& eye, std::uint32_t seed) {
     float depth = 0;
     if (r.forehead > 0.01f) {
-        const float wander = 2.5f * gradientNoise(p / 22.0f, seed);
-        const float broken = glm::smoothstep(-0.25f, 0.35f, gradientNoise(glm::vec3(p.x / 30, p.y / 6, 0), seed + 1));
-        depth += 0.035f * r.forehead * broken * grooves(glm::vec3(p.x / 60, (p.y + wander) / 9, p.z / 60), 0.12f, seed + 2);
+        const float wander = 3.5f * gradientNoise(p / 19.0f, seed);
+        const float broken = glm::smoothstep(-0.05f, 0.5f, gradientNoise(glm::vec3(p.x / 17, p.y / 5, 0.3f), seed + 1));
+        depth += 0.012f * r.forehead * broken * grooves(glm::vec3(p.x / 47, (p.y + wander) / 8, p.z / 47), 0.14f, seed + 2);
     }
-    const float lids = std::max(r.lids, r.underEyes) * (1 - r.lips);
+    const float lids = std::max(r.lids, 0.7f * r.underEyes) * (1 - r.lips);
     if (lids > 0.01f) {
         const glm::vec2 d(p.x - eye.centre.x, p.y - eye.centre.y);
         const float angle = std::atan2(d.y, d.x);
-        depth += 0.03f * lids * grooves(glm::vec3(glm::length(d) / 1.3f, 2.5f * std::cos(angle), 2.5f * std::sin(angle)), 0.16f, seed + 3);
+        const glm::vec3 q(glm::length(d) / 0.95f, 1.7f * std::cos(angle), 1.7f * std::sin(angle));
+        depth += 0.016f * lids * furrows(q, 0.45f, seed + 3) * patches(p, 4, seed + 6);
     }
-    if (r.neck > 0.01f) depth += 0.025f * r.neck * grooves(glm::vec3(p.x / 16, p.y / 3.2f, p.z / 16), 0.1f, seed + 4);
+    if (r.neck > 0.01f) {
+        const float wander = 2.5f * gradientNoise(p / 14.0f, seed + 7);
+        depth += 0.018f * r.neck * grooves(glm::vec3(p.x / 31, (p.y + wander) / 9, p.z / 31), 0.1f, seed + 4);
+    }
     return depth;
 }
 
-/// Vertical grooves of the lips, forking, wandering a little.
-float lipGrooves(const glm::vec3& p, std::uint32_t seed) {
-    const float wander = 0.5f * gradientNoise(p / 3.0f, seed);
-    const glm::vec3 q((p.x + wander), p.y / 7, p.z / 7);
-    return 0.07f * grooves(glm::vec3(q.x / 1.6f, q.y, q.z), 0.18f, seed + 1) +
-           0.035f * grooves(glm::vec3(q.x / 0.8f, 1.4f * q.y, 1.4f * q.z), 0.2f, seed + 2);
+/// Of the lips: pads between grooves that run across the lip, fork and end; deep ones apart from each other, fine ones among them.
+float lipGrooves(const glm::vec3& p, float texelMm, std::uint32_t seed) {
+    const glm::vec3 warp(gradientNoise(p / 2.6f, seed), gradientNoise(p / 2.6f, seed + 7), gradientNoise(p / 4.0f, seed + 8));
+    const glm::vec3 q = p + glm::vec3(0.75f, 1.2f, 0.8f) * warp;
+    const float deep = glm::smoothstep(-0.25f, 0.5f, gradientNoise(glm::vec3(p.x / 3.1f, p.y / 6, p.z / 6) + 0.37f, seed + 3));
+    const float fine = glm::smoothstep(-0.4f, 0.4f, gradientNoise(glm::vec3(p.x / 2.3f, p.y / 3, p.z / 3) + 0.71f, seed + 4));
+    return 0.075f * deep * furrows(q / glm::vec3(2.3f, 6.5f, 6.5f), 0.33f, seed + 1) +
+           0.03f * fine * furrows(q / glm::vec3(1.05f, 3.4f, 3.4f), 0.4f, seed + 2) * resolved(0.5f, texelMm);
+}
+
+/// The white is not quite even, and a film of tears stands at the lower lid.
+float eyeRelief(const glm::vec3& p, const Face& face, std::uint32_t seed) {
+    const float off = glm::length(eyeChart(face.eyeAt(p), p));
+    const float white = glm::smoothstep(kIrisRadius, kIrisRadius + 1.5f, off);
+    return 0.012f * white * gradientNoise(p / 1.9f, seed + 400) + face.openingAt(p).tears(p);
 }
 
 } // namespace
 
 float skinRelief(const glm::vec3& position, const Regions& regions, const Eyeball& eye, float texelMm, std::uint32_t seed) {
-    float height = 0.01f * fractalNoise(position / 2.2f, 2, seed) * (1 - regions.lips);
-    height -= microRelief(position, regions, texelMm, seed + 100) * (1 - regions.waterline);
+    const float bare = 1 - regions.lips;
+    float height = bare * (0.016f * fractalNoise(position / 2.2f, 2, seed) + 0.02f * gradientNoise(position / 6.5f, seed + 50));
+    const float fine = skinNet(position, regions, texelMm, seed + 100) + pores(position, regions, texelMm, seed + 100);
+    height -= bare * (1 - regions.waterline) * fine;
     height -= creases(position, regions, eye, seed + 200);
-    if (regions.lips > 0.01f) height -= regions.lips * lipGrooves(position, seed + 300);
+    if (regions.lips > 0.01f) height -= regions.lips * lipGrooves(position, texelMm, seed + 300);
     return height;
 }
 
 glm::vec3 reliefNormal(const SurfacePoint& point, const Face& face, std::uint32_t seed) {
-    if (point.part != BustPart::Skin) return {0, 0, 1};
+    if (point.part == BustPart::Base) return {0, 0, 1};
     const Regions regions = face.regionsAt(point);
     const Eyeball& eye = face.eyeAt(point.position);
+    const auto heightAt = [&](const glm::vec3& p) {
+        return point.part == BustPart::Skin ? skinRelief(p, regions, eye, point.texelMm, seed) : eyeRelief(p, face, seed);
+    };
     const float step = point.texelMm / 2;
     const auto slope = [&](const glm::vec3& direction) {
-        const auto at = [&](float offset) { return skinRelief(point.position + offset * direction, regions, eye, point.texelMm, seed); };
-        return (at(step) - at(-step)) / (2 * step);
+        return (heightAt(point.position + step * direction) - heightAt(point.position - step * direction)) / (2 * step);
     };
     return glm::normalize(glm::vec3(-slope(point.tangent), -slope(point.bitangent), 1));
 }

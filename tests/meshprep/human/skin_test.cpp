@@ -1,7 +1,9 @@
 // Pigments, brows and relief: what colours and roughens the skin.
 
 #include "meshprep/human/brows.h"
+#include "meshprep/human/eye_color.h"
 #include "meshprep/human/pigment.h"
+#include "meshprep/human/shine.h"
 #include "meshprep/human/skin_color.h"
 #include "meshprep/human/skin_relief.h"
 #include "tests/meshprep/spread.h"
@@ -68,6 +70,20 @@ TEST(Brows, hairs_do_not_gain_weight_in_coarse_textures) {
         return sum / 10000;
     };
     EXPECT_NEAR(mean(0.5f) / mean(0.1f), 1, 0.15); // overlapping hairs are multiplied texel by texel: a second order effect
+}
+
+TEST(Brows, run_out_towards_the_temple) {
+    const Brows brows(kEyes, 1);
+    const auto mean = [&](float from, float to) {
+        float sum = 0;
+        for (int row = 0; row < 90; ++row)
+            for (int column = 0; column < 40; ++column)
+                sum += brows.coverage(
+                    glm::vec3(31 + glm::mix(from, to, static_cast<float>(column) / 40), 12 + 0.15f * static_cast<float>(row), 10), 0.2f);
+        return sum / 3600;
+    };
+    EXPECT_LT(mean(19, 24), 0.55f * mean(0, 5)); // hairs get fewer,
+    EXPECT_EQ(mean(30, 40), 0);                  // and there is no tail
 }
 
 TEST(EyeColor, the_pupil_is_black_on_the_axis_of_sight) {
@@ -139,6 +155,70 @@ TEST(Relief, details_below_two_texels_are_left_out) {
         coarse += slope(2) * slope(2);
     }
     EXPECT_LT(coarse, fine / 10);
+}
+
+/// Mean squared slope along x and along y where a face has this region.
+glm::dvec2 slopes(const Regions& regions, float texelMm) {
+    glm::dvec2 sum(0);
+    for (int i = 0; i < 3000; ++i) {
+        const auto slope = [&](const glm::vec3& way) {
+            const auto at = [&](float off) { return skinRelief(spread(i) + off * way, regions, kEyes[0], texelMm, 1); };
+            return static_cast<double>(at(0.05f) - at(-0.05f)) / 0.1;
+        };
+        const double x = slope(glm::vec3(1, 0, 0));
+        const double y = slope(glm::vec3(0, 1, 0));
+        sum += glm::dvec2(x * x, y * y) / 3000.0;
+    }
+    return sum;
+}
+
+TEST(Relief, furrows_run_across_the_forehead) {
+    const glm::dvec2 forehead = slopes({.forehead = 1}, 0.2f);
+    EXPECT_GT(forehead.y, 1.3 * forehead.x);
+}
+
+/// The share of points that lie more than 20 micrometres below what skin of no region has there.
+double pitted(const Regions& regions) {
+    int pits = 0;
+    for (int i = 0; i < 5000; ++i)
+        pits += skinRelief(spread(i), regions, kEyes[0], 0.2f, 1) < skinRelief(spread(i), {}, kEyes[0], 0.2f, 1) - 0.02f ? 1 : 0;
+    return pits / 5000.0;
+}
+
+TEST(Relief, pores_are_where_faces_have_them) {
+    EXPECT_GT(pitted({.nose = 1}), 0.01);
+    EXPECT_GT(pitted({.cheeks = 1}), 0.01);
+    EXPECT_EQ(pitted({.neck = 1}), 0); // its lines are 18 deep
+}
+
+TEST(Relief, grooves_of_the_lips_are_no_comb) {
+    // A comb comes again: its height is like itself one tooth further on. Over lags from half a groove to four of them, none is.
+    constexpr int kCount = 600;
+    double strongest = -1;
+    for (float lag = 1.2f; lag < 8; lag += 0.1f) {
+        double product = 0;
+        double square = 0;
+        double mean = 0;
+        const auto at = [](float x, int row) {
+            return static_cast<double>(skinRelief(glm::vec3(x, 0.7f * static_cast<float>(row), 3), {.lips = 1}, kEyes[0], 0.2f, 1));
+        };
+        for (int i = 0; i < kCount; ++i)
+            mean += at(-25 + 0.08f * static_cast<float>(i), i % 7) / kCount;
+        for (int i = 0; i < kCount; ++i) {
+            const float x = -25 + 0.08f * static_cast<float>(i);
+            product += (at(x, i % 7) - mean) * (at(x + lag, i % 7) - mean);
+            square += (at(x, i % 7) - mean) * (at(x, i % 7) - mean);
+        }
+        strongest = std::max(strongest, product / square);
+    }
+    EXPECT_LT(strongest, 0.5);
+}
+
+TEST(Shine, eyes_are_left_to_the_effect) {
+    const Face face(HeadSurface{.eyes = kEyes}, {});
+    const Shine shine = shineAt({.part = BustPart::LeftEye}, face, 1);
+    EXPECT_EQ(shine.roughness, 1);
+    EXPECT_EQ(shine.intensity, 1);
 }
 
 } // namespace

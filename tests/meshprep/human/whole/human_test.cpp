@@ -214,6 +214,42 @@ TEST_F(Human, eyebrows_are_not_blurred) {
     EXPECT_EQ(*std::ranges::min_element(brow), 0);
 }
 
+/// What the shine map says at the vertices of the skin within `reach` mm of a point, as mean factors of roughness and intensity.
+glm::vec2 shineNear(const glm::vec3& point, float reach) {
+    const Image& shine = map("shine");
+    glm::vec2 sum(0);
+    float count = 0;
+    for (const std::uint32_t v : verticesOf("skin")) {
+        if (glm::distance(humanMesh()->positions[v], point) > reach) continue;
+        const glm::ivec2 texel = glm::clamp(glm::ivec2(humanMesh()->uvs[v] * static_cast<float>(shine.width)), 0, shine.width - 1);
+        sum += glm::vec2(shine.at(texel.x, texel.y, 0), shine.at(texel.x, texel.y, 1)) * (255.0f / 128);
+        ++count;
+    }
+    return sum / count;
+}
+
+TEST_F(Human, shines_most_where_it_is_wet_and_where_sebum_is) {
+    const glm::vec3 eye = leftPupil();
+    const glm::vec2 cheek = shineNear(eye + glm::vec3(12, -36, -12), 10);
+    const glm::vec2 brow = shineNear(glm::vec3(0, eye.y + 38, eye.z + 2), 12); // the middle of the forehead
+    const glm::vec2 lids = shineNear(eye, 6);
+    EXPECT_LT(brow.x, cheek.x - 0.08f);
+    EXPECT_GT(brow.y, cheek.y + 0.1f);
+    EXPECT_LT(lids.x, brow.x);
+}
+
+TEST_F(Human, the_neck_ends_no_wider_than_it_is) {
+    const Mesh& mesh = *humanMesh();
+    const auto halfWidth = [&](float height) {
+        float widest = 0;
+        for (const std::uint32_t v : verticesOf("skin"))
+            if (std::abs(mesh.positions[v].y - height) < 2) widest = std::max(widest, std::abs(mesh.positions[v].x));
+        return widest;
+    };
+    const float bottom = mesh.bounds.minimum.y;
+    EXPECT_LT(halfWidth(bottom), 1.3f * halfWidth(bottom + 26)); // 1.8 times with the shoulders
+}
+
 TEST_F(Human, kernel_sizes_have_soft_borders) {
     const Image& kernel = map("kernelSize");
     const Mesh& mesh = *humanMesh();
@@ -271,7 +307,8 @@ TEST_F(Human, the_same_options_give_the_same_bytes) {
     const Result<HumanReport> again = prepareHuman({.output = scratchFolder("again"), .colorMapSize = 512, .normalMapSize = 512});
     ASSERT_TRUE(again);
     for (const auto& [first, second] : {std::pair(human()->mesh, again->mesh), std::pair(human()->colorMap, again->colorMap),
-                                        std::pair(human()->normalMap, again->normalMap), std::pair(human()->kernelMap, again->kernelMap)}) {
+                                        std::pair(human()->normalMap, again->normalMap), std::pair(human()->kernelMap, again->kernelMap),
+                                        std::pair(human()->shineMap, again->shineMap)}) {
         const Result<std::string> a = readFile(first);
         const Result<std::string> b = readFile(second);
         ASSERT_TRUE(a && b);

@@ -1,0 +1,57 @@
+// By region after T. Weyrich et al., Analysis of Human Faces using a Measurement-Based Skin Reflectance Model, 2006, who fitted rho_s and m
+// of ten regions of the face: they differ, as sebum and moisture do. The factors are ours, by eye: their table was not at hand.
+
+#include "meshprep/human/shine.h"
+
+#include "meshprep/base/noise.h"
+
+#include <algorithm>
+
+namespace tegument {
+
+namespace {
+
+constexpr Shine kForehead = {.roughness = 0.92f, .intensity = 1.1f};
+constexpr Shine kTZone = {.roughness = 0.82f, .intensity = 1.3f}; // sebum
+constexpr Shine kNose = {.roughness = 0.78f, .intensity = 1.35f};
+constexpr Shine kChin = {.roughness = 0.92f, .intensity = 1.1f};
+constexpr Shine kCheeks = {.roughness = 1.04f, .intensity = 0.95f};
+constexpr Shine kLids = {.roughness = 0.88f, .intensity = 1.05f};
+constexpr Shine kEars = {.roughness = 1.1f, .intensity = 0.8f};
+constexpr Shine kNeck = {.roughness = 1.15f, .intensity = 0.75f};
+constexpr Shine kLips = {.roughness = 0.62f, .intensity = 1.35f};     // moist
+constexpr Shine kWaterline = {.roughness = 0.3f, .intensity = 1.98f}; // wet
+constexpr float kNeutral = 128;
+constexpr float kSteps = 255;
+
+Shine mix(const Shine& a, const Shine& b, float share) {
+    return {.roughness = glm::mix(a.roughness, b.roughness, share), .intensity = glm::mix(a.intensity, b.intensity, share)};
+}
+
+} // namespace
+
+Shine shineAt(const SurfacePoint& point, const Face& face, std::uint32_t seed) {
+    if (point.part != BustPart::Skin) return {};
+    const Regions r = face.regionsAt(point);
+    Shine shine;
+    shine = mix(shine, kNeck, r.neck);
+    shine = mix(shine, kForehead, r.forehead);
+    shine = mix(shine, kCheeks, r.cheeks);
+    shine = mix(shine, kChin, r.chin);
+    shine = mix(shine, kTZone, std::min(1.0f, r.tZone));
+    shine = mix(shine, kNose, r.nose);
+    shine = mix(shine, kEars, r.ears);
+    shine = mix(shine, kLids, r.lids);
+    shine.intensity *= 1 + 0.15f * fractalNoise(point.position / 7.0f, 3, seed + 500); // sebum is no even film
+    shine = mix(shine, kLips, r.lips);
+    return mix(shine, kWaterline, r.waterline);
+}
+
+Image bakeShine(const HeadSurface& head, int size, const Face& face, std::uint32_t seed) {
+    return bakeTexture(head, size, 3, [&](const SurfacePoint& point) {
+        const Shine shine = shineAt(point, face, seed);
+        return glm::min(glm::vec4(shine.roughness, shine.intensity, 0, 0) * (kNeutral / kSteps), 1.0f);
+    });
+}
+
+} // namespace tegument

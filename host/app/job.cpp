@@ -130,6 +130,8 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
         if (const auto exists = fileExists(options.scene.mesh, "--mesh"); !exists) return exists.error();
     LoadOptions load = loadOptions(options.effect);
     if (!sceneOptions.workspace.empty()) load.roots.folders.push_back(std::filesystem::path(sceneOptions.workspace).parent_path());
+    sceneOptions.roots = load.roots;
+    sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load.includeFolders.begin(), load.includeFolders.end());
     auto effect = loadEffect(*file, load);
     if (!effect) return effect.error();
     if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();

@@ -11,7 +11,8 @@ namespace tegument::app {
 void addEffectOptions(CLI::App& command, EffectOptions& options) {
     repeatable(command.add_option("-D,--define", options.defines, "Preprocessor definition NAME or NAME=VALUE; may be repeated"));
     repeatable(command.add_option("-I,--include", options.includeFolders, "Folder searched for #include files; may be repeated"));
-    command.add_flag("--anywhere", options.anywhere, "Includes and textures may lie outside of the effect's project and -I");
+    command.add_flag("--anywhere", options.anywhere,
+                     "Includes, and what effects and meshes name, may lie outside of their projects and -I");
     command.add_option("--setting", options.setting, "Setting of the effect, by name; tegument info lists them (docs/settings.md)");
     command.add_option("--map-size", options.mapSize, "Texels along each side of the texture-space maps")->check(CLI::Range(1, 16384));
     command

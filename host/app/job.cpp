@@ -139,6 +139,8 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
             if (const auto exists = fileExists(pose, "--pose"); !exists) return exists.error();
     if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
     if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
+    sceneOptions.roots = load.roots;
+    sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load.includeFolders.begin(), load.includeFolders.end());
     auto effect = loadEffect(*file, load);
     if (!effect) return effect.error();
     if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();

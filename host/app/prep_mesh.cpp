@@ -164,6 +164,8 @@ void addReading(CLI::App& command, Arguments& arguments) {
                     "Which axis of the file points up, y or z; default: z of STL files, else y. Of what is written it is y")
         ->transform(oneOf({"y", "z"}));
     command.add_flag("--drop-bad-faces", read.dropBadFaces, "Leave out faces that refer to no vertex, instead of refusing the file");
+    command.add_flag("--anywhere", read.roots.anywhere,
+                     "Buffers and pictures that the file names may lie outside of its folder and project");
     command.add_flag("--refuse-not-finite", arguments.refuseNotFinite,
                      "Refuse a file with NaN or infinity, instead of leaving out its faces");
 }

@@ -83,6 +83,7 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (isFramed(options)) load.expectHead = false;
     if (options.head) load.expectHead = *options.head;
     load.guessUnit = !options.mesh.empty() && !load.expectHead;
+    load.roots = options.roots;
     return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
 }
 
@@ -114,14 +115,16 @@ void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspa
 }
 
 /// Objects whose meshes are read alike share one.
-Result<void> loadObjects(Scene& scene) {
+Result<void> loadObjects(Scene& scene, const Roots& roots) {
     std::map<std::tuple<std::string, std::optional<double>, bool, float, std::string>, const Mesh*> known;
     for (const SceneObject& object : scene.workspace.objects) {
         const fs::path path = beside(scene.workspace, object.meshPath);
         const float judged = object.head ? object.placement.scale.y : 0; // a head's size is judged with it
         const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, judged, object.attribution}];
         if (!mesh) {
-            auto read = readMesh(path, meshOptions(object), object.attribution);
+            MeshOptions load = meshOptions(object);
+            load.roots = roots;
+            auto read = readMesh(path, load, object.attribution);
             if (!read) return read.error();
             mesh = &scene.meshes.emplace_back(std::move(*read));
         }
@@ -150,7 +153,7 @@ Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
             return usageError(8017,
                               fmt::format("{} has {} objects: which of them is meant?", options.workspace, scene.workspace.objects.size()),
                               "leave --mesh and --unit-mm out, or give a workspace of one mesh");
-        if (const auto loaded = loadObjects(scene); !loaded) return loaded.error();
+        if (const auto loaded = loadObjects(scene, options.roots); !loaded) return loaded.error();
         turn(options.turn, scene);
         return scene;
     }

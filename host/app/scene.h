@@ -25,6 +25,7 @@ struct SceneOptions {
     double aspect = 1;    // of the picture
     bool foreign = false; // the effect is another host's: without a mesh it is shown on a ball, and its world is about as large
     bool turns = false;   // a mesh of one's own is framed so that it can turn
+    Roots roots{};        // where else files may lie that meshes name
 };
 
 /// `workspace.objects` empty: one mesh, or none.

@@ -219,7 +219,7 @@ public:
     /// Filled with zeros. D24S8 becomes the nearest supported depth format; everything else that the device lacks is an error naming the
     /// format.
     Result<Texture> createTexture(const TextureDesc& desc);
-    /// `pixels`: tightly packed rows of one mip of one layer, row 0 first. Colour formats only.
+    /// `pixels`: tightly packed rows of one mip of one layer, row 0 first. Colour formats, and D32F: floats of 0 to 1.
     Result<void> upload(Texture& texture, std::span<const std::byte> pixels, std::uint32_t mip = 0, std::uint32_t layer = 0);
     /// Tightly packed rows. Of a depth format: the depth as one 32-bit float per pixel, whatever the format.
     Result<std::vector<std::byte>> readback(Texture& texture, std::uint32_t mip = 0, std::uint32_t layer = 0);

@@ -56,6 +56,16 @@ std::vector<std::byte> copyOut(DeviceState& device, TextureState& texture, const
     return {staging.data, staging.data + staging.size};
 }
 
+/// Vulkan has no depths outside of 0 to 1 without an extension.
+bool areDepths(std::span<const std::byte> texels) {
+    for (std::size_t at = 0; at + sizeof(float) <= texels.size(); at += sizeof(float)) {
+        float depth = 0;
+        std::memcpy(&depth, texels.data() + at, sizeof depth);
+        if (!(depth >= 0 && depth <= 1)) return false;
+    }
+    return true;
+}
+
 } // namespace
 } // namespace detail
 
@@ -63,9 +73,11 @@ Result<void> Device::upload(Texture& texture, std::span<const std::byte> pixels,
     assert(texture.state);
     detail::TextureState& state = *texture.state;
     if (const auto possible = detail::checkCopy(*state_, state, mip, layer); !possible) return possible.error();
-    if (isDepth(state.desc.format))
-        return detail::requestError(
-            6013, fmt::format("texture '{}' is a depth texture: it can be cleared or drawn to, not uploaded to", state.desc.name));
+    if (isDepth(state.desc.format) && (state.desc.format != Format::D32F || !detail::areDepths(pixels)))
+        return detail::requestError(6013,
+                                    fmt::format("texture '{}' is a depth texture: what is uploaded to it must be floats of 0 to 1, and its "
+                                                "format D32F",
+                                                state.desc.name));
     const vk::BufferImageCopy2 region = detail::region(state, mip, layer);
     if (pixels.size() != detail::copiedBytes(state, region))
         return detail::requestError(6013, fmt::format("texture '{}' takes {} bytes in mip {}, and {} were given", state.desc.name,

@@ -3,8 +3,6 @@
 #include "host/mesh/gltf_document.h"
 #include "host/mesh/gltf_meshopt.h"
 
-#include "host/support/file.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -188,7 +186,7 @@ Result<std::string> GltfDocument::resolveUri(const GltfValue& owner, const std::
     }
     if (uri.empty() || uri.find("://") != std::string::npos || uri.find('\0') != std::string::npos)
         return owner.wrong(fmt::format("has a uri that is no file: '{}'", uri.substr(0, 60)));
-    return readFile(source_->path.parent_path() / decodePercent(uri));
+    return readNamed(*source_, source_->path.parent_path() / decodePercent(uri));
 }
 
 Result<GltfValue> GltfDocument::item(const char* list, std::size_t index) const {

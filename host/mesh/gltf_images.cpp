@@ -29,6 +29,8 @@ Result<std::string> pictureBytes(const GltfDocument& document, std::size_t image
     return std::string(*bytes);
 }
 
+constexpr const char* kExportAgain = "put the pictures where the file says, or export it again";
+
 /// A texture names its picture itself, and in extensions the same in other forms.
 void renumber(Json& texture, const std::map<std::size_t, std::size_t>& number) {
     if (!texture.is_object()) return;
@@ -92,14 +94,15 @@ std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size
         return std::nullopt;
     }
     const auto bytes = pictureBytes(document_, *image);
-    if (!bytes && bytes.error().diagnostics.front().code != 5001) return bytes.error(); // the glTF itself is wrong
+    const int code = bytes ? 0 : bytes.error().diagnostics.front().code;
+    if (!bytes && code != 5001 && code != kOutside) return bytes.error(); // the glTF itself is wrong
     const std::string name = fmt::format("{}#images[{}]", from.source().name(), *image);
     auto loaded = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), name) : Result<Image>(bytes.error());
     if (!loaded) {
         warn(
             mesh, 5328, document_.root().source().whole(),
             fmt::format("the '{}' texture {} cannot be read: {}", role, nameOf(document_, *image), loaded.error().diagnostics.front().text),
-            "put the pictures where the file says, or give one: --set gSkinMap=FILE");
+            hintFor(loaded.error(), "put the pictures where the file says, or give one: --set gSkinMap=FILE"));
         return std::nullopt;
     }
     mesh.textures.push_back({.role = role, .image = std::move(*loaded)});
@@ -121,7 +124,7 @@ MaterialSet carriedMaterials(const GltfDocument& document, Mesh& mesh) {
             warn(mesh, 5328, root.source().whole(),
                  fmt::format("{} is left out: {}", nameOf(document, i),
                              bytes ? "no whole PNG, JPEG, WebP, KTX2 or DDS file" : bytes.error().diagnostics.front().text),
-                 "put the pictures where the file says, or export it again");
+                 bytes ? kExportAgain : hintFor(bytes.error(), kExportAgain));
             continue;
         }
         number[i] = set.images.size();

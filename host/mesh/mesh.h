@@ -3,6 +3,7 @@
 
 #include "host/image/image.h"
 #include "host/support/result.h"
+#include "host/support/roots.h"
 
 #include <glm/glm.hpp>
 
@@ -99,6 +100,7 @@ struct MeshOptions {
     glm::vec3 scale{1};           // what its placement scales it by: only the size of a head is judged with it
     bool requireUvs = false;      // TG53xx when there are none
     double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
+    Roots roots{};                // where else files may lie that the mesh file names: host/support/roots.h
 };
 
 /// glb/gltf, PLY, OBJ, STL, OFF by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.

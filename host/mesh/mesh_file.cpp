@@ -3,6 +3,7 @@
 #include "host/mesh/mesh_file.h"
 
 #include "host/image/image.h"
+#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,17 @@
 #include <cstdlib>
 
 namespace tegument::meshfile {
+
+Result<std::string> readNamed(const Source& source, const std::filesystem::path& file) {
+    std::error_code code;
+    if (std::filesystem::exists(file, code) && !source.roots.hold(file)) return Error{Blame::Input, {outsideOfMesh(file, source.path)}};
+    return readFile(file);
+}
+
+std::string hintFor(const Error& error, const char* otherwise) {
+    const Diagnostic& why = error.diagnostics.front();
+    return why.code == kOutside ? why.hint : otherwise;
+}
 
 Error truncated(SourcePosition at, const std::string& text) {
     return inputError(5301, std::move(at), "the mesh file ends early: " + text, "fetch or export the file again");

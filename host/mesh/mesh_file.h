@@ -25,12 +25,19 @@ struct Source {
     bool dropBadFaces = false;   // faces that refer to no vertex are counted and left out; otherwise they are an error
     bool keepNotFinite = false;  // whoever reads cares for NaN and infinity; otherwise they are an error
     bool carryMaterials = false; // as ReadOptions has it
+    Roots roots{};               // where files may lie that this one names
 
     [[nodiscard]] std::string name() const { return path.string(); }
     [[nodiscard]] SourcePosition atByte(std::size_t byte) const { return {.file = name(), .byte = byte}; }
     [[nodiscard]] SourcePosition atLine(int line) const { return {.file = name(), .line = line, .column = 1, .byte = {}}; }
     [[nodiscard]] SourcePosition whole() const { return {.file = name(), .byte = {}}; }
 };
+
+inline constexpr int kOutside = 1014;
+/// A file that the mesh file names. TG1014 it is there, and outside of the roots; TG5001 it is not there.
+[[nodiscard]] Result<std::string> readNamed(const Source& source, const std::filesystem::path& file);
+/// What lies outside of the roots has a hint of its own.
+[[nodiscard]] std::string hintFor(const Error& error, const char* otherwise);
 
 [[nodiscard]] Result<ReadMesh> readPly(const Source& source);
 /// With `dropBadFaces`, corners may name what the file lacks.

@@ -5,7 +5,6 @@
 #include "host/mesh/materials.h"
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/obj_file.h"
-#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <nlohmann/json.hpp>
@@ -36,10 +35,13 @@ public:
 
     void read(const std::string& name) {
         const fs::path path = objFileIn(source_.path.parent_path(), name);
-        const auto text = readFile(path);
+        const auto text = readNamed(source_, path);
         if (!text) {
-            warn(mesh_, 5328, source_.whole(), fmt::format("the material library '{}' is not there", name.substr(0, 80)),
-                 "put the library and its pictures beside the OBJ file");
+            const Diagnostic& why = text.error().diagnostics.front();
+            warn(mesh_, 5328, source_.whole(),
+                 fmt::format("the material library '{}' is {}", name.substr(0, 80),
+                             why.code == kOutside ? "left out: " + why.text : "not there"),
+                 hintFor(text.error(), "put the library and its pictures beside the OBJ file"));
             return;
         }
         Material* material = nullptr;
@@ -136,19 +138,20 @@ private:
 
     /// As it is where glTF takes it; else as PNG.
     std::optional<std::size_t> load(const fs::path& path, const char* key) {
-        auto bytes = readFile(path);
+        auto bytes = readNamed(source_, path);
         std::string why = bytes ? "" : bytes.error().diagnostics.front().text;
+        constexpr const char* kBeside = "put the pictures of an OBJ file beside it, as PNG or JPEG";
+        const std::string hint = bytes ? kBeside : hintFor(bytes.error(), kBeside);
         std::string_view type = bytes ? pictureType(*bytes) : "";
         if (bytes && type != "image/png" && type != "image/jpeg") {
-            const auto image = loadImage(path);
+            const auto image = decodeImage(std::as_bytes(std::span(*bytes)), path.string());
             Result<std::string> png = image ? encodePng(*image, PngEncoding::Raw) : Result<std::string>(image.error());
             if (!png) why = png.error().diagnostics.front().text;
             type = png ? "image/png" : "";
             bytes = std::move(png);
         }
         if (type.empty()) {
-            warn(mesh_, 5328, source_.whole(), fmt::format("a picture of {} is left out: {}", key, why),
-                 "put the pictures of an OBJ file beside it, as PNG or JPEG");
+            warn(mesh_, 5328, source_.whole(), fmt::format("a picture of {} is left out: {}", key, why), hint);
             return std::nullopt;
         }
         const std::size_t index = mesh_.materials.images.size();

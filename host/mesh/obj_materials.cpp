@@ -2,7 +2,6 @@
 
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/obj_file.h"
-#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -16,10 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Material to file.
-std::map<std::string, fs::path> colourMaps(const fs::path& library) {
+std::map<std::string, fs::path> colourMaps(const Source& source, const fs::path& library, Mesh& mesh) {
     std::map<std::string, fs::path> maps;
-    const auto text = readFile(library);
-    if (!text) return maps; // scans often travel without: no error
+    const auto text = readNamed(source, library);
+    if (!text) {
+        const Diagnostic& why = text.error().diagnostics.front(); // scans often travel without: no warning
+        if (why.code == kOutside) warn(mesh, 5328, source.whole(), "its material library is left out: " + why.text, why.hint);
+        return maps;
+    }
     std::string material;
     for (std::string_view left = *text; !left.empty();) {
         const std::size_t end = std::min(left.find('\n'), left.size());
@@ -38,7 +41,7 @@ std::map<std::string, fs::path> colourMaps(const fs::path& library) {
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
     std::map<std::string, fs::path> maps;
     for (const std::string& library : file.libraries)
-        maps.merge(colourMaps(objFileIn(source.path.parent_path(), library)));
+        maps.merge(colourMaps(source, objFileIn(source.path.parent_path(), library), mesh));
     fs::path used;
     for (std::size_t i = 0; i < file.sections.size(); ++i) {
         const auto map = maps.find(file.sections[i].material);
@@ -52,12 +55,15 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
         used = map->second;
     }
     if (used.empty()) return;
-    auto image = loadImage(used);
-    if (image)
+    const auto bytes = readNamed(source, used);
+    auto image = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), used.string()) : Result<Image>(bytes.error());
+    if (image) {
         mesh.textures.push_back({.role = "color", .image = std::move(*image)});
-    else
-        warn(mesh, 5328, source.whole(), fmt::format("its colour map is not there: {}", image.error().diagnostics.front().text),
-             "put the pictures of an OBJ file beside it, or give one: --set gSkinMap=FILE");
+        return;
+    }
+    const Diagnostic& why = image.error().diagnostics.front();
+    warn(mesh, 5328, source.whole(), fmt::format("its colour map {}: {}", why.code == kOutside ? "is left out" : "is not there", why.text),
+         hintFor(image.error(), "put the pictures of an OBJ file beside it, or give one: --set gSkinMap=FILE"));
 }
 
 } // namespace tegument::meshfile

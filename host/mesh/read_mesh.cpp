@@ -110,7 +110,8 @@ Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& opti
                   .unitMm = unit,
                   .dropBadFaces = options.dropBadFaces,
                   .keepNotFinite = options.dropNotFinite,
-                  .carryMaterials = options.carryMaterials};
+                  .carryMaterials = options.carryMaterials,
+                  .roots = rootsOf(path, {}, options.roots)};
     Result<ReadMesh> file = format->read(source);
     if (!file) return file;
     std::optional<Diagnostic> guessed;

@@ -84,6 +84,7 @@ struct Plan {
 /// What a pass really uses, known after compiling it.
 struct PassUse {
     std::set<std::string> sampled;   // texture parameters read by any stage, targets or not
+    std::set<std::string> compared;  // of these those that some look-up compares with a depth
     std::set<std::string> stored;    // targets that a compute shader writes
     std::uint32_t writtenColors = 0; // bit n: the pixel shader writes SV_Targetn
     bool discards = false;           // some pixels may be left out

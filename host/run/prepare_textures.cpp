@@ -83,6 +83,22 @@ void warnOutside(const Parameter& parameter, const Image& image, std::vector<Dia
          .sourceLine = {}});
 }
 
+/// What a look-up compares with is a depth: the first channel, in the one format that every device compares and the host can fill. Other
+/// formats need not support it, in Vulkan as in Direct3D.
+void toDepth(TextureData& texture) {
+    const bool encoded = texture.decode || texture.format == PixelFormat::RGBA8Srgb;
+    const auto convert = [&](Image& image) {
+        for (float& value : image.pixels) {
+            if (encoded) value = srgbToLinear(value);
+            value = value >= 0 ? std::min(value, 1.0F) : 0.0F; // of NaN, too
+        }
+    };
+    convert(texture.image);
+    std::ranges::for_each(texture.file.images, convert);
+    texture.format = PixelFormat::D32F;
+    texture.decode = texture.mips = false;
+}
+
 /// What makes two textures of a scene the same: where it comes from, and what is made of it.
 std::string keyOf(const TextureSource& source, const Parameter& parameter, bool mips) {
     if (const auto* constant = std::get_if<ConstantSource>(&source))
@@ -164,12 +180,13 @@ Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter
     return madeFor(input, parameter, std::move(*source));
 }
 
-Result<TextureData> load(const RunInput& input, const Parameter& parameter, const TextureSource& source,
+Result<TextureData> load(const RunInput& input, const Parameter& parameter, const TextureSource& source, bool compared,
                          std::vector<Diagnostic>& warnings) {
     const bool mips = wantsMips(input.effect, parameter.name);
-    std::string key = keyOf(source, parameter, mips);
+    std::string key = keyOf(source, parameter, mips) + (compared ? " depth" : "");
     if (input.uploaded && input.uploaded->contains(key)) return TextureData{.image = {}, .format = {}, .key = std::move(key), .file = {}};
     auto texture = fromSource(parameter, source, mips, warnings);
+    if (texture && compared) toDepth(*texture);
     if (texture) texture->key = std::move(key);
     return texture;
 }
@@ -185,7 +202,9 @@ Result<void> find(const RunInput& input, const Parameter& parameter, Prepared& p
         prepared.products.emplace(parameter.name, *producer);
         return {};
     }
-    auto texture = load(input, parameter, *source, prepared.warnings);
+    const bool compared =
+        std::ranges::any_of(prepared.programs, [&](const auto& program) { return program.second->use.compared.contains(parameter.name); });
+    auto texture = load(input, parameter, *source, compared, prepared.warnings);
     if (!texture) return texture.error();
     prepared.textures.emplace(parameter.name, std::move(*texture));
     return {};

@@ -1,6 +1,7 @@
 #include "host/run/program.h"
 
 #include "host/run/geometry.h"
+#include "host/spirv/reflect.h"
 
 #include <fmt/format.h>
 
@@ -57,15 +58,23 @@ void gatherBlock(const UniformBlock& block, PassProgram& program) {
         if (member.used) program.numbers.insert(member.name);
 }
 
-void gather(const Reflection& reflection, PassProgram& program) {
-    for (const UniformBlock* block : blocksOf(reflection))
+/// Asked only where there is a sampler that compares.
+void gatherCompared(const Shader& shader, PassProgram& program) {
+    const auto pictures = spirv::comparedPictures(shader.spirv);
+    for (const Resource& resource : shader.reflection.resources)
+        if (pictures.contains({resource.set, resource.binding})) program.use.compared.insert(resource.name);
+}
+
+void gather(const Shader& shader, PassProgram& program) {
+    for (const UniformBlock* block : blocksOf(shader.reflection))
         gatherBlock(*block, program);
-    for (const Resource& resource : reflection.resources) {
+    for (const Resource& resource : shader.reflection.resources) {
         if (!resource.used) continue;
         const BindingKind kind = kindOf(resource.kind);
         program.bindings.push_back({resource.set, resource.binding, kind});
         if (kind == BindingKind::Texture) program.use.sampled.insert(resource.name);
         if (kind == BindingKind::Sampler) program.samplers.insert(resource.name);
+        if (resource.kind == ResourceKind::CompareSampler) gatherCompared(shader, program);
     }
 }
 
@@ -91,7 +100,7 @@ Result<PassProgram> compileCompute(const Effect& effect, const Pass& pass, Compi
     auto compute = compileStage(effect, *pass.computeShader, Stage::Compute, compiler);
     if (!compute) return compute.error();
     program.compute = std::move(*compute);
-    gather(program.compute->reflection, program);
+    gather(*program.compute, program);
     if (const auto stored = gatherStored(effect, pass, program.compute->reflection, program); !stored) return stored.error();
     return program;
 }
@@ -135,9 +144,9 @@ Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler
     auto attributes = bindStream(pass, program.vertex.reflection);
     if (!attributes) return attributes.error();
     program.attributes = std::move(*attributes);
-    gather(program.vertex.reflection, program);
+    gather(program.vertex, program);
     if (program.pixel) {
-        gather(program.pixel->reflection, program);
+        gather(*program.pixel, program);
         program.use.discards = discardsPixels(program.pixel->spirv);
         for (const StageVariable& output : program.pixel->reflection.outputs)
             program.use.writtenColors |= 1U << output.location;

@@ -23,8 +23,8 @@ public:
     [[nodiscard]] bool reads(spirv_cross::VariableID variable) const { return active_.contains(variable); }
     /// A member of a block, an element of an array or a row of a matrix.
     [[nodiscard]] bool reads(spirv_cross::VariableID variable, std::uint32_t member) const;
-    /// A sampler used with a depth comparison.
-    [[nodiscard]] bool compares(spirv_cross::VariableID sampler) const { return comparison_ids.contains(sampler); }
+    /// A sampler or a picture used with a depth comparison.
+    [[nodiscard]] bool compares(spirv_cross::VariableID variable) const { return comparison_ids.contains(variable); }
 
 private:
     std::unordered_set<spirv_cross::VariableID> active_;

@@ -258,6 +258,20 @@ bool writesPosition(std::span<const std::uint32_t> words) {
     }
 }
 
+std::set<std::pair<std::uint32_t, std::uint32_t>> comparedPictures(std::span<const std::uint32_t> words) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+    try {
+        const Reader module(words);
+        for (const auto& picture : module.get_shader_resources().separate_images)
+            if (module.compares(picture.id))
+                found.emplace(module.get_decoration(picture.id, spv::DecorationDescriptorSet),
+                              module.get_decoration(picture.id, spv::DecorationBinding));
+    } catch (const spirv_cross::CompilerError&) {
+        return {}; // it was read before
+    }
+    return found;
+}
+
 bool readsByGradient(std::span<const std::uint32_t> words) {
     bool found = false;
     forEachInstruction(words, [&](spv::Op op, std::span<const std::uint32_t> instruction) {

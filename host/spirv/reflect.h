@@ -3,7 +3,10 @@
 
 #include "host/spirv/compile.h"
 
+#include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 
 namespace tegument::spirv {
 
@@ -17,6 +20,9 @@ namespace tegument::spirv {
 
 /// Whether some look-up brings gradients of its own (tex2Dgrad, SampleGrad).
 [[nodiscard]] bool readsByGradient(std::span<const std::uint32_t> words);
+
+/// Sets and bindings of the pictures that some look-up compares with a depth (SampleCmp).
+[[nodiscard]] std::set<std::pair<std::uint32_t, std::uint32_t>> comparedPictures(std::span<const std::uint32_t> words);
 
 /// "normal" -> "NORMAL0".
 [[nodiscard]] std::string canonicalSemantic(std::string_view written, std::uint32_t element = 0);

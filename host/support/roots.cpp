@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -33,8 +32,10 @@ bool isHome(const fs::path& folder) {
     return home != nullptr && *home != '\0' && folder == resolved(home);
 }
 
+using Markers = std::vector<const char*>;
+
 /// The nearest folder, from this one upwards, that holds one of these.
-std::optional<fs::path> nearestWith(fs::path folder, std::initializer_list<const char*> markers) {
+std::optional<fs::path> nearestWith(fs::path folder, const Markers& markers) {
     std::error_code code;
     for (; folder.has_relative_path(); folder = folder.parent_path())
         for (const char* marker : markers)
@@ -42,11 +43,32 @@ std::optional<fs::path> nearestWith(fs::path folder, std::initializer_list<const
     return std::nullopt;
 }
 
+/// Somebody's own word first, then a repository; empty: none.
+fs::path projectOf(const fs::path& folder) {
+    for (const Markers& markers : {Markers{".tegument-root"}, Markers{".git", ".hg", ".svn"}})
+        if (const auto project = nearestWith(folder, markers); project && !isHome(*project)) return *project;
+    return {};
+}
+
+/// The folder that both lie below, where it can be a project; else empty.
+fs::path sharedFolder(const fs::path& file, const fs::path& other) {
+    fs::path folder;
+    const fs::path a = resolved(file).parent_path();
+    const fs::path b = resolved(other).parent_path();
+    for (auto [i, j] = std::pair(a.begin(), b.begin()); i != a.end() && j != b.end() && *i == *j; ++i, ++j)
+        folder /= *i;
+    return folder.has_relative_path() && !isHome(folder) ? folder : fs::path();
+}
+
 /// A shell takes it as one word.
 bool isPlain(std::string_view word) {
     return std::ranges::all_of(word, [](unsigned char c) {
         return c > ' ' && std::string_view("'\"\\$`&|;<>()*?[]#~!").find(static_cast<char>(c)) == std::string_view::npos;
     });
+}
+
+std::string asWord(const std::string& text) {
+    return isPlain(text) ? text : fmt::format("\"{}\"", text);
 }
 
 void add(std::vector<fs::path>& folders, const fs::path& folder) {
@@ -66,8 +88,7 @@ Roots rootsOf(const fs::path& file, const std::vector<fs::path>& named, const Ro
     if (roots.anywhere) return roots;
     for (const fs::path& folder : {resolved(file.parent_path()), resolved(file).parent_path()}) {
         add(roots.folders, folder);
-        if (const auto project = nearestWith(folder, {".git", ".hg", ".svn", ".tegument-root"}); project && !isHome(*project))
-            add(roots.folders, *project);
+        add(roots.folders, projectOf(folder));
         if (const auto library = nearestWith(folder, {"hlsl/platform.fxh"})) add(roots.folders, *library);
     }
     for (const auto* folders : {&named, &more.folders})
@@ -82,7 +103,19 @@ Diagnostic outsideOf(const fs::path& file, SourcePosition at) {
             .code = 1014,
             .at = std::move(at),
             .text = fmt::format("{} lies outside of the effect's folder and its project", file.string()),
-            .hint = fmt::format("if it may be read: -I {}, or --anywhere", isPlain(folder) ? folder : fmt::format("\"{}\"", folder)),
+            .hint = fmt::format("if it may be read: -I {}, or --anywhere", asWord(folder)),
+            .sourceLine = {}};
+}
+
+Diagnostic outsideOfMesh(const fs::path& file, const fs::path& mesh) {
+    const fs::path shared = sharedFolder(file, mesh);
+    return {.severity = Severity::Error,
+            .code = 1014,
+            .at = {.file = mesh.string(), .byte = {}},
+            .text = fmt::format("{} lies outside of the mesh's folder and its project", file.string()),
+            .hint = shared.empty() ? "if it may be read, put it below the mesh's folder"
+                                   : fmt::format("if it may be read: touch {}, and that folder is one project",
+                                                 asWord((shared / ".tegument-root").string())),
             .sourceLine = {}};
 }
 

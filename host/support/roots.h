@@ -18,11 +18,13 @@ struct Roots {
 };
 
 /// What `file` may name, besides `more` and the folders that the user names: its own folder (where a link to it stands, and where it is
-/// itself), the project around it (the nearest folder above that holds .git, .hg, .svn or .tegument-root; never the home folder), and this
-/// library where it is part of it (the nearest folder above that holds hlsl/platform.fxh).
+/// itself), the project around it (the nearest folder above that holds .tegument-root; without one .git, .hg or .svn; never the home
+/// folder), and this library where it is part of it (the nearest folder above that holds hlsl/platform.fxh).
 [[nodiscard]] Roots rootsOf(const std::filesystem::path& file, const std::vector<std::filesystem::path>& named, const Roots& more = {});
 
 /// TG1014, with a hint that says how it may be read all the same.
 [[nodiscard]] Diagnostic outsideOf(const std::filesystem::path& file, SourcePosition at);
+/// The same of a file that the mesh file at that place names: most commands that read meshes know no -I, but all know projects.
+[[nodiscard]] Diagnostic outsideOfMesh(const std::filesystem::path& file, const std::filesystem::path& mesh);
 
 } // namespace tegument

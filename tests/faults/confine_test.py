@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""What an effect of a stranger can make the program read: its own folder and project, the folders of -I, and nothing else unless the user says so. Each
-way out is tried; each is refused with one message, whose hint works. usage: confine_test.py TEGUMENT REPOSITORY [microsoft]
+"""What an effect or a mesh of a stranger can make the program read: its own folder and project, the folders of -I, and nothing else unless the
+user says so. Each way out is tried; each is refused with one message, whose hint works. usage: confine_test.py TEGUMENT REPOSITORY [microsoft]
 """
 
+import json
 import os
 import pathlib
 import re
+import struct
 import sys
 
 from harness import Faults, main
@@ -178,6 +180,121 @@ class Textures(Confined):
         self.assertEqual(ran.returncode, 0, ran.stderr)
 
 
+TRIANGLE = "v 0 0 0\nv 90 0 0\nv 0 90 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+CORNERS = struct.pack("<15f", 0, 0, 0, 0.09, 0, 0, 0, 0.09, 0, 0, 0, 1, 0, 0, 1)  # positions, texture coordinates
+
+
+class Meshes(Confined):
+    """What a mesh file names: buffers, or there is no mesh; pictures and libraries of materials, which are left out as where they are missing."""
+
+    def setUp(self):
+        super().setUp()
+        self.meshes = self.effects  # its folder; the project's other one is common/
+        for folder in (self.folder, self.project / "common", self.meshes):
+            (folder / "red.png").write_bytes(png(2, 2))
+            (folder / "corners.bin").write_bytes(CORNERS)
+            (folder / "red.mtl").write_text("newmtl red\nmap_Kd red.png\n", encoding="ascii")
+        for name in ("red.png", "corners.bin", "red.mtl"):
+            (self.meshes / f"link-{name}").symlink_to(self.folder / name)
+        (self.meshes / "linked").symlink_to(self.folder)
+
+    def outside(self, name):
+        """The ways out to that file."""
+        return [f"../../{name}", f"./linked/project/../{name}", str(self.folder / name), f"link-{name}", f"linked/{name}", f"{self.meshes}/../../{name}"]
+
+    def gltf(self, buffer="corners.bin", picture="red.png"):
+        path = self.meshes / "mesh.gltf"
+        path.write_text(json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "buffers": [{"uri": buffer, "byteLength": 60}], "bufferViews": [{"buffer": 0, "byteLength": 60}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                          {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 3, "type": "VEC2"}], "images": [{"uri": picture}],
+            "textures": [{"source": 0}], "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}]}), encoding="utf-8")
+        return path
+
+    def obj(self, library="red.mtl", picture="red.png"):
+        path = self.meshes / "mesh.obj"
+        path.write_text(f"mtllib {library}\n{TRIANGLE}usemtl red\nf 1/1 2/2 3/3\n", encoding="ascii")
+        (self.meshes / "red.mtl").write_text(f"newmtl red\nmap_Kd {picture}\n", encoding="ascii")
+        return path
+
+    def commands(self, path):
+        yield ["prep", path, "-o", self.out / "x.glb"]
+        yield ["render", "OriginalTexture", "--mesh", path, "--no-head", "--size", "16", "-o", self.out / "x.png"]
+
+    def left_out(self, path):
+        """Each command reads the mesh, and says of the rest that it lies outside, with a hint that works."""
+        for command in self.commands(path):
+            ran = self.run_it(*command)
+            self.assertNotIn("error TG", ran.stderr)
+            self.assertIn("warning TG5328", ran.stderr)
+            self.assertIn("lies outside of the mesh's folder and its project", ran.stderr)
+            self.assertIn(f"touch {self.folder}/.tegument-root", ran.stderr)
+            self.assertNotIn("lies outside", self.run_it(*command, "--anywhere").stderr)
+
+    def read(self, path):
+        for command in self.commands(path):
+            self.assertNotIn("TG5328", self.run_it(*command).stderr)
+
+    def test_buffers_outside_are_refused(self):
+        self.make_project()
+        names = self.outside("corners.bin")
+        for name in [*names, names[0].replace("..", "%2e%2e"), "/dev/zero"]:
+            with self.subTest(name):
+                for command in self.commands(self.gltf(buffer=name)):
+                    self.refused(self.run_it(*command), "TG1014", "lies outside of the mesh's folder and its project", code=1)
+                    if name != "/dev/zero":
+                        self.assertNotIn("TG1014", self.run_it(*command, "--anywhere").stderr)
+
+    def test_pictures_outside_are_left_out(self):
+        self.make_project()
+        for name in self.outside("red.png"):
+            for path in (self.gltf(picture=name), self.obj(picture=name)):
+                with self.subTest(name, format=path.suffix):
+                    self.left_out(path)
+
+    def test_libraries_of_materials_outside_are_left_out(self):
+        self.make_project()
+        for name in [*self.outside("red.mtl"), "..\\..\\red.mtl"]:
+            with self.subTest(name):
+                self.left_out(self.obj(library=name))
+
+    def test_a_project_shares_its_files_and_its_links(self):
+        self.make_project()
+        (self.meshes / "within.png").symlink_to(self.project / "common/red.png")
+        for name in ("red.png", "../common/red.png", "within.png"):
+            with self.subTest(name):
+                self.read(self.gltf(picture=name))
+                self.read(self.obj(picture=name))
+        self.read(self.gltf(buffer="../common/corners.bin"))
+        self.read(self.obj(library="../common/red.mtl"))
+
+    def test_the_hint_makes_one_project_of_both(self):
+        path = self.obj(picture="../../red.png")
+        for repository in (False, True):
+            with self.subTest(repository=repository):
+                if repository:
+                    self.make_project()
+                self.left_out(path)
+                (self.folder / ".tegument-root").touch()
+                self.read(path)
+                (self.folder / ".tegument-root").unlink()
+
+    def test_a_link_to_a_mesh_brings_what_lies_beside_either(self):
+        (self.folder / "elsewhere").mkdir()
+        link = self.folder / "elsewhere/mesh.gltf"
+        link.symlink_to(self.gltf(picture="../effects/red.png"))
+        (self.folder / "elsewhere/corners.bin").write_bytes(CORNERS)
+        (self.folder / "effects").symlink_to(self.meshes)
+        self.read(link)
+
+    def test_what_is_not_there_is_told_as_before(self):
+        ran = self.run_it("prep", self.gltf(picture="../../nothing.png"), "-o", self.out / "x.glb")
+        self.assertIn("TG5328", ran.stderr)
+        self.assertNotIn("lies outside", ran.stderr)
+
+
 class Microsoft(Confined):
     """Microsoft's compiler has a preprocessor of its own, and sees branches that the front end does not."""
 
@@ -191,7 +308,7 @@ class Microsoft(Confined):
     def check(self, text):
         path = self.effect("#if defined(FX_ENTRY) || defined(FX_D3D10) || defined(FX_D3D11)\n#else\n" + text + "#endif\n" + SHADERS +
                            "#ifndef FX_ENTRY\ntechnique T { pass P { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }\n#endif\n")
-        return path, self.run_it("check", path, "--target", "fx_2_0")
+        return path, self.checked(path, "--target", "fx_2_0")
 
     def test_microsofts_compiler_is_confined(self):
         (self.effects / "link.fxh").symlink_to(self.secret)
@@ -215,7 +332,7 @@ class Microsoft(Confined):
 
 if __name__ == "__main__":
     if sys.argv[3:] == ["microsoft"]:
-        del Includes, Textures
+        del Includes, Textures, Meshes
     else:
         del Microsoft
     main()

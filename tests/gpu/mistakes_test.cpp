@@ -74,8 +74,14 @@ TEST_F(TextureMistakes, uploads_of_the_wrong_size_or_place) {
 }
 
 TEST_F(TextureMistakes, uploads_to_depth) {
-    Texture depth = must(make({.name = {}, .format = Format::D32F, .renderTarget = true}));
-    EXPECT_TRUE(fails(device().upload(depth, bytesOf(std::vector<float>(1))), 6013, {"culprit"}));
+    for (const Format format : {Format::D16, Format::D24S8, Format::D32FS8}) {
+        Texture depth = must(make({.name = {}, .format = format, .renderTarget = true}));
+        EXPECT_TRUE(fails(device().upload(depth, bytesOf(std::vector<float>(1))), 6013, {"culprit", "D32F"}));
+    }
+    for (const float outside : {-0.1F, 1.1F, std::numeric_limits<float>::quiet_NaN()}) {
+        Texture depth = must(make({.name = {}, .format = Format::D32F}));
+        EXPECT_TRUE(fails(device().upload(depth, bytesOf(std::vector<float>{outside})), 6013, {"culprit", "0 to 1"}));
+    }
 }
 
 TEST_F(TextureMistakes, mips_of_depth) {

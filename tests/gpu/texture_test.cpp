@@ -97,6 +97,17 @@ TEST_F(Textures, what_is_uploaded_to_each_level_and_face_reads_back) {
             EXPECT_EQ(fromBytes<float>(must(device().readback(cube, mip, face))), std::vector<float>(mip == 0 ? 4 : 1, value(mip, face)));
 }
 
+TEST_F(Textures, depths_that_are_uploaded_read_back) {
+    for (const bool cube : {false, true}) {
+        Texture depth = must(device().createTexture({.name = "depth", .format = Format::D32F, .width = 2, .height = 2, .cube = cube}));
+        for (std::uint32_t face = 0; face < (cube ? 6U : 1U); ++face) {
+            const std::vector<float> depths = {0, 0.1F * static_cast<float>(face), 0.7F, 1};
+            must(device().upload(depth, bytesOf(depths), 0, face));
+            EXPECT_EQ(fromBytes<float>(must(device().readback(depth, 0, face))), depths);
+        }
+    }
+}
+
 TEST_F(Textures, rows_are_tightly_packed_whatever_the_width) {
     std::vector<std::uint8_t> bytes(5 * 3);
     for (std::size_t i = 0; i < bytes.size(); ++i)

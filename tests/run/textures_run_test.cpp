@@ -1,5 +1,6 @@
 // Textures: who names them, how they are decoded. Those that other effects draw: products_run_test.cpp.
 
+#include "host/run/prepare.h"
 #include "tests/run/fixture.h"
 
 #include <unistd.h>
@@ -67,6 +68,33 @@ TEST_F(Textures, float_colour_maps_are_linear_already) {
     const auto result = draw(pixel("Color", {{"gColorMap", grey("g.exr", 0.73F)}}));
     ASSERT_TRUE(succeeded(result));
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.73F, 0.73F, 0.73F, 1}, 1e-6F));
+}
+
+/// What a look-up compares need not be comparable in another format than a depth (VUID-vkCmdDrawIndexed-None-06479).
+TEST_F(Textures, what_is_compared_is_a_depth_texture_and_nothing_else_is) {
+    const auto effect = loadEffect(kFixtures / "compared.fx");
+    ASSERT_TRUE(succeeded(effect));
+    const Workspace workspace;
+    for (const auto& textures : {std::map<std::string, std::string>{}, {{"gDepthMap", grey("d.png", 128.0F / 255)}}}) {
+        const RunOptions options = pixel("Compared", textures);
+        const run::RunInput input{.effect = *effect, .workspace = workspace, .options = options};
+        auto prepared = run::prepare(input);
+        ASSERT_TRUE(succeeded(prepared));
+        ASSERT_TRUE(succeeded(run::prepareTextures(input, *prepared)));
+        EXPECT_EQ(prepared->textures.at("gDepthMap").format, PixelFormat::D32F);
+        EXPECT_EQ(prepared->textures.at("gPlainMap").format, PixelFormat::RGBA32F);
+        const auto result = runEffect(*device_, *effect, nullptr, workspace, options);
+        ASSERT_TRUE(succeeded(result));
+        EXPECT_TRUE(pixelIs(result->image, 3, 1, {1, 0, 2.5F, 0.25F})); // 0.45 is less than a half, 0.55 is not
+    }
+}
+
+TEST_F(Textures, depths_are_brought_into_0_to_1) {
+    for (const auto& [value, lit] : {std::pair(-1.0F, 0.0F), std::pair(7.0F, 1.0F), std::pair(std::nanf(""), 0.0F)}) {
+        const auto result = run("compared.fx", pixel("Compared", {{"gDepthMap", grey("d.exr", value)}}));
+        ASSERT_TRUE(succeeded(result));
+        EXPECT_EQ(result->image.at(0, 0, 1), lit) << value;
+    }
 }
 
 TEST_F(Textures, other_maps_are_not_decoded) {

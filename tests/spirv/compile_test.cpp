@@ -1,5 +1,6 @@
 #include "tests/spirv/support.h"
 
+#include "host/spirv/reflect.h"
 #include "host/support/file.h"
 
 #include <spirv_cross/spirv_cross.hpp>
@@ -127,6 +128,8 @@ TEST_P(Compile, kinds_of_resources_are_told_apart) {
         EXPECT_EQ(resource(shader, name)->kind, kind) << name;
     }
     EXPECT_EQ(shader.reflection.resources.size(), expected.size());
+    const Resource& compared = *resource(shader, "gShadow");
+    EXPECT_EQ(spirv::comparedPictures(shader.spirv), (std::set<std::pair<std::uint32_t, std::uint32_t>>{{compared.set, compared.binding}}));
 }
 
 TEST_P(Compile, compute_shaders_have_their_group_size_and_buffers) {

@@ -18,32 +18,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Matrix : public testing::Test {
+/// The names of the effects, without folder and extension.
+std::vector<std::string> effectNames() {
+    std::vector<std::string> names;
+    for (const fs::path& file : effectFiles())
+        names.push_back(file.stem().string());
+    return names;
+}
+
+/// The parameter is an effect's name: a process of its own asks for each.
+class Matrix : public testing::TestWithParam<std::string> {
 protected:
     void SetUp() override {
         if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
     }
+
+    static fs::path file() { return fs::path("effects") / (GetParam() + ".fx"); }
+
+    /// In every setting, compiled once for all tests.
+    static const CheckReport& effect() {
+        static std::map<std::string, CheckReport> reports;
+        const auto known = reports.find(GetParam());
+        if (known != reports.end()) return known->second;
+        return reports[GetParam()] = checkEffects({file()}, {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvGlslang},
+                                                  {.includeFolders = {}, .allSettings = true});
+    }
 };
 
-/// Every effect in every setting, compiled once for all tests.
-const CheckReport& allEffects() {
-    static const CheckReport kReport =
-        checkEffects(effectFiles(), {Target::Fx2, Target::Fx4, Target::Fx5, Target::Sm5, Target::SpirvGlslang},
-                     {.includeFolders = {}, .allSettings = true});
-    return kReport;
-}
+INSTANTIATE_TEST_SUITE_P(Effects, Matrix, testing::ValuesIn(effectNames()), [](const auto& one) { return one.param; });
 
-TEST_F(Matrix, every_effect_passes_as_direct3d_9_10_and_11_in_every_setting) {
-    ASSERT_FALSE(allEffects().files.empty());
-    for (const FileReport& file : allEffects().files) {
+TEST_P(Matrix, every_effect_passes_as_direct3d_9_10_and_11_in_every_setting) {
+    ASSERT_FALSE(effect().files.empty());
+    for (const FileReport& file : effect().files) {
         EXPECT_FALSE(file.sm3.empty()) << describe(file);
         for (const TargetCheck& target : file.targets)
             EXPECT_EQ(target.verdict, Verdict::Passed) << describe(file);
     }
 }
 
-TEST_F(Matrix, every_pass_of_every_effect_is_measured_against_shader_model_3) {
-    for (const FileReport& file : allEffects().files) {
+TEST_P(Matrix, every_pass_of_every_effect_is_measured_against_shader_model_3) {
+    for (const FileReport& file : effect().files) {
         std::size_t stages = 0;
         for (const Technique& technique : file.effect.techniques)
             if (std::ranges::none_of(technique.passes, [](const Pass& pass) { return pass.computeShader.has_value(); }))
@@ -82,9 +96,9 @@ std::vector<int> numbersOf(const std::string& line) {
     return numbers;
 }
 
-TEST_F(Matrix, the_page_of_resources_tells_what_the_passes_take) {
+TEST_P(Matrix, the_page_of_resources_tells_what_the_passes_take) {
     const auto documented = documentedRows();
-    for (const ResourceRow& row : resourceTable(allEffects()).rows) {
+    for (const ResourceRow& row : resourceTable(effect()).rows) {
         const std::string start = "| " + row.technique + " | " + row.pass + " | " + row.profile.substr(0, 2) + " " + row.entry + " |";
         ASSERT_TRUE(documented.contains(row.effect)) << row.effect;
         const auto& lines = documented.at(row.effect);
@@ -104,29 +118,26 @@ TEST_F(Matrix, the_page_of_resources_tells_what_the_passes_take) {
     }
 }
 
-/// The effects without includes, in a folder of their own, compiled likewise.
-CheckReport flattenedEffects() {
+/// The effect without includes, in a folder of its own, compiled likewise.
+CheckReport flattened(const fs::path& original) {
     const fs::path folder = fs::temp_directory_path() / ("tegument-flatten-" + std::to_string(::getpid()));
-    std::vector<fs::path> files;
-    for (const fs::path& original : effectFiles()) {
-        const auto text =
-            flattenEffect(original, {.defines = {}, .includeFolders = {}, .read = [](const fs::path& path) { return readFile(path); }});
-        EXPECT_TRUE(text) << (text ? "" : format(text.error()));
-        files.push_back(folder / original.filename());
-        EXPECT_TRUE(writeFile(files.back(), text ? *text : ""));
-    }
-    CheckReport report = checkEffects(files, {Target::Fx2, Target::Fx4, Target::Fx5}, {.includeFolders = {}, .allSettings = true});
+    const auto text =
+        flattenEffect(original, {.defines = {}, .includeFolders = {}, .read = [](const fs::path& path) { return readFile(path); }});
+    EXPECT_TRUE(text) << (text ? "" : format(text.error()));
+    const fs::path file = folder / original.filename();
+    EXPECT_TRUE(writeFile(file, text ? *text : ""));
+    CheckReport report = checkEffects({file}, {Target::Fx2, Target::Fx4, Target::Fx5}, {.includeFolders = {}, .allSettings = true});
     fs::remove_all(folder);
     return report;
 }
 
-TEST_F(Matrix, flattened_effects_compile_to_the_same_bytes_in_every_setting) {
-    const CheckReport flattened = flattenedEffects();
-    ASSERT_EQ(flattened.files.size(), allEffects().files.size());
-    for (std::size_t i = 0; i < flattened.files.size(); ++i) {
-        const FileReport& original = allEffects().files[i];
+TEST_P(Matrix, flattened_effects_compile_to_the_same_bytes_in_every_setting) {
+    const CheckReport alone = flattened(file());
+    ASSERT_EQ(alone.files.size(), effect().files.size());
+    for (std::size_t i = 0; i < alone.files.size(); ++i) {
+        const FileReport& original = effect().files[i];
         EXPECT_EQ(original.binaries.size(), 3U) << original.file;
-        EXPECT_EQ(original.binaries, flattened.files[i].binaries) << original.file << " " << original.variant;
+        EXPECT_EQ(original.binaries, alone.files[i].binaries) << original.file << " " << original.variant;
     }
 }
 

@@ -43,14 +43,24 @@ protected:
         double relief = 1;
         double rougher = 1; // times both roughnesses and the intensity, as parameters
         double intenser = 1;
+        bool second = true;   // with a second lobe
+        bool compiled = true; // with the code for it
         std::vector<EmbeddedTexture> textures = {{.role = "normal", .image = noisyNormals(0.2)}};
     };
 
     Result<Image> draw(int size, double relief) { return draw(size, Look{.relief = relief}); }
 
     Result<Image> draw(int size, const Look& look) {
-        const auto effect = loadEffect("effects/Specular.fx", {.defines = {{"TEGUMENT_LOBES", "1"}}, .includeFolders = {}});
+        const auto effect =
+            loadEffect("effects/Specular.fx", {.defines = {{"TEGUMENT_LOBES", look.compiled ? "1" : "0"}}, .includeFolders = {}});
         if (!effect) return effect.error();
+        std::map<std::string, std::vector<double>> parameters = {{"gRoughness", {0.25 * look.rougher}},
+                                                                 {"gSpecularIntensity", {0.2 * look.intenser}}};
+        if (look.compiled) {
+            parameters["gSecondRoughness"] = {0.12 * look.rougher};
+            parameters["gSecondLobe"] = {look.second ? 0.3 : 0};
+            parameters["gLostRelief"] = {look.relief};
+        }
         Mesh mesh = sphere();
         mesh.textures = look.textures;
         auto drawn = runEffect(*device_, *effect, &mesh, closeUp(),
@@ -58,11 +68,7 @@ protected:
                                 .width = size,
                                 .height = size,
                                 .compiler = defaultCompiler(),
-                                .parameters = {{"gRoughness", {0.25 * look.rougher}},
-                                               {"gSecondRoughness", {0.12 * look.rougher}},
-                                               {"gSpecularIntensity", {0.2 * look.intenser}},
-                                               {"gSecondLobe", {0.3}},
-                                               {"gLostRelief", {look.relief}}},
+                                .parameters = parameters,
                                 .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}});
         if (!drawn) return drawn.error();
         return std::move(drawn->image);
@@ -123,7 +129,10 @@ TEST_F(Lobes, by_the_shine_map_are_those_of_its_factors) {
     const auto neutral = draw(64, Look{.textures = {shineOf(128, 128)}});
     const auto half = draw(64, Look{.textures = {shineOf(64, 192)}});
     const auto meant = draw(64, Look{.rougher = 0.5, .intenser = 1.5, .textures = {}});
-    ASSERT_TRUE(succeeded(plain) && succeeded(neutral) && succeeded(half) && succeeded(meant));
+    const auto single = draw(64, Look{.second = false, .textures = {}});
+    const auto without = draw(64, Look{.compiled = false, .textures = {}});
+    ASSERT_TRUE(succeeded(plain) && succeeded(neutral) && succeeded(half) && succeeded(meant) && succeeded(single) && succeeded(without));
+    EXPECT_LT(farthest(*single, *without), kRounding); // where there is no map, its factors are 1
     EXPECT_LT(farthest(*plain, *neutral), kRounding);
     EXPECT_LT(farthest(*half, *meant), kRounding);
     EXPECT_GT(farthest(*half, *plain), 0.01); // and there is something to compare

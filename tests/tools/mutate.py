@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Changes one constant or operator of the shaders at a time and asks whether a test turns red.
 
-usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--only TEXT] [--results FILE] [--list] [--report]
+usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--minutes M] [--only TEXT] [--results FILE] [--list] [--report]
 
 A mutant is a copy of hlsl/ and effects/ with one change. The test programs of DIR read the shaders from the folder that they run in, so nothing is
 compiled in C++. Tests run from the most likely to fail to the least: the functions in the changed line's function, all functions, every module against
 its reference, whole pictures; the first red one kills the mutant. Without --all an even sample of N mutants is taken, the same ones every time.
-Results are appended to FILE (build/mutation.jsonl) as they come: a run that was interrupted goes on where it stopped, and a mutant of a file that has
-changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that equivalent.txt explains do not count.
+Results are appended to FILE (build/mutation.jsonl) as they come: a run that was interrupted, or whose minutes are over, goes on where it stopped, and a
+mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that equivalent.txt explains do not count.
 """
 
 import argparse
@@ -38,6 +38,7 @@ STAGES = [
     ("pictures", "tests/app/app_tests", "Pictures.*:EnergyAttenuation.*:Beckmann.*:Modules.*:WhiteIrradiance.*:LightUnits.*"),
 ]
 LIMIT = 600
+TIMES_LONGER = 5  # than without a mutant, where that is more than LIMIT
 
 # Modules that draw with a file, tried before all of them.
 NEAR = {"hlsl/specular": ["Specular", "Beckmann", "EnergyAttenuation"], "hlsl/shadow": ["ShadowMap", "TSM"], "hlsl/scatter/gaussian": ["Convolution"],
@@ -146,8 +147,8 @@ def sampled(mutants, count):
 class Trial:
     """One worker's copy of the tree."""
 
-    def __init__(self, build, number, stages):
-        self.build, self.known_stages = build, stages
+    def __init__(self, build, number, stages, threads):
+        self.build, self.known_stages, self.limits = build, stages, {}
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"tegument-mutants-{number}-"))
         for entry in ROOT.iterdir():
             if entry.name in ("hlsl", "effects"):
@@ -160,7 +161,7 @@ class Trial:
         for name in ("tools", "data", "human"):
             if (cache / name).exists():
                 (own / name).symlink_to(cache / name)
-        self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1"}
+        self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1", "LP_NUM_THREADS": str(threads)}
 
     def close(self):
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -171,7 +172,7 @@ class Trial:
         process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                    errors="replace", start_new_session=True)
         try:
-            output, _ = process.communicate(timeout=LIMIT)
+            output, _ = process.communicate(timeout=self.limits.get(program, LIMIT))
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
@@ -231,8 +232,22 @@ def explained():
 def reason_for(mutant, rules):
     if mutant.in_level:
         return "a coordinate that is not read, and the level of a map that has one"
-    matches = lambda pattern: re.fullmatch(re.escape(pattern).replace(r"\*\*", ".*"), mutant.key())  # ** stands for anything
+    return reason_in(rules, mutant.key())
+
+
+def reason_in(rules, key):
+    matches = lambda pattern: re.fullmatch(re.escape(pattern).replace(r"\*\*", ".*"), key)  # ** stands for anything
     return next((reason for pattern, reason in rules if matches(pattern)), None)
+
+
+def print_table(what, rows):
+    """Of rows [mutants, killed, without effect] by name; returns the share of mutants with an effect that were killed."""
+    total = [sum(row[i] for row in rows.values()) for i in range(3)]
+    print(f"| {what} | mutants | killed | without effect | survived | kill rate |\n|---|---|---|---|---|---|")
+    for name, (count, killed, same) in [*sorted(rows.items()), ("**all**", total)]:
+        rate = f"{100 * killed / (count - same):.1f} %" if count > same else "-"
+        print(f"| {name} | {count} | {killed} | {same} | {count - killed - same} | {rate} |")
+    return total[1] / max(1, total[0] - total[2])
 
 
 def report(mutants, results):
@@ -250,11 +265,7 @@ def report(mutants, results):
             row[2] += 1
         else:
             survivors.append(mutant)
-    total = [sum(row[i] for row in rows.values()) for i in range(3)]
-    print("| file | mutants | killed | without effect | survived | kill rate |\n|---|---|---|---|---|---|")
-    for name, (count, killed, same) in [*sorted(rows.items()), ("**all**", total)]:
-        rate = f"{100 * killed / (count - same):.1f} %" if count > same else "-"
-        print(f"| {name} | {count} | {killed} | {same} | {count - killed - same} | {rate} |")
+    rate = print_table("file", rows)
     stages = {}
     for mutant in mutants:
         if mutant.id in results and results[mutant.id]["stage"]:
@@ -262,19 +273,28 @@ def report(mutants, results):
     print("\nkilled by: " + ", ".join(f"{stage} {count}" for stage, count in sorted(stages.items(), key=lambda s: -s[1])))
     for mutant in survivors:
         print(f"survived: {mutant.key()}")
-    return total[1] / max(1, total[0] - total[2])
+    return rate
 
 
-def check_green(trial):
-    """The tests must be green without a change, or every mutant would seem to die."""
-    for stage, program, tests in trial.known_stages:
+def check_green(trials):
+    """The tests must be green without a change, or every mutant would seem to die. How long they take then limits how long they may take."""
+    def check(i, stage, program, tests):
+        trial = trials[i % len(trials)]
         if not (trial.build / program).exists():
-            sys.exit(f"{trial.build / program} is not there: build it first")
+            return f"{trial.build / program} is not there: build it first"
         begin = time.monotonic()
-        failed = trial.red(program, tests)
-        if failed:
-            sys.exit(f"{program} is red without any mutant: {failed}")
-        print(f"{stage}: green in {time.monotonic() - begin:.0f} s", flush=True)
+        if failed := trial.red(program, tests):
+            return f"{program} is red without any mutant: {failed}"
+        seconds = time.monotonic() - begin
+        for other in trials:
+            other.limits[program] = max(LIMIT, TIMES_LONGER * seconds)
+        print(f"{stage}: green in {seconds:.0f} s", flush=True)
+        return ""
+
+    with concurrent.futures.ThreadPoolExecutor(len(trials)) as pool:
+        wrong = [text for text in pool.map(lambda numbered: check(numbered[0], *numbered[1]), enumerate(trials[0].known_stages)) if text]
+    if wrong:
+        sys.exit("\n".join(wrong))
 
 
 def run(mutants, arguments, results):
@@ -285,12 +305,15 @@ def run(mutants, arguments, results):
     if not todo:
         return
     print(f"{len(mutants)} mutants, {len(todo)} to try", flush=True)
-    trials = [Trial(arguments.build, number, stages) for number in range(arguments.jobs)]
+    until = time.monotonic() + 60 * arguments.minutes
+    trials = [Trial(arguments.build, number, stages, max(1, (os.cpu_count() or 1) // arguments.jobs)) for number in range(arguments.jobs)]
     free, lock = list(trials), threading.Lock()
     try:
-        check_green(trials[0])
+        check_green(trials)
 
         def attempt(mutant):
+            if time.monotonic() > until:
+                return
             with lock:
                 trial = free.pop()
             stage, test = trial.kill(mutant)
@@ -317,6 +340,7 @@ def main():
     parser.add_argument("--stages", nargs="+", default=[stage[0] for stage in STAGES], help="of the tests: " + " ".join(s[0] for s in STAGES))
     parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--minutes", type=float, default=6000, help="no mutant is begun later")
     parser.add_argument("--results", type=pathlib.Path)
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
     parser.add_argument("--report", action="store_true", help="print the table of what is known and stop")

@@ -7,12 +7,33 @@
 
 namespace tegument::gpu::detail {
 
-vk::raii::CommandBuffer beginCommands(DeviceState& device) {
+namespace {
+
+vk::raii::CommandBuffer takeCommands(DeviceState& device) {
+    if (!device.idleCommands.empty()) {
+        vk::raii::CommandBuffer commands = std::move(device.idleCommands.back());
+        device.idleCommands.pop_back();
+        return commands;
+    }
     const vk::CommandBufferAllocateInfo info{
         .commandPool = *device.commandPool, .level = vk::CommandBufferLevel::ePrimary, .commandBufferCount = 1};
-    vk::raii::CommandBuffer commands = std::move(device.device.allocateCommandBuffers(info).front());
+    return std::move(device.device.allocateCommandBuffers(info).front());
+}
+
+} // namespace
+
+vk::raii::CommandBuffer beginCommands(DeviceState& device) {
+    vk::raii::CommandBuffer commands = takeCommands(device);
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     return commands;
+}
+
+void keepCommands(DeviceState& device, vk::raii::CommandBuffer commands) noexcept {
+    try {
+        commands.reset();
+        device.idleCommands.push_back(std::move(commands));
+    } catch (const std::exception&) { // freed then; the next submission makes its own
+    }
 }
 
 void submitAndWait(DeviceState& device, const vk::raii::CommandBuffer& commands) {
@@ -28,9 +49,10 @@ void submitAndWait(DeviceState& device, const vk::raii::CommandBuffer& commands)
 }
 
 void submitAndWait(DeviceState& device, const std::function<void(const vk::raii::CommandBuffer&)>& record) {
-    const vk::raii::CommandBuffer commands = beginCommands(device);
+    vk::raii::CommandBuffer commands = beginCommands(device);
     record(commands);
     submitAndWait(device, commands);
+    keepCommands(device, std::move(commands));
 }
 
 vk::ImageMemoryBarrier2 imageBarrier(const TextureState& texture, const Dependency& dependency, const Use& use) {

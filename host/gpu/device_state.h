@@ -39,6 +39,7 @@ struct DeviceState {
     vk::raii::Device device{nullptr};
     vk::raii::Queue queue{nullptr};
     vk::raii::CommandPool commandPool{nullptr};
+    std::vector<vk::raii::CommandBuffer> idleCommands; // have run and are reset
     std::uint32_t queueFamily = 0;
     std::uint32_t timestampBits = 0;
 
@@ -104,11 +105,13 @@ struct PipelineHandle {
     vk::raii::Pipeline pipeline{nullptr};
 };
 
-/// Records into a new command buffer, submits it and waits. Throws Vulkan's exceptions.
+/// Records into a command buffer, submits it and waits. Throws Vulkan's exceptions.
 void submitAndWait(DeviceState& device, const std::function<void(const vk::raii::CommandBuffer&)>& record);
 /// The same for commands already recorded.
 void submitAndWait(DeviceState& device, const vk::raii::CommandBuffer& commands);
 [[nodiscard]] vk::raii::CommandBuffer beginCommands(DeviceState& device);
+/// What has run serves the next submission: the validation layer keeps some kilobytes of every command buffer that there ever was.
+void keepCommands(DeviceState& device, vk::raii::CommandBuffer commands) noexcept;
 
 /// One image barrier over all mips and layers, and the track's change. Does nothing when there is nothing to wait for.
 void transition(const vk::raii::CommandBuffer& commands, TextureState& texture, const Use& use);

@@ -117,8 +117,9 @@ Result<void> makeLogicalDevice(DeviceState& state) {
         .ppEnabledExtensionNames = extensions.data(),
     });
     state.queue = state.device.getQueue(state.queueFamily, 0);
-    state.commandPool =
-        state.device.createCommandPool({.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = state.queueFamily});
+    state.commandPool = state.device.createCommandPool(
+        {.flags = vk::CommandPoolCreateFlagBits::eTransient | vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
+         .queueFamilyIndex = state.queueFamily});
     state.features = summary(features);
     state.lacking = lackingCapabilities(features);
     state.packedDepthStencil = packedDepthStencil(state.physical);

@@ -141,7 +141,7 @@ void recordCopy(const PresenterState& state, const vk::raii::CommandBuffer& comm
 /// Waits for the display's image before the copy, and lets the display wait for the copy.
 void submitCopy(PresenterState& state, TextureState& texture, std::uint32_t index) {
     DeviceState& device = *state.device;
-    const vk::raii::CommandBuffer commands = beginCommands(device);
+    vk::raii::CommandBuffer commands = beginCommands(device);
     recordCopy(state, commands, texture, state.images[index]);
     commands.end();
     const vk::SemaphoreSubmitInfo wait{.semaphore = *state.acquired, .stageMask = kCopyTarget.stages};
@@ -156,6 +156,7 @@ void submitCopy(PresenterState& state, TextureState& texture, std::uint32_t inde
                                          .pSignalSemaphoreInfos = &signal},
                          *fence);
     static_cast<void>(device.device.waitForFences(*fence, true, std::numeric_limits<std::uint64_t>::max()));
+    keepCommands(device, std::move(commands));
 }
 
 bool present(PresenterState& state, TextureState& texture) {

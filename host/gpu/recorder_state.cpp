@@ -18,7 +18,10 @@ RecorderState::RecorderState(DeviceState& deviceState) : device(deviceState), co
 
 RecorderState::~RecorderState() {
     device.recording = nullptr;
-    if (submitted) return;
+    if (submitted) {
+        keepCommands(device, std::move(commands));
+        return;
+    }
     for (const auto& [track, old] : before)
         *track = old;
 }

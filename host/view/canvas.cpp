@@ -13,7 +13,6 @@ namespace {
 constexpr std::string_view kCode = R"(
 float4 gScale;
 float4 gOffset;
-float4 gMode; // x: channel, y: tone map, z: sRGB
 float4 gClip;
 SamplerState gImage;
 Texture2D gImageMap;
@@ -43,15 +42,18 @@ float encoded(float x) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
 }
 
+// The colour is the mode (x: channel, y: tone map, z: sRGB) and no parameter on purpose: lavapipe of Mesa 22 compiles a shader whose
+// branches depend on parameters alone for their values at each draw, and keeps it.
 float4 ShowPS(Varyings input) : SV_Target {
+    float4 mode = input.color;
     float4 texel = gImageMap.SampleLevel(gImage, input.uv, 0);
     if (any(isnan(texel)) || any(isinf(texel))) return float4(1, 0, 1, 1);
     float4 level = texel * gScale + gOffset;
     float3 color = level.rgb;
-    if (gMode.x > 0.5) color = gMode.x < 1.5 ? level.rrr : gMode.x < 2.5 ? level.ggg : gMode.x < 3.5 ? level.bbb : level.aaa;
-    if (gMode.y > 0.5) color = float3(toneMapped(color.r), toneMapped(color.g), toneMapped(color.b));
+    if (mode.x > 0.5) color = mode.x < 1.5 ? level.rrr : mode.x < 2.5 ? level.ggg : mode.x < 3.5 ? level.bbb : level.aaa;
+    if (mode.y > 0.5) color = float3(toneMapped(color.r), toneMapped(color.g), toneMapped(color.b));
     color = saturate(color);
-    if (gMode.z > 0.5) color = float3(encoded(color.r), encoded(color.g), encoded(color.b));
+    if (mode.z > 0.5) color = float3(encoded(color.r), encoded(color.g), encoded(color.b));
     return float4(color, 1);
 }
 
@@ -67,13 +69,11 @@ constexpr std::array<std::uint32_t, 6> kQuad = {0, 1, 2, 0, 2, 3};
 struct Constants {
     std::array<float, 4> scale{};
     std::array<float, 4> offset{};
-    std::array<float, 4> mode{};
     std::array<float, 4> clip{};
 
     [[nodiscard]] const std::array<float, 4>* find(std::string_view name) const {
         if (name == "gScale") return &scale;
         if (name == "gOffset") return &offset;
-        if (name == "gMode") return &mode;
         return name == "gClip" ? &clip : nullptr;
     }
 };
@@ -153,14 +153,14 @@ Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter) {
 }
 
 /// The whole texture in the middle of the target.
-std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture) {
+std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture, const std::array<float, 4>& color) {
     const double across = static_cast<double>(target.width) / texture.width;
     const double down = static_cast<double>(target.height) / texture.height;
     const double scale = std::min(across, down);
     const auto x = static_cast<float>(scale / across);
     const auto y = static_cast<float>(scale / down);
-    return {CanvasVertex{.x = -x, .y = y, .u = 0, .v = 0}, CanvasVertex{.x = x, .y = y, .u = 1, .v = 0},
-            CanvasVertex{.x = x, .y = -y, .u = 1, .v = 1}, CanvasVertex{.x = -x, .y = -y, .u = 0, .v = 1}};
+    return {CanvasVertex{-x, y, 0, 0, color}, CanvasVertex{x, y, 1, 0, color}, CanvasVertex{x, -y, 1, 1, color},
+            CanvasVertex{-x, -y, 0, 1, color}};
 }
 
 } // namespace
@@ -234,10 +234,9 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
 }
 
 Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
-    const auto quad = fittedQuad(target.desc(), texture.desc());
-    const Constants constants{.scale = levels.scale,
-                              .offset = levels.offset,
-                              .mode = {static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F, 0}};
+    const std::array<float, 4> mode{static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F, 0};
+    const auto quad = fittedQuad(target.desc(), texture.desc(), mode);
+    const Constants constants{.scale = levels.scale, .offset = levels.offset};
     const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : state_->smooth;
     Prepared prepared;
     const auto ready =

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A viewer that stays open: open_for_long.py PROGRAM REPOSITORY MINUTES. Each second its effect changes on disk and is read again, every tenth time to one
 that does not compile; between, keys, drags, the wheel and new sizes of the window. What the process holds is written down each minute: memory, open files,
-threads, and what it said. Exit code 1 where it ended, stopped to answer, or holds more at the end than after its first tenth.
+threads, and what it said, each time at one size of the window. Exit code 1 where it ended, stopped to answer, or holds more at the end than after its first tenth.
 """
 
 import os
@@ -37,7 +37,11 @@ def put(view, text):
     os.replace(view.folder / "new.fx", view.folder / "long.fx")
 
 
-def held(process):
+def held(view):
+    """At one size of the window: what larger ones take is no growth."""
+    view.screen.resize(window_test.SIZE, window_test.SIZE)
+    time.sleep(1)
+    process = view.process
     status = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines() if ":" in line)
     return {"MiB": int(status["VmRSS"].split()[0]) / 1024, "files": len(os.listdir(f"/proc/{process.pid}/fd")), "threads": int(status["Threads"])}
 
@@ -67,7 +71,7 @@ def stay(view):
         act(view, dice)
         rounds += 1
         if now >= next_row:
-            rows.append(held(view.process))
+            rows.append(held(view))
             print(f"| {(now - began) / 60:.1f} | {rounds} | {rows[-1]['MiB']:.1f} | {rows[-1]['files']} | {rows[-1]['threads']} |", flush=True)
             next_row += min(60, 6 * MINUTES)
         if view.process.poll() is not None:
@@ -76,7 +80,7 @@ def stay(view):
     put(view, effect(dice, False))
     view.screen.press("Escape")
     view.title("long.fx T [")
-    rows.append(held(view.process))
+    rows.append(held(view))
     return rows, rounds
 
 

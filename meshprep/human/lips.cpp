@@ -14,7 +14,7 @@ namespace tegument {
 
 namespace {
 
-constexpr float kReach = 12;     // mm along the skin: from the rim to where the lips' skin passes into the face's
+constexpr float kLipReach = 12;  // mm along the skin: from the rim to where the lips' skin passes into the face's
 constexpr float kOverlap = 0.3f; // mm: lips press on each other
 constexpr int kBins = 48;        // from one corner of the mouth to the other
 
@@ -44,9 +44,9 @@ std::optional<Mouth> findMouth(const Bust& bust) {
     return std::nullopt;
 }
 
-/// For each vertex within kReach of the rim: the way to it, and on which lip it is.
+/// For each vertex within kLipReach of the rim: the way to it, and on which lip it is.
 struct LipSides {
-    std::vector<float> distance; // mm along edges; kReach where farther
+    std::vector<float> distance; // mm along edges; kLipReach where farther
     std::vector<int> side;       // +1 upper, -1 lower, 0 neither
 };
 
@@ -77,10 +77,10 @@ LipSides findSides(const std::vector<glm::vec3>& positions, const std::vector<Qu
     std::vector<Quad> around;
     for (std::size_t q = 0; q < quads.size(); ++q)
         if (kinds[q] != 0) around.push_back(quads[q]);
-    EdgeWays ways = waysAlongEdges(positions, around, sources, kReach);
+    EdgeWays ways = waysAlongEdges(positions, around, sources, kLipReach);
     LipSides sides{.distance = std::move(ways.length), .side = {}};
     for (std::size_t v = 0; v < positions.size(); ++v)
-        sides.side.push_back(sides.distance[v] < kReach ? rimSide[ways.source[v]] : 0);
+        sides.side.push_back(sides.distance[v] < kLipReach ? rimSide[ways.source[v]] : 0);
     return sides;
 }
 
@@ -106,7 +106,7 @@ public:
             if (sides.side[v] < 0) lower[bin] = std::max(lower[bin], positions[v].y);
         }
         for (std::size_t bin = 0; bin < upper.size(); ++bin)
-            gaps_.push_back(std::abs(upper[bin] - lower[bin]) < kReach ? upper[bin] - lower[bin] : -kOverlap);
+            gaps_.push_back(std::abs(upper[bin] - lower[bin]) < kLipReach ? upper[bin] - lower[bin] : -kOverlap);
     }
 
     /// What is to be closed at x, so that the lips overlap by kOverlap; fades to 0 at the corners, where they pass into each other.
@@ -119,7 +119,7 @@ public:
         return glm::smoothstep(0.0f, kCorner, toCorner) * (open + kOverlap);
     }
     [[nodiscard]] float widest() const {
-        float result = -kReach;
+        float result = -kLipReach;
         for (std::size_t i = 0; i < gaps_.size(); ++i)
             result = std::max(result, at(first_ + width_ * (static_cast<float>(i) + 0.5f)) - kOverlap);
         return result;
@@ -146,7 +146,7 @@ Result<GapCurve> measureGap(const Bust& bust, const Mouth& mouth, int levels) {
 
 void pull(Bust& bust, const LipSides& sides, const GapCurve& gap) {
     for (std::size_t v = 0; v < bust.positions.size(); ++v) {
-        const float weight = 1 - glm::smoothstep(kReach / 4, kReach, sides.distance[v]);
+        const float weight = 1 - glm::smoothstep(kLipReach / 4, kLipReach, sides.distance[v]);
         bust.positions[v].y -= static_cast<float>(sides.side[v]) * weight * gap.at(bust.positions[v].x) / 2;
     }
 }

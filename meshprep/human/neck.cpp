@@ -11,10 +11,10 @@ namespace tegument {
 
 namespace {
 
-constexpr std::size_t kBins = 72; // of the outline, around the neck
-constexpr float kFlare = 0.1f;    // of the outline's radius
-constexpr float kFlareOver = 24;  // mm
-constexpr float kRounded = 0.12f; // of the outline's radius: over so much the skin passes into the limit
+constexpr std::size_t kOutlineBins = 72; // of the outline, around the neck
+constexpr float kFlare = 0.1f;           // of the outline's radius
+constexpr float kFlareOver = 24;         // mm
+constexpr float kRounded = 0.12f;        // of the outline's radius: over so much the skin passes into the limit
 
 /// The lowest control point of the middle of the face.
 float chinOf(const Bust& bust) {
@@ -52,10 +52,10 @@ public:
     [[nodiscard]] bool empty() const { return radius_[0] == 0; }
     [[nodiscard]] const glm::vec2& axis() const { return axis_; }
     [[nodiscard]] float at(const glm::vec2& p) const {
-        const float place = angle(p) / (2 * std::numbers::pi_v<float>)*kBins - 0.5f;
+        const float place = angle(p) / (2 * std::numbers::pi_v<float>)*kOutlineBins - 0.5f;
         const float below = std::floor(place);
-        const auto index = static_cast<std::size_t>(static_cast<long>(below) + static_cast<long>(kBins)) % kBins;
-        return glm::mix(radius_[index], radius_[(index + 1) % kBins], place - below);
+        const auto index = static_cast<std::size_t>(static_cast<long>(below) + static_cast<long>(kOutlineBins)) % kOutlineBins;
+        return glm::mix(radius_[index], radius_[(index + 1) % kOutlineBins], place - below);
     }
 
 private:
@@ -65,32 +65,32 @@ private:
         return turn < 0 ? turn + 2 * std::numbers::pi_v<float> : turn;
     }
     static std::size_t bin(float angle) {
-        return std::min(kBins - 1, static_cast<std::size_t>(angle / (2 * std::numbers::pi_v<float>)*kBins));
+        return std::min(kOutlineBins - 1, static_cast<std::size_t>(angle / (2 * std::numbers::pi_v<float>)*kOutlineBins));
     }
 
     /// Directions without a crossing lie between those that have one; two rounds of (1 2 1) / 4 take the corners off.
     void fill() {
-        const std::array<float, kBins> found = radius_;
-        for (std::size_t i = 0; i < kBins; ++i) {
+        const std::array<float, kOutlineBins> found = radius_;
+        for (std::size_t i = 0; i < kOutlineBins; ++i) {
             if (found[i] != 0) continue;
             std::size_t before = 1;
             std::size_t after = 1;
-            while (found[(i + kBins - before) % kBins] == 0)
+            while (found[(i + kOutlineBins - before) % kOutlineBins] == 0)
                 ++before;
-            while (found[(i + after) % kBins] == 0)
+            while (found[(i + after) % kOutlineBins] == 0)
                 ++after;
-            radius_[i] = glm::mix(found[(i + kBins - before) % kBins], found[(i + after) % kBins],
+            radius_[i] = glm::mix(found[(i + kOutlineBins - before) % kOutlineBins], found[(i + after) % kOutlineBins],
                                   static_cast<float>(before) / static_cast<float>(before + after));
         }
         for (int round = 0; round < 2; ++round) {
-            const std::array<float, kBins> sharp = radius_;
-            for (std::size_t i = 0; i < kBins; ++i)
-                radius_[i] = (sharp[(i + kBins - 1) % kBins] + 2 * sharp[i] + sharp[(i + 1) % kBins]) / 4;
+            const std::array<float, kOutlineBins> sharp = radius_;
+            for (std::size_t i = 0; i < kOutlineBins; ++i)
+                radius_[i] = (sharp[(i + kOutlineBins - 1) % kOutlineBins] + 2 * sharp[i] + sharp[(i + 1) % kOutlineBins]) / 4;
         }
     }
 
     glm::vec2 axis_{0};
-    std::array<float, kBins> radius_{};
+    std::array<float, kOutlineBins> radius_{};
 };
 
 /// `value` below the limit, rounded into it from `limit - width` on.

@@ -11,15 +11,15 @@ namespace tegument {
 
 namespace {
 
-constexpr Shine kForehead = {.roughness = 0.92f, .intensity = 1.1f};
+constexpr Shine kForeheadShine = {.roughness = 0.92f, .intensity = 1.1f};
 constexpr Shine kTZone = {.roughness = 0.82f, .intensity = 1.3f}; // sebum
-constexpr Shine kNose = {.roughness = 0.78f, .intensity = 1.35f};
+constexpr Shine kNoseShine = {.roughness = 0.78f, .intensity = 1.35f};
 constexpr Shine kChin = {.roughness = 0.92f, .intensity = 1.1f};
-constexpr Shine kCheeks = {.roughness = 1.04f, .intensity = 0.95f};
-constexpr Shine kLids = {.roughness = 0.88f, .intensity = 1.05f};
-constexpr Shine kEars = {.roughness = 1.1f, .intensity = 0.8f};
+constexpr Shine kCheekShine = {.roughness = 1.04f, .intensity = 0.95f};
+constexpr Shine kLidShine = {.roughness = 0.88f, .intensity = 1.05f};
+constexpr Shine kEarShine = {.roughness = 1.1f, .intensity = 0.8f};
 constexpr Shine kNeck = {.roughness = 1.15f, .intensity = 0.75f};
-constexpr Shine kLips = {.roughness = 0.62f, .intensity = 1.35f};     // moist
+constexpr Shine kLipShine = {.roughness = 0.62f, .intensity = 1.35f}; // moist
 constexpr Shine kWaterline = {.roughness = 0.3f, .intensity = 1.98f}; // wet
 constexpr float kNeutral = 128;
 constexpr float kSteps = 255;
@@ -35,15 +35,15 @@ Shine shineAt(const SurfacePoint& point, const Face& face, std::uint32_t seed) {
     const Regions r = face.regionsAt(point);
     Shine shine;
     shine = mix(shine, kNeck, r.neck);
-    shine = mix(shine, kForehead, r.forehead);
-    shine = mix(shine, kCheeks, r.cheeks);
+    shine = mix(shine, kForeheadShine, r.forehead);
+    shine = mix(shine, kCheekShine, r.cheeks);
     shine = mix(shine, kChin, r.chin);
     shine = mix(shine, kTZone, std::min(1.0f, r.tZone));
-    shine = mix(shine, kNose, r.nose);
-    shine = mix(shine, kEars, r.ears);
-    shine = mix(shine, kLids, r.lids);
+    shine = mix(shine, kNoseShine, r.nose);
+    shine = mix(shine, kEarShine, r.ears);
+    shine = mix(shine, kLidShine, r.lids);
     shine.intensity *= 1 + 0.15f * fractalNoise(point.position / 7.0f, 3, seed + 500); // sebum is no even film
-    shine = mix(shine, kLips, r.lips);
+    shine = mix(shine, kLipShine, r.lips);
     return mix(shine, kWaterline, r.waterline);
 }
 

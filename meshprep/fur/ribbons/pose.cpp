@@ -13,7 +13,7 @@ namespace tegument {
 
 namespace {
 
-constexpr int kRounds = 24;           // of the polar decomposition: it converges quadratically
+constexpr int kPolarRounds = 24;      // of the polar decomposition: it converges quadratically
 constexpr double kSettled = 1e-14;    // of them
 constexpr double kLeastVolume = 1e-9; // below which a triangle says nothing of a turn
 
@@ -62,7 +62,7 @@ glm::dquat turnOf(const Frame& rest, const Frame& posed) {
     if (!(std::abs(glm::determinant(from)) > kLeastVolume * volume) || !(volume > 0)) return fromTo(rest.normal, posed.normal);
     glm::dmat3 turn = to * glm::inverse(from);
     if (!(glm::determinant(turn) > kLeastVolume)) return fromTo(rest.normal, posed.normal);
-    for (int i = 0; i < kRounds; ++i) {
+    for (int i = 0; i < kPolarRounds; ++i) {
         const glm::dmat3 next = 0.5 * (turn + glm::transpose(glm::inverse(turn)));
         const glm::dmat3 change = next - turn;
         turn = next;

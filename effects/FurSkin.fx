@@ -65,7 +65,7 @@ technique Hair < string Script =
     REDUCE_PASS(1) REDUCE_PASS(2) REDUCE_PASS(3) REDUCE_PASS(4) REDUCE_PASS(5) REDUCE_PASS(6)
     LEVEL_PASS(6) LEVEL_PASS(5) LEVEL_PASS(4) LEVEL_PASS(3) LEVEL_PASS(2) LEVEL_PASS(1) LEVEL_PASS(0)
     PYRAMID_FINAL_PASS
-    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksCoreVS, RibbonSoftCorePS, TG_STATE_STRAND)
+    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksVS, RibbonSoftCorePS, TG_STATE_STRAND)
     TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, RibbonSoftFringePS, TG_STATE_FRINGE)
 }
 #endif

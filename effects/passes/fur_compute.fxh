@@ -187,8 +187,8 @@ void LocksCS(uint3 thread : SV_DispatchThreadID)
             lockNote(thread.xy, input, frame, ball, number);
 }
 
-// What is noted of a vertex. edge: as of ribbonVarying.
-RibbonVarying ribbonNoted(VertexInput input, float2 texel, float edge)
+// What is noted of a vertex.
+RibbonVarying ribbonNoted(VertexInput input, float2 texel)
 {
     RibbonVarying output = ribbonNowhere();
     float4 at = float4((texel + 0.5) / kRibbonValueSize, 0.0, 0.0);
@@ -196,40 +196,34 @@ RibbonVarying ribbonNoted(VertexInput input, float2 texel, float edge)
     [branch] if (place.w > 0.0)
     {
         float4 aside = tex2Dlod(gRibbonAside, at);
-        float share = (aside.w + edge) / (aside.w + gFurEdge); // of what is noted for gFurEdge
-        float4 position = mul(float4(place.xyz + (place.w * share * input.tangent.w) * aside.xyz, 1.0), gViewProjection);
+        float4 position = mul(float4(place.xyz + (place.w * input.tangent.w) * aside.xyz, 1.0), gViewProjection);
         position.z = tgFurNearDepth(position.z, position.w);
         output.position = TG_HALF_PIXEL(position, gViewportSize);
         output.color = tex2Dlod(gRibbonLight, at);
-        output.edge = float2((aside.w + edge) * input.tangent.w, aside.w);
+        output.edge = float2((aside.w + gFurEdge) * input.tangent.w, aside.w);
     }
     return output;
 }
 
-RibbonVarying lockNoted(VertexInput input, float number, float edge)
+RibbonVarying lockNoted(VertexInput input, float number)
 {
     RibbonVarying output = ribbonNowhere();
     [branch] if (input.uv.y >= kTgRibbonFirst)
     {
         float row = floor(0.5 * ribbonRow(tgRibbon(input.uv.x).along) + 0.75);
-        output = ribbonNoted(input, float2(lockTexel(ribbonColumn(input.uv.y), number, row)), edge);
+        output = ribbonNoted(input, float2(lockTexel(ribbonColumn(input.uv.y), number, row)));
     }
     return output;
 }
 
 RibbonVarying LocksNotedVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockNoted(input, TG_LAYER_INDEX(gFurChild), gFurEdge);
-}
-
-RibbonVarying LocksCoreNotedVS(TG_LAYER_INPUT(VertexInput, input))
-{
-    return lockNoted(input, TG_LAYER_INDEX(gFurChild), ribbonCoreEdge());
+    return lockNoted(input, TG_LAYER_INDEX(gFurChild));
 }
 
 RibbonVarying UnderfurNotedVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockNoted(input, gCoatChildren + TG_LAYER_INDEX(gFurChild), ribbonCoreEdge());
+    return lockNoted(input, gCoatChildren + TG_LAYER_INDEX(gFurChild));
 }
 
 // Rows of a strand stand one below the other.
@@ -238,22 +232,12 @@ uint2 strandTexel(float2 at, float row)
     return uint2(float2(at.x, at.y * (ribbonSegments() + 1.0) + row) + 0.5);
 }
 
-RibbonVarying strandNoted(VertexInput input, float edge)
+RibbonVarying StrandsNotedVS(VertexInput input)
 {
     RibbonVarying output = ribbonNowhere();
     [branch] if (input.uv.y >= kTgRibbonFirst)
-        output = ribbonNoted(input, float2(strandTexel(ribbonColumn(input.uv.y), ribbonRow(tgRibbon(input.uv.x).along))), edge);
+        output = ribbonNoted(input, float2(strandTexel(ribbonColumn(input.uv.y), ribbonRow(tgRibbon(input.uv.x).along))));
     return output;
-}
-
-RibbonVarying StrandsNotedVS(VertexInput input)
-{
-    return strandNoted(input, gFurEdge);
-}
-
-RibbonVarying StrandsCoreNotedVS(VertexInput input)
-{
-    return strandNoted(input, ribbonCoreEdge());
 }
 
 [numthreads(8, 4, 8)]
@@ -297,7 +281,7 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
 #define STRANDS_COMPUTE_PASSES \
     TG_PART_PASS(ShadowMap, "skin", ShadowMapVS, ShadowMapPS, TG_STATE_TWOSIDED) NOTES_PASSES(StrandsCS, float RowsScale = 1.0;) \
     TG_PART_PASS(Skin, "skin", SkinVS, SkinPS, TG_STATE_SOLID) \
-    TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_CORE, StrandsCoreNotedVS, RibbonSoftCorePS, TG_STATE_STRAND) \
+    TG_SEEN_PASS(Core, "strands", RIBBON_REACH STRANDS_CORE, StrandsNotedVS, RibbonSoftCorePS, TG_STATE_STRAND) \
     TG_SEEN_PASS(Fringe, "strands", RIBBON_REACH STRANDS_SHARE, StrandsNotedVS, RibbonSoftFringePS, TG_STATE_FRINGE) \
     STRANDS_MOTION_PASSES
 #define COAT_COMPUTE_SCRIPT LIGHT_SCRIPT(OPACITY_SCRIPT) NOTES_SCRIPT \
@@ -305,7 +289,7 @@ void StrandsCS(uint3 thread : SV_DispatchThreadID)
 #define COAT_COMPUTE_PASSES OPACITY_PASSES NOTES_PASSES(LocksCS, LOCK_ROWS) \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
     TG_SEEN_LAYER_PASS(Underfur, "underfur", LOCK_UNDER, "gCoatUnderfur", UnderfurNotedVS, UnderfurSoftPS, TG_STATE_STRAND) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksCoreNotedVS, RibbonSoftCorePS, TG_STATE_STRAND) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksNotedVS, RibbonSoftCorePS, TG_STATE_STRAND) \
     TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksNotedVS, RibbonSoftFringePS, TG_STATE_FRINGE) \
     COAT_MOTION_PASSES
 #endif

@@ -281,8 +281,7 @@ float3 lockColor(LockLooks looks, TgRibbon ribbon, RibbonFrame frame, float3 off
     return WITH_LAMPS(color, lockLamps(p, ribbonWorld(frame, seen, input), under, input));
 }
 
-// edge: as of ribbonVarying.
-RibbonVarying lockVarying(VertexInput input, float child, float under, float edge)
+RibbonVarying lockVarying(VertexInput input, float child, float under)
 {
     RibbonVarying output = ribbonNowhere();
     float4 ball = furRootsHeader(4.0);
@@ -297,7 +296,7 @@ RibbonVarying lockVarying(VertexInput input, float child, float under, float edg
         RibbonPlace place = lockPlace(looks.strand, ribbon.along);
         float3 color = lockColor(looks, ribbon, frame, place.offset, place.tangent, under, input);
         float radius = share.width * lockRadius(looks, ribbon.along, under);
-        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color, edge);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
         output.color.w = share.afar < 0.0 ? -output.color.w : output.color.w;
     }
     return output;
@@ -305,18 +304,12 @@ RibbonVarying lockVarying(VertexInput input, float child, float under, float edg
 
 RibbonVarying LocksVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0, gFurEdge);
-}
-
-// As pass Core shows them.
-RibbonVarying LocksCoreVS(TG_LAYER_INPUT(VertexInput, input))
-{
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0, ribbonCoreEdge());
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 0.0);
 }
 
 RibbonVarying UnderfurVS(TG_LAYER_INPUT(VertexInput, input))
 {
-    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0, ribbonCoreEdge());
+    return lockVarying(input, TG_LAYER_INDEX(gFurChild), 1.0);
 }
 
 // Underfur is drawn once: what is below it hides its edges.
@@ -399,7 +392,7 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 #define COAT_PASSES(under, core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
     TG_SEEN_LAYER_PASS(Underfur, "underfur", LOCK_UNDER, "gCoatUnderfur", UnderfurVS, under, coreState) \
-    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksCoreVS, core, coreState) \
+    TG_SEEN_LAYER_PASS(Core, "underfur", LOCK_CORE, "gCoatChildren", LocksVS, core, coreState) \
     TG_SEEN_LAYER_PASS(Fringe, "underfur", LOCK_SEEN, "gCoatChildren", LocksVS, fringe, TG_STATE_FRINGE) COAT_MOTION_PASSES
 
 #endif

@@ -16,6 +16,5 @@ float gCoatSegment < UI_SLIDER("Pixels of a coat's segment", 0.0, 64.0, 0.5)
     string UIHelp = "the same of locks and their underfur"; > = 16.0;
 float gRibbonThin < UI_SLIDER("Thin", 0.0, 4.0, 0.01)
     string UIHelp = "pixels: where a strand is narrower it hides nothing, and is blended after all strands"; > = 0.7;
-float gFurSamples : SAMPLESPERPIXEL < string UIWidget = "None"; string UIHelp = "of the target; 1: pass Core is drawn narrower"; > = 4.0;
 
 #endif

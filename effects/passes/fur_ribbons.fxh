@@ -87,23 +87,13 @@ float ribbonPixel()
     return 2.0 * tan(0.5 * gCameraFov) / gViewportSize.x;
 }
 
-static const float kRibbonBorder = 0.02; // pixels: rounding of places on the border
-
-// How much wider than its strand a ribbon is on each side, pixels, where coverage below gFurCut shows nothing: beyond that all pixels are
-// clipped. Of several samples some lie further from the axis than the centre for which a pixel's coverage is found: they take it all.
-float ribbonCoreEdge()
-{
-    float shown = kTgFewSlots || gFurSamples > 1.0 ? 0.5 : 0.5 + kRibbonBorder - min(gFurCut, 0.5);
-    return min(gFurEdge, shown);
-}
-
-// offset: of the axis from the root; tangent: of the axis, unit; radius: that is drawn there; edge: gFurEdge or ribbonCoreEdge().
-RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset, float3 tangent, float radius, float3 color, float edge)
+// offset: of the axis from the root; tangent: of the axis, unit; radius: that is drawn there.
+RibbonVarying ribbonVarying(VertexInput input, RibbonFrame frame, float3 offset, float3 tangent, float radius, float3 color)
 {
     float3 toEye = frame.toEye - offset;
     float pixel = ribbonPixel() * length(toEye);
     float2 width = tgRibbonWidth(radius, pixel);
-    float drawn = (width.x + edge * pixel) * input.tangent.w;
+    float drawn = (width.x + gFurEdge * pixel) * input.tangent.w;
     float3 aside = tgSafeNormalize(cross(tangent, toEye));
     float4 position = mul(float4(ribbonWorld(frame, offset + drawn * aside, input), 1.0), gViewProjection);
     position.z = tgFurNearDepth(position.z, position.w);

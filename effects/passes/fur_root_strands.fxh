@@ -128,8 +128,7 @@ RibbonVarying strandVarying(VertexInput input, bool core)
         RibbonPlace place = strandPlace(strand, frame, along);
         float3 color = rootStrandColor(strand, frame, place.offset, along, input);
         float radius = strand.radius * frame.perMm * (1.0 - along) / gFurShare;
-        float edge = core ? ribbonCoreEdge() : gFurEdge;
-        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color, edge);
+        output = ribbonVarying(input, frame, place.offset, place.tangent, radius, color);
     }
     return output;
 }

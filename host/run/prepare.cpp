@@ -231,7 +231,6 @@ Result<Prepared> prepare(const RunInput& input) {
     Prepared prepared;
     const Extent picture{static_cast<std::uint32_t>(input.options.width), static_cast<std::uint32_t>(input.options.height)};
     prepared.scene = input.placed ? viewScene(*input.placed, *input.mesh, picture) : viewScene(input.workspace, input.mesh, picture);
-    prepared.scene.samples = input.options.samples;
     const ValueSources sources{.set = &input.options.parameters,
                                .workspace = &input.workspace.parameters,
                                .workspaceFile = input.workspace.file.string(),

@@ -59,7 +59,7 @@ constexpr std::array<std::string_view, 15> kOthers = {"POSITION",       "DIFFUSE
                                                       "FARCLIP",        "FIELDOFVIEW",     "BOUNDINGCENTER",     "BOUNDINGBOXMIN",
                                                       "BOUNDINGBOXMAX", "BOUNDINGBOXSIZE", "BOUNDINGSPHERESIZE", "UNITMM",
                                                       "LIGHTDIRECTION", "TOLIGHT",         "CAMERADIRECTION"};
-constexpr std::array<std::string_view, 4> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE", "SAMPLESPERPIXEL"};
+constexpr std::array<std::string_view, 3> kFrame = {"TIME", "ELAPSEDTIME", "VIEWPORTPIXELSIZE"};
 
 /// A mesh that stands where its file has it keeps the matrices of the view bit for bit.
 glm::mat4 withWorld(const glm::mat4& view, const glm::dmat4& world, bool inverse) {
@@ -104,7 +104,6 @@ std::optional<Numbers> ofOwner(std::string_view semantic, Owner owner, const Sce
     if (semantic == "farclip") return Numbers{view.farPlane};
     if (semantic == "fieldofview") return Numbers{view.horizontalFov};
     if (semantic == "unitmm") return Numbers{scene.unitMm};
-    if (semantic == "samplesperpixel") return Numbers{static_cast<double>(scene.samples)};
     if (semantic == "time" || semantic == "elapsedtime") return Numbers{0.0};
     return std::nullopt;
 }

@@ -17,7 +17,6 @@ namespace tegument::run {
 struct SceneView {
     bool hasMesh = false;
     float unitMm = 1; // millimetres in one unit of the world
-    int samples = 1;  // a pixel of the caller's targets
     Bounds bounds;    // of the mesh, where it stands; at rest
     Bounds seen;      // the same as a pose has it: for camera and light
     glm::dmat4 world{1};

@@ -89,6 +89,8 @@ const std::vector<Exception>& exceptions() {
     static const std::string kThickness =
         "alpha is exp(-0.2 t) of a thickness that is the difference of two depths near 1,300 mm, whose last "
         "bit is 1.2e-4 mm, and t counts in mm";
+    static const std::string kShadowTexel =
+        "one texel where light ends: depths near 1,300 mm, whose last bit is 1.2e-4 mm, are compared there, and the blur carries it on";
     static const std::string kShadowEdge = "a depth one step apart turns a comparison at the edge of a shadow";
     static const std::string kAlphaTest = "a coverage one step apart turns the alpha test of a layer";
     static const std::string kHalfCovered = "coverage one step apart turns whether a strand is drawn opaque or blended";
@@ -127,6 +129,9 @@ const std::vector<Exception>& exceptions() {
         {Engine::Direct3D9, "FurCoat_Coat", "picture", 5e-2, kTwoPixels, kHalfCovered},
         {Engine::Direct3D10, "FurCoat_Coat", "picture", 5e-2, kTwoPixels, kHalfCovered},
         {Engine::Direct3D11, "FurCoat_Coat", "picture", 5e-2, kTwoPixels, kHalfCovered},
+        {Engine::Direct3D9, "Convolution32_Poisson", "gBlur", 5e-5, kTwoTexels, kShadowTexel},
+        {Engine::Direct3D10, "Convolution32_Poisson", "gBlur", 5e-5, kTwoTexels, kShadowTexel},
+        {Engine::Direct3D11, "Convolution32_Poisson", "gBlur", 5e-5, kTwoTexels, kShadowTexel},
         {Engine::Direct3D9, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D10, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},
         {Engine::Direct3D11, "Convolution32_", "gIrradiance", 5e-5, 2e-3, kThickness},

@@ -60,7 +60,7 @@ RibbonVarying ribbonMoved(VertexInput input, RibbonFrame frame, RibbonPlace plac
 {
     float4 now = mul(float4(ribbonWorld(frame, place.offset, input), 1.0), gViewProjection);
     float4 then = mul(float4(ribbonWorldBefore(before, input), 1.0), gPreviousViewProjection);
-    return ribbonVarying(input, frame, place.offset, place.tangent, radius, float3(motionOf(now, then), 0.0), gFurEdge);
+    return ribbonVarying(input, frame, place.offset, place.tangent, radius, float3(motionOf(now, then), 0.0));
 }
 
 RibbonVarying StrandsMotionVS(VertexInput input)

@@ -16,6 +16,12 @@ std::string compilerText(Compiler compiler) {
     return compilerAvailable(compiler) ? compilerName(compiler) : whyCompilerMissing(compiler);
 }
 
+#ifdef __clang__
+constexpr const char* kBuiltBy = __VERSION__; // begins with the compiler's name
+#else
+constexpr const char* kBuiltBy = "GCC " __VERSION__;
+#endif
+
 std::string deviceText() {
     const auto device = gpu::Device::create({});
     if (!device) return device.error().diagnostics.front().text;
@@ -30,7 +36,7 @@ std::string versionText(bool verbose) {
     return fmt::format(
         "tegument {}\nbuilt by    {}\nlibraries   fmt {}.{}.{}, CLI11 {}, nlohmann-json {}.{}.{}\nDXC         {}\nglslang     {}\n"
         "device      {}\ncache       {}",
-        TEGUMENT_VERSION, __VERSION__, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, CLI11_VERSION,
+        TEGUMENT_VERSION, kBuiltBy, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, CLI11_VERSION,
         NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, compilerText(Compiler::Dxc),
         compilerText(Compiler::Glslang), deviceText(), cacheFolder().string());
 }

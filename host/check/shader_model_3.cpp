@@ -27,15 +27,15 @@ public:
                          .shader = std::string(shader)});
     }
 
-    /// False: nothing could be run.
-    bool run() {
-        if (list_.empty()) return true;
+    Result<void> run() {
+        if (list_.empty()) return {};
         auto results = compileWithMicrosoft(list_);
-        if (results) results_ = std::move(*results);
-        return static_cast<bool>(results);
+        if (!results) return results.error();
+        results_ = std::move(*results);
+        return {};
     }
 
-    [[nodiscard]] const std::optional<Sm3Usage>& of(std::string_view shader) const { return results_[jobs_.at(shader)].sm3; }
+    [[nodiscard]] const MicrosoftResult& of(std::string_view shader) const { return results_[jobs_.at(shader)]; }
 
 private:
     std::map<std::string_view, std::size_t> jobs_;
@@ -48,8 +48,8 @@ constexpr int kMostSlots = 32768; // D3DMAX30SHADERINSTRUCTIONS
 struct PassShaders {
     const Technique* technique;
     const Pass* pass;
-    const std::optional<Sm3Usage>* vertex = nullptr;
-    const std::optional<Sm3Usage>* pixel = nullptr;
+    const MicrosoftResult* vertex = nullptr;
+    const MicrosoftResult* pixel = nullptr;
 };
 
 /// 512 slots is what every device has, and most have 32768: foreign effects of more run where their authors ran them.
@@ -78,22 +78,27 @@ void holdAgainstLimits(const ShaderReference& shader, const Sm3Usage& usage, boo
 }
 
 void takeStage(const PassShaders& shaders, bool vertex, Work& work, TargetCheck& report) {
-    const auto* usage = vertex ? shaders.vertex : shaders.pixel;
+    const auto* listing = vertex ? shaders.vertex : shaders.pixel;
     const auto& shader = vertex ? shaders.pass->vertexShader : shaders.pass->pixelShader;
-    if (usage == nullptr || !*usage || !shader) return; // of an older model, or none
+    if (listing == nullptr || !shader) return;
+    if (!listing->ok)
+        std::ranges::copy(listing->diagnostics, std::back_inserter(report.diagnostics)); // what is not measured is not within the limits
+    const auto& usage = listing->sm3;
+    if (!usage) return; // of an older model
     work.report.sm3.push_back({.technique = shaders.technique->name,
                                .pass = shaders.pass->name,
                                .entry = shader->entry,
                                .profile = vertex ? "vs_3_0" : "ps_3_0",
-                               .usage = **usage});
-    holdAgainstLimits(*shader, **usage, vertex, work.effect().ownDialect, report);
+                               .usage = *usage});
+    holdAgainstLimits(*shader, *usage, vertex, work.effect().ownDialect, report);
 }
 
 /// Direct3D 9 joins stages by semantic; what nobody wrote is undefined there, without a word from any compiler.
 void link(const PassShaders& shaders, TargetCheck& report) {
-    if (shaders.vertex == nullptr || shaders.pixel == nullptr || !*shaders.vertex || !*shaders.pixel || !shaders.pass->pixelShader) return;
-    const auto& written = (*shaders.vertex)->varyings;
-    for (const auto& [semantic, components] : (*shaders.pixel)->varyings) {
+    if (shaders.vertex == nullptr || shaders.pixel == nullptr || !shaders.vertex->sm3 || !shaders.pixel->sm3 || !shaders.pass->pixelShader)
+        return;
+    const auto& written = shaders.vertex->sm3->varyings;
+    for (const auto& [semantic, components] : shaders.pixel->sm3->varyings) {
         const auto output = written.find(semantic);
         if (output != written.end() && output->second >= components) continue;
         const std::string vertex = shaders.pass->vertexShader ? shaders.pass->vertexShader->entry : "the vertex shader";
@@ -126,10 +131,14 @@ void measureShaderModel3(std::vector<Work>& works) {
         if (const auto binary = work.report.binaries.find(Target::Fx2); binary != work.report.binaries.end())
             for (const EffectShader& shader : fx2Shaders(binary->second))
                 listings.add(shader.bytes);
-    if (!listings.run()) return;
+    const auto ran = listings.run();
     for (Work& work : works) {
         TargetCheck* report = work.find(Target::Fx2);
         if (report == nullptr || !work.report.binaries.contains(Target::Fx2)) continue;
+        if (!ran) {
+            std::ranges::copy(ran.error().diagnostics, std::back_inserter(report->diagnostics));
+            continue;
+        }
         for (const PassShaders& shaders : passesOf(work, listings)) {
             takeStage(shaders, true, work, *report);
             takeStage(shaders, false, work, *report);

@@ -11,6 +11,8 @@ import unittest
 PROGRAM, REPOSITORY = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 MACHINE = 3  # exit code: docs/command-line.md
 OLD = b"what was there before"
+# The cache of whoever runs the tests, with what was fetched: every case has an empty one of its own.
+KEPT = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "tegument")
 
 
 def ball(rings, uvs=True):

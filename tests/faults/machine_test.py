@@ -12,7 +12,7 @@ import signal
 import subprocess
 import sys
 
-from harness import Faults, MACHINE, OLD, main
+from harness import Faults, KEPT, MACHINE, OLD, main
 
 LAYER, OTHER_DXC = sys.argv[3], sys.argv[4]
 
@@ -253,6 +253,26 @@ class Missing(Faults):
             self.assertIn("TG3104", ran.stdout + ran.stderr, script)
             self.assertNotIn("unexpected failure", ran.stderr, script)
         self.assertEqual(self.leftovers(), [])
+
+    def test_wine_that_dies_while_slots_are_counted(self):
+        """What compiles and cannot be measured has not passed: the limits of Direct3D 9 are part of the check."""
+        here = {"TEGUMENT_CACHE": str(KEPT)}  # with the compiler, and Wine's folder
+        self.assertEqual(self.checked("Beckmann", "--target", "fx_2_0", environment=here).returncode, 0)
+        programs = self.folder / "programs"
+        programs.mkdir()
+        wine = programs / "wine"
+        # The second call's jobs are listings of what the first has compiled; the list's path is an argument, with Wine's drive before it.
+        wine.write_text(f"""#!/bin/bash
+for argument in "$@"; do
+    path="${{argument#?:}}"
+    if [[ $path = *jobs.txt ]] && grep -q ^listing "${{path//\\\\//}}"; then echo the disk is gone >&2; exit 1; fi
+done
+exec {shutil.which("wine")} "$@"
+""", encoding="ascii")
+        wine.chmod(0o755)
+        ran = self.checked("Beckmann", "--target", "fx_2_0", environment={**here, "PATH": f"{programs}:{os.environ['PATH']}"})
+        self.assertEqual(ran.returncode, 1, ran.stdout + ran.stderr)
+        self.assertIn("TG3104", ran.stdout + ran.stderr)
 
 
 if __name__ == "__main__":

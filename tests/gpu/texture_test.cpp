@@ -11,27 +11,27 @@ namespace {
 
 struct ClearCase {
     Format format;
-    std::vector<double> channels; // of one texel, as integers or halves' bits or floats, in memory order
     std::uint32_t bitsPerChannel;
-    double tolerance; // unorm: Vulkan lets a tie go either way; halves: llvmpipe truncates
+    std::vector<double> channels; // of one texel, as integers or halves' bits or floats, in memory order
+    double tolerance;             // unorm: Vulkan lets a tie go either way; halves: llvmpipe truncates
 };
 
 // The clear colour is (0.2, 0.4, 0.6, 0.8): 51, 102, 153, 204 of 255 and 13107 times 1 to 4 of 65535. sRGB: 12.92 c below 0.0031308,
 // 1.055 c^(1/2.4) - 0.055 above: 0.2 -> 0.48453, 0.4 -> 0.66519, 0.6 -> 0.79774. Halves: 0x3266 = 0.19995, 0x3666 = 0.39990,
 // 0x38cd = 0.60010, 0x3a66 = 0.79980.
 const ClearCase kCases[] = {
-    {Format::R8, {51}, 8, 1},
-    {Format::RG8, {51, 102}, 8, 1},
-    {Format::RGBA8, {51, 102, 153, 204}, 8, 1},
-    {Format::BGRA8, {153, 102, 51, 204}, 8, 1},
-    {Format::RGBA8Srgb, {123.56, 169.62, 203.42, 204}, 8, 1},
-    {Format::RGBA16, {13107, 26214, 39321, 52428}, 16, 1},
-    {Format::R16F, {0x3266}, 16, 1},
-    {Format::RG16F, {0x3266, 0x3666}, 16, 1},
-    {Format::RGBA16F, {0x3266, 0x3666, 0x38cd, 0x3a66}, 16, 1},
-    {Format::R32F, {0.2f}, 32, 0},
-    {Format::RG32F, {0.2f, 0.4f}, 32, 0},
-    {Format::RGBA32F, {0.2f, 0.4f, 0.6f, 0.8f}, 32, 0},
+    {Format::R8, 8, {51}, 1},
+    {Format::RG8, 8, {51, 102}, 1},
+    {Format::RGBA8, 8, {51, 102, 153, 204}, 1},
+    {Format::BGRA8, 8, {153, 102, 51, 204}, 1},
+    {Format::RGBA8Srgb, 8, {123.56, 169.62, 203.42, 204}, 1},
+    {Format::RGBA16, 16, {13107, 26214, 39321, 52428}, 1},
+    {Format::R16F, 16, {0x3266}, 1},
+    {Format::RG16F, 16, {0x3266, 0x3666}, 1},
+    {Format::RGBA16F, 16, {0x3266, 0x3666, 0x38cd, 0x3a66}, 1},
+    {Format::R32F, 32, {0.2f}, 0},
+    {Format::RG32F, 32, {0.2f, 0.4f}, 0},
+    {Format::RGBA32F, 32, {0.2f, 0.4f, 0.6f, 0.8f}, 0},
 };
 
 std::vector<double> channels(std::span<const std::byte> bytes, std::uint32_t bits) {

@@ -32,7 +32,7 @@ def axe():
 
 
 def run(*arguments, codes=(0,)):
-    done = subprocess.run([TEGUMENT, *map(str, arguments)], cwd=SOURCE, capture_output=True, text=True, timeout=280, check=False)
+    done = subprocess.run([TEGUMENT, *map(str, arguments)], cwd=SOURCE, capture_output=True, text=True, timeout=560, check=False)
     if done.returncode not in codes:
         raise AssertionError(f"tegument {arguments}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
     return done

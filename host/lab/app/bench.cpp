@@ -379,6 +379,18 @@ int run(BenchArguments arguments) {
     return result ? *result : fail(result.error(), arguments.json == "-");
 }
 
+CLI::Option* addPick(CLI::App& command, BenchArguments& arguments) {
+    CLI::Option* pick = command.add_flag("--pick", arguments.pick, "Name the technique to take, and the command that draws with it");
+    command.add_option("--max-error", arguments.maxError, "With --pick: the cheapest within this relative L2")
+        ->check(CLI::PositiveNumber)
+        ->needs(pick);
+    command.add_option("--max-ms", arguments.maxMs, "With --pick: the most accurate within this time")
+        ->check(CLI::PositiveNumber)
+        ->needs(pick);
+    command.get_option("--max-ms")->excludes("--max-error");
+    return pick;
+}
+
 } // namespace
 
 void addBench(CLI::App& program, Action& action) {
@@ -416,14 +428,7 @@ void addBench(CLI::App& program, Action& action) {
     command->add_option("--csv", arguments->csv, "Write them as CSV; -: to standard output");
     command->add_option("--pictures", arguments->pictures, "Folder for the truth and the pictures held against it, EXR, known pixels only");
     command->add_flag("--count", arguments->count, "Count look-ups, bytes read and bytes written of a frame, too");
-    CLI::Option* pick = command->add_flag("--pick", arguments->pick, "Name the technique to take, and the command that draws with it");
-    command->add_option("--max-error", arguments->maxError, "With --pick: the cheapest within this relative L2")
-        ->check(CLI::PositiveNumber)
-        ->needs(pick);
-    command->add_option("--max-ms", arguments->maxMs, "With --pick: the most accurate within this time")
-        ->check(CLI::PositiveNumber)
-        ->needs(pick);
-    command->get_option("--max-ms")->excludes("--max-error");
+    CLI::Option* pick = addPick(*command, *arguments);
     command->add_option("--plot", arguments->plot,
                         "Folder for the plots of time against error and of growth, PNG and SVG, with their JSON");
     CLI::Option* growth =

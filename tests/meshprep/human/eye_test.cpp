@@ -50,8 +50,9 @@ TEST(Cornea, normals_are_those_of_its_surface) {
 HeadSurface lidsAt(float z) {
     HeadSurface head;
     constexpr int kSide = 60;
+    constexpr int kMiddle = kSide / 2;
     const auto at = [&](int x, int y) {
-        return kEye.centre + glm::vec3(0.5f * static_cast<float>(x - kSide / 2), 0.5f * static_cast<float>(y - kSide / 2), z);
+        return kEye.centre + glm::vec3(0.5f * static_cast<float>(x - kMiddle), 0.5f * static_cast<float>(y - kMiddle), z);
     };
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x)

@@ -75,9 +75,11 @@ TEST(Neck, a_bust_without_one_stays_as_it_is) {
 /// The height of the limit surface of a plane with a ridge of one row of control points, as a share of the ridge's.
 double ridgeLeft(float times) {
     constexpr std::uint32_t kSide = 12;
+    constexpr float kMiddle = 6;
+    static_assert(2 * kMiddle == kSide);
     Bust bust = bustOf(shapes::grid(kSide));
     for (glm::vec3& p : bust.positions)
-        if (p.x == kSide / 2) p.z = 1;
+        if (p.x == kMiddle) p.z = 1;
     RegionMasks masks;
     masks.ears = {.width = 1, .height = 1, .channels = 1, .pixels = {1}, .bitsPerChannel = 8, .metadata = {}};
     sharpenEars(bust, masks, times);
@@ -85,7 +87,7 @@ double ridgeLeft(float times) {
     EXPECT_TRUE(fine);
     float highest = 0;
     for (const glm::vec3& p : fine->positions)
-        if (std::abs(p.y - kSide / 2) < 1) highest = std::max(highest, p.z); // away from the plane's border
+        if (std::abs(p.y - kMiddle) < 1) highest = std::max(highest, p.z); // away from the plane's border
     return static_cast<double>(highest);
 }
 

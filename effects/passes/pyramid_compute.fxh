@@ -48,11 +48,12 @@ void name##CS(uint3 thread : SV_DispatchThreadID) \
     store[thread.xy] = name##PS(texelAt(thread, size)); \
 }
 
-// A level and its links: four threads share the list of a texel, for with one each they would wait for memory most of the time.
+// A level and its links: four threads share the list of a texel, for with one each they would wait for memory most of the time. links: the
+// light of some of them.
 static const float kLinkThreads = 4.0;
 groupshared float3 gLinkSums[8 * 8 * 4];
 
-#define PYRAMID_LINKS_CS(name, level, more) \
+#define PYRAMID_LINKS_CS(name, level, more, links) \
 [numthreads(8, 8, 4)] \
 void name##CS(uint3 thread : SV_DispatchThreadID, uint inGroup : SV_GroupIndex) \
 { \
@@ -152,32 +153,32 @@ PYRAMID_CS(LinkedLight5, gLight5Store, kPyramidSize5)
 PYRAMID_CS(LinkedLight4, gLight4Store, kPyramidSize4)
 // The level with the links is as large as their map, or the base where that is smaller.
 #if TEGUMENT_MAP_SIZE >= 2048
-PYRAMID_LINKS_CS(LinkedLight3, 3, COARSER(4))
+PYRAMID_LINKS_CS(LinkedLight3, 3, COARSER(4), anyLinks)
 PYRAMID_CS(LinkedLight2, gLight2Store, kPyramidSize2)
 PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
 PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-PYRAMID_LINKS_CS(FineTop, 3, 0.0)
+PYRAMID_LINKS_CS(FineTop, 3, 0.0, fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight3Map")
 #else
 PYRAMID_CS(LinkedLight3, gLight3Store, kPyramidSize3)
 #if TEGUMENT_MAP_SIZE >= 1024
-PYRAMID_LINKS_CS(LinkedLight2, 2, COARSER(3))
+PYRAMID_LINKS_CS(LinkedLight2, 2, COARSER(3), anyLinks)
 PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
 PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-PYRAMID_LINKS_CS(FineTop, 2, 0.0)
+PYRAMID_LINKS_CS(FineTop, 2, 0.0, fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map")
 #else
 PYRAMID_CS(LinkedLight2, gLight2Store, kPyramidSize2)
 PYRAMID_CS(FineTop, gLight2Store, kPyramidSize2)
 #if TEGUMENT_MAP_SIZE >= 512
-PYRAMID_LINKS_CS(LinkedLight1, 1, COARSER(2))
+PYRAMID_LINKS_CS(LinkedLight1, 1, COARSER(2), anyLinks)
 PYRAMID_CS(LinkedLight0, gLight0Store, kPyramidSize0)
-PYRAMID_LINKS_CS(FineLight, 1, COARSER(2))
+PYRAMID_LINKS_CS(FineLight, 1, COARSER(2), fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight1Map")
 #else
 PYRAMID_CS(LinkedLight1, gLight1Store, kPyramidSize1)
-PYRAMID_LINKS_CS(LinkedLight0, 0, COARSER(1))
-PYRAMID_LINKS_CS(FineLight, 0, COARSER(1))
+PYRAMID_LINKS_CS(LinkedLight0, 0, COARSER(1), anyLinks)
+PYRAMID_LINKS_CS(FineLight, 0, COARSER(1), fineLinks)
 #define FINE_COMPUTE_PASSES TG_COMPUTE_PASS(FineTop, FineTopCS, "gLight2Map") TG_COMPUTE_PASS(FineLight, FineLightCS, "gLight0Map")
 #endif
 #endif
@@ -296,7 +297,11 @@ void FinalCS(uint3 thread : SV_DispatchThreadID)
     COMPUTE_LEVEL_PASS(LinkedLight5, "gLight5Map") COMPUTE_LEVEL_PASS(LinkedLight4, "gLight4Map") \
     COMPUTE_LEVEL_PASS(LinkedLight3, "gLight3Map") COMPUTE_LEVEL_PASS(LinkedLight2, "gLight2Map") \
     COMPUTE_LEVEL_PASS(LinkedLight1, "gLight1Map") COMPUTE_LEVEL_PASS(LinkedLight0, "gLight0Map") FINE_COMPUTE_PASSES
-#define COMPUTE_SCRIPT "Pass=ReduceFine; Pass=ReduceCoarse;" LINKED_STEPS
+#if TEGUMENT_MAP_SIZE >= 2048
+#define COMPUTE_SCRIPT LINKED_STEPS("Pass=ReduceFine; Pass=ReduceCoarse;", "")
+#else
+#define COMPUTE_SCRIPT LINKED_STEPS("Pass=ReduceFine;", "Pass=ReduceCoarse;")
+#endif
 #define PLACE_SCRIPT \
     "RenderColorTarget0=gPlaceMap; RenderDepthStencilTarget=gPlaceDepthMap;" \
     "ClearSetColor=gClearEmpty; ClearSetDepth=gClearFar; Clear=Color; Clear=Depth; Pass=Place; Pass=Final;"

@@ -99,8 +99,10 @@ float3 linkLight(float4 link, float4 source, float fifth)
 }
 
 // From maps of 512 to 128 texels.
-float4 fineSource(float map, float4 at)
+float4 fineSource(float4 link)
 {
+    float map = linkMap(link);
+    float4 at = float4(abs(link.xy), 0.0, 0.0);
     float4 source;
     [branch] if (map < 0.5)
         source = tex2Dlod(LINK_512, at);
@@ -114,14 +116,14 @@ float4 fineSource(float map, float4 at)
     return source;
 }
 
-// From maps of 512 to 16 texels, whatever levels come beside links: a coarse source read from a finer map is a part of it only.
-float4 linkSource(float4 link)
+// From maps of 512 to 16 texels.
+float4 anySource(float4 link)
 {
     float map = linkMap(link);
     float4 at = float4(abs(link.xy), 0.0, 0.0);
     float4 source;
     [branch] if (map < 2.5)
-        source = fineSource(map, at);
+        source = fineSource(link);
     else
     {
         [branch] if (map < 3.5)
@@ -138,20 +140,23 @@ float4 linkSource(float4 link)
 }
 
 // Light of the fifth and sixth Gaussian, of each `apart`th link from `first` on. A list ends the loop by its 0.
-float4 links(float2 uv, float first, float apart)
-{
-    float tiles = linkSheet().x;
-    float fifth = 1.0 - fifthByLevels(tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z);
-    float3 sum = 0.0;
-    float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0;
-    [loop] for (float k = first; k <= last; k += apart)
-    {
-        float4 link = linkOf(uv, k, tiles);
-        last = link.x == 0.0 ? -1.0 : last;
-        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, linkSource(link), fifth);
-    }
-    return float4(sum, 0.0);
+#define LINKED_SUM(name, sourceOf) \
+float4 name(float2 uv, float first, float apart) \
+{ \
+    float tiles = linkSheet().x; \
+    float fifth = 1.0 - fifthByLevels(tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z); \
+    float3 sum = 0.0; \
+    float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0; \
+    [loop] for (float k = first; k <= last; k += apart) \
+    { \
+        float4 link = linkOf(uv, k, tiles); \
+        last = link.x == 0.0 ? -1.0 : last; \
+        sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, sourceOf(link), fifth); \
+    } \
+    return float4(sum, 0.0); \
 }
+LINKED_SUM(fineLinks, fineSource)
+LINKED_SUM(anyLinks, anySource)
 
 float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
 {
@@ -159,12 +164,12 @@ float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
     return levelLight(TG_SAMPLER2D_ARG(map), uv, size, level, sheet.x > 0.5 ? 1.0 : 0.0, sheet.y);
 }
 
-#define LINKED_LEVEL(name, level, more, linked) \
+#define LINKED_LEVEL(name, level, more, links) \
 float4 name(QuadVarying input) : SV_Target0 \
 { \
     float4 light = 0.0; \
     [branch] if (levelServes(level, input.uv)) \
-        light = linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more + linked; \
+        light = linkedLevel(TG_SAMPLER2D_ARG(gEntry##level), input.uv, kPyramidSize##level, level) + more + links; \
     return light; \
 }
 #define COARSER(level) coarser(TG_SAMPLER2D_ARG(gLight##level), input.uv)
@@ -172,10 +177,10 @@ float4 name(QuadVarying input) : SV_Target0 \
 LINKED_LEVEL(LinkedLight6PS, 6, 0.0, 0.0)
 LINKED_LEVEL(LinkedLight5PS, 5, COARSER(6), 0.0)
 LINKED_LEVEL(LinkedLight4PS, 4, COARSER(5), 0.0)
-LINKED_LEVEL(LinkedLight3PS, 3, COARSER(4), WIDE_3(links(input.uv, 0.0, 1.0)))
-LINKED_LEVEL(LinkedLight2PS, 2, COARSER(3), WIDE_2(links(input.uv, 0.0, 1.0)))
-LINKED_LEVEL(LinkedLight1PS, 1, COARSER(2), WIDE_1(links(input.uv, 0.0, 1.0)))
-LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(links(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight3PS, 3, COARSER(4), WIDE_3(anyLinks(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight2PS, 2, COARSER(3), WIDE_2(anyLinks(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight1PS, 1, COARSER(2), WIDE_1(anyLinks(input.uv, 0.0, 1.0)))
+LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(anyLinks(input.uv, 0.0, 1.0)))
 
 #define LINKED_STEP(level) PYRAMID_STEP("gLight" level "Map", "LinkedLight" level)
 #define LINKED_OR(level, fine) "RenderColorTarget0=gLight" level "Map; Pass=gCoarseLevels?" fine ":LinkedLight" level ";"
@@ -186,32 +191,37 @@ LINKED_LEVEL(LinkedLight0PS, 0, COARSER(1), WIDE_0(links(input.uv, 0.0, 1.0)))
     LINKED_PASS(LinkedLight2) LINKED_PASS(LinkedLight1) LINKED_PASS(LinkedLight0)
 
 #if TEGUMENT_MAP_SIZE >= 2048
-LINKED_LEVEL(FineTopPS, 3, 0.0, links(input.uv, 0.0, 1.0))
-#define LINKED_STEPS \
-    "LoopByCount=gCoarseLevels;" LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") "LoopEnd;" \
+LINKED_LEVEL(FineTopPS, 3, 0.0, fineLinks(input.uv, 0.0, 1.0))
+#define REDUCE_FEW_SCRIPT REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4")
+#define REDUCE_REST_SCRIPT REDUCE_SCRIPT("5") REDUCE_SCRIPT("6")
+#define LINKED_STEPS(few, rest) \
+    few "LoopByCount=gCoarseLevels;" rest LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") "LoopEnd;" \
     LINKED_OR("3", "FineTop") LINKED_STEP("2") LINKED_STEP("1") LINKED_STEP("0")
 #define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop)
 #elif TEGUMENT_MAP_SIZE >= 1024
-LINKED_LEVEL(FineTopPS, 2, 0.0, links(input.uv, 0.0, 1.0))
-#define LINKED_STEPS \
-    "LoopByCount=gCoarseLevels;" LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") LINKED_STEP("3") "LoopEnd;" \
+LINKED_LEVEL(FineTopPS, 2, 0.0, fineLinks(input.uv, 0.0, 1.0))
+#define REDUCE_FEW_SCRIPT REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3")
+#define REDUCE_REST_SCRIPT REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6")
+#define LINKED_STEPS(few, rest) \
+    few "LoopByCount=gCoarseLevels;" rest LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") LINKED_STEP("3") "LoopEnd;" \
     LINKED_OR("2", "FineTop") LINKED_STEP("1") LINKED_STEP("0")
 #define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop)
 #else
 #if TEGUMENT_MAP_SIZE >= 512
-LINKED_LEVEL(FineLightPS, 1, COARSER(2), links(input.uv, 0.0, 1.0))
+LINKED_LEVEL(FineLightPS, 1, COARSER(2), fineLinks(input.uv, 0.0, 1.0))
 #define FINE_LEVELS LINKED_OR("1", "FineLight") LINKED_STEP("0")
 #else
-LINKED_LEVEL(FineLightPS, 0, COARSER(1), links(input.uv, 0.0, 1.0))
+LINKED_LEVEL(FineLightPS, 0, COARSER(1), fineLinks(input.uv, 0.0, 1.0))
 #define FINE_LEVELS LINKED_STEP("1") LINKED_OR("0", "FineLight")
 #endif
 LINKED_LEVEL(FineTopPS, 2, 0.0, 0.0)
-#define LINKED_STEPS \
-    "LoopByCount=gCoarseLevels;" LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") LINKED_STEP("3") "LoopEnd;" \
+#define REDUCE_FEW_SCRIPT REDUCE_SCRIPT("1") REDUCE_SCRIPT("2")
+#define REDUCE_REST_SCRIPT REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6")
+#define LINKED_STEPS(few, rest) \
+    few "LoopByCount=gCoarseLevels;" rest LINKED_STEP("6") LINKED_STEP("5") LINKED_STEP("4") LINKED_STEP("3") "LoopEnd;" \
     LINKED_OR("2", "FineTop") FINE_LEVELS
 #define LINKED_PASSES LINKED_ALL_PASSES LINKED_PASS(FineTop) LINKED_PASS(FineLight)
 #endif
-#define LINKED_SCRIPT \
-    REDUCE_SCRIPT("1") REDUCE_SCRIPT("2") REDUCE_SCRIPT("3") REDUCE_SCRIPT("4") REDUCE_SCRIPT("5") REDUCE_SCRIPT("6") LINKED_STEPS
+#define LINKED_SCRIPT LINKED_STEPS(REDUCE_FEW_SCRIPT, REDUCE_REST_SCRIPT)
 
 #endif

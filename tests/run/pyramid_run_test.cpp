@@ -19,7 +19,7 @@ protected:
         if (const std::string missing = compilerMissing(GetParam()); !missing.empty()) GTEST_SKIP() << missing;
     }
 
-    Result<RunResult> draw(const std::string& technique, int mapSize, double coarse, int samples = 1, std::vector<std::string> dump = {}) {
+    Result<RunResult> draw(const std::string& technique, int mapSize, double coarse, int samples = 1) {
         const auto effect =
             loadEffect("effects/Pyramid.fx", {.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}}, .includeFolders = {}});
         if (!effect) return effect.error();
@@ -31,7 +31,6 @@ protected:
                           .samples = samples,
                           .compiler = GetParam(),
                           .parameters = {{"gCoarseLevels", {coarse}}},
-                          .dump = std::move(dump),
                           .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}});
     }
 };
@@ -46,21 +45,6 @@ TEST_P(PyramidRun, the_computed_picture_is_the_drawn_one) {
         ASSERT_TRUE(succeeded(difference));
         EXPECT_LT(difference->relativeL2, 2e-3) << mapSize;
         EXPECT_GT(drawn->image.at(48, 48, 0), 0.05F) << "there is something to see";
-    }
-}
-
-// Links name sources of maps of 512 to 16 texels: a base of 512 is reduced five times for them.
-TEST_P(PyramidRun, links_read_the_maps_that_they_name_however_few_levels_come_beside_them) {
-    for (const char* technique : {"PyramidLinked", "PyramidCompute"}) {
-        const auto few = draw(technique, 512, 0, 1, {"gEntry4Map", "gEntry5Map"});
-        const auto all = draw(technique, 512, 1, 1, {"gEntry4Map", "gEntry5Map"});
-        ASSERT_TRUE(succeeded(few) && succeeded(all));
-        EXPECT_LT(few->passes.size(), all->passes.size()) << "levels are left out";
-        for (const char* map : {"gEntry4Map", "gEntry5Map"}) {
-            ASSERT_TRUE(few->dumped.contains(map)) << technique;
-            EXPECT_EQ(few->dumped.at(map).pixels, all->dumped.at(map).pixels) << technique << " " << map;
-            EXPECT_GT(*std::ranges::max_element(all->dumped.at(map).pixels), 0.05F) << "there is something to see";
-        }
     }
 }
 

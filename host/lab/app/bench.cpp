@@ -87,6 +87,18 @@ Result<std::size_t> referencePixels(const std::string& text) {
     return count;
 }
 
+/// A choice is one of the maps' size, too: a small picture needs less than is usual. Maps seen from the light stay as they are.
+std::vector<int> mapSizesOf(const BenchArguments& arguments, const Defaults& defaults) {
+    if (!arguments.mapSizes.empty()) return arguments.mapSizes;
+    if (!arguments.pick || arguments.fur) return {defaults.mapSize};
+    return {defaults.mapSize / 4, defaults.mapSize / 2, defaults.mapSize};
+}
+
+std::vector<int> shadowSizesOf(const BenchArguments& arguments, const Defaults& defaults) {
+    if (!arguments.shadowSizes.empty()) return arguments.shadowSizes;
+    return {arguments.mapSizes.empty() ? defaults.mapSize : 0};
+}
+
 Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu::Device& device) {
     const Defaults defaults = defaultsFor(device);
     const auto size = parseSize(arguments.size.empty() ? defaults.size : arguments.size);
@@ -100,8 +112,8 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .scenes = arguments.scenes,
                                 .width = size->first,
                                 .height = size->second,
-                                .mapSizes = arguments.mapSizes.empty() ? std::vector{defaults.mapSize} : arguments.mapSizes,
-                                .shadowSizes = arguments.shadowSizes.empty() ? std::vector{0} : arguments.shadowSizes,
+                                .mapSizes = mapSizesOf(arguments, defaults),
+                                .shadowSizes = shadowSizesOf(arguments, defaults),
                                 .frames = {.warmUp = defaults.warmUp, .timed = arguments.frames > 0 ? arguments.frames : defaults.frames},
                                 .compiler = *compiler,
                                 .pixels = *pixels,
@@ -406,7 +418,9 @@ void addBench(CLI::App& program, Action& action) {
         ->capture_default_str()
         ->transform(oneOf(bench::lightSetNames()));
     command->add_option("--size", arguments->size, "Picture size in pixels; default: 320x320 on a processor, else 1920x1080");
-    command->add_option("--map-size", arguments->mapSizes, "Texels along each side of the maps; may be several; default: 1024")
+    command
+        ->add_option("--map-size", arguments->mapSizes,
+                     "Texels along each side of the maps; may be several; default: 1024; with --pick 256, 512 and 1024")
         ->check(CLI::Range(16, 8192));
     command
         ->add_option("--shadow-size", arguments->shadowSizes,

@@ -65,7 +65,9 @@ std::string renderCommand(const Row& row) {
         command += define(name, value);
     for (const auto& [name, numbers] : row.contender.parameters)
         command += " -s " + word(fmt::format("{}={}", name, fmt::join(numbers, ",")));
-    return command + fmt::format(" --map-size {} --size {}x{} -w {}", row.mapSize, row.width, row.height, word(row.workspace.string()));
+    command += fmt::format(" --map-size {}", row.mapSize);
+    if (row.shadowSize != row.mapSize) command += fmt::format(" --shadow-size {}", row.shadowSize);
+    return command + fmt::format(" --size {}x{} -w {}", row.width, row.height, word(row.workspace.string()));
 }
 
 } // namespace tegument::bench

@@ -87,6 +87,16 @@ TEST(Bench, picks_a_technique_with_a_command_that_draws) {
     EXPECT_TRUE(fs::exists(scratch() / "picked.png"));
 }
 
+// A ball of 5 mm that is 40 pixels wide: a pixel is wider than a texel of the coarsest maps.
+TEST(Bench, picks_the_size_of_the_maps_too_where_none_is_named) {
+    const Ran ran = tegument({"bench", "--scene", "sphere-5", "--size", "40x40", "--frames", "1", "--reference", "64", "--technique",
+                              "Pyramid", "--pick", "--max-error", "0.05", "--keep-scenes", (scratch() / "scenes").string()});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("--map-size 256 --shadow-size 1024 "), std::string::npos) << ran.out;
+    for (const char* size : {" 512 ", " 1024 "})
+        EXPECT_NE(ran.out.find(size), std::string::npos) << "measured, too:\n" << ran.out;
+}
+
 TEST(Bench, keeps_its_scenes_where_it_is_told) {
     const Ran ran = tegument(tiny({"--technique", "Lambert", "--csv", (scratch() / "r.csv").string()}));
     ASSERT_EQ(ran.code, 0) << ran.err;

@@ -58,9 +58,10 @@ TEST(Choice, the_command_carries_everything_that_was_measured) {
                         .defines = {{"TEGUMENT_SETTING", "0"}, {"X", "a b"}},
                         .parameters = {{"gBlurCount", {2}}, {"gTint", {1, 0.5}}}};
     chosen.mapSize = 512;
+    chosen.shadowSize = 1024;
     chosen.width = 64;
     chosen.height = 32;
     chosen.workspace = "my scene.json";
     EXPECT_EQ(renderCommand(chosen), "tegument render effects/Main.fx -t Gosselin --setting seed -D 'X=a b' -s gBlurCount=2 -s gTint=1,0.5 "
-                                     "--map-size 512 --size 64x32 -w 'my scene.json'");
+                                     "--map-size 512 --shadow-size 1024 --size 64x32 -w 'my scene.json'");
 }

@@ -110,22 +110,32 @@ Json formJson(const LinkedShader& shader, EmitKind kind, const std::string& file
     return json;
 }
 
+/// Of the compilers that say how many threads a group has; DXIL's reflection does not.
+const Reflection* anyReflection(const LinkedShader& shader) {
+    if (const Shader* compiled = shader.spirv()) return &compiled->reflection;
+    return shader.entry->sm5Reflection ? &shader.entry->sm5Reflection->reflection : nullptr;
+}
+
 Json shaderJson(const LinkedShader& shader) {
     Json json{{"name", shader.name}, {"entry", shader.entry->name}, {"stage", stageName(shader.entry->kind)}};
-    const Shader* compiled = shader.spirv();
-    if (shader.entry->kind == ShaderKind::Compute && compiled) json["threads"] = compiled->reflection.localSize;
+    if (shader.entry->kind == ShaderKind::Compute)
+        if (const Reflection* reflection = anyReflection(shader)) json["threads"] = reflection->localSize;
     for (const auto& [kind, file] : shader.files)
         json[std::string(emitKindName(kind))] = formJson(shader, kind, file);
     return json;
 }
 
-/// Of Direct3D 12; empty where its shaders are not among the products.
+/// Of Direct3D 12, which takes shader models 5 and 6; empty where neither is among the products.
 std::string rootSignatureOf(const PassShaders& shaders, const Products& products) {
     std::vector<RootStage> stages;
     const auto add = [&](std::string_view visibility, int index) {
         if (index < 0) return;
         const LinkedShader& shader = products.shaders[static_cast<std::size_t>(index)];
-        if (shader.files.contains(EmitKind::Dxil)) stages.push_back({visibility, &shader.entry->dxil->reflection});
+        RootStage stage{visibility, {}};
+        if (shader.files.contains(EmitKind::Dxil)) stage.reflections.push_back(&shader.entry->dxil->reflection);
+        if (shader.files.contains(EmitKind::Sm5) && shader.entry->sm5Reflection)
+            stage.reflections.push_back(&shader.entry->sm5Reflection->reflection);
+        if (!stage.reflections.empty()) stages.push_back(std::move(stage));
     };
     add("VERTEX", shaders.vertex);
     add("PIXEL", shaders.pixel);

@@ -23,10 +23,11 @@ bool isTexture(const Resource& resource) {
 
 /// "SRV(t0, numDescriptors=3)": from the first to the last register of a kind; empty without any.
 template <class Wanted>
-std::string range(const Reflection& reflection, std::string_view word, char letter, Wanted wanted) {
+std::string range(const RootStage& stage, std::string_view word, char letter, Wanted wanted) {
     std::vector<std::uint32_t> registers;
-    for (const Resource& resource : reflection.resources)
-        if (wanted(resource)) registers.push_back(resource.binding);
+    for (const Reflection* reflection : stage.reflections)
+        for (const Resource& resource : reflection->resources)
+            if (wanted(resource)) registers.push_back(resource.binding);
     if (registers.empty()) return {};
     const auto [first, last] = std::ranges::minmax(registers);
     return fmt::format("{}({}{}, numDescriptors={})", word, letter, first, last - first + 1);
@@ -40,14 +41,16 @@ void addTable(std::vector<std::string>& parts, const std::vector<std::string>& r
 }
 
 void addStage(std::vector<std::string>& parts, const RootStage& stage) {
-    const Reflection& reflection = *stage.reflection;
     const auto block = [&](const UniformBlock& one) {
-        parts.push_back(fmt::format("CBV(b{}, visibility=SHADER_VISIBILITY_{})", one.binding, stage.visibility));
+        const std::string part = fmt::format("CBV(b{}, visibility=SHADER_VISIBILITY_{})", one.binding, stage.visibility);
+        if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
     };
-    if (reflection.globals) block(*reflection.globals);
-    std::ranges::for_each(reflection.constantBuffers, block);
-    addTable(parts, {range(reflection, "SRV", 't', isTexture), range(reflection, "UAV", 'u', isStore)}, stage.visibility);
-    addTable(parts, {range(reflection, "Sampler", 's', isSampler)}, stage.visibility);
+    for (const Reflection* reflection : stage.reflections) {
+        if (reflection->globals) block(*reflection->globals);
+        std::ranges::for_each(reflection->constantBuffers, block);
+    }
+    addTable(parts, {range(stage, "SRV", 't', isTexture), range(stage, "UAV", 'u', isStore)}, stage.visibility);
+    addTable(parts, {range(stage, "Sampler", 's', isSampler)}, stage.visibility);
 }
 
 } // namespace

@@ -9,10 +9,11 @@
 
 namespace tegument::emit {
 
-/// A shader of the pass: who sees it ("VERTEX", "PIXEL"; "ALL" for compute) and its registers (Dxil::reflection).
+/// A shader of the pass: who sees it ("VERTEX", "PIXEL"; "ALL" for compute) and its registers, by each compiler that was asked: the
+/// signature has a place for all of them.
 struct RootStage {
     std::string_view visibility;
-    const Reflection* reflection = nullptr;
+    std::vector<const Reflection*> reflections;
 };
 
 /// In the order of the stages, of each: a constant buffer view for every block; one table of its textures and stores; one of its samplers.

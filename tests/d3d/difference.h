@@ -18,10 +18,11 @@ enum class Kind { Float, Half, Share, Depth, Picture };
 struct DrawnTarget {
     std::string name; // "picture": the application's
     Kind kind = Kind::Float;
+    bool stencil = false; // beside its depth
 };
 [[nodiscard]] std::vector<DrawnTarget> targetsOf(const Case& drawn);
 
-/// Direct3D 9 hands out no depth.
+/// Direct3D 9 hands out no depth, the client of Direct3D 12 none with a stencil beside it.
 [[nodiscard]] bool readable(Engine engine, const DrawnTarget& target);
 
 /// Over every channel of every pixel; a value that is not a number counts as infinitely far.

@@ -98,6 +98,8 @@ TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
     ASSERT_TRUE(refused) << format(refused.error());
     for (const std::string& message : *refused)
         ADD_FAILURE() << message;
+    const auto emitted = emitAll(allCases());
+    ASSERT_TRUE(emitted) << format(emitted.error());
     for (const Engine engine : kDirect3D) {
         std::vector<Case> cases;
         std::ranges::copy_if(allCases(), std::back_inserter(cases), [&](const Case& drawn) { return drawnBy(drawn, engine); });

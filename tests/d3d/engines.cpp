@@ -3,6 +3,7 @@
 #include "host/direct3d/microsoft.h"
 #include "host/direct3d/microsoft_messages.h"
 #include "host/direct3d/wine.h"
+#include "host/emit/emit.h"
 #include "host/support/file.h"
 #include "tests/d3d/job_file.h"
 
@@ -81,8 +82,8 @@ Result<std::vector<std::string>> drawBatch(Engine engine, const fs::path& client
     fs::remove(drawings() / results, code);
     if (const auto written = writeFile(drawings() / jobs, list); !written) return written.error();
     const auto run = [&] {
-        return runInWine(client, {engineName(engine).substr(3), windowsPath(drawings()), jobs, results},
-                         kStartSeconds + kDrawSeconds * static_cast<double>(cases.size()));
+        return runInWine12(client, {engineName(engine).substr(3), windowsPath(drawings()), jobs, results},
+                           kStartSeconds + kDrawSeconds * static_cast<double>(cases.size()));
     };
     auto process = run();
     // On a busy machine Wine has been seen to end at its start, without a word. What brings down the first case does so twice.
@@ -96,6 +97,16 @@ Result<std::vector<std::string>> drawBatch(Engine engine, const fs::path& client
 }
 
 } // namespace
+
+Result<ProcessResult> runInWine12(const fs::path& program, const std::vector<std::string>& arguments, double seconds) {
+    auto command = wineProcess(program, arguments);
+    if (!command) return command.error();
+    for (const auto& [name, value] : {std::pair<const char*, const char*>("VK_LAYER_PATH", TEGUMENT_D3D12_LAYER),
+                                      {"VK_INSTANCE_LAYERS", "VK_LAYER_TEGUMENT_listed"},
+                                      {"VKD3D_CONFIG", "virtual_heaps"}})
+        command->environment.emplace_back(name, value);
+    return runProcess(*command, seconds);
+}
 
 Result<fs::path> clientIn(const fs::path& folder) {
     std::error_code code;
@@ -130,6 +141,19 @@ Result<std::vector<std::string>> compileAll(const std::vector<Case>& cases) {
         if (!(*results)[i].ok && !(*results)[i].diagnostics.empty())
             refused.push_back(fmt::format("{} {}: {}", jobs[i].profile, jobs[i].entry, format((*results)[i].diagnostics.front())));
     return refused;
+}
+
+Result<void> emitAll(const std::vector<Case>& cases) {
+    std::set<std::string> done;
+    for (const Case& drawn : cases) {
+        if (!done.insert(drawn.effectName()).second) continue;
+        CheckOptions options{.variants = {{.name = {}, .defines = drawn.defines(), .setting = {}}}, .includeFolders = drawn.includeFolders};
+        const CheckReport report = checkEffects({drawn.effect}, {Target::Sm5}, options);
+        const auto written = emitEffect(
+            report.files.at(0), {.folder = drawings() / (drawn.effectName() + ".emitted"), .kinds = {EmitKind::Sm5}, .defines = {}});
+        if (!written) return written.error();
+    }
+    return {};
 }
 
 Result<void> drawAll(Engine engine, const std::vector<Case>& cases, const std::vector<std::string>& jobFiles) {

@@ -1,6 +1,7 @@
 #pragma once
 // Microsoft's compiler and the Direct3D clients, run in Wine over all cases.
 
+#include "host/support/process.h"
 #include "tests/d3d/cases.h"
 
 #include <string>
@@ -14,8 +15,15 @@ namespace tegument::test {
 /// The client with Microsoft's compiler beside it, linked into the folder: Wine takes a native library from there, and d3dx9_43 wants one.
 [[nodiscard]] Result<std::filesystem::path> clientIn(const std::filesystem::path& folder);
 
+/// Runs a Windows program with all that Direct3D 12 wants of this machine: tests/d3d/layer/layer.cpp says what. Others ask for none of it.
+[[nodiscard]] Result<ProcessResult> runInWine12(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                                                double seconds);
+
 /// Makes what the cases' job files name: fx_2_0, fx_4_0, and every entry point alone. One message for each file that was refused.
 [[nodiscard]] Result<std::vector<std::string>> compileAll(const std::vector<Case>& cases);
+
+/// Writes each effect as `check --emit` does, for Direct3D 12.
+[[nodiscard]] Result<void> emitAll(const std::vector<Case>& cases);
 
 /// Runs one client over the job files, in one process as long as it lives, and writes the cases' status files.
 [[nodiscard]] Result<void> drawAll(Engine engine, const std::vector<Case>& cases, const std::vector<std::string>& jobFiles);

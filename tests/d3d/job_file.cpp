@@ -197,6 +197,7 @@ Result<void> writeMeshFile(const fs::path& path, const Mesh& mesh) {
 }
 
 std::string effectFile(const Case& drawn, Engine engine) {
+    if (engine == Engine::Direct3D12) return drawn.effectName() + ".emitted\\" + drawn.effect.stem().string();
     return drawn.effectName() + (engine == Engine::Direct3D9 ? ".fx2.fxo" : ".fx4.fxo");
 }
 

@@ -3,9 +3,11 @@
 #include "host/direct3d/microsoft.h"
 #include "host/direct3d/microsoft_messages.h"
 #include "host/direct3d/wine.h"
+#include "host/emit/emit.h"
 #include "host/gpu/gpu.h"
 #include "host/image/image.h"
 #include "host/support/file.h"
+#include "tests/d3d/engines.h"
 
 #include <gtest/gtest.h>
 
@@ -51,12 +53,33 @@ std::string runDirect3D9() {
     return !run ? format(run.error()) : run->exitCode == 0 ? "" : "the Direct3D 9 sample failed: " + run->output;
 }
 
-/// Both pictures, drawn once.
+/// From what `tegument check --emit` writes.
+std::string runDirect3D12() {
+    const CheckOptions options{.variants = {{.name = {}, .defines = {{"TEGUMENT_MAP_SIZE", "512"}}, .setting = {}}}, .includeFolders = {}};
+    const CheckReport report =
+        checkEffects({"effects/Stretch.fx", "effects/EnergyAttenuation.fx", "effects/Main.fx"}, {Target::Sm5}, options);
+    for (const FileReport& file : report.files)
+        if (const auto written = emitEffect(file, {.folder = kFolder / "emitted", .kinds = {EmitKind::Sm5}, .defines = {}}); !written)
+            return format(written.error());
+    std::error_code code;
+    const fs::path program = kFolder / "d3d12_sample.exe";
+    fs::create_symlink(TEGUMENT_D3D12_SAMPLE, program, code);
+    const auto inWindows = [](const fs::path& path) { return windowsPath(fs::absolute(path)); };
+    const fs::path human = cacheFolder() / "human";
+    const auto run = runInWine12(program,
+                                 {inWindows(kFolder / "emitted"), inWindows(kFolder / "mesh.bin"), inWindows(human / "color.png"),
+                                  inWindows(human / "normal.png"), inWindows(kFolder / "d3d12.png")},
+                                 240);
+    return !run ? format(run.error()) : run->exitCode == 0 ? "" : "the Direct3D 12 sample failed: " + run->output;
+}
+
+/// All pictures, drawn once.
 struct Pictures {
     std::string missing;
     std::string failure;
     Image vulkan;
     Image direct3D9;
+    Image direct3D12;
 };
 
 Pictures draw() {
@@ -66,13 +89,17 @@ Pictures draw() {
     fs::create_directories(kFolder);
     pictures.failure = runVulkan();
     if (pictures.failure.empty()) pictures.failure = runDirect3D9();
+    if (pictures.failure.empty()) pictures.failure = runDirect3D12();
     if (!pictures.failure.empty()) return pictures;
     auto vulkan = loadImage(kFolder / "vulkan.png");
     auto direct3D9 = loadImage(kFolder / "d3d9.png");
-    if (!vulkan || !direct3D9) pictures.failure = format(vulkan ? direct3D9.error() : vulkan.error());
+    auto direct3D12 = loadImage(kFolder / "d3d12.png");
+    for (const auto* image : {&vulkan, &direct3D9, &direct3D12})
+        if (!*image) pictures.failure = format(image->error());
     if (!pictures.failure.empty()) return pictures;
     pictures.vulkan = std::move(*vulkan);
     pictures.direct3D9 = std::move(*direct3D9);
+    pictures.direct3D12 = std::move(*direct3D12);
     return pictures;
 }
 
@@ -86,6 +113,7 @@ protected:
     }
     [[nodiscard]] const Image& vulkan() const { return pictures_->vulkan; }
     [[nodiscard]] const Image& direct3D9() const { return pictures_->direct3D9; }
+    [[nodiscard]] const Image& direct3D12() const { return pictures_->direct3D12; }
 
 private:
     const Pictures* pictures_ = nullptr;
@@ -111,29 +139,41 @@ TEST_F(Samples, direct3d_9_draws_skin) {
     EXPECT_GT(skinShare(direct3D9()), 0.9);
 }
 
+TEST_F(Samples, direct3d_12_draws_skin) {
+    EXPECT_GT(skinShare(direct3D12()), 0.9);
+}
+
 TEST_F(Samples, vulkan_draws_skin) {
     EXPECT_GT(skinShare(vulkan()), 0.9);
 }
 
-// The Direct3D 9 sample makes its own matrices, mip chains (in sRGB, not in linear light) and Stretch map, and keeps radiance as halves:
-// one of the display's 255 steps nearly everywhere, more at the outline, the eyes and the edge of shadow.
-TEST_F(Samples, draw_the_same_picture) {
-    ASSERT_EQ(direct3D9().width, vulkan().width);
-    ASSERT_EQ(direct3D9().height, vulkan().height);
+// The Direct3D samples make their own matrices, mip chains (in sRGB, not in linear light) and Stretch map, Direct3D 9 keeps radiance as
+// halves: one of the display's 255 steps nearly everywhere, more at the outline, the eyes and the edge of shadow.
+void expectTheSame(const Image& drawn, const Image& vulkan) {
+    ASSERT_EQ(drawn.width, vulkan.width);
+    ASSERT_EQ(drawn.height, vulkan.height);
     constexpr double kSteps = 4.5 / 255;
     int apart = 0;
     double sum = 0;
-    for (int y = 0; y < vulkan().height; ++y)
-        for (int x = 0; x < vulkan().width; ++x) {
+    for (int y = 0; y < vulkan.height; ++y)
+        for (int x = 0; x < vulkan.width; ++x) {
             double largest = 0;
             for (int channel = 0; channel < 3; ++channel)
-                largest = std::max(largest, static_cast<double>(std::abs(direct3D9().at(x, y, channel) - vulkan().at(x, y, channel))));
+                largest = std::max(largest, static_cast<double>(std::abs(drawn.at(x, y, channel) - vulkan.at(x, y, channel))));
             apart += largest > kSteps;
             sum += largest;
         }
-    const double pixels = static_cast<double>(vulkan().width) * vulkan().height;
+    const double pixels = static_cast<double>(vulkan.width) * vulkan.height;
     EXPECT_LT(apart / pixels, 0.01);
     EXPECT_LT(sum / pixels, 1.5 / 255);
+}
+
+TEST_F(Samples, direct3d_9_draws_the_picture_of_vulkan) {
+    expectTheSame(direct3D9(), vulkan());
+}
+
+TEST_F(Samples, direct3d_12_draws_the_picture_of_vulkan) {
+    expectTheSame(direct3D12(), vulkan());
 }
 
 } // namespace

@@ -1,8 +1,6 @@
 // docs/samples/player beside this project's own runner of scripts: the same clears, draws and numbers, with the same targets, in the same
 // order.
-#include "docs/samples/player/script_player.h"
-#include "host/support/text.h"
-#include "tests/effect/support.h"
+#include "tests/effect/player_calls.h"
 
 #include <gtest/gtest.h>
 
@@ -11,127 +9,6 @@
 
 namespace tegument::test {
 namespace {
-
-using Lines = std::vector<std::string>;
-using Values = std::map<std::string, std::vector<double>>;
-
-std::string text(const auto& targets) {
-    std::string line;
-    for (const std::optional<std::string>& color : targets.colors)
-        line += ' ' + (!color ? "-" : color->empty() ? "app" : *color);
-    return line + " / " + (!targets.depth ? "-" : targets.depth->empty() ? "app" : *targets.depth);
-}
-
-std::string text(const std::vector<double>& numbers) {
-    return fmt::format("{}", fmt::join(numbers, " "));
-}
-
-/// Parameters: their defaults, and what scripts have set.
-class Parameters {
-public:
-    explicit Parameters(const Effect& effect) : effect_(effect) {}
-
-    /// Scripts ignore case.
-    [[nodiscard]] const Parameter& named(const std::string& name) const {
-        for (const Parameter& parameter : effect_.parameters)
-            if (toLower(parameter.name) == toLower(name)) return parameter;
-        throw std::runtime_error("no parameter " + name);
-    }
-    [[nodiscard]] std::vector<double> of(const Parameter& parameter) const {
-        if (const auto set = set_.find(parameter.name); set != set_.end()) return set->second;
-        return parameter.defaultValue ? std::get<std::vector<double>>(*parameter.defaultValue) : std::vector<double>{0};
-    }
-    void set(const Parameter& parameter, double value) { set_[parameter.name] = {value}; }
-
-private:
-    const Effect& effect_;
-    Values set_;
-};
-
-class ByPlayer : public script_player::Engine {
-public:
-    explicit ByPlayer(const Effect& effect) : parameters_(effect) {}
-    Lines lines;
-    int targetChanges = 0;
-
-    void setTargets(const script_player::Targets& targets) override {
-        targets_ = targets;
-        ++targetChanges;
-    }
-    void clear(script_player::Clear what, std::optional<std::size_t> place, const std::vector<float>& value) override {
-        for (std::size_t i = 0; i < script_player::kColors; ++i)
-            if (what != script_player::Clear::Color ? i == 0 : place ? i == *place : targets_.colors[i].has_value())
-                lines.push_back(fmt::format("clear {} {} of{}: {}", static_cast<int>(what), i, text(targets_),
-                                            text(std::vector<double>(value.begin(), value.end()))));
-    }
-    void draw(const script_player::Pass& pass, script_player::Draw what) override {
-        constexpr std::array kNames = {"geometry", "buffer", "scene", "compute"};
-        lines.push_back(fmt::format("{} draws {} to{}", pass.name, kNames[static_cast<std::size_t>(what)], text(targets_)));
-    }
-    script_player::Value value(const std::string& parameter) override {
-        const Parameter& named = parameters_.named(parameter);
-        const std::vector<double> numbers = parameters_.of(named);
-        return {{numbers.begin(), numbers.end()}, named.type.base == BaseType::Bool};
-    }
-    void setNumber(const std::string& parameter, float number) override {
-        const Parameter& named = parameters_.named(parameter);
-        parameters_.set(named, static_cast<double>(number));
-        lines.push_back(fmt::format("{} = {}", named.name, number));
-    }
-    void external() override { lines.push_back("external to" + text(targets_)); }
-
-private:
-    Parameters parameters_;
-    script_player::Targets targets_;
-};
-
-class ByRunner : public ScriptSink {
-public:
-    explicit ByRunner(const Effect& effect) : parameters_(effect) {}
-    Lines lines;
-
-    Result<void> targetsChanged(const BoundTargets&) override { return {}; }
-    Result<void> clear(ClearKind what, int index, const ScriptState& state) override {
-        const std::string& named = what == ClearKind::Color   ? state.clear.color
-                                   : what == ClearKind::Depth ? state.clear.depth
-                                                              : state.clear.stencil;
-        const std::vector<double> otherwise = what == ClearKind::Color   ? std::vector<double>{0, 0, 0, 0}
-                                              : what == ClearKind::Depth ? std::vector<double>{1}
-                                                                         : std::vector<double>{0};
-        lines.push_back(fmt::format("clear {} {} of{}: {}", static_cast<int>(what), what == ClearKind::Color ? index : 0,
-                                    text(state.targets),
-                                    text(named.empty() ? otherwise : rounded(parameters_.of(parameters_.named(named))))));
-        return {};
-    }
-    Result<void> beginPass(const Technique&, const Pass&) override { return {}; }
-    Result<void> endPass(const Pass&) override { return {}; }
-    Result<void> draw(const Pass& pass, DrawKind kind, const ScriptState& state) override {
-        const std::string what = kind == DrawKind::Geometry  ? "geometry"
-                                 : kind == DrawKind::Buffer  ? "buffer"
-                                 : kind == DrawKind::Compute ? "compute"
-                                                             : "scene";
-        lines.push_back(fmt::format("{} draws {} to{}", pass.name, what, text(state.targets)));
-        return {};
-    }
-    Result<void> external(const ScriptState& state) override {
-        lines.push_back("external to" + text(state.targets));
-        return {};
-    }
-    [[nodiscard]] std::vector<double> read(const Parameter& parameter) const override { return parameters_.of(parameter); }
-    void write(const Parameter& parameter, double value) override {
-        parameters_.set(parameter, value);
-        lines.push_back(fmt::format("{} = {}", parameter.name, value));
-    }
-
-private:
-    static std::vector<double> rounded(std::vector<double> numbers) {
-        for (double& number : numbers)
-            number = static_cast<double>(static_cast<float>(number));
-        return numbers;
-    }
-
-    Parameters parameters_;
-};
 
 script_player::Technique steps(const Technique& technique) {
     script_player::Technique steps{technique.name, technique.annotations.string("Script"), {}};
@@ -142,13 +19,11 @@ script_player::Technique steps(const Technique& technique) {
 
 /// Gives the number of lines.
 std::size_t expectTheSame(const Effect& effect, const Technique& technique) {
-    ByRunner runner(effect);
-    const Result<void> ran = runScripts(effect, technique.name, runner);
-    EXPECT_TRUE(ran) << (ran ? "" : format(ran.error()));
-    ByPlayer player(effect);
+    const Lines expected = runnersCalls(effect, technique);
+    ByPlayer player{PlayedParameters(effect)};
     script_player::play(steps(technique), player);
-    EXPECT_EQ(player.lines, runner.lines) << technique.name;
-    return runner.lines.size();
+    EXPECT_EQ(player.lines, expected) << technique.name;
+    return expected.size();
 }
 
 Effect effectOf(const std::string& script, const std::string& passes) {
@@ -159,11 +34,13 @@ Effect effectOf(const std::string& script, const std::string& passes) {
                   script + "\"; > { " + passes + " }");
 }
 
-std::string played(const std::string& script, const std::string& passes = "pass A { } pass B { }") {
+/// Of scripts that the front end refuses.
+std::string played(const std::string& script, const std::string& passScript = "Draw=Geometry;") {
     const Effect effect = effectOf("Pass=A;", "pass A { } pass B { }");
-    script_player::Technique technique = steps(effectOf("Pass=A;", passes).techniques.front());
+    script_player::Technique technique = steps(effect.techniques.front());
     technique.script = script;
-    ByPlayer player(effect);
+    technique.passes[0].script = passScript;
+    ByPlayer player{PlayedParameters(effect)};
     try {
         script_player::play(technique, player);
     } catch (const std::runtime_error& error) {
@@ -209,9 +86,40 @@ TEST(ScriptPlayer, does_what_this_project_s_runner_does_with_every_technique_of_
 TEST(ScriptPlayer, sets_targets_where_they_change_and_no_more_often) {
     const Effect effect =
         effectOf("Clear=Color; Clear=Depth; Pass=A; Pass=B; RenderColorTarget=gX; Pass=A; Pass=B;", "pass A { } pass B { }");
-    ByPlayer player(effect);
+    ByPlayer player{PlayedParameters(effect)};
     script_player::play(steps(effect.techniques.front()), player);
     EXPECT_EQ(player.targetChanges, 2);
+}
+
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i)
+        all += text;
+    return all;
+}
+
+TEST(ScriptPlayer, ends_where_a_script_does_not) {
+    EXPECT_EQ(played(repeated("LoopByCount=gM;", 100000)), "technique T: too many loops in loops");
+    const std::string loops = repeated("LoopByCount=gM;", 60) + repeated("LoopEnd;", 60);
+    EXPECT_EQ(played(loops), "technique T: the script does not end");
+}
+
+TEST(ScriptPlayer, passes_over_what_scripts_reserve) {
+    EXPECT_EQ(played("Hint=x; GeometryList=y; LoopByType=; LoopUpdate=; ScriptSignature=z; Pass=A;"), "");
+}
+
+TEST(ScriptPlayer, gives_four_numbers_to_each_clear_of_a_colour) {
+    class Clears : public ByPlayer {
+    public:
+        using ByPlayer::ByPlayer;
+        std::size_t least = 9;
+        void clear(script_player::Clear what, std::optional<std::size_t>, const std::vector<float>& value) override {
+            if (what == script_player::Clear::Color) least = std::min(least, value.size());
+        }
+    };
+    Clears engine{PlayedParameters(effectOf("Pass=A;", "pass A { }"))};
+    script_player::play({"T", "ClearSetColor=gFar; Clear=Color; Clear=Color0;", {}}, engine);
+    EXPECT_EQ(engine.least, 4U);
 }
 
 TEST(ScriptPlayer, says_what_a_script_does_wrong) {
@@ -222,6 +130,8 @@ TEST(ScriptPlayer, says_what_a_script_does_wrong) {
     EXPECT_NE(played("Pass=gM?A:B;").find("no option 3"), std::string::npos);
     EXPECT_EQ(played("Clear=Everything;"), "technique T: no clear of Everything");
     EXPECT_EQ(played("Draw=Buffer;"), "technique T: no command DRAW");
+    EXPECT_EQ(played("=X;"), "technique T: no command ");
+    EXPECT_EQ(played("Pass=A;", "Pass=A;"), "technique T: no command PASS");
 }
 
 } // namespace tegument::test

@@ -85,6 +85,23 @@ TEST_F(DxilEmit, a_root_signature_with_a_texture_less_is_refused) {
     EXPECT_FALSE(serves(pass["pixel_shader"], Stage::Pixel, less));
 }
 
+/// Shader model 5 for Direct3D 11 and 12, model 6 for 12: two compilers, one signature.
+TEST_F(DxilEmit, the_same_root_signature_serves_shader_model_5) {
+    if (const std::string missing = microsoftCompilerMissing(); !missing.empty()) GTEST_SKIP() << missing;
+    const CheckReport checked = checkEffects({"effects/Pyramid.fx"}, {Target::Sm5});
+    const auto written =
+        emitEffect(checked.files.at(0), {.folder = written_.parent_path() / "sm5", .kinds = {EmitKind::Sm5}, .defines = {}});
+    ASSERT_TRUE(written) << format(written.error());
+    const json other = json::parse(*readFile(*written / "manifest.json"));
+    for (std::size_t t = 0; t < manifest_["techniques"].size(); ++t)
+        for (std::size_t p = 0; p < manifest_["techniques"][t]["passes"].size(); ++p)
+            EXPECT_EQ(manifest_["techniques"][t]["passes"][p]["root_signature"], other["techniques"][t]["passes"][p]["root_signature"]);
+    const auto& shaders = other["shaders"];
+    const auto entry = std::ranges::find_if(shaders, [](const json& one) { return one["name"] == "EntryCS"; });
+    ASSERT_NE(entry, shaders.end());
+    EXPECT_EQ((*entry)["threads"], json({8, 8, 1})); // numthreads in effects/passes/pyramid_compute.fxh
+}
+
 TEST_F(DxilEmit, the_manifest_says_where_every_constant_and_texture_lies) {
     const json& pass = manifest_["techniques"][0]["passes"].back();
     const json& dxil = shader(pass["pixel_shader"])["dxil"];

@@ -27,6 +27,12 @@ SAID = ["Z:\\tmp\\a.fx(3,7-9): error X3000: syntax error: unexpected token 'x'\n
                     "threads": [8, 8, 1]})]
 RECORD = {"input": "a.obj", "command": ["prep", "a.obj"], "identity": "0", "exit_code": 0, "out_of_time": False, "seconds": 1.5,
           "processor_seconds": 1.25, "peak_bytes": 1000000, "result": "wrote a.glb", "messages": "", "host": "n1", "ended": "2026-11-22T18:30:00Z"}
+PASSES = [{"name": "A", "annotations": {"Script": "Draw=Buffer;"}}, {"name": "B", "annotations": {}}]
+MANIFEST = {"format": "tegument-effect 1", "parameters": [{"name": "gN", "type": "int", "default": 2}, {"name": "gRed", "type": "float4", "default": [1, 0, 0, 1]},
+                                                          {"name": "gFast", "type": "bool", "default": True}],
+            "techniques": [{"name": "T", "passes": PASSES, "annotations": {
+                "Script": "RenderColorTarget0=gX; ClearSetColor=gRed; Clear=Color; LoopByCount=gN; LoopGetIndex=gN; Pass=gFast?A:B; LoopEnd; "
+                          "RenderColorTarget0=; RenderDepthStencilTarget=gZ; ScriptExternal=Color; Pass=B"}}]}
 PLY_HEAD = ("ply\nformat {} 1.0\ncomment x\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
             "element face 1\nproperty list uchar int vertex_indices\nend_header\n")
 PLACES = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
@@ -115,6 +121,7 @@ def made(name, repository):
         "values_fuzz": lambda: plys() + [valued()],
         "said_fuzz": lambda: [text.encode() for text in SAID],
         "record_fuzz": lambda: [json.dumps(RECORD).encode(), json.dumps(dict(RECORD, result={"faces": [1, 2]}, exit_code=137)).encode()],
+        "manifest_fuzz": lambda: [json.dumps(MANIFEST).encode(), b"[1e3, -0.5, true, null, \"\\u00e4\\n\", {\"a\": {}}]"],
         "fuzz_off": lambda: [b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", b"COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2 255 0 0\n"],
         "fuzz_image": lambda: images(repository),
         "presets_fuzz": lambda: [file.read_bytes() for file in sorted((repository / "effects").glob("*.presets.json"))],

@@ -22,6 +22,7 @@ namespace script_player {
 constexpr std::size_t kColors = 8;
 constexpr int kMostInLoop = 65536; // a script that never ends is a typing mistake
 constexpr long kMostCommands = 1000000;
+constexpr std::size_t kMostNested = 64; // loops in loops
 
 struct Pass {
     std::string name;
@@ -78,7 +79,8 @@ inline std::string upper(std::string text) {
 struct Command {
     std::string name; // upper case, without its digit
     std::optional<std::size_t> digit;
-    std::string value; // an option, or `parameter?option:option...`
+    std::string value;   // an option, or `parameter?option:option...`
+    std::size_t end = 0; // of a loop: its LoopEnd
 };
 
 inline std::vector<Command> parse(const std::string& script) {
@@ -93,7 +95,7 @@ inline std::vector<Command> parse(const std::string& script) {
         if (text.empty()) continue;
         const std::size_t equals = text.find('=');
         Command command{upper(text.substr(0, equals)), {}, equals == std::string::npos ? "" : text.substr(equals + 1)};
-        if (std::isdigit(static_cast<unsigned char>(command.name.back())) != 0) {
+        if (!command.name.empty() && std::isdigit(static_cast<unsigned char>(command.name.back())) != 0) {
             command.digit = static_cast<std::size_t>(command.name.back() - '0');
             command.name.pop_back();
         }
@@ -110,10 +112,13 @@ struct State {
 
 class Player {
 public:
-    Player(const Technique& technique, Engine& engine) : technique_(technique), engine_(engine) {}
+    Player(const Technique& technique, Engine& engine) : technique_(technique), engine_(engine) {
+        for (const Pass& pass : technique.passes)
+            passes_.push_back(withEnds(parse(pass.script.value_or("Draw=Geometry"))));
+    }
 
     void play() {
-        std::vector<Command> commands = parse(technique_.script.value_or(""));
+        std::vector<Command> commands = withEnds(parse(technique_.script.value_or("")));
         if (!technique_.script)
             for (const Pass& pass : technique_.passes)
                 commands.push_back({"PASS", {}, pass.name});
@@ -134,34 +139,40 @@ private:
              const Pass* pass) {
         for (std::size_t i = from; i < to; ++i) {
             if (++commands_ > kMostCommands) fail("the script does not end");
-            if (commands[i].name == "LOOPEND") fail("LoopEnd without a loop");
+            if (commands[i].name == "LOOPEND") continue;
             if (commands[i].name != "LOOPBYCOUNT") {
                 execute(commands[i], state, caller, pass);
                 continue;
             }
-            const std::size_t end = endOf(commands, i);
             const float count = number(commands[i].value);
             if (!(count >= 0 && count <= kMostInLoop)) fail("a loop of " + std::to_string(count));
             const Loop outer = loop_;
             for (loop_ = {0, static_cast<int>(count)}; loop_.index < loop_.count; ++loop_.index)
-                run(commands, i + 1, end, state, caller, pass);
+                run(commands, i + 1, commands[i].end + 1, state, caller, pass);
             loop_ = outer;
-            i = end;
+            i = commands[i].end;
         }
     }
 
-    std::size_t endOf(const std::vector<Command>& commands, std::size_t loop) const {
-        int depth = 0;
-        for (std::size_t i = loop; i < commands.size(); ++i) {
-            if (commands[i].name == "LOOPBYCOUNT") ++depth;
-            if (commands[i].name == "LOOPEND" && --depth == 0) return i;
+    std::vector<Command> withEnds(std::vector<Command> commands) const {
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < commands.size(); ++i) {
+            if (commands[i].name == "LOOPBYCOUNT") open.push_back(i);
+            if (open.size() > kMostNested) fail("too many loops in loops");
+            if (commands[i].name != "LOOPEND") continue;
+            if (open.empty()) fail("LoopEnd without a loop");
+            commands[open.back()].end = i;
+            open.pop_back();
         }
-        fail("a loop has no end");
+        if (!open.empty()) fail("a loop has no end");
+        return commands;
     }
 
     void execute(const Command& command, State& state, const Targets& caller, const Pass* pass) {
+        for (const char* reserved : {"LOOPBYTYPE", "LOOPUPDATE", "GEOMETRYLIST", "HINT", "SCRIPTSIGNATURE"})
+            if (command.name == reserved) return;
         const std::string option = choose(command.value);
-        if (command.name == "PASS") return runPass(option, state);
+        if (command.name == "PASS" && !pass) return runPass(option, state);
         if (command.name == "DRAW" && pass) return draw(*pass, option, state);
         if (command.name == "CLEAR") return clear(option, state);
         if (command.name == "SCRIPTEXTERNAL") return external(state);
@@ -212,11 +223,10 @@ private:
     float number(const std::string& parameter) { return valueOf(parameter).numbers[0]; }
 
     void runPass(const std::string& name, const State& state) {
-        for (const Pass& pass : technique_.passes) {
-            if (upper(pass.name) != upper(name)) continue;
+        for (std::size_t i = 0; i < passes_.size(); ++i) {
+            if (upper(technique_.passes[i].name) != upper(name)) continue;
             State own = state;
-            const std::vector<Command> commands = parse(pass.script.value_or("Draw=Geometry"));
-            return run(commands, 0, commands.size(), own, state.targets, &pass);
+            return run(passes_[i], 0, passes_[i].size(), own, state.targets, &technique_.passes[i]);
         }
         fail("no pass " + name);
     }
@@ -236,10 +246,12 @@ private:
         };
         if (name == "DEPTH") return engine_.clear(Clear::Depth, {}, of(state.depth, {1}));
         if (name == "STENCIL") return engine_.clear(Clear::Stencil, {}, of(state.stencil, {0}));
-        if (name == "COLOR") return engine_.clear(Clear::Color, {}, of(state.color, {0, 0, 0, 0}));
+        std::vector<float> color = of(state.color, {0, 0, 0, 0});
+        color.resize(4);
+        if (name == "COLOR") return engine_.clear(Clear::Color, {}, color);
         if (name.size() != 6 || name.compare(0, 5, "COLOR") != 0 || name[5] < '0' || name[5] > '7') fail("no clear of " + what);
         const auto place = static_cast<std::size_t>(name[5] - '0');
-        if (state.targets.colors[place]) engine_.clear(Clear::Color, place, of(state.color, {0, 0, 0, 0}));
+        if (state.targets.colors[place]) engine_.clear(Clear::Color, place, color);
     }
 
     void external(const State& state) {
@@ -261,6 +273,7 @@ private:
 
     const Technique& technique_;
     Engine& engine_;
+    std::vector<std::vector<Command>> passes_;
     std::optional<Targets> bound_;
     Loop loop_;
     long commands_ = 0;

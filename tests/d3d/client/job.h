@@ -1,7 +1,7 @@
 #pragma once
 // One effect to run: what an engine would know of its scene. Written by the host (tests/d3d/job_file.cpp), one statement a line:
 //
-//   effect FILE                            fx_2_0 or fx_4_0
+//   effect FILE                            fx_2_0 or fx_4_0; for Direct3D 12 the folder that check --emit has written
 //   technique NAME
 //   picture WIDTH HEIGHT R G B             the application's targets, and what it clears them to (alpha 0)
 //   mesh FILE                              counts, 12 floats a vertex, 32-bit indices

@@ -1,4 +1,4 @@
-// d3d_client 9|10|11 FOLDER JOBS RESULTS: runs effects on a Direct3D device and writes every target as raw floats.
+// d3d_client 9|10|11|12 FOLDER JOBS RESULTS: runs effects on a Direct3D device and writes every target as raw floats.
 //
 // JOBS, a file in FOLDER, names a job file and a prefix for the targets' files on each line. RESULTS receives one line for each job,
 // flushed: "ok", or why it failed; after a failure the program ends, and a line that is missing tells which job brought it down.
@@ -35,6 +35,11 @@ std::unique_ptr<Engine> open(const std::string& version, const Job& job) {
 void run(const std::string& version, const std::string& folder, const std::string& file, const std::string& prefix) {
     const Job job = readJob(folder, file);
     if (job.foreign) return writePixels(job.path(prefix + "picture.f32"), drawForeign(job));
+    if (version == "12") {
+        for (const auto& [name, pixels] : drawDirect3D12(job))
+            writePixels(job.path(prefix + name + ".f32"), pixels);
+        return;
+    }
     const std::unique_ptr<Engine> engine = open(version, job);
     runTechnique(*engine);
     for (const std::string& target : engine->targets())

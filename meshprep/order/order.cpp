@@ -1,5 +1,6 @@
 #include "meshprep/order/order.h"
 
+#include "host/support/file.h"
 #include "host/support/parallel.h"
 #include "meshprep/order/portfolio.h"
 
@@ -38,6 +39,19 @@ std::vector<std::uint32_t> orderPieces(std::span<const std::uint32_t> indices, s
     return out;
 }
 
+Result<BestOrder> orderedOf(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method, const CacheModel& cache,
+                            std::span<const float> places) try {
+    if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
+    if (method == Method::Best) return bestOrder(indices, vertexCount, cache, places);
+    return BestOrder{.corners = orderPieces(indices, vertexCount, method, cache), .byPlaces = false};
+} catch (const std::bad_alloc&) {
+    return machineError(7043, fmt::format("not enough memory to order {} triangles", indices.size() / 3),
+                        "close programs, or reduce the mesh");
+}
+
+/// Larger parts are seldom there twice, and would take memory.
+constexpr std::size_t kMostKept = std::size_t{3} * 50'000;
+
 /// The corner that a triangle's smallest index is at first, so that triangles that differ by their first corner alone become equal.
 std::array<std::uint32_t, 3> canonical(std::span<const std::uint32_t, 3> t) {
     const std::array<std::array<std::uint32_t, 3>, 3> turns = {{{t[0], t[1], t[2]}, {t[1], t[2], t[0]}, {t[2], t[0], t[1]}}};
@@ -65,12 +79,28 @@ std::string_view name(Method method) {
 }
 
 Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
-                                           const CacheModel& cache, std::span<const float> places) try {
-    if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
-    return method == Method::Best ? bestOrder(indices, vertexCount, cache, places) : orderPieces(indices, vertexCount, method, cache);
-} catch (const std::bad_alloc&) {
-    return machineError(7043, fmt::format("not enough memory to order {} triangles", indices.size() / 3),
-                        "close programs, or reduce the mesh");
+                                           const CacheModel& cache, std::span<const float> places) {
+    auto ordered = orderedOf(indices, vertexCount, method, cache, places);
+    if (!ordered) return ordered.error();
+    return std::move(ordered->corners);
+}
+
+Result<std::vector<std::uint32_t>> PartsReorder::operator()(std::span<const std::uint32_t> indices, std::size_t vertexCount,
+                                                            std::span<const float> places) {
+    if (indices.size() > kMostKept) return reorder(indices, vertexCount, method_, cache_, places);
+    const std::string key =
+        fmt::format("{} {}", vertexCount, contentHash({reinterpret_cast<const char*>(indices.data()), indices.size_bytes()}));
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = done_.find(key); found != done_.end()) return found->second;
+    }
+    auto ordered = orderedOf(indices, vertexCount, method_, cache_, places);
+    if (!ordered) return ordered.error();
+    if (!ordered->byPlaces) {
+        const std::lock_guard lock(mutex_);
+        done_.emplace(key, ordered->corners);
+    }
+    return std::move(ordered->corners);
 }
 
 bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {

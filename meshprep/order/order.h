@@ -3,7 +3,10 @@
 
 #include "meshprep/order/cache.h"
 
+#include <map>
+#include <mutex>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tegument::order {
@@ -27,6 +30,22 @@ enum class Method {
 /// `Method::Best` tries an order of what is sorted by place, too.
 [[nodiscard]] Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
                                                          const CacheModel& cache, std::span<const float> places = {});
+
+/// `reorder` for the parts of one mesh. Machines have the same screw many times: of lists that are equal, whatever their places, the first
+/// alone is ordered, unless its places took part in that. May be called from several threads.
+class PartsReorder {
+public:
+    PartsReorder(Method method, const CacheModel& cache) : method_(method), cache_(cache) {}
+
+    [[nodiscard]] Result<std::vector<std::uint32_t>> operator()(std::span<const std::uint32_t> indices, std::size_t vertexCount,
+                                                                std::span<const float> places = {});
+
+private:
+    Method method_;
+    CacheModel cache_;
+    std::mutex mutex_;
+    std::map<std::string, std::vector<std::uint32_t>> done_; // by the list's hash
+};
 
 /// Whether both lists hold the same triangles with the same winding, each as often: first corners and order may differ.
 [[nodiscard]] bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);

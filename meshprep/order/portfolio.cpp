@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -46,6 +47,13 @@ public:
         }
         return misses;
     }
+    /// Of one that gave up: the most there can be.
+    std::size_t addUnlessEmpty(Corners candidate) { return candidate.empty() ? kNotCounted : add(std::move(candidate)); }
+    /// So many misses are out of reach of the best so far: its own and a share more. Only the cache that an order is made for tells.
+    std::size_t mostOf(unsigned entries, std::size_t share) {
+        if (best_.empty() || cache_ != fifo(entries)) return kNotCounted;
+        return fewest() + fewest() / share;
+    }
     Corners take() { return std::move(best_); }
 
 private:
@@ -74,7 +82,8 @@ void addHoppe(Choice& choice, unsigned entries, bool regular = false, std::uint3
     for (unsigned reserve = full; reserve < entries; reserve += step) {
         std::size_t misses = last;
         for (std::uint32_t i = 0; i < (reserve == full ? starts : 1); ++i)
-            misses = std::min(misses, choice.add(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i)));
+            misses = std::min(misses, choice.addUnlessEmpty(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i,
+                                                                  choice.mostOf(entries, reserve == full && !regular ? 10 : 100))));
         if (regular || misses >= last || misses > choice.fewest() + choice.fewest() / (reserve == full ? 10 : 100)) return;
         last = misses;
     }
@@ -186,13 +195,14 @@ public:
         named_ = came.vertices;
     }
 
-    Corners run() && {
-        if (fewest_ == named_) return std::move(best_);
-        if (cache_.batched())
-            runBatched();
-        else
-            runCached();
-        return std::move(best_);
+    BestOrder run() && {
+        if (fewest_ != named_) {
+            if (cache_.batched())
+                runBatched();
+            else
+                runCached();
+        }
+        return {.corners = std::move(best_), .byPlaces = byPlaces_};
     }
 
 private:
@@ -270,6 +280,7 @@ private:
     [[nodiscard]] Candidate meshoptSorted() const {
         return [this] {
             if (places_.size() != 3 * vertexCount_) return Corners(indices_.begin(), indices_.end());
+            byPlaces_ = true;
             const Corners sorted = sortedByPlace(indices_, places_);
             return meshopt(asItCame(sorted, vertexCount_), entries_);
         };
@@ -319,13 +330,15 @@ private:
     Corners best_;
     std::size_t fewest_ = 0;
     std::size_t named_ = 0; // vertices, each of which must run once
+    mutable std::atomic<bool> byPlaces_ = false;
     mutable std::once_flag cut_;
     mutable std::optional<Pieces> whole_; // when it is asked for
 };
 
 } // namespace
 
-Corners bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::span<const float> places) {
+BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
+                    std::span<const float> places) {
     return BestSearch(indices, vertexCount, cache, places).run();
 }
 

@@ -10,7 +10,11 @@ namespace tegument::order {
 [[nodiscard]] Corners orderPiece(const Piece& piece, Method method, const CacheModel& cache);
 
 /// All triangles in the order with the fewest misses in `cache` of those that suit it, judged on the whole: what came in is one of them.
-[[nodiscard]] Corners bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
-                                std::span<const float> places);
+struct BestOrder {
+    Corners corners;
+    bool byPlaces = false; // the places took part: other ones might give another order
+};
+[[nodiscard]] BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
+                                  std::span<const float> places);
 
 } // namespace tegument::order

@@ -2,8 +2,6 @@
 
 #include "host/support/parallel.h"
 
-#include <optional>
-
 namespace tegument::prep {
 
 namespace {
@@ -65,11 +63,6 @@ constexpr Seen kMiddle{.u = 0.3271, .v = 0.3413, .height = 0}; // on no side of 
 constexpr std::array kCorners = {Seen{.u = kShrunk, .v = kShrunk, .height = 0}, Seen{.u = 1 - 2 * kShrunk, .v = kShrunk, .height = 0},
                                  Seen{.u = kShrunk, .v = 1 - 2 * kShrunk, .height = 0}};
 
-/// The point's height on the plane of a triangle.
-double heightAt(const std::array<Seen, 3>& corners, const std::array<double, 3>& turns) {
-    return (turns[1] * corners[0].height + turns[2] * corners[1].height + turns[0] * corners[2].height) / (turns[0] + turns[1] + turns[2]);
-}
-
 /// The piece of a side within the shrunk triangle.
 struct Inside {
     double first = 0;
@@ -116,13 +109,18 @@ public:
             const Seen& to = corners_[(side + 1) % 3];
             if (meets(side) && !(low(mix(from, to, inside_[side].first)) && low(mix(from, to, inside_[side].last)))) return false;
         }
-        return std::ranges::all_of(kCorners, [&](const Seen& corner) {
-            const std::array<double, 3> turns = turnsAt(corners_, corner);
-            return whereBy(turns) == Where::Outside || std::abs(heightAt(corners_, turns)) <= most;
-        });
+        return std::ranges::all_of(kCorners, [&](const Seen& corner) { return where(corner) == Where::Outside || low(over(corner)); });
     }
 
 private:
+    [[nodiscard]] Seen over(const Seen& point) const {
+        const std::array<double, 3> turns = turnsAt(corners_, point);
+        const double sum = turns[0] + turns[1] + turns[2];
+        return {.u = point.u,
+                .v = point.v,
+                .height = (turns[1] * corners_[0].height + turns[2] * corners_[1].height + turns[0] * corners_[2].height) / sum};
+    }
+
     std::array<Seen, 3> corners_;
     std::array<Inside, 3> inside_;
 };
@@ -148,9 +146,7 @@ public:
     /// So none of its borders does, and the number of its triangles over a point is odd at all points or even at all.
     [[nodiscard]] bool covers(std::uint32_t& near) {
         if (!seen_ || !(most_ > 0)) return false;
-        const std::optional<std::array<Seen, 3>> over = reachMiddle(near);
-        if (!over) return false;
-        if (const std::optional<bool> low = alone(*over)) return *low;
+        if (!reachMiddle(near)) return false;
         bool odd = false;
         triangles_[count_++] = near;
         for (std::size_t i = 0; i < count_; ++i) {
@@ -175,19 +171,8 @@ private:
         return seen;
     }
 
-    /// One triangle over all of it, which is the usual case of a fine triangle below a coarse surface: whether it is near enough.
-    [[nodiscard]] std::optional<bool> alone(const std::array<Seen, 3>& over) const {
-        bool low = true;
-        for (const Seen& corner : kCorners) {
-            const std::array<double, 3> turns = turnsAt(over, corner);
-            if (whereBy(turns) != Where::Inside) return std::nullopt;
-            low = low && std::abs(heightAt(over, turns)) <= most_;
-        }
-        return low;
-    }
-
     /// From neighbour to neighbour to one over the middle.
-    [[nodiscard]] std::optional<std::array<Seen, 3>> reachMiddle(std::uint32_t& near) const {
+    [[nodiscard]] bool reachMiddle(std::uint32_t& near) const {
         constexpr unsigned kMostSteps = 32;
         std::uint32_t triangle = near;
         for (unsigned step = 0; step < kMostSteps && triangle != kNoHint; ++step) {
@@ -195,11 +180,11 @@ private:
             const std::array<double, 3> turns = turnsAt(corners, kMiddle);
             if (whereBy(turns) == Where::Inside) {
                 near = triangle;
-                return corners;
+                return true;
             }
             triangle = cover_.neighbour(triangle, sideTowards(turns));
         }
-        return std::nullopt;
+        return false;
     }
 
     /// False: there is none, or no room.

@@ -39,12 +39,12 @@ std::vector<std::uint32_t> orderPieces(std::span<const std::uint32_t> indices, s
     return out;
 }
 
-Result<BestOrder> orderedOf(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method, const CacheModel& cache,
-                            std::span<const float> places) try {
-    if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
-    if (method == Method::Best) return bestOrder(indices, vertexCount, cache, places);
-    return BestOrder{.corners = orderPieces(indices, vertexCount, method, cache), .byPlaces = false};
-} catch (const std::bad_alloc&) {
+BestOrder orderedOf(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method, const CacheModel& cache) {
+    if (method == Method::Best) return bestOrder(indices, vertexCount, cache);
+    return {.corners = orderPieces(indices, vertexCount, method, cache), .sortedToo = false};
+}
+
+Error noMemory(std::span<const std::uint32_t> indices) {
     return machineError(7043, fmt::format("not enough memory to order {} triangles", indices.size() / 3),
                         "close programs, or reduce the mesh");
 }
@@ -79,28 +79,38 @@ std::string_view name(Method method) {
 }
 
 Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
-                                           const CacheModel& cache, std::span<const float> places) {
-    auto ordered = orderedOf(indices, vertexCount, method, cache, places);
-    if (!ordered) return ordered.error();
-    return std::move(ordered->corners);
+                                           const CacheModel& cache, std::span<const float> places) try {
+    if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
+    BestOrder ordered = orderedOf(indices, vertexCount, method, cache);
+    if (!ordered.sortedToo) return std::move(ordered.corners);
+    return betterSorted(std::move(ordered.corners), indices, vertexCount, cache, places);
+} catch (const std::bad_alloc&) {
+    return noMemory(indices);
 }
 
 Result<std::vector<std::uint32_t>> PartsReorder::operator()(std::span<const std::uint32_t> indices, std::size_t vertexCount,
-                                                            std::span<const float> places) {
+                                                            std::span<const float> places) try {
     if (indices.size() > kMostKept) return reorder(indices, vertexCount, method_, cache_, places);
+    if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
     const std::string key =
         fmt::format("{} {}", vertexCount, contentHash({reinterpret_cast<const char*>(indices.data()), indices.size_bytes()}));
-    {
+    std::optional<Done> done = find(key);
+    if (!done) {
+        BestOrder ordered = orderedOf(indices, vertexCount, method_, cache_);
+        done = {.corners = std::move(ordered.corners), .sortedToo = ordered.sortedToo};
         const std::lock_guard lock(mutex_);
-        if (const auto found = done_.find(key); found != done_.end()) return found->second;
+        done_.emplace(key, *done);
     }
-    auto ordered = orderedOf(indices, vertexCount, method_, cache_, places);
-    if (!ordered) return ordered.error();
-    if (!ordered->byPlaces) {
-        const std::lock_guard lock(mutex_);
-        done_.emplace(key, ordered->corners);
-    }
-    return std::move(ordered->corners);
+    if (!done->sortedToo) return std::move(done->corners);
+    return betterSorted(std::move(done->corners), indices, vertexCount, cache_, places);
+} catch (const std::bad_alloc&) {
+    return noMemory(indices);
+}
+
+std::optional<PartsReorder::Done> PartsReorder::find(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    const auto found = done_.find(key);
+    return found == done_.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {

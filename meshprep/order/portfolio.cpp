@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -187,9 +186,8 @@ using Candidate = std::function<Corners()>;
 /// the first leave something to be gained. All is judged on the whole, as it is drawn.
 class BestSearch {
 public:
-    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::span<const float> places)
-        : indices_(indices), vertexCount_(vertexCount), cache_(cache), places_(places), entries_(fifoEntries(cache)),
-          best_(indices.begin(), indices.end()) {
+    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache)
+        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)), best_(indices.begin(), indices.end()) {
         const CacheCost came = measure(cache, indices, vertexCount);
         fewest_ = came.misses;
         named_ = came.vertices;
@@ -202,7 +200,7 @@ public:
             else
                 runCached();
         }
-        return {.corners = std::move(best_), .byPlaces = byPlaces_};
+        return {.corners = std::move(best_), .sortedToo = sortedToo_};
     }
 
 private:
@@ -212,11 +210,13 @@ private:
         tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_, faces()); }); }});
         if (fewest_ == named_) return;
         const bool lru = cache_.replacement == Replacement::Lru;
-        if (lru) tryAll({meshoptAsItCame(), meshoptSorted()});
+        if (lru) tryAll({meshoptAsItCame()});
+        sortedToo_ = lru;
         if (faces() > kManyFaces || fewest_ == named_) return;
         if (lru) tryAll({inOne([this](const Piece& p) { return meshopt(p, entries_); }), byMethod(Method::LinYu), byMethod(Method::Hoppe)});
         if (faces() > kFewFaces ? !unusual() : farAhead()) return;
         tryAll(others());
+        sortedToo_ = true;
     }
 
     /// Of one of meshoptimizer's orders, by more than they differ among themselves.
@@ -243,6 +243,7 @@ private:
             })});
         else
             tryAll(others());
+        sortedToo_ = !many;
     }
 
     [[nodiscard]] std::vector<Candidate> others() const {
@@ -253,7 +254,6 @@ private:
                                       [this] { return meshoptFifo(asItCame(indices_, vertexCount_), cache_.entries); },
                                       [this] { return meshoptStrip(asItCame(indices_, vertexCount_)); },
                                       meshoptAsItCame(),
-                                      meshoptSorted(),
                                       byMethod(Method::LinYu),
                                       byMethod(Method::Hoppe)};
         if (!cache_.batched()) return all;
@@ -275,15 +275,6 @@ private:
 
     [[nodiscard]] Candidate meshoptAsItCame() const {
         return [this] { return meshopt(asItCame(indices_, vertexCount_), entries_); };
-    }
-
-    [[nodiscard]] Candidate meshoptSorted() const {
-        return [this] {
-            if (places_.size() != 3 * vertexCount_) return Corners(indices_.begin(), indices_.end());
-            byPlaces_ = true;
-            const Corners sorted = sortedByPlace(indices_, places_);
-            return meshopt(asItCame(sorted, vertexCount_), entries_);
-        };
     }
 
     /// The pieces one by one, on all processors.
@@ -325,21 +316,27 @@ private:
     std::span<const std::uint32_t> indices_;
     std::size_t vertexCount_;
     CacheModel cache_;
-    std::span<const float> places_;
     unsigned entries_;
     Corners best_;
     std::size_t fewest_ = 0;
     std::size_t named_ = 0; // vertices, each of which must run once
-    mutable std::atomic<bool> byPlaces_ = false;
+    bool sortedToo_ = false;
     mutable std::once_flag cut_;
     mutable std::optional<Pieces> whole_; // when it is asked for
 };
 
 } // namespace
 
-BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
-                    std::span<const float> places) {
-    return BestSearch(indices, vertexCount, cache, places).run();
+BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache) {
+    return BestSearch(indices, vertexCount, cache).run();
+}
+
+Corners betterSorted(Corners best, std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
+                     std::span<const float> places) {
+    if (places.size() != 3 * vertexCount) return best;
+    const Corners sorted = sortedByPlace(indices, places);
+    Corners other = meshopt(asItCame(sorted, vertexCount), fifoEntries(cache));
+    return countMisses(cache, other, vertexCount) < countMisses(cache, best, vertexCount) ? other : best;
 }
 
 } // namespace tegument::order

@@ -128,7 +128,7 @@ TEST(PrepMesh, says_which_folders_it_made) {
 }
 
 TEST(PrepMesh, warns_of_what_a_ply_file_cannot_keep) {
-    write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    ASSERT_FALSE(write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n").empty());
     const std::string triangles = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n";
     const std::string two = write("two.obj", "mtllib two.mtl\n" + triangles + "usemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n");
     const auto warnings = [](const std::string& from, const char* to) {

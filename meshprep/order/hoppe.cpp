@@ -18,23 +18,13 @@ public:
     Corners run(std::uint32_t first, std::size_t most) {
         if (first != 0) drawStrips(startCorner(first));
         for (std::uint32_t f = open_.fewestNeighbours(); f != kNoLink; f = open_.fewestNeighbours()) {
-            if (hopeless(most)) return {};
+            if (now_ - entries_ > most) return {};
             drawStrips(startCorner(f));
         }
         return std::move(out_);
     }
 
 private:
-    /// Too many misses, or at half of the faces too many by a twentieth: the second half, which fills what was left, takes no fewer. In a
-    /// small piece it may, for its border is drawn first.
-    [[nodiscard]] bool hopeless(std::size_t most) const {
-        constexpr std::size_t kMargin = 20;
-        constexpr std::uint32_t kForeseenFaces = 10'000;
-        const std::size_t misses = now_ - entries_;
-        if (misses > most) return true;
-        return piece_.faceCount() >= kForeseenFaces && 2 * out_.size() >= piece_.corners.size() && misses > most / 2 + most / (2 * kMargin);
-    }
-
     /// The open face across the side that starts at this corner, as its corner at the same side.
     [[nodiscard]] std::uint32_t across(std::uint32_t corner) const {
         const std::uint32_t other = links_[corner];

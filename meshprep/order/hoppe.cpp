@@ -15,10 +15,12 @@ public:
         out_.reserve(piece.corners.size());
     }
 
-    Corners run(std::uint32_t first) {
+    Corners run(std::uint32_t first, std::size_t most) {
         if (first != 0) drawStrips(startCorner(first));
-        for (std::uint32_t f = open_.fewestNeighbours(); f != kNoLink; f = open_.fewestNeighbours())
+        for (std::uint32_t f = open_.fewestNeighbours(); f != kNoLink; f = open_.fewestNeighbours()) {
+            if (now_ - entries_ > most) return {};
             drawStrips(startCorner(f));
+        }
         return std::move(out_);
     }
 
@@ -97,8 +99,9 @@ private:
 
 } // namespace
 
-Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit, std::uint32_t first) {
-    return Hoppe(piece, links, entries, limit).run(first);
+Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit, std::uint32_t first,
+              std::size_t most) {
+    return Hoppe(piece, links, entries, limit).run(first, most);
 }
 
 } // namespace tegument::order

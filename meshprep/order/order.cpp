@@ -1,5 +1,6 @@
 #include "meshprep/order/order.h"
 
+#include "host/support/file.h"
 #include "host/support/parallel.h"
 #include "meshprep/order/portfolio.h"
 
@@ -38,6 +39,19 @@ std::vector<std::uint32_t> orderPieces(std::span<const std::uint32_t> indices, s
     return out;
 }
 
+BestOrder orderedOf(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method, const CacheModel& cache) {
+    if (method == Method::Best) return bestOrder(indices, vertexCount, cache);
+    return {.corners = orderPieces(indices, vertexCount, method, cache), .sortedToo = false};
+}
+
+Error noMemory(std::span<const std::uint32_t> indices) {
+    return machineError(7043, fmt::format("not enough memory to order {} triangles", indices.size() / 3),
+                        "close programs, or reduce the mesh");
+}
+
+/// Larger parts are seldom there twice, and would take memory.
+constexpr std::size_t kMostKept = std::size_t{3} * 50'000;
+
 /// The corner that a triangle's smallest index is at first, so that triangles that differ by their first corner alone become equal.
 std::array<std::uint32_t, 3> canonical(std::span<const std::uint32_t, 3> t) {
     const std::array<std::array<std::uint32_t, 3>, 3> turns = {{{t[0], t[1], t[2]}, {t[1], t[2], t[0]}, {t[2], t[0], t[1]}}};
@@ -67,10 +81,36 @@ std::string_view name(Method method) {
 Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
                                            const CacheModel& cache, std::span<const float> places) try {
     if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
-    return method == Method::Best ? bestOrder(indices, vertexCount, cache, places) : orderPieces(indices, vertexCount, method, cache);
+    BestOrder ordered = orderedOf(indices, vertexCount, method, cache);
+    if (!ordered.sortedToo) return std::move(ordered.corners);
+    return betterSorted(std::move(ordered.corners), indices, vertexCount, cache, places);
 } catch (const std::bad_alloc&) {
-    return machineError(7043, fmt::format("not enough memory to order {} triangles", indices.size() / 3),
-                        "close programs, or reduce the mesh");
+    return noMemory(indices);
+}
+
+Result<std::vector<std::uint32_t>> PartsReorder::operator()(std::span<const std::uint32_t> indices, std::size_t vertexCount,
+                                                            std::span<const float> places) try {
+    if (indices.size() > kMostKept) return reorder(indices, vertexCount, method_, cache_, places);
+    if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
+    const std::string key =
+        fmt::format("{} {}", vertexCount, contentHash({reinterpret_cast<const char*>(indices.data()), indices.size_bytes()}));
+    std::optional<Done> done = find(key);
+    if (!done) {
+        BestOrder ordered = orderedOf(indices, vertexCount, method_, cache_);
+        done = {.corners = std::move(ordered.corners), .sortedToo = ordered.sortedToo};
+        const std::lock_guard lock(mutex_);
+        done_.emplace(key, *done);
+    }
+    if (!done->sortedToo) return std::move(done->corners);
+    return betterSorted(std::move(done->corners), indices, vertexCount, cache_, places);
+} catch (const std::bad_alloc&) {
+    return noMemory(indices);
+}
+
+std::optional<PartsReorder::Done> PartsReorder::find(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    const auto found = done_.find(key);
+    return found == done_.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {

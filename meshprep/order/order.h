@@ -3,7 +3,11 @@
 
 #include "meshprep/order/cache.h"
 
+#include <map>
+#include <mutex>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tegument::order {
@@ -27,6 +31,29 @@ enum class Method {
 /// `Method::Best` tries an order of what is sorted by place, too.
 [[nodiscard]] Result<std::vector<std::uint32_t>> reorder(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
                                                          const CacheModel& cache, std::span<const float> places = {});
+
+/// `reorder` for the parts of one mesh. Machines have the same screw many times: of lists that are equal the first alone is ordered,
+/// and where sorting by place may help that is tried for each. May be called from several threads.
+class PartsReorder {
+public:
+    PartsReorder(Method method, const CacheModel& cache) : method_(method), cache_(cache) {}
+
+    [[nodiscard]] Result<std::vector<std::uint32_t>> operator()(std::span<const std::uint32_t> indices, std::size_t vertexCount,
+                                                                std::span<const float> places = {});
+
+private:
+    struct Done {
+        std::vector<std::uint32_t> corners;
+        bool sortedToo = false; // places may make a better one
+    };
+
+    std::optional<Done> find(const std::string& key);
+
+    Method method_;
+    CacheModel cache_;
+    std::mutex mutex_;
+    std::map<std::string, Done> done_; // by the list's hash
+};
 
 /// Whether both lists hold the same triangles with the same winding, each as often: first corners and order may differ.
 [[nodiscard]] bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);

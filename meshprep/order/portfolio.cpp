@@ -46,6 +46,13 @@ public:
         }
         return misses;
     }
+    /// Of one that gave up: the most there can be.
+    std::size_t addUnlessEmpty(Corners candidate) { return candidate.empty() ? kNotCounted : add(std::move(candidate)); }
+    /// So many misses are out of reach of the best so far: its own and a share more. Only the cache that an order is made for tells.
+    std::size_t mostOf(unsigned entries, std::size_t share) {
+        if (best_.empty() || cache_ != fifo(entries)) return kNotCounted;
+        return fewest() + fewest() / share;
+    }
     Corners take() { return std::move(best_); }
 
 private:
@@ -74,7 +81,8 @@ void addHoppe(Choice& choice, unsigned entries, bool regular = false, std::uint3
     for (unsigned reserve = full; reserve < entries; reserve += step) {
         std::size_t misses = last;
         for (std::uint32_t i = 0; i < (reserve == full ? starts : 1); ++i)
-            misses = std::min(misses, choice.add(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i)));
+            misses = std::min(misses, choice.addUnlessEmpty(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i,
+                                                                  choice.mostOf(entries, reserve == full && !regular ? 10 : 100))));
         if (regular || misses >= last || misses > choice.fewest() + choice.fewest() / (reserve == full ? 10 : 100)) return;
         last = misses;
     }
@@ -178,21 +186,21 @@ using Candidate = std::function<Corners()>;
 /// the first leave something to be gained. All is judged on the whole, as it is drawn.
 class BestSearch {
 public:
-    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::span<const float> places)
-        : indices_(indices), vertexCount_(vertexCount), cache_(cache), places_(places), entries_(fifoEntries(cache)),
-          best_(indices.begin(), indices.end()) {
+    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache)
+        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)), best_(indices.begin(), indices.end()) {
         const CacheCost came = measure(cache, indices, vertexCount);
         fewest_ = came.misses;
         named_ = came.vertices;
     }
 
-    Corners run() && {
-        if (fewest_ == named_) return std::move(best_);
-        if (cache_.batched())
-            runBatched();
-        else
-            runCached();
-        return std::move(best_);
+    BestOrder run() && {
+        if (fewest_ != named_) {
+            if (cache_.batched())
+                runBatched();
+            else
+                runCached();
+        }
+        return {.corners = std::move(best_), .sortedToo = sortedToo_};
     }
 
 private:
@@ -202,11 +210,13 @@ private:
         tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_, faces()); }); }});
         if (fewest_ == named_) return;
         const bool lru = cache_.replacement == Replacement::Lru;
-        if (lru) tryAll({meshoptAsItCame(), meshoptSorted()});
+        if (lru) tryAll({meshoptAsItCame()});
+        sortedToo_ = lru;
         if (faces() > kManyFaces || fewest_ == named_) return;
         if (lru) tryAll({inOne([this](const Piece& p) { return meshopt(p, entries_); }), byMethod(Method::LinYu), byMethod(Method::Hoppe)});
         if (faces() > kFewFaces ? !unusual() : farAhead()) return;
         tryAll(others());
+        sortedToo_ = true;
     }
 
     /// Of one of meshoptimizer's orders, by more than they differ among themselves.
@@ -233,6 +243,7 @@ private:
             })});
         else
             tryAll(others());
+        sortedToo_ = !many;
     }
 
     [[nodiscard]] std::vector<Candidate> others() const {
@@ -243,7 +254,6 @@ private:
                                       [this] { return meshoptFifo(asItCame(indices_, vertexCount_), cache_.entries); },
                                       [this] { return meshoptStrip(asItCame(indices_, vertexCount_)); },
                                       meshoptAsItCame(),
-                                      meshoptSorted(),
                                       byMethod(Method::LinYu),
                                       byMethod(Method::Hoppe)};
         if (!cache_.batched()) return all;
@@ -265,14 +275,6 @@ private:
 
     [[nodiscard]] Candidate meshoptAsItCame() const {
         return [this] { return meshopt(asItCame(indices_, vertexCount_), entries_); };
-    }
-
-    [[nodiscard]] Candidate meshoptSorted() const {
-        return [this] {
-            if (places_.size() != 3 * vertexCount_) return Corners(indices_.begin(), indices_.end());
-            const Corners sorted = sortedByPlace(indices_, places_);
-            return meshopt(asItCame(sorted, vertexCount_), entries_);
-        };
     }
 
     /// The pieces one by one, on all processors.
@@ -314,19 +316,27 @@ private:
     std::span<const std::uint32_t> indices_;
     std::size_t vertexCount_;
     CacheModel cache_;
-    std::span<const float> places_;
     unsigned entries_;
     Corners best_;
     std::size_t fewest_ = 0;
     std::size_t named_ = 0; // vertices, each of which must run once
+    bool sortedToo_ = false;
     mutable std::once_flag cut_;
     mutable std::optional<Pieces> whole_; // when it is asked for
 };
 
 } // namespace
 
-Corners bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::span<const float> places) {
-    return BestSearch(indices, vertexCount, cache, places).run();
+BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache) {
+    return BestSearch(indices, vertexCount, cache).run();
+}
+
+Corners betterSorted(Corners best, std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
+                     std::span<const float> places) {
+    if (places.size() != 3 * vertexCount) return best;
+    const Corners sorted = sortedByPlace(indices, places);
+    Corners other = meshopt(asItCame(sorted, vertexCount), fifoEntries(cache));
+    return countMisses(cache, other, vertexCount) < countMisses(cache, best, vertexCount) ? other : best;
 }
 
 } // namespace tegument::order

@@ -262,6 +262,7 @@ private:
 
     /// Parts are drawn one by one, so each is ordered by itself.
     std::optional<Error> reorderParts(std::vector<std::uint32_t>& indices, const std::vector<MeshPart>& parts) const {
+        order::PartsReorder reorder(*options_.order, options_.cache);
         std::mutex mutex;
         std::vector<LocalVertices> idle; // as many as work at once: each has a number for every vertex
         const auto done = tryEachInParallel(parts.size(), [&](std::size_t i) -> Result<void> {
@@ -275,7 +276,7 @@ private:
             }
             if (!local) local.emplace(surface_.mesh.positions.size());
             const auto own = std::span(indices).subspan(parts[i].firstIndex, parts[i].indexCount);
-            auto reordered = reorderPart(own, *local);
+            auto reordered = reorderPart(own, *local, reorder);
             const std::lock_guard lock(mutex);
             idle.push_back(std::move(*local));
             return reordered;
@@ -283,11 +284,11 @@ private:
         return done ? std::nullopt : std::optional<Error>(done.error());
     }
 
-    Result<void> reorderPart(std::span<std::uint32_t> own, LocalVertices& local) const {
+    Result<void> reorderPart(std::span<std::uint32_t> own, LocalVertices& local, order::PartsReorder& reorder) const {
         const auto& triangles = local.enter(own);
         const std::vector<glm::vec3> positions = local.gathered(surface_.mesh.positions);
-        const auto ordered = order::reorder(triangles, local.global().size(), *options_.order, options_.cache,
-                                            {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()});
+        const auto ordered =
+            reorder(triangles, local.global().size(), {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()});
         if (!ordered) return ordered.error();
         assert(order::samePermutation(triangles, *ordered));
         std::ranges::transform(*ordered, own.begin(), [&](std::uint32_t corner) { return local.global()[corner]; });

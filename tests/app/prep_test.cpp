@@ -113,3 +113,31 @@ TEST(PrepMesh, takes_every_format_that_it_says_it_takes) {
         EXPECT_EQ(json["output"]["faces"], 1) << file;
     }
 }
+
+TEST(PrepMesh, says_which_folders_it_made) {
+    const fs::path fresh = scratch() / "fresh";
+    const std::string out = (fresh / "below" / "cube.glb").string();
+    const std::string said = "created the folder " + fresh.string() + "\n"; // the outermost one alone
+    EXPECT_EQ(tegument::test::tegument({"prep", shape("cube"), "-o", out, "--dry-run"}).out.find("created"), std::string::npos);
+    EXPECT_FALSE(fs::exists(fresh));
+    const Ran first = tegument::test::tegument({"prep", shape("cube"), "-o", out});
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_NE(first.out.find(said), std::string::npos) << first.out;
+    EXPECT_TRUE(fs::exists(out));
+    EXPECT_EQ(tegument::test::tegument({"prep", shape("cube"), "-o", out}).out.find("created"), std::string::npos);
+}
+
+TEST(PrepMesh, warns_of_what_a_ply_file_cannot_keep) {
+    ASSERT_FALSE(write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n").empty());
+    const std::string triangles = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n";
+    const std::string two = write("two.obj", "mtllib two.mtl\n" + triangles + "usemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n");
+    const auto warnings = [](const std::string& from, const char* to) {
+        const Ran ran = tegument::test::tegument({"prep", from, "-o", (scratch() / to).string()});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return ran.err;
+    };
+    const std::string lost = warnings(two, "two.ply");
+    EXPECT_NE(lost.find("warning TG5331: a PLY file keeps none of 2 parts, 2 materials"), std::string::npos) << lost;
+    EXPECT_EQ(warnings(two, "two.glb").find("TG5331"), std::string::npos);
+    EXPECT_EQ(warnings(write("plain.obj", triangles + "f 1 2 3\n"), "plain.ply").find("TG5331"), std::string::npos);
+}

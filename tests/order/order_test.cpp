@@ -201,6 +201,35 @@ TEST(Orders, of_a_large_component_s_halves_are_one_good_order) {
     EXPECT_EQ(*reorder(mesh, kVertices, Method::Best, fifo(16)), *out);
 }
 
+/// A machine's screws: the second costs no order of its own, and gets the same one. A list known already is still refused when its vertices
+/// are too few.
+TEST(Orders, of_parts_that_are_equal_are_those_of_each_by_itself) {
+    const Indices screw = shuffled(grid(20), 441, 1);
+    const Indices other = shuffled(grid(20), 441, 2);
+    for (const CacheModel& model : {fifo(16), lru(16), kWarp}) {
+        PartsReorder parts(Method::Best, model);
+        for (const Indices* part : {&screw, &other, &screw, &other})
+            EXPECT_EQ(*parts(*part, 441), *reorder(*part, 441, Method::Best, model)) << name(model);
+        EXPECT_EQ(parts(screw, 440).error().diagnostics.front().code, 7042);
+    }
+}
+
+/// The same triangles at other places: where sorting by place is among what is tried, each part is judged with its own.
+TEST(Orders, of_equal_parts_whose_places_take_part_are_those_of_each_by_itself) {
+    constexpr std::uint32_t kSide = 12;
+    constexpr std::uint32_t kVertices = (kSide + 1) * (kSide + 1);
+    const Indices part = soup(600, kVertices);
+    std::vector<float> along, across;
+    for (std::uint32_t v = 0; v < kVertices; ++v) {
+        along.insert(along.end(), {static_cast<float>(v), 0, 0});
+        across.insert(across.end(), {static_cast<float>(v * 37 % kVertices), static_cast<float>(v * 59 % kVertices), 0});
+    }
+    ASSERT_NE(*reorder(part, kVertices, Method::Best, lru(16), along), *reorder(part, kVertices, Method::Best, lru(16), across));
+    PartsReorder parts(Method::Best, lru(16));
+    for (const std::vector<float>* places : {&along, &across})
+        EXPECT_EQ(*parts(part, kVertices, *places), *reorder(part, kVertices, Method::Best, lru(16), *places));
+}
+
 TEST(Orders, of_the_same_input_are_the_same) {
     const Indices input = soup(2000, 700);
     for (const Method method : kMethods)

@@ -47,7 +47,7 @@ prep::PrepOptions lenient() {
 
 TEST_F(ValidGlb, of_every_hard_file_passes_the_validator_and_is_read_by_another_program) {
     if (!std::filesystem::exists(tools() / "node_modules/gltf-validator") || std::system("node --version > /dev/null 2>&1") != 0)
-        GTEST_SKIP() << "no gltf-validator: docs/meshprep.md says where it comes from";
+        GTEST_SKIP() << "no gltf-validator: ./bootstrap test fetches it where npm is";
     writeAll("plain", lenient());
     prep::PrepOptions small = lenient();
     small.precision = prep::VertexPrecision::Unorm16;

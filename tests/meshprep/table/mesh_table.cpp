@@ -87,9 +87,10 @@ double milliseconds(Work work) {
 void measureOrders(const std::vector<Part>& parts, Row& row) {
     for (const auto& [name, model] : kModels) {
         std::size_t ours = 0, theirs = 0, vertices = 0;
+        order::PartsReorder reorder(order::Method::Best, model);
         for (const Part& part : parts) {
             const std::size_t count = part.positions.size();
-            ours += order::measure(model, *order::reorder(part.indices, count, order::Method::Best, model, placesOf(part)), count).misses;
+            ours += order::measure(model, *reorder(part.indices, count, placesOf(part)), count).misses;
             std::size_t least = SIZE_MAX;
             for (const Indices& theirOrder : testing_prep::peerOrders(part.indices, part.positions, model.entries))
                 least = std::min(least, order::measure(model, theirOrder, count).misses);
@@ -100,8 +101,9 @@ void measureOrders(const std::vector<Part>& parts, Row& row) {
             {static_cast<double>(ours) / static_cast<double>(vertices), static_cast<double>(theirs) / static_cast<double>(vertices)});
     }
     row.milliseconds.ours = milliseconds([&] {
+        order::PartsReorder reorder(order::Method::Best, order::fifo(16));
         for (const Part& part : parts)
-            (void)order::reorder(part.indices, part.positions.size(), order::Method::Best, order::fifo(16), placesOf(part));
+            (void)reorder(part.indices, part.positions.size(), placesOf(part));
     });
     row.milliseconds.theirs = milliseconds([&] {
         for (const Part& part : parts)

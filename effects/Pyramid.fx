@@ -8,6 +8,7 @@
 #include "../hlsl/light.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
+#define LIGHTS_IN_ONE_PASS 0
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"
@@ -27,6 +28,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/diffuse_share.fxh"
 #include "passes/more_light_sum.fxh"
 #include "passes/energy_share.fxh"
+#include "passes/light_by_light.fxh"
 #include "passes/coarse_levels.fxh"
 #include "passes/profile.fxh"
 #include "passes/planar_shadow.fxh"

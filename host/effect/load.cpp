@@ -63,8 +63,7 @@ Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions o
     return options;
 }
 
-Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read,
-                    const char* target) {
+Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read, const char* target) {
     Sources sources;
     Result<Preprocessed> metadata = view(file, options, read, sources, {target, "1"});
     if (!metadata) return quoted(metadata.error(), sources);

@@ -90,8 +90,8 @@ std::vector<Case> discover() {
     cases.push_back({.effect = "effects/Main.fx", .technique = "DEonLuebke", .includeFolders = {}, .lamps = 1});
     for (const char* technique : {"DEonLuebke", "Gosselin", "Lambert"})
         cases.push_back({.effect = "effects/Main.fx", .technique = technique, .includeFolders = {}, .lamps = 3, .surroundings = true});
-    for (const auto& [effect, technique] : {std::pair{"effects/Pyramid.fx", "PyramidLinked"},
-                                            {"effects/peers/Preintegrated.fx", "PreintegratedPenumbra"}})
+    for (const auto& [effect, technique] :
+         {std::pair{"effects/Pyramid.fx", "PyramidLinked"}, {"effects/peers/Preintegrated.fx", "PreintegratedPenumbra"}})
         cases.push_back({.effect = effect, .technique = technique, .includeFolders = {}, .lamps = 3, .surroundings = true});
     cases.push_back({.effect = "effects/Pyramid.fx", .technique = "Pyramid", .includeFolders = {}, .lamps = 3, .soft = true});
     cases.push_back(libraryCase());

@@ -1,6 +1,7 @@
 // FurSkin: skin and hair of a head in one picture: skin by Pyramid's pyramid of light, scalp, brows and beard as FurCoat's ribbons.
 // Strands throw shadows on skin and strands, and the head throws its own on both. The mesh has the part "underfur", which the host grows
 // where hair is (docs/design/modules/FurSkin.md).
+#define TEGUMENT_LIGHTS_IN_ONE_PASS 0
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -8,7 +9,6 @@
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/fur.fxh"
-#define LIGHTS_IN_ONE_PASS 0
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"

@@ -2,6 +2,7 @@
 // order them. Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin;
 // DEonLuebkeCulled and GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without
 // diffusion, to set beside them.
+#define TEGUMENT_LIGHTS_IN_ONE_PASS (1 - TEGUMENT_LOBES)
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -9,7 +10,6 @@
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
 #include "../hlsl/cull.fxh"
-#define LIGHTS_IN_ONE_PASS (1 - TEGUMENT_LOBES)
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"

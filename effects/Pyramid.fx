@@ -2,13 +2,13 @@
 // over an atlas of the mesh, is reduced a few times, and comes back from the levels, weighed so that they make the diffusion profile; what
 // is narrower than a texel is left to the pixel. Techniques: Pyramid, for one chart; PyramidLinked, where the widest Gaussians come along
 // precomputed links in space, across seams, folds and through thin parts (docs/design/modules/Pyramid.md).
+#define TEGUMENT_LIGHTS_IN_ONE_PASS 0
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
 #include "../hlsl/light.fxh"
 #include "../hlsl/shadow.fxh"
 #include "../hlsl/scatter.fxh"
-#define LIGHTS_IN_ONE_PASS 0
 #include "passes/annotations.fxh"
 #include "passes/vertex.fxh"
 #include "passes/quad.fxh"

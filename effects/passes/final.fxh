@@ -86,7 +86,7 @@ float4 LambertPS(SurfaceVarying input) : SV_Target0
     return float4(lerp(plain, skin, p.scatters) + mirroredLight(p, toEye), 1.0);
 }
 
-#if LIGHT_BY_LIGHT
+#if TEGUMENT_LIGHT_BY_LIGHT
 // Of one Gaussian what is no light of the map.
 float3 ownShare(float4 texel, float4 gaussian)
 {

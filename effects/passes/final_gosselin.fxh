@@ -36,7 +36,7 @@ float4 GosselinFinalEvenPS(SurfaceVarying input) : SV_Target0
     return gosselinFinal(TG_SAMPLER2D_ARG(gBlurEven), input);
 }
 
-#if LIGHT_BY_LIGHT
+#if TEGUMENT_LIGHT_BY_LIGHT
 LitShare gosselinShare(TG_SAMPLER2D_PARAM(map), SurfaceVarying input)
 {
     LitShare s;

@@ -1,11 +1,11 @@
-// Light by light (LIGHT_BY_LIGHT of more_light.fxh): surroundings and each lamp in a pass of its own, which draws the mesh over the
+// Light by light (TEGUMENT_LIGHT_BY_LIGHT): surroundings and each lamp in a pass of its own, which draws the mesh over the
 // picture once more and adds what that light is worth there. Shader model 3 has no slots for all in one pass; where one pass has them, all
 // of this is empty. Of a last pass PREFIX: function PREFIXShare(varying), LIGHTS(PREFIX, varying), and in its technique LIGHTS_SCRIPT and
 // LIGHTS_PASSES. What of a light enters the maps is in them by their own passes.
 #ifndef TEGUMENT_PASSES_LIGHT_BY_LIGHT_FXH
 #define TEGUMENT_PASSES_LIGHT_BY_LIGHT_FXH
 
-#if LIGHT_BY_LIGHT
+#if TEGUMENT_LIGHT_BY_LIGHT
 // A point, and what the picture shows of light that falls on it: as it falls, and of what enters skin.
 struct LitShare
 {

@@ -1,7 +1,7 @@
 // What lights skin besides the light of the workspace: surroundings (TEGUMENT_SURROUNDINGS) and lamps (TEGUMENT_LAMPS, lamps.fxh). Nothing
 // of it is compiled where a scene has none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills
 // them; WITH_MORE_LIGHT(light, more); WITH_MORE_LIGHT_HERE(light, more) in the last pass, which leaves them to light_by_light.fxh where
-// shader model 3 has no slots for so many: an effect says LIGHTS_IN_ONE_PASS, how many there are slots for.
+// shader model 3 has no slots for so many.
 #ifndef TEGUMENT_PASSES_MORE_LIGHT_FXH
 #define TEGUMENT_PASSES_MORE_LIGHT_FXH
 
@@ -15,15 +15,7 @@
 #define WITH_MORE_LIGHT(light, more) light
 #endif
 
-#if defined(TEGUMENT_HLSL_3) && defined(LIGHTS_IN_ONE_PASS)
-#if TEGUMENT_LAMPS + TEGUMENT_SURROUNDINGS > LIGHTS_IN_ONE_PASS
-#define LIGHT_BY_LIGHT 1
-#endif
-#endif
-#ifndef LIGHT_BY_LIGHT
-#define LIGHT_BY_LIGHT 0
-#endif
-#if LIGHT_BY_LIGHT
+#if TEGUMENT_LIGHT_BY_LIGHT
 #define WITH_MORE_LIGHT_HERE(light, more) light
 #else
 #define WITH_MORE_LIGHT_HERE(light, more) WITH_MORE_LIGHT(light, more)

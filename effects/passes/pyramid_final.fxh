@@ -93,7 +93,7 @@ float4 PyramidFinalPS(FinalVarying input) : SV_Target0
     return finalColour(input, texturedPoint(input));
 }
 
-#if LIGHT_BY_LIGHT
+#if TEGUMENT_LIGHT_BY_LIGHT
 LitShare PyramidShare(FinalVarying input)
 {
     return skinShare(texturedPoint(input), ownWeight(tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0))));

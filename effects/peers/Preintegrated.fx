@@ -1,6 +1,7 @@
 // Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx
 // (docs/design/peers.md). Technique Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too.
 // TEGUMENT_PEERS_AS_PRINTED chooses between the printed listing and FaceWorks' one-dimensional integral.
+#define TEGUMENT_LIGHTS_IN_ONE_PASS 0
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"
@@ -32,7 +33,6 @@
 #include "../../hlsl/printed/preintegrated.fxh"
 #include "../../hlsl/peers/preintegrated.fxh"
 #include "../../hlsl/peers/penumbra.fxh"
-#define LIGHTS_IN_ONE_PASS 0
 #include "../passes/annotations.fxh"
 #include "../passes/vertex.fxh"
 #include "../passes/quad.fxh"

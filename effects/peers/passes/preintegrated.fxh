@@ -62,7 +62,7 @@ float4 PreintegratedPenumbraPS(SurfaceVarying input) : SV_Target0
     return preintegrated(input, true);
 }
 
-#if LIGHT_BY_LIGHT
+#if TEGUMENT_LIGHT_BY_LIGHT
 // The table scatters the workspace's light alone.
 LitShare PreintegratedShare(SurfaceVarying input)
 {

@@ -1,6 +1,7 @@
 // FurSkin: skin and hair of a head in one picture: skin by Pyramid's pyramid of light, scalp, brows and beard as FurCoat's ribbons.
 // Strands throw shadows on skin and strands, and the head throws its own on both. The mesh has the part "underfur", which the host grows
 // where hair is (docs/design/modules/FurSkin.md).
+#define TEGUMENT_LIGHTS_IN_ONE_PASS 0
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -27,6 +28,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/diffuse_share.fxh"
 #include "passes/more_light_sum.fxh"
 #include "passes/energy_share.fxh"
+#include "passes/light_by_light.fxh"
 #include "passes/fur_parameters.fxh"
 #include "passes/fur_roots_parameters.fxh"
 #include "passes/fur_ribbon_parameters.fxh"

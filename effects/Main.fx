@@ -2,6 +2,7 @@
 // order them. Setting by TEGUMENT_SETTING (hlsl/settings.fxh). Techniques, all drawing into the caller's targets: DEonLuebke and Gosselin;
 // DEonLuebkeCulled and GosselinCulled, the same pictures without the texels that they do not need; Lambert, the same scene without
 // diffusion, to set beside them.
+#define TEGUMENT_LIGHTS_IN_ONE_PASS (1 - TEGUMENT_LOBES)
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -25,6 +26,7 @@
 #include "passes/diffuse_share.fxh"
 #include "passes/more_light_sum.fxh"
 #include "passes/energy_share.fxh"
+#include "passes/light_by_light.fxh"
 #include "passes/irradiance.fxh"
 #include "passes/irradiance_gosselin.fxh"
 #include "passes/stretch.fxh"
@@ -47,7 +49,7 @@ technique DEonLuebke < string Script =
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd; Pass=Irradiance;"
     CASCADE_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Skin"); >
 {
     LAMPS_PASSES
     OWN_SHADOW_PASS
@@ -57,6 +59,7 @@ technique DEonLuebke < string Script =
     TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
     CASCADE_PASSES(TG_STATE_EQUAL)
     TG_MESH_PASS(Final, SurfaceVS, FinalPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Skin, SurfaceVS)
 }
 
 technique DEonLuebkeCulled < string Script =
@@ -65,7 +68,7 @@ technique DEonLuebkeCulled < string Script =
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "Pass=PrePass1; Pass=PrePass2; Pass=Irradiance;"
     CASCADE_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Skin"); >
 {
     LAMPS_PASSES
     OWN_SHADOW_PASS
@@ -76,6 +79,7 @@ technique DEonLuebkeCulled < string Script =
     TG_MESH_PASS(Irradiance, IrradianceVS, IrradiancePS, TG_STATE_EQUAL)
     CASCADE_PASSES(TG_STATE_EQUAL)
     TG_MESH_PASS(Final, SurfaceVS, FinalPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Skin, SurfaceVS)
 }
 
 technique Gosselin < string Script =
@@ -83,7 +87,8 @@ technique Gosselin < string Script =
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "LoopByCount=gUsePrePass; Pass=PrePass1; Pass=PrePass2; LoopEnd; Pass=Irradiance;"
     BLURS_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven"); >
+    "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven")
+    LIGHTS_BLURRED_SCRIPT("Gosselin", "GosselinEven"); >
 {
     LAMPS_PASSES
     SHADOW_MAP_PASS
@@ -94,6 +99,8 @@ technique Gosselin < string Script =
     TG_MESH_PASS(Final, SurfaceVS, GosselinFinalPS, TG_STATE_SOLID)
     BLUR_PASSES_4_TO_6(TG_STATE_EQUAL)
     TG_MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Gosselin, SurfaceVS)
+    LIGHTS_PASSES(GosselinEven, SurfaceVS)
 }
 
 technique GosselinCulled < string Script =
@@ -102,7 +109,8 @@ technique GosselinCulled < string Script =
     UNWRAP_SCRIPT("gIrradianceMap", "gClearInvalid")
     "Pass=PrePass1; Pass=PrePass2; Pass=Irradiance;"
     BLURS_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven"); >
+    "RenderColorTarget0=; RenderDepthStencilTarget=;" BLURRED_SCRIPT("Final", "FinalEven")
+    LIGHTS_BLURRED_SCRIPT("Gosselin", "GosselinEven"); >
 {
     LAMPS_PASSES
     SHADOW_MAP_PASS
@@ -114,15 +122,18 @@ technique GosselinCulled < string Script =
     TG_MESH_PASS(Final, SurfaceVS, GosselinFinalPS, TG_STATE_SOLID)
     BLUR_PASSES_4_TO_6(TG_STATE_EQUAL)
     TG_MESH_PASS(FinalEven, SurfaceVS, GosselinFinalEvenPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Gosselin, SurfaceVS)
+    LIGHTS_PASSES(GosselinEven, SurfaceVS)
 }
 
 technique Lambert < string Script =
     LAMPS_SCRIPT OWN_SHADOW_SCRIPT TSM_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Lambert"); >
 {
     LAMPS_PASSES
     OWN_SHADOW_PASS
     TSM_PASS
     TG_MESH_PASS(Final, SurfaceVS, LambertPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Lambert, SurfaceVS)
 }
 #endif

@@ -2,6 +2,7 @@
 // over an atlas of the mesh, is reduced a few times, and comes back from the levels, weighed so that they make the diffusion profile; what
 // is narrower than a texel is left to the pixel. Techniques: Pyramid, for one chart; PyramidLinked, where the widest Gaussians come along
 // precomputed links in space, across seams, folds and through thin parts (docs/design/modules/Pyramid.md).
+#define TEGUMENT_LIGHTS_IN_ONE_PASS 0
 #include "../hlsl/platform.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/specular.fxh"
@@ -27,6 +28,7 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #include "passes/diffuse_share.fxh"
 #include "passes/more_light_sum.fxh"
 #include "passes/energy_share.fxh"
+#include "passes/light_by_light.fxh"
 #include "passes/coarse_levels.fxh"
 #include "passes/profile.fxh"
 #include "passes/planar_shadow.fxh"

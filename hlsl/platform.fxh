@@ -118,6 +118,7 @@ static const bool kTgFewSlots = TG_FEW_SLOTS;
 //   TG_STATE_STRAND    depth test and write, both faces, blended over what is there by alpha
 //   TG_STATE_FRINGE    depth test, both faces, blended over what is there by alpha
 //   TG_STATE_SUM       no depth test, both faces, added to what is there
+//   TG_STATE_ADDED     depth test, back faces culled, added to what is there
 //   TG_STATE_PREPASS   writes depth where it is greater, no colour, both faces
 #ifdef FX_TECHNIQUES
 #ifndef TEGUMENT_HLSL_3
@@ -154,6 +155,7 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_STATE_STRAND TG_SET_STATES(tgDepthLess, tgOver, tgBothFaces)
 #define TG_STATE_FRINGE TG_SET_STATES(tgDepthBehind, tgOver, tgBothFaces)
 #define TG_STATE_SUM TG_SET_STATES(tgDepthOff, tgSum, tgBothFaces)
+#define TG_STATE_ADDED TG_SET_STATES(tgDepthEqual, tgSum, tgFrontFaces)
 #define TG_STATE_EQUAL TG_SET_STATES(tgDepthEqual, tgOpaque, tgBothFaces)
 #define TG_STATE_PREPASS TG_SET_STATES(tgDepthGreater, tgNoColour, tgBothFaces)
 #else
@@ -172,6 +174,8 @@ RasterizerState tgBackFaces { CullMode = FRONT; FrontCounterClockwise = TRUE; };
 #define TG_STATE_STRAND TG_SET_STATES(TRUE, TRUE, LESSEQUAL, 15, NONE, TRUE); TG_BLEND_OVER
 #define TG_STATE_FRINGE TG_SET_STATES(TRUE, FALSE, LESSEQUAL, 15, NONE, TRUE); TG_BLEND_OVER
 #define TG_STATE_SUM TG_SET_STATES(FALSE, FALSE, ALWAYS, 15, NONE, TRUE); SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
+    SeparateAlphaBlendEnable = FALSE
+#define TG_STATE_ADDED TG_SET_STATES(TRUE, FALSE, EQUAL, 15, CW, TRUE); SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
     SeparateAlphaBlendEnable = FALSE
 #define TG_STATE_EQUAL TG_SET_STATES(TRUE, FALSE, EQUAL, 15, NONE, FALSE)
 #define TG_STATE_PREPASS TG_SET_STATES(TRUE, TRUE, GREATER, 0, NONE, FALSE)

@@ -100,6 +100,15 @@
 #ifndef TEGUMENT_LOBES
 #define TEGUMENT_LOBES 0
 #endif
+// An effect says TEGUMENT_LIGHTS_IN_ONE_PASS, before its includes, where shader model 3 has slots for so many of them only.
+#if defined(TEGUMENT_HLSL_3) && defined(TEGUMENT_LIGHTS_IN_ONE_PASS)
+#if TEGUMENT_LAMPS + TEGUMENT_SURROUNDINGS > TEGUMENT_LIGHTS_IN_ONE_PASS
+#define TEGUMENT_LIGHT_BY_LIGHT 1
+#endif
+#endif
+#ifndef TEGUMENT_LIGHT_BY_LIGHT
+#define TEGUMENT_LIGHT_BY_LIGHT 0
+#endif
 #ifndef TEGUMENT_RIBBON_ROWS
 #define TEGUMENT_RIBBON_ROWS 2048
 #endif

@@ -41,7 +41,7 @@ float3 fetchThrough(TG_SAMPLER2D_PARAM(map), float2 uv, float4 before, float apa
 
 float3 diffusedLight(SurfaceVarying input, LitPoint p)
 {
-    float3 unblurred = enteringLight(p);
+    float3 unblurred = enteringHere(p);
     float4 m1 = float4(unblurred, kTgLargestAlpha);
     if (!kTgFirstAtPixel)
         m1 = lightHere(tgSeamBilinear(TG_SAMPLER2D_ARG(gIrradiance), input.uv), unblurred);
@@ -81,9 +81,37 @@ float4 LambertPS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = litPoint(input);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
-    float3 skin = enteringLight(p) * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
+    float3 skin = enteringHere(p) * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = plainLight(p);
     return float4(lerp(plain, skin, p.scatters) + mirroredLight(p, toEye), 1.0);
 }
+
+#if TEGUMENT_LIGHT_BY_LIGHT
+// Of one Gaussian what is no light of the map.
+float3 ownShare(float4 texel, float4 gaussian)
+{
+    return gaussian.rgb * (1.0 - tgSeamValidity(texel));
+}
+
+LitShare SkinShare(SurfaceVarying input)
+{
+    float4 uv = float4(input.uv, 0.0, 0.0);
+    float3 first = gGaussianWeight[0].rgb;
+    if (!kTgFirstAtPixel)
+        first = ownShare(tgSeamBilinear(TG_SAMPLER2D_ARG(gIrradiance), input.uv), gGaussianWeight[0]);
+    return skinShare(colouredPoint(input), first + ownShare(tex2Dlod(gFinal2, uv), gGaussianWeight[1]) +
+                                               ownShare(tex2Dlod(gFinal3, uv), gGaussianWeight[2]) +
+                                               ownShare(tex2Dlod(gFinal4, uv), gGaussianWeight[3]) +
+                                               ownShare(tex2Dlod(gFinal5, uv), gGaussianWeight[4]) +
+                                               ownShare(tex2Dlod(gFinal6, uv), gGaussianWeight[5]));
+}
+
+LitShare LambertShare(SurfaceVarying input)
+{
+    return skinShare(colouredPoint(input), 1.0);
+}
+#endif
+LIGHTS(Skin, SurfaceVarying)
+LIGHTS(Lambert, SurfaceVarying)
 
 #endif

@@ -12,6 +12,12 @@ float3 diffuseLight(LitPoint p)
     return WITH_MORE_LIGHT(gLightColor * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
 }
 
+// By the last pass.
+float3 diffuseHere(LitPoint p)
+{
+    return WITH_MORE_LIGHT_HERE(gLightColor * (saturate(p.cosine) * p.shadow), moreIrradiance(p));
+}
+
 float4 GosselinIrradiancePS(SurfaceVarying input) : SV_Target0
 {
     LitPoint p = surfacePoint(input);

@@ -1,6 +1,7 @@
 // What lights skin besides the light of the workspace: surroundings (TEGUMENT_SURROUNDINGS) and lamps (TEGUMENT_LAMPS, lamps.fxh). Nothing
 // of it is compiled where a scene has none: the macros are what other files ask. MORE_LIGHT_MEMBERS of a LitPoint; MORE_LIGHT_AT fills
-// them; WITH_MORE_LIGHT(light, more).
+// them; WITH_MORE_LIGHT(light, more); WITH_MORE_LIGHT_HERE(light, more) in the last pass, which leaves them to light_by_light.fxh where
+// shader model 3 has no slots for so many.
 #ifndef TEGUMENT_PASSES_MORE_LIGHT_FXH
 #define TEGUMENT_PASSES_MORE_LIGHT_FXH
 
@@ -12,6 +13,12 @@
 #define MORE_LIGHT_MEMBERS
 #define MORE_LIGHT_AT(p, uvHere, worldHere)
 #define WITH_MORE_LIGHT(light, more) light
+#endif
+
+#if TEGUMENT_LIGHT_BY_LIGHT
+#define WITH_MORE_LIGHT_HERE(light, more) light
+#else
+#define WITH_MORE_LIGHT_HERE(light, more) WITH_MORE_LIGHT(light, more)
 #endif
 
 #if TEGUMENT_SURROUNDINGS

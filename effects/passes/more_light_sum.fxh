@@ -56,24 +56,42 @@ float3 mirroredSurroundings(LitPoint p, float3 toEye, float roughness, float int
 }
 #endif
 
+float reflectingIntensity(LitPoint p)
+{
+    return lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
+}
+
+#if TEGUMENT_SURROUNDINGS
+float3 surroundingsReflected(LitPoint p, float3 toEye)
+{
+    float intensity = reflectingIntensity(p);
+#if TEGUMENT_LOBES
+    float3 lobes = specularLobes(p);
+    return lerp(mirroredSurroundings(p, toEye, lobes.x, intensity), mirroredSurroundings(p, toEye, lobes.y, intensity), lobes.z);
+#else
+    return mirroredSurroundings(p, toEye, lerp(gPlainRoughness, gRoughness, p.scatters), intensity);
+#endif
+}
+#endif
+
+#if TEGUMENT_LAMPS
+float3 lampReflected(LitPoint p, float3 toEye, Lamp lamp, int i)
+{
+    return lamp.light * (gLampSpot[i].w * surfaceSpecular(p, lamp.toLight, toEye, reflectingIntensity(p)));
+}
+#endif
+
 // Mirrored towards the eye.
 float3 moreReflected(LitPoint p, float3 toEye)
 {
     float3 sum = 0.0;
-    float intensity = lerp(gPlainIntensity, SKIN_INTENSITY(p), p.scatters);
-#if TEGUMENT_SURROUNDINGS && TEGUMENT_LOBES
-    float3 lobes = specularLobes(p);
-    sum += lerp(mirroredSurroundings(p, toEye, lobes.x, intensity), mirroredSurroundings(p, toEye, lobes.y, intensity), lobes.z);
-#elif TEGUMENT_SURROUNDINGS
-    sum += mirroredSurroundings(p, toEye, lerp(gPlainRoughness, gRoughness, p.scatters), intensity);
+#if TEGUMENT_SURROUNDINGS
+    sum += surroundingsReflected(p, toEye);
 #endif
 #if TEGUMENT_LAMPS
     float3 seen = lampsSeen(p.uv);
     [unroll] for (int i = 0; i < TEGUMENT_LAMPS; i++)
-    {
-        Lamp lamp = lampAt(i, p.world, seen);
-        sum += lamp.light * (gLampSpot[i].w * surfaceSpecular(p, lamp.toLight, toEye, intensity));
-    }
+        sum += lampReflected(p, toEye, lampAt(i, p.world, seen), i);
 #endif
     return sum;
 }

@@ -63,27 +63,47 @@ float finalShadow(LitPoint p)
     return lit;
 }
 
+// Of the light that enters at the pixel.
+float3 ownWeight(float4 wide)
+{
+    return wide.w < 0.0 ? linkedWeight(0.0, -wide.w) : ladderWeight(0.0, wide.w);
+}
+
 float4 finalColour(FinalVarying input, LitPoint p)
 {
     p.shadow = finalShadow(p) * skinOpen(input.world);
     float4 wide = tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0));
-    float3 own = wide.w < 0.0 ? linkedWeight(0.0, -wide.w) : ladderWeight(0.0, wide.w);
-    float3 diffused = max(enteringLight(p) * own + wide.rgb, 0.0);
+    float3 diffused = max(enteringHere(p) * ownWeight(wide) + wide.rgb, 0.0);
     float3 toEye = tgSafeNormalize(gCameraPosition - input.world);
     float3 skin = diffused * tgIrradianceColour(p.albedo, 1.0 - gMix) * diffuseShare(dot(p.normal, toEye));
     float3 plain = plainLight(p);
     return float4(lerp(plain, skin, p.scatters) + mirroredLight(p, toEye), 1.0);
 }
 
-float4 PyramidFinalPS(FinalVarying input) : SV_Target0
+LitPoint texturedPoint(FinalVarying input)
 {
     float3 texel = tex2D(gNormal, input.uv).xyz;
     LitPoint p = finalPoint(input, tgSurfaceNormal(input.normal, input.tangent, texel), tex2D(gSkin, input.uv));
     LOBES_AT(p, texel)
-    return finalColour(input, p);
+    return p;
 }
 
-#define PYRAMID_FINAL_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"
-#define PYRAMID_FINAL_PASS TG_MESH_PASS(Final, PyramidFinalVS, PyramidFinalPS, TG_STATE_SOLID)
+float4 PyramidFinalPS(FinalVarying input) : SV_Target0
+{
+    return finalColour(input, texturedPoint(input));
+}
+
+#if TEGUMENT_LIGHT_BY_LIGHT
+LitShare PyramidShare(FinalVarying input)
+{
+    return skinShare(texturedPoint(input), ownWeight(tex2Dlod(gLight0, float4(input.uv, 0.0, 0.0))));
+}
+#endif
+LIGHTS(Pyramid, FinalVarying)
+
+#define PYRAMID_FINAL_SCRIPT "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Pyramid")
+#define PYRAMID_FINAL_PASS \
+    TG_MESH_PASS(Final, PyramidFinalVS, PyramidFinalPS, TG_STATE_SOLID) \
+    LIGHTS_PASSES(Pyramid, PyramidFinalVS)
 
 #endif

@@ -16,12 +16,19 @@ TG_SAMPLER2D(gEnergyAttenuation, LINEAR, CLAMP);
 #define OWN_SHADOW_PASS SHADOW_MAP_PASS
 #endif
 
-LitPoint litPoint(SurfaceVarying input)
+// Without shadow.
+LitPoint colouredPoint(SurfaceVarying input)
 {
     LitPoint p = surfacePoint(input);
     float4 colour = tex2D(gSkin, input.uv);
     p.albedo = colour.rgb;
     p.scatters = colour.a;
+    return p;
+}
+
+LitPoint litPoint(SurfaceVarying input)
+{
+    LitPoint p = colouredPoint(input);
     // Where the surface turns away from the light, no map need say so.
     p.shadow = 0.0;
     [branch] if (tgShadowHorizon(dot(p.meshNormal, p.toLight)) > 0.0)

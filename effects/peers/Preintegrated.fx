@@ -1,6 +1,7 @@
 // Preintegrated: skin shaded from a table over N.L and curvature, after Penner and Borshukov 2011, as a peer of Main.fx
 // (docs/design/peers.md). Technique Preintegrated scatters around curved surfaces; PreintegratedPenumbra at the edges of shadows too.
 // TEGUMENT_PEERS_AS_PRINTED chooses between the printed listing and FaceWorks' one-dimensional integral.
+#define TEGUMENT_LIGHTS_IN_ONE_PASS 0
 #include "../../hlsl/platform.fxh"
 #include "../../hlsl/settings.fxh"
 #include "../../hlsl/constants.fxh"
@@ -47,6 +48,7 @@
 #include "../passes/diffuse_share.fxh"
 #include "../passes/more_light_sum.fxh"
 #include "../passes/energy_share.fxh"
+#include "../passes/light_by_light.fxh"
 #include "passes/point.fxh"
 #include "../passes/profile.fxh"
 #include "passes/preintegrated.fxh"
@@ -56,19 +58,21 @@ float Script : STANDARDSGLOBAL < STARTS_WITH("PreintegratedPenumbra") > = 0.8;
 #ifdef FX_TECHNIQUES
 technique Preintegrated < string Script =
     LAMPS_SCRIPT SHADOW_MAP_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Preintegrated"); >
 {
     LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Final, SurfaceVS, PreintegratedPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Preintegrated, SurfaceVS)
 }
 
 technique PreintegratedPenumbra < string Script =
     LAMPS_SCRIPT SHADOW_MAP_SCRIPT
-    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;"; >
+    "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Final;" LIGHTS_SCRIPT("Preintegrated"); >
 {
     LAMPS_PASSES
     SHADOW_MAP_PASS
     TG_MESH_PASS(Final, SurfaceVS, PreintegratedPenumbraPS, TG_STATE_SOLID)
+    LIGHTS_PASSES(Preintegrated, SurfaceVS)
 }
 #endif

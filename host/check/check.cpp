@@ -2,6 +2,7 @@
 
 #include "host/adopt/adopt.h"
 #include "host/check/work.h"
+#include "host/effect/load.h"
 #include "host/spirv/messages.h"
 #include "host/support/file.h"
 
@@ -217,6 +218,9 @@ Work load(const std::filesystem::path& file, const Variant& variant, const std::
     work.dialect = mentions(file, "FX_D3D10") ||
                    std::ranges::any_of(work.effect().includes, [](const auto& path) { return mentions(path, "FX_D3D10"); });
     collectEntries(work);
+    if (work.dialect && work.find(Target::Fx2) != nullptr) {
+        if (auto nine = loadEffectOfDirect3D9(file, wanted)) work.nine = std::move(*nine);
+    }
     return work;
 }
 

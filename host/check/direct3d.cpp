@@ -196,7 +196,8 @@ void checkPositions(const Work& work, TargetCheck& report) {
 
 std::vector<const Technique*> techniquesIn(const Work& work, Target target) {
     std::vector<const Technique*> found;
-    for (const Technique& technique : work.effect().techniques) {
+    const Effect& effect = target == Target::Fx2 && work.nine ? *work.nine : work.effect();
+    for (const Technique& technique : effect.techniques) {
         const bool nine = technique.kind == TechniqueKind::D3D9;
         const bool ten = technique.kind == TechniqueKind::D3D10;
         // Files that do not distinguish targets keep only the techniques that are written for the target.

@@ -4,6 +4,7 @@
 #include "host/check/check.h"
 
 #include <functional>
+#include <optional>
 
 namespace tegument::check {
 
@@ -22,6 +23,8 @@ struct Work {
     std::vector<StagePair> pairs; // each once
     bool compatible = false;      // CheckOptions
     bool respelt = false;         // DXC gets the sources of host/adopt
+    /// What fx_2_0 reads of a file of the dialect, where it may have more passes.
+    std::optional<Effect> nine;
     FileReport report;
 
     [[nodiscard]] bool loaded() const;

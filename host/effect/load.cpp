@@ -63,9 +63,9 @@ Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions o
     return options;
 }
 
-Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read) {
+Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read, const char* target) {
     Sources sources;
-    Result<Preprocessed> metadata = view(file, options, read, sources, {"FX_D3D11", "1"});
+    Result<Preprocessed> metadata = view(file, options, read, sources, {target, "1"});
     if (!metadata) return quoted(metadata.error(), sources);
     const bool lenient = options.lenient && !metadata->ownDialect;
     Parsed parsed = Parser(sources, metadata->tokens, lenient).run();
@@ -93,7 +93,7 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read) {
     const auto chosen = withSetting(file, options, read);
-    return chosen ? load(file, *chosen, read) : chosen.error();
+    return chosen ? load(file, *chosen, read, "FX_D3D11") : chosen.error();
 }
 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options) {
@@ -101,6 +101,12 @@ Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& 
     auto effect = loadEffect(file, options, confinedReader(file, roots));
     if (effect) effect->roots = std::move(roots);
     return effect;
+}
+
+Result<Effect> loadEffectOfDirect3D9(const std::filesystem::path& file, const LoadOptions& options) {
+    const FileReader read = confinedReader(file, rootsOf(file, options.includeFolders, options.roots));
+    const auto chosen = withSetting(file, options, read);
+    return chosen ? load(file, *chosen, read, "FX_D3D9") : chosen.error();
 }
 
 } // namespace tegument

@@ -88,6 +88,11 @@ std::vector<Case> discover() {
     for (const fs::path& file : effectsIn("effects/peers")) // the last technique of each: the others take fewer samples
         if (const auto effect = loadCase({.effect = file, .technique = {}})) cases.push_back({file, effect->techniques.back().name});
     cases.push_back({.effect = "effects/Main.fx", .technique = "DEonLuebke", .includeFolders = {}, .lamps = 1});
+    for (const char* technique : {"DEonLuebke", "Gosselin", "Lambert"})
+        cases.push_back({.effect = "effects/Main.fx", .technique = technique, .includeFolders = {}, .lamps = 3, .surroundings = true});
+    for (const auto& [effect, technique] :
+         {std::pair{"effects/Pyramid.fx", "PyramidLinked"}, {"effects/peers/Preintegrated.fx", "PreintegratedPenumbra"}})
+        cases.push_back({.effect = effect, .technique = technique, .includeFolders = {}, .lamps = 3, .surroundings = true});
     cases.push_back({.effect = "effects/Pyramid.fx", .technique = "Pyramid", .includeFolders = {}, .lamps = 3, .soft = true});
     cases.push_back(libraryCase());
     return cases;
@@ -104,6 +109,7 @@ std::vector<std::pair<std::string, std::string>> Case::defines() const {
     std::vector<std::pair<std::string, std::string>> all = {
         {"TEGUMENT_MAP_SIZE", std::to_string(kMapSize)}, {"TEGUMENT_MAP_BITS", std::to_string(mapBits)}, {"TEGUMENT_RIBBON_ROWS", "128"}};
     if (lamps > 0) all.emplace_back("TEGUMENT_LAMPS", std::to_string(lamps));
+    if (surroundings) all.emplace_back("TEGUMENT_SURROUNDINGS", "1");
     if (soft) all.emplace_back("TEGUMENT_SOFT_SHADOWS", "1");
     return all;
 }
@@ -118,7 +124,7 @@ const Case& libraryCase() {
 }
 
 bool drawnBy(const Case& drawn, Engine engine) {
-    if (engine == Engine::Direct3D9 && drawn.lamps > 1) return false;
+    if (engine == Engine::Direct3D9 && drawn.soft) return false; // no slots for penumbras
     if (engine == Engine::Direct3D12) return !drawn.name().starts_with("Fur_Cube");
     return (drawn.effect != libraryCase().effect && !drawn.computes) || engine == Engine::Vulkan || engine == Engine::Direct3D11;
 }

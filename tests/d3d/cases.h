@@ -27,11 +27,12 @@ struct Case {
     bool computes = false;                             // some pass has a compute shader
     int lamps = 0;                                     // TEGUMENT_LAMPS
     bool soft = false;                                 // TEGUMENT_SOFT_SHADOWS
+    bool surroundings = false;                         // TEGUMENT_SURROUNDINGS
 
     /// Of what is compiled once for all techniques.
     [[nodiscard]] std::string effectName() const {
         const std::string lit = lamps == 0 ? "" : "Lamps" + std::to_string(lamps);
-        return effect.stem().string() + (mapBits == 16 ? "" : "32") + lit + (soft ? "Soft" : "");
+        return effect.stem().string() + (mapBits == 16 ? "" : "32") + lit + (soft ? "Soft" : "") + (surroundings ? "Around" : "");
     }
     [[nodiscard]] std::string name() const { return effectName() + "_" + technique; }
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> defines() const;

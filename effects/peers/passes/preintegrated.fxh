@@ -49,7 +49,7 @@ float4 preintegrated(SurfaceVarying input, bool penumbra)
     float3 received = receivedLight(p, curvature, clip.xy / clip.w * gViewportSize * 0.5, penumbra);
     float3 around = tgPreintegratedLight(TG_SAMPLER2D_ARG(gPreintegrated), cosines, curvature);
     float3 entering = tgIrradianceColour(p.albedo, gMix) * gLightColor * around * received * diffuseShare(p.cosine);
-    return peerRadiance(input, p, WITH_MORE_LIGHT(entering, moreEntering(p)));
+    return peerRadiance(input, p, WITH_MORE_LIGHT_HERE(entering, moreEntering(p)));
 }
 
 float4 PreintegratedPS(SurfaceVarying input) : SV_Target0
@@ -61,5 +61,14 @@ float4 PreintegratedPenumbraPS(SurfaceVarying input) : SV_Target0
 {
     return preintegrated(input, true);
 }
+
+#if TEGUMENT_LIGHT_BY_LIGHT
+// The table scatters the workspace's light alone.
+LitShare PreintegratedShare(SurfaceVarying input)
+{
+    return skinShare(peerPoint(input), 1.0);
+}
+#endif
+LIGHTS(Preintegrated, SurfaceVarying)
 
 #endif

@@ -32,6 +32,9 @@ enum class Command {
     Probe,
     Strip,
     Bindings,
+    Keep,
+    Errors,
+    Source,
     Quit
 };
 

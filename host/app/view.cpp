@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <memory>
 
 namespace tegument::app {
@@ -51,6 +52,14 @@ void warnOf(const Job& job) {
         warn(mesh.warnings);
 }
 
+bool hasDisplay() {
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value && *value != '\0';
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
 ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progress) {
     const auto job = std::make_shared<const Job>(std::move(read));
     RunOptions run = job->run;
@@ -70,7 +79,7 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .run = std::move(run),
             .device = options.job.device,
             .validate = options.job.validate,
-            .window = options.replay.empty(),
+            .window = options.replay.empty() || hasDisplay(),
             .beside = options.beside,
             .pictures = options.pictures,
             .renderArguments = renderArguments(options.job),
@@ -153,7 +162,8 @@ void addView(CLI::App& program, Action& action) {
     command->add_option("-o,--output", options->pictures, "Folder for the pictures and workspaces that the keys s, w and c write")
         ->capture_default_str();
     command->add_option("--beside", options->beside, "A saved picture to the left of a border, with the error against it");
-    command->add_option("--replay", options->replay, "Without a window: a file of input, and how long each step takes to its picture");
+    command->add_option("--replay", options->replay,
+                        "A file of input, and how long each step takes to its picture; without a display, without a window");
     addExamples(*command, {{"view Main", "the default head"}, {"view Fur -w bunny", "a workspace of ours"}},
                 "In the window:\n" + view::bindingsHelp());
     command->callback([options, &action] { action = [options] { return runView(*options); }; });

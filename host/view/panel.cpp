@@ -315,7 +315,7 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& e
         float bottom = height;
         for (const auto& area : {areas.strip, areas.problem})
             if (area) bottom = std::min(bottom, area->y);
-        outcome.border = drawBorder(state.border, *text.beside, width, bottom);
+        drawBorder(state.border, *text.beside, width, bottom);
     }
     if (state.source) drawSource(source, {.x = width, .y = 0, .width = ImGui::GetIO().DisplaySize.x - width, .height = height});
     return outcome;

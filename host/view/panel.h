@@ -49,7 +49,6 @@ struct PanelPictures {
 struct PanelOutcome {
     bool moved = false;                // a slider, or a preset was chosen: `state.parameters` then holds the values
     std::optional<std::string> opened; // a thumbnail
-    bool border = false;               // was moved
 };
 
 /// Of a parameter without fractions, by its type or because its range and step are whole numbers.
@@ -62,8 +61,8 @@ struct PanelOutcome {
 [[nodiscard]] PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text,
                                      const PanelPictures& pictures, SourceText& source);
 
-/// The border over the picture, the names of both sides and their error above `bottom`. Whether the border was moved.
-[[nodiscard]] bool drawBorder(double& border, const BesideText& text, float width, float bottom);
+/// The border over the picture, the names of both sides and their error above `bottom`.
+void drawBorder(double border, const BesideText& text, float width, float bottom);
 
 /// The effect's text with line numbers and errors in place; written by Ctrl+S.
 void drawSource(SourceText& source, const Area& area);

@@ -10,7 +10,6 @@ namespace tegument::view {
 
 namespace {
 
-constexpr float kGrip = 6; // pixels to each side of the border that take the mouse
 constexpr ImU32 kLine = IM_COL32(255, 255, 255, 220);
 constexpr ImU32 kBehind = IM_COL32(15, 15, 15, 190);
 constexpr ImU32 kLetters = IM_COL32(255, 255, 255, 255);
@@ -26,31 +25,18 @@ void label(const std::string& text, float x, float y, bool endsThere, float widt
 
 } // namespace
 
-bool drawBorder(double& border, const BesideText& text, float width, float bottom) {
+void drawBorder(double border, const BesideText& text, float width, float bottom) {
     const float x = static_cast<float>(border) * width;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     label(text.error, kPanelMargin, bottom - line - kPanelMargin / 2, false, width);
     if (text.colours) {
         label("error of " + text.right + " against " + text.left, kPanelMargin, bottom - 2 * line - kPanelMargin / 2, false, width);
         label("black: a thousandth of the mean, red: all of it", kPanelMargin, bottom - 3 * line - kPanelMargin / 2, false, width);
-        return false;
+        return;
     }
     label(text.left, x - kPanelMargin, bottom - 2 * line - kPanelMargin, true, width);
     label(text.right, x + kPanelMargin, bottom - 2 * line - kPanelMargin, false, width);
     ImGui::GetBackgroundDrawList()->AddLine(ImVec2(x, 0), ImVec2(x, ImGui::GetIO().DisplaySize.y), kLine, 1);
-    ImGui::SetNextWindowPos(ImVec2(x - kGrip, 0), ImGuiCond_Always);
-    ImGui::SetNextWindowSize(ImVec2(2 * kGrip, ImGui::GetIO().DisplaySize.y), ImGuiCond_Always);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::Begin("border", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::InvisibleButton("grip", ImVec2(2 * kGrip, ImGui::GetIO().DisplaySize.y));
-    const bool moved = ImGui::IsItemActive() && width > 0;
-    if (moved) border = std::clamp(static_cast<double>(ImGui::GetIO().MousePos.x / width), 0.0, 1.0);
-    ImGui::End();
-    ImGui::PopStyleVar(2);
-    return moved;
 }
 
 } // namespace tegument::view

@@ -72,13 +72,11 @@ void drawText(SourceText& source) {
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0, 0, 0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     const std::string before = source.text;
-    const bool writes = ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed('S', false);
     ImGui::InputTextMultiline("##text", source.text.data(), source.text.capacity() + 1,
                               ImVec2(width - gutter, line * static_cast<float>(lines + 1)),
                               ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AllowTabInput, grow, &source.text);
     // Dear ImGui takes back what was typed when Esc leaves the text.
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) source.text = before;
-    if (writes) writeSource(source);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
 }

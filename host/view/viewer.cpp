@@ -120,7 +120,7 @@ Result<void> Viewer::run() {
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    if (window_) return window_->wait(settles ? kShort : kPatience, overlay_->wantsMouse());
+    if (window_) return window_->wait(settles ? kShort : kPatience, overlay_->wantsMouse(), borderOfWindow());
     std::this_thread::sleep_for(std::chrono::duration<double>(kPatience));
     return {};
 }
@@ -131,6 +131,7 @@ Result<void> Viewer::step(const Input& input) {
     if (input.any) settling_ = kSettlingFrames;
     cursor_ = input.cursor;
     if (input.closed) running_ = false;
+    if (input.border) state_.border = std::clamp(*input.border / pictureShare(), 0.0, 1.0);
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
     for (const fs::path& file : input.dropped)
         if (const auto opened = open(file); !opened) return opened;
@@ -154,6 +155,7 @@ void Viewer::waitForEditor() {
 Result<void> Viewer::obey(const Input& input) {
     if (apply(state_, input))
         if (const auto drawn = draw(); !drawn) return drawn;
+    if (state_.source && std::ranges::find(input.keys, kKeyWrite) != input.keys.end()) writeSource(source_);
     if (overlay_->wantsKeys()) return {};
     for (const char32_t key : input.keys)
         if (const auto command = commandOf(key))
@@ -346,7 +348,7 @@ Result<void> Viewer::show() {
     if (std::string title = titleText(); title != title_) window_->setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
     if (!shown) return shown.error();
-    if (!*shown || outcome.border) settling_ = kSettlingFrames;
+    if (!*shown) settling_ = kSettlingFrames;
     if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
     return outcome.moved ? draw() : Result<void>();
 }

@@ -74,6 +74,8 @@ private:
     [[nodiscard]] Result<void> compose();
     [[nodiscard]] std::optional<BesideText> besideText() const;
     [[nodiscard]] std::string sideName() const;
+    /// Where the mouse can take it: share of the window.
+    [[nodiscard]] std::optional<double> borderOfWindow() const;
 
     /// Of the window, that is the picture's.
     [[nodiscard]] double pictureShare() const;

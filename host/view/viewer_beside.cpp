@@ -156,6 +156,11 @@ Result<void> Viewer::compose() {
     return canvas_->blend(composed_, std::span(&mesh, 1));
 }
 
+std::optional<double> Viewer::borderOfWindow() const {
+    const bool stands = beside_ && beside_->drawn && !state_.errors;
+    return stands ? std::optional(state_.border * pictureShare()) : std::nullopt;
+}
+
 std::optional<BesideText> Viewer::besideText() const {
     if (!beside_) return std::nullopt;
     BesideText text{.left = beside_->name, .right = sideName(), .error = beside_->error, .colours = state_.errors && beside_->haveErrors};

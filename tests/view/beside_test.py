@@ -104,7 +104,8 @@ class Beside(unittest.TestCase):
 
     def test_the_text_stands_beside_the_picture_with_its_errors_and_is_written_by_control_s(self):
         text = self.keep(self.press("f", self.start), "text_1")
-        self.assertGreater(sum(self.half(text, WIDE // 2, WIDE)), 1.05 * sum(self.half(self.start, WIDE // 2, WIDE)))
+        letters = sum(value > 150 for value in self.half(text, WIDE // 2, WIDE))
+        self.assertGreater(letters, 5000)
         include = self.view.folder / "effects" / "passes" / "final.fxh"
         right = include.read_text()
         include.write_text(right.replace("FinalPS", "FinalPS(broken", 1))
@@ -139,6 +140,7 @@ class SavedPicture(unittest.TestCase):
         view = base.View(("effects/Main.fx", "-w", "ball.json", "--map-size", "64", "--beside", "saved.png"), before=self.draw)
         try:
             view.title("Main.fx DEonLuebke [corrected] picture")
+            view.screen.press("i")
             picture = view.still()
             view.screen.press("k")
             alone = view.still(unlike=picture)
@@ -147,7 +149,7 @@ class SavedPicture(unittest.TestCase):
             apart = [abs(a - b) for y in range(base.SIZE // 2) for a, b in zip(
                 picture.pixels[(y * picture.width + 100) * 3:(y * picture.width + 150) * 3],
                 alone.pixels[(y * picture.width + 100) * 3:(y * picture.width + 150) * 3])]
-            self.assertLessEqual(sorted(apart)[int(0.99 * len(apart))], 2)  # the panel of text may lie over it
+            self.assertLessEqual(max(apart), 1)  # bytes are rounded in a shader there, on the processor here
         finally:
             view.end()
             shutil.rmtree(view.folder)

@@ -118,14 +118,14 @@ def draw(program, words, file):
         sys.exit(f"{' '.join(words)}: {ran.stderr}")
 
 
-def gallery(site, program):
+def gallery(site, program, rows):
     body = "<h1>Gallery</h1><p>Drag the border, or move it by the arrow keys.</p>"
     folder = site.out / "docs" / "gallery"
     if program:
         folder.mkdir(parents=True, exist_ok=True)
     else:
         body += "<p>Without pictures: the site was built without <code>--program</code>.</p>"
-    for number, (name, text, left, right) in enumerate(GALLERY if program else ()):
+    for number, (name, text, left, right) in enumerate(GALLERY[:rows] if program else ()):
         for side, words in (("left", left), ("right", right)):
             draw(program, words, folder / f"{number}-{side}.jpg")
         lines = " | ".join("tegument render " + " ".join(words) for words in (left, right))
@@ -138,10 +138,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--program", type=pathlib.Path, help="draws the gallery")
+    parser.add_argument("--rows", type=int, default=len(GALLERY), help="of the gallery, from the first")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     site = Site(options.folder)
-    gallery(site, options.program.resolve() if options.program else None)
+    gallery(site, options.program.resolve() if options.program else None, options.rows)
     site.build()
     for link in site.dead:
         print(f"dead link: {link}", file=sys.stderr)

@@ -45,7 +45,7 @@ class Site(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="tegument-site-"))
-        ran = subprocess.run([sys.executable, REPOSITORY / "docs" / "site" / "build.py", cls.folder, "--program", PROGRAM], capture_output=True, text=True)
+        ran = subprocess.run([sys.executable, REPOSITORY / "docs" / "site" / "build.py", cls.folder, "--program", PROGRAM, "--rows", "1"], capture_output=True, text=True)
         assert ran.returncode == 0, ran.stdout + ran.stderr
         cls.pages = {path: Page(path) for path in cls.folder.rglob("*.html")}
         cls.browser = browser.Browser()

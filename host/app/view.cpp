@@ -7,10 +7,12 @@
 #include "host/app/fur_textures.h"
 #include "host/app/job.h"
 #include "host/app/output.h"
+#include "host/app/replay.h"
 #include "host/view/keys.h"
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <memory>
 
 namespace tegument::app {
@@ -22,6 +24,8 @@ constexpr const char* kPictures = "out";
 struct ViewOptions {
     JobOptions job;
     std::string pictures = kPictures;
+    std::string beside;
+    std::string replay;
 };
 
 /// What the render line needs besides what the viewer knows.
@@ -48,6 +52,14 @@ void warnOf(const Job& job) {
         warn(mesh.warnings);
 }
 
+bool hasDisplay() {
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value && *value != '\0';
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
 ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progress) {
     const auto job = std::make_shared<const Job>(std::move(read));
     RunOptions run = job->run;
@@ -67,6 +79,8 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .run = std::move(run),
             .device = options.job.device,
             .validate = options.job.validate,
+            .window = options.replay.empty() || hasDisplay(),
+            .beside = options.beside,
             .pictures = options.pictures,
             .renderArguments = renderArguments(options.job),
             .keeps = job,
@@ -95,6 +109,29 @@ ViewRequest opening(const ViewOptions& options, ViewRequest request, Progress& p
     return request;
 }
 
+void printReactions(const std::vector<view::Reaction>& reactions) {
+    std::vector<std::vector<std::string>> rows;
+    for (const view::ReactionRow& row : view::reactionRows(reactions))
+        rows.push_back({row.kind, std::to_string(row.count), fmt::format("{:.1f}", row.median), fmt::format("{:.1f}", row.p95),
+                        fmt::format("{:.1f}", row.most)});
+    fmt::print("{}", table({"milliseconds to the picture", "steps", "median", "p95", "most"}, rows));
+}
+
+int ended(const std::vector<std::string>& messages) {
+    for (const std::string& message : messages)
+        fmt::print(stderr, "validation: {}\n", message);
+    return messages.empty() ? 0 : static_cast<int>(Blame::Machine);
+}
+
+int replay(const ViewRequest& request, const std::string& file, const std::function<void(const std::string&)>& tell) {
+    const auto steps = readReplay(file);
+    if (!steps) return fail(steps.error(), false);
+    const auto replayed = replayEffect(request, *steps, tell);
+    if (!replayed) return fail(replayed.error(), false);
+    printReactions(replayed->reactions);
+    return ended(replayed->validation);
+}
+
 int runView(const ViewOptions& options) {
     if (options.pictures != kPictures) // the usual folder may be needed by nobody
         if (const auto can = checkFolder(options.pictures); !can) return fail(can.error(), false);
@@ -105,14 +142,14 @@ int runView(const ViewOptions& options) {
     if (!job) return fail(job.error(), false);
     warnOf(*job);
     const ViewRequest request = opening(options, requestFor(options, std::move(*job), progress), progress);
-    const auto messages = viewEffect(request, [&](const std::string& text) {
+    const auto tell = [&](const std::string& text) {
         progress.clear();
         say(text);
-    });
+    };
+    if (!options.replay.empty()) return replay(request, options.replay, tell);
+    const auto messages = viewEffect(request, tell);
     if (!messages) return fail(messages.error(), false);
-    for (const std::string& message : *messages)
-        fmt::print(stderr, "validation: {}\n", message);
-    return messages->empty() ? 0 : static_cast<int>(Blame::Machine);
+    return ended(*messages);
 }
 
 } // namespace
@@ -124,6 +161,9 @@ void addView(CLI::App& program, Action& action) {
     addJobOptions(*command, options->job);
     command->add_option("-o,--output", options->pictures, "Folder for the pictures and workspaces that the keys s, w and c write")
         ->capture_default_str();
+    command->add_option("--beside", options->beside, "A saved picture to the left of a border, with the error against it");
+    command->add_option("--replay", options->replay,
+                        "A file of input, and how long each step takes to its picture; without a display, without a window");
     addExamples(*command, {{"view Main", "the default head"}, {"view Fur -w bunny", "a workspace of ours"}},
                 "In the window:\n" + view::bindingsHelp());
     command->callback([options, &action] { action = [options] { return runView(*options); }; });

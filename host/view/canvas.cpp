@@ -152,15 +152,18 @@ Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter) {
                                  .compare = {}});
 }
 
-/// The whole texture in the middle of the target.
-std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture, const std::array<float, 4>& color) {
-    const double across = static_cast<double>(target.width) / texture.width;
+/// The whole texture in the middle of the left share of the target.
+std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture, const std::array<float, 4>& color,
+                                       double share) {
+    const double across = share * target.width / texture.width;
     const double down = static_cast<double>(target.height) / texture.height;
     const double scale = std::min(across, down);
-    const auto x = static_cast<float>(scale / across);
+    const double half = share * scale / across;
+    const auto left = static_cast<float>(share - 1 - half);
+    const auto right = static_cast<float>(share - 1 + half);
     const auto y = static_cast<float>(scale / down);
-    return {CanvasVertex{-x, y, 0, 0, color}, CanvasVertex{x, y, 1, 0, color}, CanvasVertex{x, -y, 1, 1, color},
-            CanvasVertex{-x, -y, 0, 1, color}};
+    return {CanvasVertex{left, y, 0, 0, color}, CanvasVertex{right, y, 1, 0, color}, CanvasVertex{right, -y, 1, 1, color},
+            CanvasVertex{left, -y, 0, 1, color}};
 }
 
 } // namespace
@@ -233,9 +236,9 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
         .device = device, .smooth = std::move(*smooth), .exact = std::move(*exact), .show = std::move(*show), .blend = std::move(*blend)}));
 }
 
-Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
+Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels, double share) {
     const std::array<float, 4> mode{static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F, 0};
-    const auto quad = fittedQuad(target.desc(), texture.desc(), mode);
+    const auto quad = fittedQuad(target.desc(), texture.desc(), mode, share);
     const Constants constants{.scale = levels.scale, .offset = levels.offset};
     const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : state_->smooth;
     Prepared prepared;

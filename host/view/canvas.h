@@ -40,8 +40,9 @@ public:
     Canvas& operator=(Canvas&&) noexcept;
     ~Canvas();
 
-    /// Black, then the texture in the middle, as large as its shape allows. NaN and infinity are shown in magenta.
-    [[nodiscard]] Result<void> show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels);
+    /// Black, then the texture in the middle, as large as its shape allows. NaN and infinity are shown in magenta. `share`: of the target's
+    /// width, from the left, that is the texture's.
+    [[nodiscard]] Result<void> show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels, double share = 1);
 
     struct Mesh {
         std::span<const CanvasVertex> vertices;

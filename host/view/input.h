@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace tegument::view {
@@ -14,7 +15,8 @@ struct Input {
     glm::dvec2 camera{0};
     glm::dvec2 pan{0};
     glm::dvec2 light{0};
-    double wheel = 0; // notches; up is positive
+    std::optional<double> border; // where it was dragged to: share of the window's width
+    double wheel = 0;             // notches; up is positive
     double lightWheel = 0;
     std::vector<std::filesystem::path> dropped; // files
     glm::dvec2 cursor{-1};                      // share of the window from its left top; outside it: beyond 0 and 1

@@ -28,6 +28,9 @@ constexpr std::array kKeys = {
     KeyBinding{U'x', Command::Probe, "x", "values of every target under the cursor, and how they are spread"},
     KeyBinding{U'v', Command::Strip, "v", "every target as a small picture; a click opens it"},
     KeyBinding{U'b', Command::Bindings, "b", "what each parameter of a foreign effect got, and by which rule"},
+    KeyBinding{U'k', Command::Keep, "k", "keep this picture to the left of a border; again: give it up"},
+    KeyBinding{U'e', Command::Errors, "e", "error against the kept picture in false colours"},
+    KeyBinding{U'f', Command::Source, "f", "the effect's text beside the picture; Ctrl+S writes it"},
     KeyBinding{U'i', Command::Information, "i", "text on the picture on and off"},
     KeyBinding{U'r', Command::Reset, "r", "camera, light and parameters as at the start"},
     KeyBinding{U's', Command::Save, "s", "write what is shown as PNG"},
@@ -40,6 +43,7 @@ constexpr std::array kKeys = {
 constexpr std::array kMouse = {
     MouseBinding{"drag", "turn the camera"},
     MouseBinding{"wheel", "nearer, farther"},
+    MouseBinding{"drag of the border", "more of the kept picture, or less"},
     MouseBinding{"middle or Shift drag", "move the camera"},
     MouseBinding{"right or Ctrl drag", "turn the light"},
     MouseBinding{"Ctrl wheel", "light nearer, farther"},

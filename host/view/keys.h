@@ -32,6 +32,9 @@ enum class Command {
     Probe,
     Strip,
     Bindings,
+    Keep,
+    Errors,
+    Source,
     Quit
 };
 
@@ -42,6 +45,7 @@ inline constexpr char32_t kKeyUp = 0xE002;
 inline constexpr char32_t kKeyDown = 0xE003;
 inline constexpr char32_t kKeyEscape = 0xE004;
 inline constexpr char32_t kKeyF5 = 0xE005;
+inline constexpr char32_t kKeyWrite = 0xE006; // Ctrl+S, of the text beside the picture
 
 struct KeyBinding {
     char32_t key;

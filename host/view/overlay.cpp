@@ -70,14 +70,13 @@ Overlay::Overlay(Overlay&&) noexcept = default;
 Overlay& Overlay::operator=(Overlay&&) noexcept = default;
 Overlay::~Overlay() = default;
 
-Result<Overlay> Overlay::create(gpu::Device& device, const Window& window) {
+Result<Overlay> Overlay::create(gpu::Device& device, const Window* window) {
     ImGui::CreateContext();
     auto state = std::make_unique<State>();
     ImGui::GetIO().IniFilename = nullptr; // leaves no file behind
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
     ImGui::StyleColorsDark();
-    ImGui_ImplGlfw_InitForOther(window.handle(), true);
-    state->started = true;
+    state->started = window && ImGui_ImplGlfw_InitForOther(window->handle(), true);
     auto font = uploadFont(device);
     if (!font) return font.error();
     state->font = std::move(*font);
@@ -93,7 +92,10 @@ bool Overlay::wantsKeys() const {
 }
 
 Result<void> Overlay::draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content) {
-    ImGui_ImplGlfw_NewFrame();
+    if (state_->started)
+        ImGui_ImplGlfw_NewFrame();
+    else
+        ImGui::GetIO().DisplaySize = ImVec2(static_cast<float>(target.desc().width), static_cast<float>(target.desc().height));
     ImGui::NewFrame();
     content();
     ImGui::Render();

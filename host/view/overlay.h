@@ -12,7 +12,8 @@ namespace tegument::view {
 /// One at a time, as Dear ImGui has it. To be destroyed before the window is.
 class Overlay {
 public:
-    static Result<Overlay> create(gpu::Device& device, const Window& window);
+    /// Without a window there is no input, and the display has the target's size.
+    static Result<Overlay> create(gpu::Device& device, const Window* window);
     Overlay(Overlay&&) noexcept;
     Overlay& operator=(Overlay&&) noexcept;
     ~Overlay();

@@ -282,8 +282,10 @@ std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& ef
     return parameters;
 }
 
-PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text,
-                       const PanelPictures& pictures) {
+PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text, const PanelPictures& pictures,
+                       SourceText& source) {
+    const float width = text.pictureShare * ImGui::GetIO().DisplaySize.x;
+    const float height = ImGui::GetIO().DisplaySize.y;
     const std::vector<const Parameter*> parameters = slidersOf(state, effect);
     const std::string lines = linesOf(text);
     PanelSizes sizes;
@@ -297,7 +299,7 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& e
         sizes.problem = sizeOf(text.problem);
         sizes.problem->width = ImGui::GetIO().DisplaySize.x;
     }
-    const PanelAreas areas = arrange(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, sizes);
+    const PanelAreas areas = arrange(width, height, sizes);
     if (areas.lines) drawText("shown", *areas.lines, lines);
     if (areas.problem) {
         ImGui::PushStyleColor(ImGuiCol_Text, kRed);
@@ -309,6 +311,13 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& e
     PanelOutcome outcome;
     if (areas.strip) outcome.opened = drawStrip(pictures.thumbnails, *areas.strip);
     outcome.moved = areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
+    if (text.beside) {
+        float bottom = height;
+        for (const auto& area : {areas.strip, areas.problem})
+            if (area) bottom = std::min(bottom, area->y);
+        drawBorder(state.border, *text.beside, width, bottom);
+    }
+    if (state.source) drawSource(source, {.x = width, .y = 0, .width = ImGui::GetIO().DisplaySize.x - width, .height = height});
     return outcome;
 }
 

@@ -4,16 +4,28 @@
 #include "host/adopt/adopt.h"
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
+#include "host/view/layout.h"
 #include "host/view/probe.h"
+#include "host/view/source_text.h"
 #include "host/view/state.h"
 
 namespace tegument::view {
+
+/// What stands on both sides of the border.
+struct BesideText {
+    std::string left;
+    std::string right;
+    std::string error;    // of the right side against the left
+    bool colours = false; // the error is what is shown
+};
 
 struct PanelText {
     std::vector<std::string> lines; // what is shown
     std::string problem;            // why the picture is not up to date; empty: it is
     std::string notice;             // "wrote out/Main-001.png"
     std::string bindings;           // what each parameter got, by which rule
+    std::optional<BesideText> beside;
+    float pictureShare = 1; // of the window's width, from the left; the rest is the effect's text
 };
 
 /// A target as a small picture.
@@ -47,6 +59,12 @@ struct PanelOutcome {
 
 /// `start`: what presets are laid over.
 [[nodiscard]] PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text,
-                                     const PanelPictures& pictures);
+                                     const PanelPictures& pictures, SourceText& source);
+
+/// The border over the picture, the names of both sides and their error above `bottom`.
+void drawBorder(double border, const BesideText& text, float width, float bottom);
+
+/// The effect's text with line numbers and errors in place; written by Ctrl+S.
+void drawSource(SourceText& source, const Area& area);
 
 } // namespace tegument::view

@@ -52,6 +52,23 @@ std::vector<std::string> probeLines(const std::vector<ProbedTarget>& targets, co
     return lines;
 }
 
+std::vector<std::string> besideLines(const Image& image, const Image& beside, glm::dvec2 place) {
+    if (image.pixels.empty() || beside.pixels.empty()) return {};
+    const glm::ivec2 here(texelAt(place.x, image.width), texelAt(place.y, image.height));
+    const glm::ivec2 there(texelAt(place.x, beside.width), texelAt(place.y, beside.height));
+    std::string values = fmt::format("beside     {:>4},{:>4}", there.x, there.y);
+    std::string less = "difference          ";
+    std::string share = "relative            ";
+    for (int c = 0; c < std::min({image.channels, beside.channels, 3}); ++c) {
+        const auto value = static_cast<double>(beside.at(there.x, there.y, c));
+        const double apart = static_cast<double>(image.at(here.x, here.y, c)) - value;
+        values += fmt::format(" {:>8.4g}", value);
+        less += fmt::format(" {:>8.2g}", apart);
+        share += value == 0 ? fmt::format(" {:>8}", "-") : fmt::format(" {:>7.2f}%", 100 * apart / value);
+    }
+    return {values, less, share};
+}
+
 Histogram histogramOf(const Image& image) {
     const auto stride = static_cast<std::size_t>(image.channels);
     const std::size_t colors = std::min<std::size_t>(stride, Histogram::kChannels);

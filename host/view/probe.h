@@ -27,6 +27,9 @@ struct ProbedTarget {
 /// are read at the same share of their width and height.
 [[nodiscard]] std::vector<std::string> probeLines(const std::vector<ProbedTarget>& targets, const std::string& shown, glm::dvec2 place);
 
+/// Three lines: the values beside the picture at this place, the picture's less those, and that as a share of those.
+[[nodiscard]] std::vector<std::string> besideLines(const Image& image, const Image& beside, glm::dvec2 place);
+
 /// Of the colours, from their least to their largest finite value; texels that are 0 in all of them count as not written. Alpha, which is
 /// 1 wherever something was drawn, would hide the rest.
 struct Histogram {

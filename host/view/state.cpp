@@ -126,6 +126,9 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::Probe: return toggle(state.probe);
     case Command::Strip: return toggle(state.strip);
     case Command::Bindings: return toggle(state.bindings);
+    case Command::Keep: return Request::Keep;
+    case Command::Errors: return toggle(state.errors);
+    case Command::Source: return toggle(state.source);
     case Command::Quit: return Request::Quit;
     }
     return Request::None;

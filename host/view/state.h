@@ -16,7 +16,7 @@ namespace tegument::view {
 enum class Show { Picture, Pass, Target };
 
 /// What a command asks of the viewer besides the changed state.
-enum class Request { None, Draw, Levels, Load, Save, SaveWorkspace, CopyCommand, Quit };
+enum class Request { None, Draw, Levels, Load, Save, SaveWorkspace, CopyCommand, Keep, Quit };
 
 struct ViewState {
     Workspace workspace; // in world millimetres
@@ -41,6 +41,9 @@ struct ViewState {
     bool probe = false;
     bool strip = false;
     bool bindings = false;
+    bool errors = false; // against what is beside, in false colours
+    bool source = false; // text beside the picture
+    double border = 0.5; // share of the picture's width that is what was kept
 };
 
 /// `start`: what Command::Reset goes back to.

@@ -2,6 +2,7 @@
 // An effect in a window.
 
 #include "host/run/session.h"
+#include "host/view/reactions.h"
 
 #include <functional>
 #include <map>
@@ -19,6 +20,8 @@ struct ViewRequest {
     RunOptions run;     // technique, size of the window, compiler, values
     std::string device; // part of its name
     bool validate = false;
+    bool window = true;                     // false: a replay, drawn the same way
+    std::filesystem::path beside;           // a saved picture to hold the effect's against; empty: none
     std::filesystem::path pictures = "out"; // where the keys s, w and c write
     /// Of `tegument render`, besides effect, technique, setting, workspace and size: what the command line asked for.
     std::vector<std::string> renderArguments;
@@ -31,5 +34,15 @@ struct ViewRequest {
 /// Until the window is closed. Errors in the effect's source are shown, told to `say` and mended by the next edit; only what happens before
 /// the first picture, or to the device, is returned. `say` gets one line or message at a time. Returns what the validation layers said.
 [[nodiscard]] Result<std::vector<std::string>> viewEffect(const ViewRequest& request, const std::function<void(const std::string&)>& say);
+
+struct Replayed {
+    std::vector<view::Reaction> reactions;
+    std::vector<std::string> validation; // what the validation layers said
+};
+
+/// The steps one after another, each as soon as the one before has its picture; edits change their files. TG8049 a step has no picture, or
+/// an edit finds nothing to change.
+[[nodiscard]] Result<Replayed> replayEffect(const ViewRequest& request, const std::vector<view::ReplayStep>& steps,
+                                            const std::function<void(const std::string&)>& say);
 
 } // namespace tegument

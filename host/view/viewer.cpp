@@ -19,79 +19,60 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPatience = 0.2;                       // seconds between two looks at the files
+constexpr double kPatience = 0.05;                      // seconds between two looks at the files
 constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in the middle of a file
 constexpr int kMostWaits = 25;
-constexpr double kShort = 0.005; // while the text settles, or the window changes
-constexpr int kSettlingFrames = 3;
+constexpr double kShort = 0.005;   // while the text settles, or the window changes
+constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
 constexpr int kDeviceLost = 6007;
-constexpr int kMostPictures = 9999;
-
-Result<Adoption> readEffect(const ViewRequest& request, const std::string& setting) {
-    LoadOptions load = request.load;
-    load.setting = setting;
-    auto effect = loadEffect(request.effect, load);
-    if (!effect) return effect.error();
-    return adopted(std::move(*effect), {.bind = request.binds, .technique = {}, .width = request.run.width, .height = request.run.height});
-}
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
     return device.createTexture(
         {.name = name, .format = gpu::Format::RGBA8, .width = size.width, .height = size.height, .renderTarget = true});
 }
 
-fs::path freePath(const fs::path& folder, const fs::path& effect, const char* ending) {
-    fs::path path;
-    std::error_code failed;
-    for (int number = 1; number <= kMostPictures; ++number) {
-        path = folder / fmt::format("{}-{:03}{}", effect.stem().string(), number, ending);
-        if (!fs::exists(path, failed)) break;
-    }
-    return path;
-}
-
-/// As a shell takes it.
-std::string quoted(const std::string& word) {
-    constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+%@";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word)
-        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 } // namespace
 
-Viewer::Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, Window window, gpu::Device device)
+Viewer::Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, std::optional<Window> window,
+               gpu::Device device)
     : request_(request), say_(say), window_(std::move(window)), device_(std::move(device)) {}
 
 Result<std::unique_ptr<Viewer>> Viewer::start(const ViewRequest& request, const std::function<void(const std::string&)>& say) {
     const PixelSize size{static_cast<std::uint32_t>(request.run.width), static_cast<std::uint32_t>(request.run.height)};
-    auto window = Window::open("tegument", size);
-    if (!window) return window.error();
-    const gpu::WindowSurface surface = window->surface();
-    auto device = gpu::Device::create({.validation = request.validate, .prefer = request.device, .window = &surface});
+    std::optional<Window> window;
+    std::optional<gpu::WindowSurface> surface;
+    if (request.window) {
+        auto opened = Window::open("tegument", size);
+        if (!opened) return opened.error();
+        window = std::move(*opened);
+        surface = window->surface();
+    }
+    auto device = gpu::Device::create({.validation = request.validate, .prefer = request.device, .window = surface ? &*surface : nullptr});
     if (!device) return device.error();
-    std::unique_ptr<Viewer> viewer(new Viewer(request, say, std::move(*window), std::move(*device)));
+    std::unique_ptr<Viewer> viewer(new Viewer(request, say, std::move(window), std::move(*device)));
     if (const auto prepared = viewer->prepare(); !prepared) return prepared.error();
     return viewer;
 }
 
 Result<void> Viewer::prepare() {
-    auto presenter = gpu::Presenter::create(device_);
-    if (!presenter) return presenter.error();
-    presenter_ = std::move(*presenter);
+    if (window_) {
+        auto presenter = gpu::Presenter::create(device_);
+        if (!presenter) return presenter.error();
+        presenter_ = std::move(*presenter);
+    }
     auto canvas = Canvas::create(device_, request_.run.compiler);
     if (!canvas) return canvas.error();
     canvas_ = std::move(*canvas);
-    auto overlay = Overlay::create(device_, window_);
+    auto overlay = Overlay::create(device_, window_ ? &*window_ : nullptr);
     if (!overlay) return overlay.error();
     overlay_ = std::move(*overlay);
     begin();
     size_ = {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
-    auto effect = readEffect(request_, state_.setting);
+    auto effect = readEffect();
     if (!effect) return effect.error();
-    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_);
+    if (!request_.beside.empty())
+        if (const auto opened = openBeside(request_.beside); !opened) return opened;
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
     auto frame = drawWith(*loaded);
     if (!frame) return frame.error();
     loaded_ = std::move(loaded);
@@ -121,19 +102,36 @@ void Viewer::readPresets() {
         });
 }
 
+Result<Adoption> Viewer::readEffect() const {
+    LoadOptions load = request_.load;
+    load.setting = state_.setting;
+    auto effect = loadEffect(request_.effect, load);
+    if (!effect) return effect.error();
+    return adopted(std::move(*effect),
+                   {.bind = request_.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height});
+}
+
 Result<void> Viewer::run() {
     while (running_)
-        if (const auto stepped = step(); !stepped) return stepped;
+        if (const auto stepped = step(wait()); !stepped) return stepped;
     return {};
 }
 
-Result<void> Viewer::step() {
-    const PixelSize pixels = window_.pixels();
+Input Viewer::wait() {
+    const PixelSize pixels = windowPixels();
+    const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
+    if (window_) return window_->wait(settles ? kShort : kPatience, overlay_->wantsMouse(), borderOfWindow());
+    std::this_thread::sleep_for(std::chrono::duration<double>(kPatience));
+    return {};
+}
+
+Result<void> Viewer::step(const Input& input) {
+    const PixelSize pixels = windowPixels();
     const bool seen = pixels.width > 0 && pixels.height > 0;
-    const Input input = window_.wait(seen && settling_ > 0 ? kShort : kPatience, overlay_->wantsMouse());
     if (input.any) settling_ = kSettlingFrames;
     cursor_ = input.cursor;
     if (input.closed) running_ = false;
+    if (input.border) state_.border = std::clamp(*input.border / pictureShare(), 0.0, 1.0);
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
     for (const fs::path& file : input.dropped)
         if (const auto opened = open(file); !opened) return opened;
@@ -142,6 +140,8 @@ Result<void> Viewer::step() {
         if (const auto loaded = load(); !loaded) return loaded;
     }
     if (const auto resized = resize(); !resized) return resized;
+    if (!input.any) // once nothing moves
+        if (const auto measured = measureBeside(); !measured) return measured;
     return seen && settling_ > 0 ? show() : Result<void>();
 }
 
@@ -155,6 +155,7 @@ void Viewer::waitForEditor() {
 Result<void> Viewer::obey(const Input& input) {
     if (apply(state_, input))
         if (const auto drawn = draw(); !drawn) return drawn;
+    if (state_.source && std::ranges::find(input.keys, kKeyWrite) != input.keys.end()) writeSource(source_);
     if (overlay_->wantsKeys()) return {};
     for (const char32_t key : input.keys)
         if (const auto command = commandOf(key))
@@ -174,22 +175,42 @@ Result<void> Viewer::fulfil(Request request) {
         if (const auto path = saveWorkspace()) notice("wrote " + path->string());
         return {};
     case Request::CopyCommand: copyCommand(); return {};
+    case Request::Keep: return keep();
     case Request::Quit: running_ = false; return {};
     }
     return {};
 }
 
 Result<void> Viewer::resize() {
-    const PixelSize pixels = window_.pixels();
+    const PixelSize pixels = picturePixels();
     if (pixels.width == 0 || pixels.height == 0 || pixels == size_) return {};
     size_ = pixels;
     return draw();
 }
 
+double Viewer::pictureShare() const {
+    return state_.source ? 1 - kTextShare : 1;
+}
+
+PixelSize Viewer::windowPixels() const {
+    if (window_) return window_->pixels();
+    return {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
+}
+
+PixelSize Viewer::picturePixels() const {
+    PixelSize pixels = windowPixels();
+    pixels.width = static_cast<std::uint32_t>(pictureShare() * pixels.width);
+    return pixels;
+}
+
+glm::dvec2 Viewer::cursorOnPicture() const {
+    return {cursor_.x / pictureShare(), cursor_.y};
+}
+
 Result<void> Viewer::load() {
-    auto effect = readEffect(request_, state_.setting);
+    auto effect = readEffect();
     if (!effect) return report(nullptr, effect.error());
-    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_);
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
     const ViewState before = state_;
     adopt(state_, loaded->effect);
     auto frame = drawWith(*loaded);
@@ -217,11 +238,11 @@ Result<void> Viewer::open(const fs::path& file) {
     request_.pictures = before.pictures;
     state_.show = Show::Picture;
     if (!request_.keepView) begin();
-    auto effect = readEffect(request_, state_.setting);
+    auto effect = readEffect();
     std::unique_ptr<Loaded> loaded;
     Result<SessionFrame> frame = effect ? Result<SessionFrame>(SessionFrame{}) : Result<SessionFrame>(effect.error());
     if (effect) {
-        loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_);
+        loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
         adopt(state_, loaded->effect);
         std::erase_if(state_.parameters, [&](const auto& value) { return !loaded->effect.findParameter(value.first); });
         frame = drawWith(*loaded);
@@ -260,6 +281,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     problem_.clear();
     if (frame.technique != frame_.technique) targets_.forgetAll();
     frame_ = std::move(frame);
+    ++answers_;
     targets_.forget();
     adopt(state_, frame_);
     for (const Diagnostic& warning : frame_.warnings)
@@ -268,6 +290,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     gpu::Texture* texture = loaded_->session.target(name);
     assert(texture); // the frame has drawn into it
     if (const auto found = findLevels(*texture, name); !found) return found;
+    if (const auto drawn = drawBeside(); !drawn) return report(nullptr, drawn.error());
     return paint();
 }
 
@@ -285,33 +308,44 @@ Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) 
     return {};
 }
 
-Result<void> Viewer::paint() {
-    if (!picture_.state || PixelSize{picture_.desc().width, picture_.desc().height} != size_) {
-        auto picture = makeTarget(device_, "picture in the window", size_);
-        if (!picture) return picture.error();
-        picture_ = std::move(*picture);
-    }
+Result<void> Viewer::makePicture(gpu::Texture& picture, const char* name) {
+    if (picture.state && PixelSize{picture.desc().width, picture.desc().height} == size_) return {};
+    auto made = makeTarget(device_, name, size_);
+    if (!made) return made.error();
+    picture = std::move(*made);
+    return {};
+}
+
+Levels Viewer::shownLevels() const {
     Levels levels = brightened(levels_, state_.stops);
     if (state_.channel != 0) levels.channel = state_.channel;
+    return levels;
+}
+
+Result<void> Viewer::paint() {
+    if (const auto made = makePicture(picture_, "picture in the window"); !made) return made;
     settling_ = kSettlingFrames;
-    return canvas_->show(picture_, *loaded_->session.target(shownTarget(state_, frame_)), levels);
+    if (const auto painted = paintBeside(); !painted) return painted;
+    return canvas_->show(picture_, *loaded_->session.target(shownTarget(state_, frame_)), shownLevels());
 }
 
 Result<void> Viewer::show() {
     --settling_;
-    const PixelSize pixels = window_.pixels();
+    const PixelSize pixels = windowPixels();
     if (!composed_.state || PixelSize{composed_.desc().width, composed_.desc().height} != pixels) {
         auto composed = makeTarget(device_, "window", pixels);
         if (!composed) return composed.error();
         composed_ = std::move(*composed);
     }
-    if (const auto shown = canvas_->show(composed_, picture_, {}); !shown) return shown;
+    if (const auto composed = compose(); !composed) return composed;
+    if (state_.source && source_.file.empty()) openSource(source_, request_.effect);
     const auto pictures = panelPictures();
     if (!pictures) return pictures.error();
     PanelOutcome outcome;
-    const auto text = [&] { outcome = drawPanel(state_, start_, loaded_->effect, panelText(), *pictures); };
+    const auto text = [&] { outcome = drawPanel(state_, start_, loaded_->effect, panelText(), *pictures, source_); };
     if (const auto drawn = overlay_->draw(*canvas_, composed_, text); !drawn) return drawn;
-    if (std::string title = titleText(); title != title_) window_.setTitle(title_ = std::move(title));
+    if (!window_) return {};
+    if (std::string title = titleText(); title != title_) window_->setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
     if (!shown) return shown.error();
     if (!*shown) settling_ = kSettlingFrames;
@@ -319,58 +353,10 @@ Result<void> Viewer::show() {
     return outcome.moved ? draw() : Result<void>();
 }
 
-void Viewer::save() {
-    auto image = run::readBack(device_, picture_);
-    const fs::path path = freePath(request_.pictures, request_.effect, ".png");
-    Result<void> written;
-    if (image) {
-        image->metadata = frame_.metadata;
-        image->metadata["shown"] = shownText(state_, frame_);
-        for (std::size_t alpha = 3; alpha < image->pixels.size(); alpha += 4)
-            image->pixels[alpha] = 1;
-        written = writePng(path, *image, PngEncoding::Raw);
-    }
-    const bool done = image && written;
-    notice(done ? "wrote " + path.string() : format(image ? written.error() : image.error()));
-}
-
 void Viewer::notice(std::string text) {
     notice_ = std::move(text);
     settling_ = kSettlingFrames;
     say_(notice_);
-}
-
-std::optional<fs::path> Viewer::saveWorkspace() {
-    Workspace workspace = state_.workspace;
-    settle(workspace, state_.parameters, request_.run.textures);
-    const bool known = !workspaceFile_.empty() && workspaceJson(workspace, workspaceFile_) == workspaceText_;
-    if (known) return workspaceFile_;
-    const fs::path path = freePath(request_.pictures, request_.effect, ".json");
-    std::string text = workspaceJson(workspace, path);
-    if (const auto written = writeFile(path, text); !written) {
-        notice(format(written.error()));
-        return std::nullopt;
-    }
-    workspaceFile_ = path;
-    workspaceText_ = std::move(text);
-    return path;
-}
-
-void Viewer::copyCommand() {
-    const auto workspace = saveWorkspace();
-    if (!workspace) return;
-    fs::path picture = *workspace;
-    picture.replace_extension(".png");
-    std::vector<std::string> words = {"tegument", "render", request_.effect.string(), "-t", state_.technique};
-    if (!state_.setting.empty()) words.insert(words.end(), {"--setting", state_.setting});
-    words.insert(words.end(), {"-w", workspace->string(), "--size", fmt::format("{}x{}", size_.width, size_.height)});
-    words.insert(words.end(), request_.renderArguments.begin(), request_.renderArguments.end());
-    words.insert(words.end(), {"-o", picture.string()});
-    std::string line;
-    for (const std::string& word : words)
-        line += (line.empty() ? "" : " ") + quoted(word);
-    window_.copy(line);
-    notice("copied: " + line);
 }
 
 RunOptions Viewer::runOptions() const {
@@ -394,13 +380,20 @@ void Viewer::watchFiles(const Effect* effect, const Error* error) {
             files.push_back(files[i].has_parent_path() ? files[i].parent_path() : fs::path("."));
     }
     watch_.watch(files);
+    const Effect& sources = effect ? *effect : loaded_->effect;
+    source_.files = {request_.effect};
+    source_.files.insert(source_.files.end(), sources.includes.begin(), sources.includes.end());
+    if (!error) source_.marks.clear();
+    refreshSource(source_);
 }
 
 Result<void> Viewer::report(const Effect* effect, const Error& error) {
     if (error.diagnostics.front().code == kDeviceLost) return error;
     problem_ = format(error);
+    ++answers_;
     say_(problem_);
     watchFiles(effect, &error);
+    markSource(source_, error);
     settling_ = kSettlingFrames;
     return {};
 }

@@ -1,11 +1,13 @@
 #pragma once
 // The loop behind viewEffect(): what is loaded, what is drawn, what the window shows.
 
-#include "host/adopt/adopt.h"
 #include "host/gpu/present.h"
+#include "host/view/beside.h"
 #include "host/view/canvas.h"
+#include "host/view/loaded.h"
 #include "host/view/overlay.h"
 #include "host/view/panel.h"
+#include "host/view/source_text.h"
 #include "host/view/state.h"
 #include "host/view/targets.h"
 #include "host/view/view.h"
@@ -15,38 +17,33 @@
 
 namespace tegument::view {
 
-/// An effect that has been drawn at least once.
-struct Loaded {
-    Loaded(gpu::Device& device, Adoption source, const ViewRequest& request)
-        : keeps(request.keeps), effect(std::move(source.effect)), bindings(std::move(source.bindings)),
-          session(device, effect, request.scene) {}
-    Loaded(const Loaded&) = delete; // the session points at the effect
-    Loaded& operator=(const Loaded&) = delete;
-
-    std::shared_ptr<const void> keeps; // the session's scene
-    Effect effect;
-    std::vector<ParameterBinding> bindings; // of an effect of another host
-    EffectSession session;
-};
+/// While the text settles.
+inline constexpr int kSettlingFrames = 3;
 
 class Viewer {
 public:
     static Result<std::unique_ptr<Viewer>> start(const ViewRequest& request, const std::function<void(const std::string&)>& say);
     /// Returns when the window is closed.
     [[nodiscard]] Result<void> run();
+    /// The steps one after another, each as soon as the one before has its picture.
+    [[nodiscard]] Result<std::vector<Reaction>> replay(const std::vector<ReplayStep>& steps);
     [[nodiscard]] std::vector<std::string> validationMessages() const { return device_.validationMessages(); }
 
 private:
-    Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, Window window, gpu::Device device);
+    Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, std::optional<Window> window,
+           gpu::Device device);
     [[nodiscard]] Result<void> prepare();
 
-    [[nodiscard]] Result<void> step();
+    /// What a window has heard, and the picture of it.
+    [[nodiscard]] Result<void> step(const Input& input);
+    [[nodiscard]] Input wait();
     [[nodiscard]] Result<void> obey(const Input& input);
     [[nodiscard]] Result<void> fulfil(Request request);
     [[nodiscard]] Result<void> resize();
 
     /// Until the files have been still for a moment.
     void waitForEditor();
+    [[nodiscard]] Result<Adoption> readEffect() const;
     /// Reads the effect and draws it; what was there before stays if either fails.
     [[nodiscard]] Result<void> load();
     /// A file that was dropped on the window.
@@ -60,6 +57,32 @@ private:
     [[nodiscard]] Result<void> develop(SessionFrame frame);
     [[nodiscard]] Result<void> findLevels(gpu::Texture& texture, const std::string& name);
     [[nodiscard]] Result<void> paint();
+    /// A target of the picture's size.
+    [[nodiscard]] Result<void> makePicture(gpu::Texture& picture, const char* name);
+    [[nodiscard]] Levels shownLevels() const;
+
+    // viewer_beside.cpp
+    [[nodiscard]] Result<void> keep();
+    [[nodiscard]] Result<void> openBeside(const std::filesystem::path& file);
+    [[nodiscard]] Result<void> drawBeside();
+    [[nodiscard]] Result<void> paintBeside();
+    /// The picture's values and those beside it, in the same kind of light.
+    [[nodiscard]] Result<std::pair<Image, const Image*>> sides();
+    [[nodiscard]] Result<void> measureBeside();
+    [[nodiscard]] Result<void> findErrors();
+    /// Picture, what is beside it, or the errors, without text.
+    [[nodiscard]] Result<void> compose();
+    [[nodiscard]] std::optional<BesideText> besideText() const;
+    [[nodiscard]] std::string sideName() const;
+    /// Where the mouse can take it: share of the window.
+    [[nodiscard]] std::optional<double> borderOfWindow() const;
+
+    /// Of the window, that is the picture's.
+    [[nodiscard]] double pictureShare() const;
+    [[nodiscard]] PixelSize windowPixels() const;
+    [[nodiscard]] PixelSize picturePixels() const;
+    /// Share of the picture from its left top.
+    [[nodiscard]] glm::dvec2 cursorOnPicture() const;
     /// Picture and text on the window.
     [[nodiscard]] Result<void> show();
     void save();
@@ -81,12 +104,14 @@ private:
 
     ViewRequest request_;
     const std::function<void(const std::string&)>& say_;
-    Window window_;
+    std::optional<Window> window_; // none: a replay
     gpu::Device device_;
     std::optional<gpu::Presenter> presenter_;
     std::optional<Canvas> canvas_;
     std::optional<Overlay> overlay_;
     std::unique_ptr<Loaded> loaded_;
+    std::unique_ptr<Beside> beside_;
+    SourceText source_;
     FileWatch watch_;
     ViewState state_;
     ViewState start_;
@@ -105,7 +130,8 @@ private:
     std::filesystem::path workspaceFile_; // the last one written
     std::string workspaceText_;
     std::string title_;
-    int settling_ = 0; // Dear ImGui's layout follows its input by a frame or two
+    std::size_t answers_ = 0; // frames and errors so far
+    int settling_ = 0;        // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;
     bool running_ = true;
 };

@@ -50,14 +50,20 @@ std::vector<std::string> Viewer::probed() {
     const gpu::Texture* texture = loaded_->session.target(shown);
     if (!texture) return {};
     const glm::ivec2 size(texture->desc().width, texture->desc().height);
-    const auto place = placeOnPicture(cursor_, size, glm::ivec2(size_.width, size_.height));
+    const auto place = placeOnPicture(cursorOnPicture(), size, glm::ivec2(size_.width, size_.height));
     if (!place) return {};
     std::vector<ProbedTarget> targets;
     std::vector<std::string> names = state_.targets;
     names.emplace_back();
     for (const std::string& name : names)
         if (const auto image = targets_.image(device_, loaded_->session, name)) targets.push_back({name, *image});
-    return probeLines(targets, shown, *place);
+    std::vector<std::string> lines = probeLines(targets, shown, *place);
+    if (beside_ && beside_->drawn)
+        if (const auto both = sides()) {
+            const std::vector<std::string> more = besideLines(both->first, *both->second, *place);
+            lines.insert(lines.end(), more.begin(), more.end());
+        }
+    return lines;
 }
 
 PanelText Viewer::panelText() {
@@ -77,6 +83,8 @@ PanelText Viewer::panelText() {
         const std::vector<std::string> lines = probed();
         text.lines.insert(text.lines.end(), lines.begin(), lines.end());
     }
+    text.beside = besideText();
+    text.pictureShare = static_cast<float>(pictureShare());
     if (state_.bindings) text.bindings = bindingLines(loaded_->bindings);
     if (!state_.help) text.lines.emplace_back("h: help");
     return text;

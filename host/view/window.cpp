@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace tegument::view {
@@ -17,6 +18,8 @@ struct WindowState {
     Input input;
     glm::dvec2 mouse{0};
     bool overlay = false;
+    std::optional<double> border;
+    bool holdsBorder = false;
 
     ~WindowState() {
         if (window) glfwDestroyWindow(window);
@@ -57,6 +60,23 @@ WindowState& stateOf(GLFWwindow* window) {
     return *static_cast<WindowState*>(glfwGetWindowUserPointer(window));
 }
 
+constexpr double kGrip = 6; // pixels to each side of the border that take the mouse
+
+int widthOf(GLFWwindow* window) {
+    int width = 0;
+    glfwGetWindowSize(window, &width, nullptr);
+    return std::max(1, width);
+}
+
+/// Here and not where the next picture is drawn: on a slow machine the mouse is elsewhere by then.
+void takeBorder(GLFWwindow* window, int button, int action) {
+    WindowState& state = stateOf(window);
+    state.input.any = true;
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    state.holdsBorder =
+        action == GLFW_PRESS && !state.overlay && state.border && std::abs(state.mouse.x - *state.border * widthOf(window)) <= kGrip;
+}
+
 void listenToMouse(GLFWwindow* window) {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         WindowState& state = stateOf(w);
@@ -66,10 +86,11 @@ void listenToMouse(GLFWwindow* window) {
         const glm::dvec2 moved = (glm::dvec2(x, y) - state.mouse) / static_cast<double>(std::max(1, height));
         state.mouse = {x, y};
         state.input.any = true;
-        glm::dvec2* drag = state.overlay ? nullptr : dragged(w, state.input);
+        if (state.holdsBorder) state.border = state.input.border = x / widthOf(w);
+        glm::dvec2* drag = state.overlay || state.holdsBorder ? nullptr : dragged(w, state.input);
         if (drag) *drag += glm::dvec2(moved.x, -moved.y);
     });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stateOf(w).input.any = true; });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) { takeBorder(w, button, action); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
         WindowState& state = stateOf(w);
         state.input.any = true;
@@ -85,10 +106,11 @@ void listen(GLFWwindow* window) {
         state.input.any = true;
         state.input.keys.push_back(character);
     });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int held) {
         WindowState& state = stateOf(w);
         state.input.any = true;
         const auto special = std::ranges::find(kSpecial, key, [](const auto& pair) { return pair.first; });
+        if (action == GLFW_PRESS && key == GLFW_KEY_S && (held & GLFW_MOD_CONTROL) != 0) state.input.keys.push_back(kKeyWrite);
         if (action != GLFW_RELEASE && special != kSpecial.end()) state.input.keys.push_back(special->second);
     });
     listenToMouse(window);
@@ -139,8 +161,9 @@ gpu::WindowSurface Window::surface() const {
     return surface;
 }
 
-Input Window::wait(double seconds, bool overlay) {
+Input Window::wait(double seconds, bool overlay, std::optional<double> border) {
     state_->overlay = overlay;
+    state_->border = border;
     if (seconds > 0)
         glfwWaitEventsTimeout(seconds);
     else

@@ -30,8 +30,9 @@ public:
 
     /// For gpu::Device; used while it is made only.
     [[nodiscard]] gpu::WindowSurface surface() const;
-    /// Waits for input at most so long. `overlay`: the mouse belongs to it, not to camera and light.
-    [[nodiscard]] Input wait(double seconds, bool overlay);
+    /// Waits for input at most so long. `overlay`: the mouse belongs to it, not to camera and light. `border`: share of the width where one
+    /// stands that the mouse can take.
+    [[nodiscard]] Input wait(double seconds, bool overlay, std::optional<double> border);
     /// In pixels; 0 x 0 while it is minimised.
     [[nodiscard]] PixelSize pixels() const;
     void setTitle(const std::string& title);

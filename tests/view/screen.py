@@ -131,10 +131,13 @@ class Screen:
             xtest.fake_input(self.display, kind, 4 if up else 5)
         self.display.sync()
 
-    def press(self, name):
-        code = self.display.keysym_to_keycode(XK.string_to_keysym(name))
-        xtest.fake_input(self.display, X.KeyPress, code)
-        xtest.fake_input(self.display, X.KeyRelease, code)
+    def press(self, name, *held):
+        """A key, with others held."""
+        codes = [self.display.keysym_to_keycode(XK.string_to_keysym(key)) for key in (*held, name)]
+        for code in codes:
+            xtest.fake_input(self.display, X.KeyPress, code)
+        for code in reversed(codes):
+            xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
 
     def answer(self, kind, seconds):

@@ -48,16 +48,24 @@ def ball(rings=24, radius=80.0):
     return "\n".join(lines + faces) + "\n"
 
 
+def own_copy():
+    """A folder with the effects and a ball."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="tegument-view-"))
+    for name in ("effects", "hlsl"):
+        shutil.copytree(REPOSITORY / name, folder / name)
+    (folder / "ball.obj").write_text(ball())
+    scene = {"mesh": "ball.obj", "unit_mm": 1, "head": False, "camera": {"position": [1, 0.5, 5]}, "light": {"position": [-1, 2, 5]}}
+    (folder / "ball.json").write_text(json.dumps(scene))
+    return folder
+
+
 class View:
     """The program with a copy of the effects of its own, so that they can be broken."""
 
-    def __init__(self, arguments=("effects/Main.fx", "-w", "ball.json", "--map-size", "64"), files=()):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="tegument-view-"))
-        for name in ("effects", "hlsl"):
-            shutil.copytree(REPOSITORY / name, self.folder / name)
-        (self.folder / "ball.obj").write_text(ball())
-        scene = {"mesh": "ball.obj", "unit_mm": 1, "head": False, "camera": {"position": [1, 0.5, 5]}, "light": {"position": [-1, 2, 5]}}
-        (self.folder / "ball.json").write_text(json.dumps(scene))
+    def __init__(self, arguments=("effects/Main.fx", "-w", "ball.json", "--map-size", "64"), files=(), before=None):
+        self.folder = own_copy()
+        if before:
+            before(self.folder)
         self.screen = screens.Screen(2 * SIZE, SIZE)
         self.errors = open(self.folder / "stderr.txt", "w+")
         for name, text in files:

@@ -1,0 +1,42 @@
+#pragma once
+// What stands to the left of the border: the effect as it was kept, with its technique, setting and values, drawn with the camera and light
+// of now; or a saved picture. And how far the picture is from it.
+
+#include "host/image/compare.h"
+#include "host/view/loaded.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace tegument::view {
+
+struct Beside {
+    std::string name;
+    std::unique_ptr<Loaded> loaded; // none: a saved picture
+    std::string technique;
+    std::map<std::string, std::vector<double>> parameters;
+    bool display = false;    // `values` are a display's light, as 8-bit files hold it
+    Image values;            // of what is shown
+    gpu::Texture stored;     // a saved picture's
+    gpu::Texture picture;    // as it is shown
+    gpu::Texture errors;     // in false colours
+    std::string error;       // a line; empty: not measured yet
+    bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
+    bool haveErrors = false; // of this frame
+};
+
+/// A stored picture as light: 8-bit values without their sRGB curve; four channels.
+[[nodiscard]] Image lightOf(const Image& stored);
+
+/// What a display shows of this radiance, as light of 0 to 1: to be held against lightOf(an 8-bit file).
+[[nodiscard]] Image displayLight(const Image& radiance);
+
+/// "relative L2 0.0123, 99 % within 0.05, bias -0.001, largest 1.2 at (30, 40)", or why there is none.
+[[nodiscard]] std::string errorLine(const Result<Difference>& difference);
+
+/// The largest channel's difference over the reference's mean as a colour: black at a thousandth and below, then blue, green, yellow, red
+/// at 1 and above, by its logarithm; magenta where a value is not finite. Opaque; the sizes must agree.
+[[nodiscard]] Image falseColours(const Image& image, const Image& reference);
+
+} // namespace tegument::view

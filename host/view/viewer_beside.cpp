@@ -1,0 +1,172 @@
+// What stands to the left of the border, and how far the picture is from it.
+
+#include "host/view/viewer.h"
+
+#include "host/run/read_back.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr std::size_t kCorners = 4;
+
+Result<gpu::Texture> floatTexture(gpu::Device& device, const char* name, const Image& image) {
+    auto texture = device.createTexture({.name = name,
+                                         .format = gpu::Format::RGBA32F,
+                                         .width = static_cast<std::uint32_t>(image.width),
+                                         .height = static_cast<std::uint32_t>(image.height)});
+    if (!texture) return texture;
+    if (const auto uploaded = device.upload(*texture, std::as_bytes(std::span(image.pixels))); !uploaded) return uploaded.error();
+    return texture;
+}
+
+std::string withoutEmpty(const std::string& technique, const std::string& setting, const std::string& preset) {
+    std::string name = technique;
+    for (const std::string& word : {setting, preset})
+        if (!word.empty()) name += " " + word;
+    return name;
+}
+
+} // namespace
+
+std::string Viewer::sideName() const {
+    return withoutEmpty(state_.technique, state_.setting, state_.preset);
+}
+
+Result<void> Viewer::keep() {
+    if (beside_) {
+        beside_.reset();
+        notice("gave the kept picture up");
+        return {};
+    }
+    auto effect = readEffect();
+    if (!effect) return report(nullptr, effect.error());
+    beside_ = std::make_unique<Beside>();
+    beside_->loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
+    beside_->name = sideName();
+    beside_->technique = state_.technique;
+    beside_->parameters = state_.parameters;
+    notice("kept: " + beside_->name);
+    return draw();
+}
+
+Result<void> Viewer::openBeside(const std::filesystem::path& file) {
+    const auto stored = loadImage(file);
+    if (!stored) return stored.error();
+    constexpr int kFileBits = 16; // fewer than a float: a display's values
+    auto beside = std::make_unique<Beside>();
+    beside->name = file.filename().string();
+    beside->display = stored->bitsPerChannel <= kFileBits && file.extension() != ".exr";
+    beside->values = lightOf(*stored);
+    auto texture = floatTexture(device_, "saved picture", beside->values);
+    if (!texture) return texture.error();
+    beside->stored = std::move(*texture);
+    beside_ = std::move(beside);
+    return {};
+}
+
+Result<void> Viewer::drawBeside() {
+    if (!beside_) return {};
+    Beside& beside = *beside_;
+    beside.drawn = beside.haveErrors = false;
+    beside.error.clear();
+    if (state_.show == Show::Pass) return {}; // the other side has other passes
+    if (beside.loaded) {
+        RunOptions options = runOptions();
+        options.technique = beside.technique;
+        options.parameters = beside.parameters;
+        beside.values = {};
+        if (auto frame = beside.loaded->session.draw(state_.workspace, options); !frame) return frame.error();
+        if (!beside.loaded->session.target(shownTarget(state_, frame_))) return {};
+    }
+    beside.drawn = true;
+    return paintBeside();
+}
+
+Result<void> Viewer::paintBeside() {
+    if (!beside_ || !beside_->drawn) return {};
+    Beside& beside = *beside_;
+    if (const auto made = makePicture(beside.picture, "picture beside"); !made) return made;
+    gpu::Texture* texture = beside.loaded ? beside.loaded->session.target(shownTarget(state_, frame_)) : &beside.stored;
+    Levels levels = shownLevels();
+    if (beside.display) levels = {.channel = state_.channel, .toneMap = false, .encode = true};
+    return canvas_->show(beside.picture, *texture, levels);
+}
+
+Result<std::pair<Image, const Image*>> Viewer::sides() {
+    Beside& beside = *beside_;
+    const std::string shown = shownTarget(state_, frame_);
+    const auto now = targets_.image(device_, loaded_->session, shown);
+    if (!now) return now.error();
+    if (beside.values.pixels.empty()) {
+        auto values = run::readBack(device_, *beside.loaded->session.target(shown));
+        if (!values) return values.error();
+        beside.values = std::move(*values);
+    }
+    return std::pair<Image, const Image*>(beside.display ? displayLight(**now) : **now, &beside.values);
+}
+
+Result<void> Viewer::measureBeside() {
+    if (!beside_ || !beside_->drawn || !beside_->error.empty()) return {};
+    const auto both = sides();
+    if (!both) return both.error();
+    beside_->error = errorLine(compareImages(both->first, *both->second));
+    settling_ = kSettlingFrames;
+    return {};
+}
+
+Result<void> Viewer::findErrors() {
+    Beside& beside = *beside_;
+    if (beside.haveErrors) return {};
+    const auto both = sides();
+    if (!both) return both.error();
+    const bool alike = both->first.width == both->second->width && both->first.height == both->second->height;
+    if (!alike) return {}; // the line says so
+    auto texture = floatTexture(device_, "errors", falseColours(both->first, *both->second));
+    if (!texture) return texture.error();
+    beside.errors = std::move(*texture);
+    beside.haveErrors = true;
+    return {};
+}
+
+Result<void> Viewer::compose() {
+    const double share = pictureShare();
+    const bool beside = beside_ && beside_->drawn;
+    if (beside && state_.errors)
+        if (const auto found = findErrors(); !found) return found;
+    const bool errors = beside && state_.errors && beside_->haveErrors;
+    if (const auto shown = canvas_->show(composed_, errors ? beside_->errors : picture_, {}, share); !shown) return shown;
+    if (!beside || errors) return {};
+    const auto right = static_cast<float>(2 * share - 1);
+    const std::array<CanvasVertex, kCorners> quad = {CanvasVertex{-1, 1, 0, 0}, CanvasVertex{right, 1, 1, 0}, CanvasVertex{right, -1, 1, 1},
+                                                     CanvasVertex{-1, -1, 0, 1}};
+    constexpr std::array<std::uint32_t, 6> kTriangles = {0, 1, 2, 0, 2, 3};
+    const auto width = static_cast<float>(composed_.desc().width);
+    const Canvas::Mesh mesh{
+        .vertices = quad,
+        .indices = kTriangles,
+        .texture = &beside_->picture,
+        .clip = {0, 0, std::round(static_cast<float>(share * state_.border) * width), static_cast<float>(composed_.desc().height)}};
+    return canvas_->blend(composed_, std::span(&mesh, 1));
+}
+
+std::optional<double> Viewer::borderOfWindow() const {
+    const bool stands = beside_ && beside_->drawn && !state_.errors;
+    return stands ? std::optional(state_.border * pictureShare()) : std::nullopt;
+}
+
+std::optional<BesideText> Viewer::besideText() const {
+    if (!beside_) return std::nullopt;
+    BesideText text{.left = beside_->name, .right = sideName(), .error = beside_->error, .colours = state_.errors && beside_->haveErrors};
+    if (!beside_->drawn) text.error = "nothing to compare: the kept side has no such target";
+    if (text.error.empty()) text.error = "...";
+    return text;
+}
+
+} // namespace tegument::view

@@ -1,0 +1,62 @@
+// A session without a window: the same input, the same pictures, and how long each step takes.
+
+#include "host/view/viewer.h"
+
+#include "host/support/file.h"
+
+#include <chrono>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr int kNoReplay = 8049;
+
+Result<void> replaceIn(const ReplayStep& edit) {
+    auto text = readFile(edit.file);
+    if (!text) return text.error();
+    const std::size_t at = text->find(edit.from);
+    if (at == std::string::npos)
+        return inputError(kNoReplay, {.file = edit.file.string(), .byte = {}},
+                          "a step of the replay looks for what is not there: " + edit.from);
+    return writeFile(edit.file, text->replace(at, edit.from.size(), edit.to));
+}
+
+} // namespace
+
+Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& steps) {
+    std::vector<Reaction> reactions;
+    for (int settled = 0; settled < kSettlingFrames; ++settled)
+        if (const auto stepped = step(wait()); !stepped) return stepped.error();
+    for (const ReplayStep& next : steps) {
+        const std::size_t before = answers_;
+        if (!next.file.empty())
+            if (const auto edited = replaceIn(next); !edited) return edited.error();
+        const auto begin = std::chrono::steady_clock::now();
+        auto stepped = step(next.input);
+        while (stepped && !next.file.empty() && answers_ == before)
+            stepped = step(wait());
+        if (!stepped) return stepped.error();
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        reactions.push_back({.kind = next.kind, .milliseconds = took.count()});
+        if (!problem_.empty())
+            return inputError(kNoReplay, {.file = request_.effect.string(), .byte = {}},
+                              "a step of the replay has no picture: " + problem_);
+    }
+    return reactions;
+}
+
+} // namespace tegument::view
+
+namespace tegument {
+
+Result<Replayed> replayEffect(const ViewRequest& request, const std::vector<view::ReplayStep>& steps,
+                              const std::function<void(const std::string&)>& say) {
+    const auto viewer = view::Viewer::start(request, say);
+    if (!viewer) return viewer.error();
+    auto reactions = (*viewer)->replay(steps);
+    if (!reactions) return reactions.error();
+    return Replayed{.reactions = std::move(*reactions), .validation = (*viewer)->validationMessages()};
+}
+
+} // namespace tegument

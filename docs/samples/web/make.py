@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""One page without requests that draws skin and fur by WebGL 2: make.py PAGE.html [--program tegument] [--ball]
+"""One page without requests that draws skin and fur by WebGL 2: make.py PAGE.html [--program tegument] [--ball FOLDER]
 
 The default head by effects/peers/Separable.fx, and the Bunny by effects/Fur.fx; each where it has been made (`tegument prep human`,
-`tegument prep bunny`). --ball: a sphere in the Bunny's coat instead of it, for machines that have no Bunny."""
+`tegument prep bunny`). --ball: a sphere in the Bunny's coat instead of it, for machines that have no Bunny. Exit code 3: DXC is missing."""
 
 import argparse
 import base64
@@ -190,7 +190,10 @@ def main():
     if not subjects:
         sys.exit("make.py: there is neither the head nor the Bunny: tegument prep human; tegument prep bunny; or --ball FOLDER")
     with tempfile.TemporaryDirectory() as folder:
-        data = {"effects": emitted(arguments.program, pathlib.Path(folder)), "subjects": subjects}
+        try:
+            data = {"effects": emitted(arguments.program, pathlib.Path(folder)), "subjects": subjects}
+        except subprocess.CalledProcessError as error:
+            sys.exit(error.returncode)
     text = (HERE / "page.html").read_text().replace("@SCRIPT@", script()).replace("@DATA@", json.dumps(data).replace("<", "\\u003c"))
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
     arguments.page.write_text(text)

@@ -42,7 +42,7 @@ class Page(unittest.TestCase):
         if made.returncode == 3:
             raise unittest.SkipTest("DXC is missing")
         assert made.returncode == 0, made.stderr
-        cls.page = browser.Browser(600, 700, timeout=120)
+        cls.page = browser.Browser(600, 700, timeout=300)
         cls.addClassCleanup(cls.page.close)
         cls.page.open(f"{page}#still")
 

@@ -30,9 +30,23 @@ if(TEGUMENT_FUZZ)
   target_compile_options(tegument_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# tegument_library(name LIBS...): a static library of every .cpp in the current folder.
-function(tegument_library name)
+# tegument_sources(variable): every .cpp in the current folder. For Windows those of its folder `windows`, too, in place of their namesakes.
+function(tegument_sources variable)
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(WIN32)
+    file(GLOB own CONFIGURE_DEPENDS windows/*.cpp)
+    foreach(source IN LISTS own)
+      cmake_path(GET source FILENAME name)
+      list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+    endforeach()
+    list(APPEND sources ${own})
+  endif()
+  set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
+# tegument_library(name LIBS...): a static library of them.
+function(tegument_library name)
+  tegument_sources(sources)
   if(NOT sources)
     return()
   endif()

@@ -1,6 +1,7 @@
 #include "host/app/batch_options.h"
 
 #include "host/app/names.h"
+#include "host/support/system.h"
 
 #include <fmt/format.h>
 
@@ -96,10 +97,8 @@ Result<batch::Batch> batchOf(const BatchOptions& options, const std::vector<std:
     if (auto differ = batch::commandsDiffer(options.words, inputs); !differ) return differ.error();
     auto identity = batch::thisProgram(TEGUMENT_VERSION);
     if (!identity) return identity.error();
-    std::error_code code;
-    const fs::path self = fs::read_symlink("/proc/self/exe", code);
     constexpr double kMiB = 1024.0 * 1024.0;
-    return batch::Batch{.program = self.string(),
+    return batch::Batch{.program = programFile().string(),
                         .programIdentity = std::move(*identity),
                         .words = options.words,
                         .with = {options.with.begin(), options.with.end()},

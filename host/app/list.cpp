@@ -122,7 +122,8 @@ std::vector<MeshRow> meshRows(const std::vector<WorkspaceRow>& workspaces) {
             row.file = file;
             row.there = fs::is_regular_file(file, none);
             if (!row.there) row.remedy = workspace.remedy;
-            if (row.workspaces.empty() || row.workspaces.back() != workspace.file.stem()) row.workspaces.push_back(workspace.file.stem());
+            if (row.workspaces.empty() || row.workspaces.back() != workspace.file.stem())
+                row.workspaces.push_back(workspace.file.stem().string());
         }
     std::vector<MeshRow> list;
     for (auto& [file, row] : rows)

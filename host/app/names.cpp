@@ -1,6 +1,7 @@
 #include "host/app/names.h"
 
 #include "host/support/process.h"
+#include "host/support/system.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -30,8 +31,7 @@ fs::path& givenFolder() {
 /// Installed beside the program, else the tree that it was built from.
 std::vector<fs::path> ownFolders() {
     if (!givenFolder().empty()) return {givenFolder()};
-    std::error_code code;
-    const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
+    const fs::path program = programFile().parent_path();
     std::vector<fs::path> folders = {program / "../share/tegument"};
     if (const auto tree = folderAboveProgramWith("hlsl/platform.fxh")) folders.push_back(*tree);
     if (const fs::path tree(TEGUMENT_TREE); !tree.empty()) folders.push_back(tree);

@@ -6,6 +6,7 @@
 #include "host/app/prep_mesh.h"
 #include "host/support/file.h"
 #include "host/support/process.h"
+#include "host/support/system.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,9 +54,7 @@ std::vector<Step> stepsFrom(const fs::path& scan) {
 
 Result<void> runStep(const Step& step) {
     constexpr double kTimeLimit = 1800; // seconds; the maps take 20 on two cores
-    std::vector<std::string> command = {"/proc/self/exe"};
-    std::error_code code;
-    if (const fs::path own = fs::read_symlink("/proc/self/exe", code); !code) command.front() = own.string();
+    std::vector<std::string> command = {programFile().string()};
     command.insert(command.end(), step.arguments.begin(), step.arguments.end());
     const auto done = runProcess({.arguments = command, .environment = {}}, kTimeLimit);
     if (!done) return done.error();

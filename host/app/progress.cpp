@@ -1,6 +1,7 @@
 #include "host/app/progress.h"
 
 #include "host/support/parallel.h"
+#include "host/support/system.h"
 
 #include <fmt/format.h>
 
@@ -158,7 +159,7 @@ struct Progress::Terminal {
 };
 
 Progress::Progress() {
-    if (isatty(STDERR_FILENO) != 1) return;
+    if (!isTerminal(STDERR_FILENO)) return;
     terminal_ = std::make_unique<Terminal>();
     watchLoops([terminal = terminal_.get()](std::size_t done, std::size_t total) {
         const std::scoped_lock lock(terminal->mutex);

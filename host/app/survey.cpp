@@ -7,6 +7,7 @@
 #include "host/app/picture_files.h"
 #include "host/check/check.h"
 #include "host/support/children.h"
+#include "host/support/system.h"
 
 #include <fmt/format.h>
 
@@ -243,7 +244,7 @@ Row rowOf(const ChildAnswer& answer, const std::string& file) {
     row.read = "read";
     row.drawn = "not drawn: TG4071";
     row.construct = answer.timedOut      ? fmt::format("did not end in {} s", kLongestFile)
-                    : answer.signal != 0 ? fmt::format("the process was ended by signal {} ({})", answer.signal, strsignal(answer.signal))
+                    : answer.signal != 0 ? fmt::format("the process was ended by signal {} ({})", answer.signal, signalName(answer.signal))
                                          : std::string("the process left without an answer");
     row.why = fmt::format("{}: error TG4071: {}", file, row.construct);
     return row;

@@ -1,9 +1,22 @@
-// A build without the default human (TEGUMENT_HUMAN): prep_human.cpp is left out.
+// A build without the default human (TEGUMENT_HUMAN): prep_human.cpp is left out, and its command says so.
 
+#include "host/app/command_line.h"
+#include "host/app/output.h"
 #include "host/app/prep_mesh.h"
 
 namespace tegument::app {
 
-void addPrepHuman(CLI::App& /*prep*/, Action& /*action*/) {}
+void addPrepHuman(CLI::App& prep, Action& action) {
+    CLI::App* command = prep.add_subcommand("human", "Not part of this build");
+    command->group(""); // the help does not list it
+    command->allow_extras();
+    command->callback([&action] {
+        action = [] {
+            return fail(machineError(8051, "this build leaves out the default head, and with it tegument prep human",
+                                     "--mesh takes a head of your own; cmake -DTEGUMENT_HUMAN=ON where OpenSubdiv is"),
+                        false);
+        };
+    });
+}
 
 } // namespace tegument::app

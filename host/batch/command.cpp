@@ -1,6 +1,7 @@
 #include "host/batch/command.h"
 
 #include "host/support/file.h"
+#include "host/support/system.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +77,7 @@ std::string identityOf(const std::vector<std::string>& words, const std::string&
 }
 
 Result<std::string> thisProgram(const std::string& version) {
-    const auto bytes = readFile("/proc/self/exe");
+    const auto bytes = readFile(programFile());
     if (!bytes) return bytes.error();
     return fmt::format("{} {}", version, contentHash(*bytes));
 }

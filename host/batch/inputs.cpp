@@ -1,6 +1,7 @@
 #include "host/batch/inputs.h"
 
 #include "host/support/file.h"
+#include "host/support/system.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -11,22 +12,12 @@
 #include <sstream>
 #include <unordered_set>
 
-#include <glob.h>
-
 namespace tegument::batch {
 
 namespace {
 
 bool isPattern(const std::string& text) {
     return text.find_first_of("*?[") != std::string::npos;
-}
-
-std::vector<std::string> matches(const std::string& pattern) {
-    glob_t found{};
-    std::vector<std::string> all;
-    if (::glob(pattern.c_str(), 0, nullptr, &found) == 0) all.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-    ::globfree(&found);
-    return all;
 }
 
 Result<std::string> textOf(const std::string& list) {
@@ -57,7 +48,7 @@ Result<std::vector<std::string>> inputsOf(const std::vector<std::string>& named,
         if (known.insert(input).second) all.push_back(input);
     };
     for (const std::string& input : named) {
-        const std::vector<std::string> found = isPattern(input) ? matches(input) : std::vector{input};
+        const std::vector<std::string> found = isPattern(input) ? filesLike(input) : std::vector{input};
         if (found.empty()) return usageError(8102, fmt::format("no file fits '{}'", input));
         for (const std::string& file : found)
             add(file);

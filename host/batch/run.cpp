@@ -2,20 +2,18 @@
 
 #include "host/support/parallel.h"
 #include "host/support/process.h"
+#include "host/support/system.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <ctime>
 #include <iterator>
 #include <mutex>
 #include <optional>
-
-#include <unistd.h>
 
 namespace tegument::batch {
 
@@ -25,11 +23,6 @@ constexpr std::size_t kTail = 4096;
 
 std::string tail(const std::string& text) {
     return text.size() <= kTail ? text : text.substr(text.size() - kTail);
-}
-
-std::string hostName() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 std::string now() {

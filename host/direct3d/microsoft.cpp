@@ -1,11 +1,12 @@
 #include "host/direct3d/microsoft.h"
 
+#include "host/direct3d/driver.h"
 #include "host/direct3d/effect_binary.h"
 #include "host/direct3d/microsoft_messages.h"
 #include "host/direct3d/microsoft_reflection.h"
 #include "host/direct3d/sm3.h"
-#include "host/direct3d/wine.h"
 #include "host/support/file.h"
+#include "host/support/system.h"
 #include "host/support/temporary.h"
 
 #include <fmt/format.h>
@@ -18,8 +19,6 @@
 #include <span>
 #include <thread>
 
-#include <unistd.h>
-
 namespace tegument {
 
 namespace fs = std::filesystem;
@@ -28,23 +27,6 @@ namespace {
 
 constexpr double kStartSeconds = 60;
 constexpr std::size_t kMostProcesses = 8;
-
-/// Beside the program, where it was installed, where it was built.
-fs::path driver() {
-    std::error_code code;
-    const fs::path here = fs::read_symlink("/proc/self/exe", code).parent_path();
-    const fs::path built(TEGUMENT_HLSLC); // below the build's folder
-    const auto build = folderAboveProgramWith(built);
-    for (const fs::path& candidate : {here / "hlslc.exe", here / "../lib/tegument/hlslc.exe", build ? *build / built : fs::path()})
-        if (!candidate.empty() && fs::is_regular_file(candidate, code)) return candidate;
-    return {};
-}
-
-/// A new folder; without a name where none can be made.
-fs::path newFolder() {
-    std::string pattern = (fs::temp_directory_path() / "tegument-XXXXXX").string();
-    return mkdtemp(pattern.data()) != nullptr ? pattern : "";
-}
 
 Error notRunnable(std::string text, std::string hint = {}) {
     return machineError(3104, std::move(text), std::move(hint));
@@ -57,7 +39,7 @@ bool isSm3(const MicrosoftJob& job) {
 /// The list separates fields by tabs, folders by bars and jobs by line breaks; a backslash would end a folder's name on the other side.
 bool canBeListed(const MicrosoftJob& job) {
     const auto clean = [](std::string_view text) { return std::ranges::none_of(text, [](unsigned char c) { return c < ' '; }); };
-    const auto path = [&](const fs::path& p) { return clean(p.string()) && p.string().find('\\') == std::string::npos; };
+    const auto path = [&](const fs::path& p) { return clean(p.string()) && p.generic_string().find('\\') == std::string::npos; };
     return clean(job.profile) && clean(job.entry) && path(job.source) && path(job.output) &&
            std::ranges::all_of(job.includeFolders,
                                [&](const fs::path& p) { return path(p) && p.string().find('|') == std::string::npos; }) &&
@@ -112,15 +94,13 @@ class Jobs {
 public:
     Jobs(std::span<const MicrosoftJob> jobs, double jobSeconds) : jobs_(jobs), jobSeconds_(jobSeconds), results_(jobs.size()) {}
 
-    /// Brings compiler and driver into one folder (Wine looks for a "native" library beside the program) and writes the list.
+    /// Writes the list, and the texts that it names.
     Result<ProcessCommand> prepare() {
         std::error_code code;
         const fs::path& folder = folder_.path();
         if (folder.empty()) return notRunnable("cannot create a temporary folder");
-        fs::create_symlink(fs::absolute(driver(), code), folder / "hlslc.exe", code);
-        if (!code) fs::create_symlink(microsoftCompilerLibrary(), folder / "d3dcompiler_47.dll", code);
-        if (!code) fs::create_directory(folder / "claims", code);
-        if (code) return notRunnable(fmt::format("cannot link the compiler into {}: {}", folder.string(), code.message()));
+        fs::create_directory(folder / "claims", code);
+        if (code) return notRunnable(fmt::format("cannot write into {}: {}", folder.string(), code.message()));
         std::string list;
         for (std::size_t i = 0; i < jobs_.size(); ++i) {
             list += line(i);
@@ -130,7 +110,7 @@ public:
         if (auto written = writeFile(folder / "jobs.txt", list); !written) return written.error();
         std::vector<std::string> arguments{windowsPath(folder / "jobs.txt"), windowsPath(folder / "claims")};
         if (const fs::path store = storeFolder(); !store.empty()) arguments.push_back(windowsPath(store));
-        return wineProcess(folder / "hlslc.exe", arguments);
+        return driverProcess(folder, std::move(arguments));
     }
 
     /// One process after the other until every job is claimed; a process that ends early takes one job with it.
@@ -260,7 +240,7 @@ private:
         }
     }
 
-    Temporary folder_{newFolder()};
+    Temporary folder_{newTemporaryFolder()};
     std::span<const MicrosoftJob> jobs_;
     double jobSeconds_;
     std::vector<std::optional<MicrosoftResult>> results_; // each written by the one process that claimed the job
@@ -287,16 +267,14 @@ Result<std::vector<MicrosoftResult>> runAll(const std::vector<MicrosoftJob>& lis
 fs::path microsoftCompilerLibrary() {
     const char* own = std::getenv("TEGUMENT_D3DCOMPILER");
     std::error_code code;
-    return fs::absolute(own != nullptr && *own != '\0' ? fs::path(own) : cacheFolder() / "tools/microsoft/d3dcompiler_47.dll", code);
+    return fs::absolute(own != nullptr && *own != '\0' ? fs::path(own) : usualCompiler().file, code);
 }
 
 std::string microsoftCompilerMissing() {
     std::error_code code;
-    if (std::string missing = wineMissing(); !missing.empty()) return missing;
-    if (driver().empty())
-        return "hlslc.exe was not built: g++-mingw-w64-x86-64 was not installed (./bootstrap test installs it and builds again)";
+    if (std::string missing = driverMissing(); !missing.empty()) return missing;
     if (!fs::is_regular_file(microsoftCompilerLibrary(), code))
-        return fmt::format("there is no {} (./bootstrap test fetches it)", microsoftCompilerLibrary().string());
+        return fmt::format("there is no {} ({})", microsoftCompilerLibrary().string(), usualCompiler().hint);
     return {};
 }
 

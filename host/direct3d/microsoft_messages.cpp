@@ -134,19 +134,6 @@ void readLine(std::string_view line, const Job& job, Messages& into) {
 
 } // namespace
 
-fs::path unixPath(std::string_view written) {
-    std::string path(written);
-    std::ranges::replace(path, '\\', '/');
-    const bool drive = path.size() > 2 && std::isalpha(static_cast<unsigned char>(path[0])) != 0 && path[1] == ':';
-    return fs::path(drive ? path.substr(2) : path).lexically_normal();
-}
-
-std::string windowsPath(const fs::path& absolute) {
-    std::string path = "Z:" + absolute.lexically_normal().string();
-    std::ranges::replace(path, '/', '\\');
-    return path;
-}
-
 Messages readMicrosoftMessages(std::string_view log, const fs::path& source, const std::vector<fs::path>& folders, const Roots& roots) {
     Messages messages;
     forEachLine(log, [&](std::string_view line) {

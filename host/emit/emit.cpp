@@ -3,16 +3,13 @@
 #include "host/emit/products.h"
 #include "host/spirv/glsl.h"
 #include "host/support/file.h"
+#include "host/support/system.h"
 #include "host/support/temporary.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
-
-#include <cstdio>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace tegument {
 
@@ -159,7 +156,7 @@ Result<void> writeAll(const fs::path& folder, const Products& products, const st
 /// At one moment where the file system can exchange two folders; elsewhere there is a moment without either.
 Result<void> replace(const fs::path& folder, const fs::path& with) {
     std::error_code code;
-    if (::renameat2(AT_FDCWD, with.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return {};
+    if (exchangeFolders(with, folder)) return {};
     fs::remove_all(folder, code);
     if (!code) fs::rename(with, folder, code);
     if (code) return machineError(5002, fmt::format("cannot write {}: {}", folder.string(), code.message()));
@@ -200,7 +197,7 @@ Result<fs::path> emitEffect(const FileReport& report, const EmitOptions& options
         if (std::ranges::find(options.kinds, kind) != options.kinds.end())
             if (auto added = addKind(products, report, kind); !added) return added.error();
 
-    const Temporary temporary(folder.string() + fmt::format(".tmp.{}", ::getpid()));
+    const Temporary temporary(folder.string() + fmt::format(".tmp.{}", processNumber()));
     std::error_code code;
     fs::remove_all(temporary.path(), code);
     auto written = writeAll(temporary.path(), products, emit::manifest(report, options, products));

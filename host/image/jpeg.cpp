@@ -187,7 +187,8 @@ Result<Image> decodeJpeg(const Encoded& in) {
     reader.jpeg.err = jpeg_std_error(&reader.errors.errors);
     reader.errors.errors.error_exit = leave;
     reader.errors.errors.emit_message = onMessage;
-    if (!readHeader(reader, reinterpret_cast<const unsigned char*>(in.bytes.data()), in.bytes.size())) return readError(in, reader);
+    if (!readHeader(reader, reinterpret_cast<const unsigned char*>(in.bytes.data()), static_cast<unsigned long>(in.bytes.size())))
+        return readError(in, reader);
     if (const auto wrong = refuse(in, reader.jpeg)) return *wrong;
     if (!start(reader)) return readError(in, reader);
     return readPixels(in, reader);

@@ -1,9 +1,10 @@
 #include "host/lsp/rpc.h"
 
+#include "host/support/system.h"
+
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <poll.h>
 #include <unistd.h>
 
 namespace tegument::lsp {
@@ -59,15 +60,14 @@ std::optional<std::string> Input::next() {
 
 bool Input::waits(int milliseconds) const {
     if (!bytes_.empty()) return true;
-    pollfd wanted{.fd = descriptor_, .events = POLLIN, .revents = 0};
-    return ::poll(&wanted, 1, milliseconds) != 0; // an interruption counts as something: the caller asks again
+    return inputWaits(descriptor_, milliseconds);
 }
 
 bool send(int descriptor, const Json& message) {
     const std::string text = message.dump(-1, ' ', false, Json::error_handler_t::replace);
     const std::string bytes = "Content-Length: " + std::to_string(text.size()) + "\r\n\r\n" + text;
     for (std::size_t sent = 0; sent < bytes.size();) {
-        const ssize_t count = ::write(descriptor, bytes.data() + sent, bytes.size() - sent);
+        const ssize_t count = ::write(descriptor, bytes.data() + sent, static_cast<unsigned>(bytes.size() - sent)); // a message is smaller
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return false;
         sent += static_cast<std::size_t>(count);

@@ -30,6 +30,8 @@ enum class Output { Spirv, Dxil };
 namespace glslang_hlsl {
 /// Once for the process; false: nothing of glslang can be used.
 bool initialise();
+/// What it makes of HLSL without that does not stand comparison: unused inputs and resources stay.
+[[nodiscard]] bool optimises();
 [[nodiscard]] std::string name();
 [[nodiscard]] std::string identity();
 [[nodiscard]] Result<RawShader> compile(const ShaderRequest& request, IncludeReader& includes);

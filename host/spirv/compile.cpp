@@ -72,8 +72,10 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
                   .warnings = std::move(raw.warnings)};
 }
 
-Error noDxc() {
-    return machineError(3002, whyCompilerMissing(Compiler::Dxc), "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
+Error missing(Compiler compiler) {
+    return machineError(3002, whyCompilerMissing(compiler),
+                        compiler == Compiler::Glslang ? "use --compiler dxc"
+                                                      : "run ./bootstrap build, set TEGUMENT_DXC, or use --compiler glslang");
 }
 
 /// A container is whole words long; the cache of SPIR-V serves it too.
@@ -97,11 +99,13 @@ Result<Dxil> readBack(const Shader& stored) {
 } // namespace
 
 bool compilerAvailable(Compiler compiler) {
-    return compiler == Compiler::Glslang || dxc::available();
+    return compiler == Compiler::Glslang ? glslang_hlsl::optimises() : dxc::available();
 }
 
 std::string whyCompilerMissing(Compiler compiler) {
-    if (compiler == Compiler::Glslang) return "glslang cannot be started";
+    if (compiler == Compiler::Glslang)
+        return glslang_hlsl::optimises() ? "glslang cannot be started"
+                                         : "this build has glslang without SPIRV-Tools' optimiser, which its HLSL needs";
     return fmt::format("the DXC library cannot be used: {}", dxc::whyNot());
 }
 
@@ -116,7 +120,7 @@ Compiler defaultCompiler() {
 }
 
 Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler) {
-    if (!compilerAvailable(compiler)) return noDxc();
+    if (!compilerAvailable(compiler)) return missing(compiler);
     const std::string code = withLineDirective(request);
     ShaderRequest named = request;
     named.code = code;
@@ -132,7 +136,7 @@ Result<Shader> compileShader(const ShaderRequest& request, Compiler compiler) {
 }
 
 Result<Dxil> compileDxil(const ShaderRequest& request) {
-    if (!compilerAvailable(Compiler::Dxc)) return noDxc();
+    if (!compilerAvailable(Compiler::Dxc)) return missing(Compiler::Dxc);
     const std::string code = withLineDirective(request);
     ShaderRequest named = request;
     named.code = code;

@@ -8,13 +8,8 @@
 #include <fmt/ranges.h>
 
 #ifdef TEGUMENT_HAVE_DXC
-#define __EMULATE_UUID // NOLINT(bugprone-reserved-identifier): the header's own switch for compilers without __declspec(uuid)
-#include <dlfcn.h>
-#include <dxcapi.h>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "host/spirv/dxc_api.h"
+#include "host/support/system.h"
 
 #include <atomic>
 #include <charconv>
@@ -33,7 +28,10 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> candidates() {
     if (const char* own = std::getenv("TEGUMENT_DXC"); own != nullptr && *own != '\0') return {own};
-    return {fs::path(TEGUMENT_DXC_DIR) / "libdxcompiler.so", cacheFolder() / "tools/dxc/libdxcompiler.so"};
+    const std::string name = libraryName("dxcompiler");
+    std::vector<fs::path> all = {programFile().parent_path() / name, cacheFolder() / "tools/dxc" / name};
+    if (const fs::path built(TEGUMENT_DXC_DIR); !built.empty()) all.insert(all.begin(), built / name);
+    return all;
 }
 
 /// Loaded once and never unloaded: the library keeps thread-local state that would outlive it.
@@ -44,12 +42,9 @@ struct Library {
 
     Library() {
         for (const fs::path& candidate : candidates()) {
-            void* handle = dlopen(candidate.c_str(), RTLD_NOW | RTLD_LOCAL);
-            if (handle == nullptr) {
-                why = dlerror();
-                continue;
-            }
-            create = reinterpret_cast<DxcCreateInstanceProc>(dlsym(handle, "DxcCreateInstance"));
+            void* handle = openLibrary(candidate, why);
+            if (handle == nullptr) continue;
+            create = reinterpret_cast<DxcCreateInstanceProc>(functionOf(handle, "DxcCreateInstance"));
             path = candidate;
             CComPtr<IDxcCompiler3> compiler;
             if (create != nullptr && SUCCEEDED(create(CLSID_DxcCompiler, __uuidof(IDxcCompiler3), reinterpret_cast<void**>(&compiler))))
@@ -65,23 +60,6 @@ const Library& library() {
     return kLibrary;
 }
 
-/// Mapped rather than read: 35 MB in 5 ms instead of 60.
-std::string hashOfFile(const fs::path& path) {
-    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    struct stat status = {};
-    std::string hash;
-    if (file >= 0 && fstat(file, &status) == 0 && status.st_size > 0) {
-        const auto size = static_cast<std::size_t>(status.st_size);
-        void* bytes = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-        if (bytes != MAP_FAILED) {
-            hash = contentHash({static_cast<const char*>(bytes), size});
-            munmap(bytes, size);
-        }
-    }
-    if (file >= 0) close(file);
-    return hash;
-}
-
 template <class T>
 CComPtr<T> instance(REFCLSID type) {
     CComPtr<T> made;
@@ -89,7 +67,7 @@ CComPtr<T> instance(REFCLSID type) {
     return made;
 }
 
-/// wchar_t holds UTF-32 here, whatever the locale; an invalid byte becomes '?'.
+/// wchar_t holds UTF-32 here, whatever the locale, and UTF-16 on Windows; an invalid byte becomes '?'.
 std::wstring wide(std::string_view text) {
     std::wstring result;
     const auto byte = [&](std::size_t at) { return static_cast<unsigned>(static_cast<unsigned char>(text[at])); };
@@ -100,7 +78,11 @@ std::wstring wide(std::string_view text) {
         int left = more;
         for (; left > 0 && at < text.size() && (byte(at) & 0xc0U) == 0x80U; --left)
             value = value << 6U | (byte(at++) & 0x3fU);
-        result += left > 0 || (more == 0 && first >= 0x80) ? L'?' : static_cast<wchar_t>(value);
+        if (left > 0 || (more == 0 && first >= 0x80)) value = '?';
+        constexpr unsigned kPairs = 0x10000; // beyond it UTF-16 takes two
+        const bool pair = sizeof(wchar_t) == 2 && value >= kPairs;
+        if (pair) result += static_cast<wchar_t>(0xd800U + ((value - kPairs) >> 10U));
+        result += static_cast<wchar_t>(pair ? 0xdc00U + (value & 0x3ffU) : value);
     }
     return result;
 }
@@ -292,7 +274,7 @@ std::shared_mutex& compiling() {
 
 Error broughtDown(const ShaderRequest& request, const ChildAnswer& answer) {
     const std::string how = answer.timedOut      ? fmt::format("did not end in {} s", kLongest)
-                            : answer.signal != 0 ? fmt::format("was ended by signal {} ({})", answer.signal, strsignal(answer.signal))
+                            : answer.signal != 0 ? fmt::format("was ended by signal {} ({})", answer.signal, signalName(answer.signal))
                                                  : std::string("left without an answer");
     return inputError(3008, lastLineDirective(request.code, request.file), fmt::format("DXC {} while it compiled {}", how, request.entry),
                       "the code is one that DXC does not survive: write it differently, or try --compiler glslang");
@@ -360,7 +342,7 @@ std::string name() {
 }
 
 std::string identity() {
-    static const std::string kHash = hashOfFile(library().path);
+    static const std::string kHash = contentHashOfFile(library().path);
     return kHash;
 }
 

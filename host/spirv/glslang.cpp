@@ -77,6 +77,10 @@ Result<RawShader> failure(const std::string& log, const ShaderRequest& request) 
 
 } // namespace
 
+bool optimises() {
+    return ENABLE_OPT != 0;
+}
+
 std::string name() {
     return fmt::format("glslang {}.{}.{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH);
 }

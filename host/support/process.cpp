@@ -1,5 +1,7 @@
 #include "host/support/process.h"
 
+#include "host/support/system.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -275,8 +277,7 @@ int exitCode(int status) {
 std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
     std::error_code code;
     if (named.empty()) return std::nullopt;
-    for (fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path(); folder.has_relative_path();
-         folder = folder.parent_path())
+    for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
         if (fs::exists(folder / named, code)) return folder;
     return std::nullopt;
 }

@@ -1,5 +1,7 @@
 #include "host/support/roots.h"
 
+#include "host/support/system.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -28,8 +30,8 @@ bool isBelow(const fs::path& folder, const fs::path& file) {
 
 /// A repository of everything that a user has is no project.
 bool isHome(const fs::path& folder) {
-    const char* home = std::getenv("HOME");
-    return home != nullptr && *home != '\0' && folder == resolved(home);
+    const fs::path home = homeFolder();
+    return !home.empty() && folder == resolved(home);
 }
 
 using Markers = std::vector<const char*>;

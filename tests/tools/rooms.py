@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The rooms of host and meshprep: `rooms.py [ROOT]` prints each with its sources, its lines of code and the rooms that it includes.
 
-A room is a folder with C++ in it. They come in an order in which each includes only rooms above it; what is in a cycle, or includes one that is,
+A room is a folder with C++ in it; its folder `windows` is part of it. They come in an order in which each includes only rooms above it; what is in a cycle, or includes one that is,
 comes last and is marked. Lines of code are those with more than blanks and comments.
 """
 
@@ -13,12 +13,16 @@ SOURCES = {".cpp", ".h"}
 COMMENT = r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/'
 
 
+def room_of(folder):
+    return folder.removesuffix("/windows")
+
+
 def sources(root):
     """(room, path) of every source."""
     for top in ("host", "meshprep"):
         for path in sorted((root / top).rglob("*")):
             if path.suffix in SOURCES:
-                yield path.relative_to(root).parent.as_posix(), path
+                yield room_of(path.relative_to(root).parent.as_posix()), path
 
 
 def includes(root):
@@ -26,7 +30,7 @@ def includes(root):
     found = {}
     for room, path in sources(root):
         names = re.findall(r'^#include "((?:host|meshprep)/[^"]+)/[^/"]+"', path.read_text(encoding="utf-8"), re.MULTILINE)
-        found.setdefault(room, set()).update(name for name in names if name != room)
+        found.setdefault(room, set()).update({room_of(name) for name in names} - {room})
     return found
 
 

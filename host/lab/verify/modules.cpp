@@ -43,6 +43,14 @@ std::vector<std::string> names() {
     return all;
 }
 
+// A setting among the modules was meant for --setting, which takes one.
+std::string moduleHint(const std::string& module) {
+    const std::vector<std::string> all = names();
+    if (std::ranges::find(kSettingNames, module) != kSettingNames.end())
+        return fmt::format("a setting; each has an option of its own: --setting {}", module);
+    return fmt::format("{} known: {}", didYouMean(module, all), fmt::join(all, ", "));
+}
+
 std::string effectOf(const Module& module) {
     return std::string(module.effect ? module.effect : module.name) + ".fx";
 }
@@ -62,10 +70,8 @@ std::vector<std::string> verifiableModules(const std::filesystem::path& effects)
 
 Result<ModuleReport> verifyModule(gpu::Device& device, const std::string& module, const VerifyOptions& options) {
     const auto found = std::ranges::find_if(kModules, [&](const Module& m) { return equalsIgnoreCase(m.name, module); });
-    const std::vector<std::string> all = names();
     if (found == kModules.end())
-        return usageError(4050, fmt::format("there is no reference for a module '{}'", module),
-                          fmt::format("{} known: {}", didYouMean(module, all), fmt::join(all, ", ")));
+        return usageError(4050, fmt::format("there is no reference for a module '{}'", module), moduleHint(module));
     if (std::ranges::find(kSettingNames, options.setting) == kSettingNames.end())
         return usageError(4051, fmt::format("there is no setting '{}'", options.setting),
                           fmt::format("{}", fmt::join(kSettingNames, ", ")));

@@ -68,6 +68,12 @@ TEST_F(Verify, an_unknown_module_is_refused_with_the_nearest_name) {
     EXPECT_NE(report.error().diagnostics.front().hint.find("Beckmann"), std::string::npos);
 }
 
+TEST_F(Verify, a_setting_among_the_modules_is_sent_to_its_option) {
+    const auto report = verifyModule(*device_, "corrected");
+    ASSERT_FALSE(report);
+    EXPECT_NE(report.error().diagnostics.front().hint.find("--setting corrected"), std::string::npos);
+}
+
 TEST_F(Verify, an_unknown_setting_is_refused) {
     const auto report = verifyModule(*device_, "Beckmann", {.setting = "sede"});
     ASSERT_FALSE(report);

@@ -10,7 +10,7 @@ namespace tegument::view {
 
 namespace {
 
-constexpr int kChannels = 4;
+constexpr int kRgba = 4;
 constexpr int kByteBits = 8;
 constexpr float kDecades = 3; // from a thousandth of the mean to 1
 using Colour = std::array<float, 3>;
@@ -32,12 +32,12 @@ Colour errorColour(float error) {
 } // namespace
 
 Image lightOf(const Image& stored) {
-    Image light{.width = stored.width, .height = stored.height, .channels = kChannels, .pixels = {}, .metadata = stored.metadata};
-    light.pixels.resize(static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height) * kChannels, 1);
+    Image light{.width = stored.width, .height = stored.height, .channels = kRgba, .pixels = {}, .metadata = stored.metadata};
+    light.pixels.resize(static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height) * kRgba, 1);
     const bool bytes = stored.bitsPerChannel == kByteBits;
     for (int y = 0; y < stored.height; ++y)
         for (int x = 0; x < stored.width; ++x)
-            for (int c = 0; c < kChannels - 1; ++c) {
+            for (int c = 0; c < kRgba - 1; ++c) {
                 const float value = stored.at(x, y, stored.channels < 3 ? 0 : c); // grey has one channel, perhaps alpha
                 light.at(x, y, c) = bytes ? srgbToLinear(value) : value;
             }
@@ -58,8 +58,8 @@ std::string errorLine(const Result<Difference>& difference) {
 
 Image falseColours(const Image& image, const Image& reference) {
     Image colours = differenceImage(image, reference);
-    Image opaque{.width = colours.width, .height = colours.height, .channels = kChannels, .pixels = {}, .metadata = {}};
-    opaque.pixels.reserve(colours.pixels.size() / 3 * kChannels);
+    Image opaque{.width = colours.width, .height = colours.height, .channels = kRgba, .pixels = {}, .metadata = {}};
+    opaque.pixels.reserve(colours.pixels.size() / 3 * kRgba);
     for (std::size_t first = 0; first + 2 < colours.pixels.size(); first += 3) {
         const float* error = &colours.pixels[first];
         const bool finite = std::isfinite(error[0]) && std::isfinite(error[1]) && std::isfinite(error[2]);

@@ -71,7 +71,7 @@ std::vector<std::array<std::uint32_t, 3>> sortedTriangles(std::span<const std::u
 Result<Method> parseMethod(std::string_view text) {
     for (const auto& [label, method] : kMethods)
         if (label == text) return method;
-    return usageError(7041, fmt::format("'{}' is no order of triangles", text), "write lin-yu, hoppe, tipsify, meshopt or best");
+    return usageError(7041, fmt::format("'{}' is no order of triangles", text), "write file, lin-yu, hoppe, tipsify, meshopt or best");
 }
 
 std::string_view name(Method method) {

@@ -26,6 +26,10 @@ constexpr double kLeastReduction = 0.75; // a level that keeps more of the one b
 
 using Indices = std::vector<std::uint32_t>;
 
+bool tooNear(std::size_t indices, std::size_t ofTheOneBefore) {
+    return static_cast<double>(indices) > kLeastReduction * static_cast<double>(ofTheOneBefore);
+}
+
 /// Every part's vertices are its own for the simplifier: where parts meet it sees a seam, moves both sides at once and opens no gap. So all
 /// parts are simplified together, and each loses what it can spare.
 class WholeMesh {
@@ -175,6 +179,7 @@ std::size_t triesFor(std::size_t triangles) {
 /// One level of a mesh: the nearest to the full surface of those tried.
 class LevelChoice {
 public:
+    /// `target`: triangles that can be had; what cannot is not forced, for that costs whole limbs.
     LevelChoice(const WholeMesh& whole, const DistanceFrom& distance, std::size_t target, std::size_t tries)
         : whole_(whole), distance_(distance), target_(target), tries_(tries), mostPeaks_(std::max<std::size_t>(4, target / 50)) {}
 
@@ -183,11 +188,8 @@ public:
         Simplifier simplifier;
     };
 
-    /// In parallel. `ways` are asked for so many triangles; what cannot be had is not forced, for that costs whole limbs.
-    void tryAll(const std::function<std::vector<Way>(std::size_t triangles)>& ways) {
-        const std::size_t least = whole_.simplified(whole_.full(), target_).size() / 3;
-        if (least > target_ + target_ / 50) target_ = least + least / 20;
-        std::vector<Way> all = ways(target_);
+    /// In parallel.
+    void tryAll(std::vector<Way> all) {
         all.resize(std::min(all.size(), std::max(tries_ / 2, kLeastWays)), all[0]);
         all.resize(std::min(all.size(), tries_), all[0]);
         tries_ -= all.size();
@@ -313,9 +315,15 @@ std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, cons
     const DistanceFrom distance(whole.positions(), whole.full());
     std::vector<MeshLevel> levels;
     Indices last;
-    for (const std::size_t target : targets) {
+    for (std::size_t target : targets) {
+        const Indices least = whole.simplified(whole.full(), target);
+        if (tooNear(least.size(), last.empty() ? whole.full().size() : last.size())) { // and so would be all that follow
+            levels.push_back(whole.level(least));
+            break;
+        }
+        if (least.size() / 3 > target + target / 50) target = least.size() / 3 + least.size() / 60;
         LevelChoice choice(whole, distance, target, tries);
-        choice.tryAll([&](std::size_t triangles) { return waysOf(mesh, whole, last, triangles); });
+        choice.tryAll(waysOf(mesh, whole, last, target));
         choice.mend();
         choice.compareWithPlain();
         last = choice.best();
@@ -367,7 +375,7 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
     std::size_t last = mesh.indices.size();
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::size_t size = levels[i].indices.size();
-        if (size == 0 || static_cast<double>(size) > kLeastReduction * static_cast<double>(last)) {
+        if (size == 0 || tooNear(size, last)) {
             result.whyEarly = size == 0
                                   ? std::string("nothing would be left")
                                   : fmt::format("{} triangles were wanted, {} is the least: the others hold borders, seams or places where "

@@ -113,5 +113,14 @@ TEST(ForeignPictures, come_with_a_line_for_each_parameter) {
     EXPECT_FALSE(report.contains("picture")) << "a red disc on black";
 }
 
+TEST(Survey, of_a_folder_without_effects_is_an_error) {
+    std::filesystem::create_directories(scratch() / "none");
+    const std::string file = write("none/luma.effect", "technique T {}");
+    const Ran ran = tegument({"survey", file.substr(0, file.rfind('/'))});
+    EXPECT_EQ(ran.code, 2) << ran.err;
+    EXPECT_NE(ran.err.find("TG8006"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("*.fx"), std::string::npos) << ran.err;
+}
+
 } // namespace
 } // namespace tegument::test

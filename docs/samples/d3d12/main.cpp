@@ -115,8 +115,9 @@ constexpr float kQuad[4][12] = {{-1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0},
 
 /// The effects give linear radiance. Tone map and sRGB are the engine's; this is what `tegument` does (docs/images.md).
 std::uint8_t displayed(float linear) {
-    const float rest = std::max(linear - 0.8F, 0.0F) / 0.2F;
-    const float c = std::min(std::max(linear, 0.0F), 0.8F) + 0.2F * rest / (1 + rest);
+    const float finite = std::min(std::max(0.0F, linear), 65504.0F); // what is no number is black
+    const float rest = std::max(finite - 0.8F, 0.0F) / 0.2F;
+    const float c = std::min(finite, 0.8F) + 0.2F * rest / (1 + rest);
     return static_cast<std::uint8_t>(255 * (c <= 0.0031308F ? c * 12.92F : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F) + 0.5F);
 }
 

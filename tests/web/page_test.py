@@ -130,11 +130,13 @@ class Page(unittest.TestCase):
             self.skipTest("the default head was not made (./bootstrap demo makes it)")
         self.page.open(f"{self.folder / 'page.html'}#still")
         self.page.evaluate("""(async () => {
+            const wait = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds)), decode = createImageBitmap;
+            let decoded = 0;
+            window.createImageBitmap = async (...image) => (await wait(3000), ++decoded, decode(...image)); // the head comes last
             const list = document.querySelector("select"), choose = name => { list.value = name; list.onchange(); };
-            const frame = () => new Promise(requestAnimationFrame);
-            choose("head"); await frame(); choose("ball"); await frame();
-            const done = () => document.querySelector("#message").textContent === "";
-            for (let i = 0; i < 3 || !done(); ++i) await new Promise(resolve => setTimeout(resolve, 500));
+            choose("head"); await wait(100); choose("ball");
+            while (decoded < 2) await wait(100);
+            await wait(3000);
         })()""")
         shown = self.page.evaluate("view.canvas.toDataURL('image/png')")
         self.page.evaluate("view.draw('ball')")

@@ -73,7 +73,7 @@ inline Texture loadTexture(Device& device, const std::string& file, bool srgb) {
         const std::size_t right = from.width > 1 ? 4 : 0, below = from.height > 1 ? std::size_t{4} * from.width : 0;
         for (UINT y = 0; y < half.height; ++y)
             for (UINT x = 0; x < 4 * half.width; ++x) {
-                const std::uint8_t* corner = &from.rgba[std::size_t{8} * from.width * y + 8 * (x / 4) + x % 4];
+                const std::uint8_t* corner = &from.rgba[8 * (std::size_t{from.width} * y + x / 4) + x % 4];
                 half.rgba.push_back(static_cast<std::uint8_t>((corner[0] + corner[right] + corner[below] + corner[below + right] + 2) / 4));
             }
         levels.push_back(std::move(half));

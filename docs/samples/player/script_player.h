@@ -245,7 +245,7 @@ private:
     void clear(const std::string& what, const State& state) {
         bind(state);
         const std::string name = upper(what);
-        const auto of = [&](const std::string& parameter, std::vector<float> otherwise) {
+        const auto of = [&](const std::string& parameter, const std::vector<float>& otherwise) {
             return parameter.empty() ? otherwise : valueOf(parameter).numbers;
         };
         if (name == "DEPTH") return engine_.clear(Clear::Depth, {}, of(state.depth, {1}));

@@ -61,7 +61,7 @@ class Site:
         source = ROOT / file
         if source.is_dir() and (source / "README.md").exists():
             file, source = file / "README.md", source / "README.md"
-        if file.parts[0] == ".." or not source.exists():
+        if file.parts[:1] == ("..",) or not source.exists():
             self.dead.append(f"{page}: {link}")
             return link
         if file.suffix == ".md":

@@ -162,7 +162,7 @@ inline UINT targetSize(const script_player::Json& said, std::size_t axis, const 
 
 /// A parameter that says how many.
 inline UINT countOf(float number) {
-    return static_cast<UINT>(std::clamp(number, 0.0F, 65535.0F)); // as many groups as Direct3D starts
+    return static_cast<UINT>(std::clamp(number, 0.0F, 4294967040.0F)); // the largest float that fits
 }
 
 /// What Direct3D 12 keeps beside the pipeline.

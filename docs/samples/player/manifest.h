@@ -42,14 +42,14 @@ struct Json {
     }
     const std::string& text() const { return need(Kind::String, "text"), string; }
     double number() const { return need(kind == Kind::Bool ? Kind::Bool : Kind::Number, "a number"), value; }
-    /// Of more than the largest float the conversion would be undefined.
+    /// Of more than the largest float the conversion would be undefined. (max): Windows' headers make a macro of the name.
     float small() const {
-        if (std::abs(number()) > static_cast<double>(std::numeric_limits<float>::max())) throw std::runtime_error("manifest: no float");
+        if (std::abs(number()) > static_cast<double>((std::numeric_limits<float>::max)())) throw std::runtime_error("manifest: no float");
         return static_cast<float>(value);
     }
     /// A size or an index.
     std::uint32_t whole() const {
-        const bool fits = number() >= 0 && value <= std::numeric_limits<std::uint32_t>::max() && value == std::floor(value);
+        const bool fits = number() >= 0 && value <= (std::numeric_limits<std::uint32_t>::max)() && value == std::floor(value);
         if (!fits) throw std::runtime_error("manifest: no whole number: " + std::to_string(value));
         return static_cast<std::uint32_t>(value);
     }

@@ -24,7 +24,7 @@ OWN = ("style.css", "site.js")
 # name, what is seen, the left and the right picture as words for `tegument render`
 GALLERY = (
     ("Skin", "Lambert, and light that has travelled under the skin", ["Main", "-t", "Lambert"], ["Pyramid", "-t", "Pyramid"]),
-    ("Two techniques", "d'Eon and Luebke's ten blurs, and the pyramid in a quarter of their time", ["Main", "-t", "DEonLuebke"], ["Pyramid", "-t", "Pyramid"]),
+    ("Two techniques", "d'Eon and Luebke's ten blurs, and the pyramid in a third of their time", ["Main", "-t", "DEonLuebke"], ["Pyramid", "-t", "Pyramid"]),
     ("Fur", "shells by a map of fur, and by roots", ["Fur", "-w", "bunny"], ["FurRoots", "-w", "bunny"]),
     ("A coat", "shells, and strands as ribbons", ["FurRoots", "-w", "bunny"], ["FurCoat", "-w", "bunny"]),
 )
@@ -61,7 +61,7 @@ class Site:
         source = ROOT / file
         if source.is_dir() and (source / "README.md").exists():
             file, source = file / "README.md", source / "README.md"
-        if not source.exists():
+        if file.parts[:1] == ("..",) or not source.exists():
             self.dead.append(f"{page}: {link}")
             return link
         if file.suffix == ".md":
@@ -77,7 +77,7 @@ class Site:
 
     def list_folder(self, folder):
         names = sorted(path.name for path in (ROOT / folder).iterdir() if not path.name.startswith("."))
-        body = f"<h1>{folder}</h1><ul>" + "".join(f"<li>{html.escape(name)}</li>" for name in names) + "</ul>"
+        body = f"<h1>{html.escape(str(folder))}</h1><ul>" + "".join(f"<li>{html.escape(name)}</li>" for name in names) + "</ul>"
         self.write(folder / "index.md", str(folder), body)
 
     def write(self, page, title, body):
@@ -90,10 +90,10 @@ class Site:
 """
         file = self.out / page.with_suffix(".html")
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+        file.write_text(text, encoding="utf-8")
 
     def build_page(self, page):
-        source = (ROOT / page).read_text()
+        source = (ROOT / page).read_text(encoding="utf-8")
         maker = markdown.Markdown(extensions=["tables", "fenced_code", "toc", "sane_lists"], extension_configs={"toc": {"slugify": slug}})
         body = maker.convert(with_room_for_lists(source))
         body = LINK.sub(lambda found: found[1] + html.escape(self.target(page, html.unescape(found[2]))) + found[3], body)

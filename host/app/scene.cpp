@@ -44,6 +44,14 @@ Result<Mesh> readMesh(const fs::path& path, const MeshOptions& load, const std::
     return mesh;
 }
 
+/// What the workspace says is of its own mesh.
+std::string attributionOf(const SceneOptions& options, const Workspace& workspace) {
+    std::error_code code;
+    const bool another =
+        !options.mesh.empty() && !workspace.meshPath.empty() && !fs::equivalent(options.mesh, beside(workspace, workspace.meshPath), code);
+    return another ? "" : workspace.attribution;
+}
+
 /// A mesh of one's own without a workspace that somebody chose for it.
 bool isFramed(const SceneOptions& options) {
     return !options.mesh.empty() && options.workspace.empty();
@@ -84,7 +92,7 @@ Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace)
     if (options.head) load.expectHead = *options.head;
     load.guessUnit = !options.mesh.empty() && !load.expectHead;
     load.roots = options.roots;
-    return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, workspace.attribution);
+    return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, attributionOf(options, workspace));
 }
 
 Result<void> readPoses(const SceneOptions& options, const Mesh& rest, Scene& scene) {

@@ -38,6 +38,7 @@ std::string driverMissing() {
 }
 
 /// Wine looks for a "native" library beside the program.
+// NOLINTNEXTLINE(performance-unnecessary-value-param): windows/driver.cpp takes them over
 Result<ProcessCommand> driverProcess(const fs::path& folder, std::vector<std::string> arguments) {
     std::error_code code;
     fs::create_symlink(fs::absolute(driver(), code), folder / "hlslc.exe", code);

@@ -367,3 +367,11 @@ TEST(OwnMesh, that_got_charts_is_shown_the_technique_without_seams) {
     if (!kHasXatlas) return;
     EXPECT_NE(ran.out.find("PyramidLinked --mesh " + charted), std::string::npos) << ran.out;
 }
+
+TEST(OwnMesh, gets_no_credit_that_a_workspace_gives_to_another) {
+    const std::string theirs = write("theirs.obj", rod(1, 60, 220)), own = write("own_credit.obj", rod(1, 60, 220));
+    const std::string workspace = write("credit.json", R"({ "mesh": "theirs.obj", "attribution": "Someone Else" })");
+    EXPECT_EQ(draw("uncredited", {"Specular", "-w", workspace, "--mesh", own}).image.metadata.count("attribution"), 0U);
+    EXPECT_EQ(draw("credited", {"Specular", "-w", workspace, "--mesh", theirs}).image.metadata.at("attribution"), "Someone Else");
+    EXPECT_EQ(draw("credited_too", {"Specular", "-w", workspace}).image.metadata.at("attribution"), "Someone Else");
+}

@@ -51,7 +51,7 @@ std::string engineName(Engine engine); // "d3d9"
 
 /// tests/library/Skin.fx, skin by tegument.hlsl alone: for engines that take entry points.
 [[nodiscard]] const Case& libraryCase();
-/// Compute shaders and compiled entry points are not for Direct3D 9 and 10; more than one lamp is not for Direct3D 9. Cube maps
+/// Compute shaders and compiled entry points are not for Direct3D 9 and 10; penumbras are not for Direct3D 9. Cube maps
 /// of fur are not for Direct3D 12 in Wine 8: its vkd3d ends the program with an assertion while it reads the shader.
 [[nodiscard]] bool drawnBy(const Case& drawn, Engine engine);
 

@@ -63,7 +63,9 @@ TEST(LightByLight, adds_to_the_picture_behind_the_pass_that_it_adds_to) {
     EXPECT_TRUE(lamp.state.depthTest);
     EXPECT_FALSE(lamp.state.depthWrite);
     EXPECT_TRUE(lamp.state.targets[0].enable);
-    EXPECT_EQ(lamp.state.targets[0].src, lamp.state.targets[0].dst);
+    EXPECT_EQ(lamp.state.targets[0].src, BlendFactor::One);
+    EXPECT_EQ(lamp.state.targets[0].dst, BlendFactor::One);
+    EXPECT_EQ(lamp.state.depthCompare, CompareOp::Equal) << "no more than once at a pixel";
 }
 
 } // namespace

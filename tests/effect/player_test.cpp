@@ -102,6 +102,10 @@ TEST(ScriptPlayer, ends_where_a_script_does_not) {
     EXPECT_EQ(played(repeated("LoopByCount=gM;", 100000)), "technique T: too many loops in loops");
     const std::string loops = repeated("LoopByCount=gM;", 60) + repeated("LoopEnd;", 60);
     EXPECT_EQ(played(loops), "technique T: the script does not end");
+    const std::string options = "Clear=gN?" + repeated("Color:", 200000) + "Color;";
+    EXPECT_EQ(played(options), "");
+    EXPECT_EQ(played(repeated("LoopByCount=gM;", 4) + options + repeated("LoopEnd;", 4)), "technique T: the script does not end");
+    EXPECT_EQ(played("Pass=gN?" + repeated("A:", 1000) + "B;"), "");
 }
 
 TEST(ScriptPlayer, passes_over_what_scripts_reserve) {

@@ -95,7 +95,8 @@ TEST_F(DxilEmit, the_same_root_signature_serves_shader_model_5) {
     const json other = json::parse(*readFile(*written / "manifest.json"));
     for (std::size_t t = 0; t < manifest_["techniques"].size(); ++t)
         for (std::size_t p = 0; p < manifest_["techniques"][t]["passes"].size(); ++p)
-            EXPECT_EQ(manifest_["techniques"][t]["passes"][p]["root_signature"], other["techniques"][t]["passes"][p]["root_signature"]);
+            EXPECT_EQ(manifest_["techniques"][t]["passes"][p].at("root_signature").get<std::string>(),
+                      other["techniques"][t]["passes"][p].at("root_signature").get<std::string>());
     const auto& shaders = other["shaders"];
     const auto entry = std::ranges::find_if(shaders, [](const json& one) { return one["name"] == "EntryCS"; });
     ASSERT_NE(entry, shaders.end());

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <chrono>
 #include <filesystem>
 #include <random>
 
@@ -158,6 +158,29 @@ TEST(ManifestPlayer, says_what_a_manifest_lacks) {
               "manifest: a list is wanted where something else stands");
     const player::Json manifest = player::readManifest(manifestOf(loaded(loadEffect("effects/Main.fx"))));
     EXPECT_THROW((void)player::techniqueOf(manifest, "Nothing"), std::runtime_error);
+}
+
+TEST(ManifestPlayer, gives_floats_and_sizes_that_fit_and_refuses_others) {
+    const auto defaultOf = [](const std::string& value) {
+        return player::defaultOf(player::readJson(R"({"type":"float","default":)" + value + "}")).numbers;
+    };
+    EXPECT_EQ(defaultOf("[0.1,-3e38]"), (std::vector<float>{0.1F, -3e38F}));
+    EXPECT_EQ(defaultOf("1e-999"), std::vector<float>{0});
+    EXPECT_THROW((void)defaultOf("1e39"), std::runtime_error);
+    EXPECT_THROW((void)defaultOf("[0,-1e300]"), std::runtime_error);
+    EXPECT_EQ(player::readJson("4294967295").whole(), 4294967295U);
+    for (const char* text : {"-1", "0.5", "4294967296", "1e99", "\"1\""})
+        EXPECT_THROW((void)player::readJson(text).whole(), std::runtime_error) << text;
+}
+
+/// Seconds where each name is compared with all before it; a tenth of a second here, and far less than the limit on any machine.
+TEST(ManifestPlayer, reads_an_object_of_many_names_in_time) {
+    std::string text = "{\"0\":0";
+    for (int i = 1; i < 200000; ++i)
+        text += ",\"" + std::to_string(i) + "\":0";
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(player::readJson(text + "}").keys.size(), 200000U);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 /// Every prefix of a small manifest, and bytes of it changed at random: an error or none, and no more than that (ASan and UBSan look on).

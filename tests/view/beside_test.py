@@ -186,7 +186,8 @@ class Replay(unittest.TestCase):
         self.assertNotIn("validation:", ran.stderr)
 
     def test_refuses_what_is_none_and_says_which_step(self):
-        for steps in ([{"drug": [1, 1]}], {"drag": [1, 1]}, [{"key": "%"}], [{"drag": [1]}],
+        for steps in ([{"drug": [1, 1]}], {"drag": [1, 1]}, [{"key": "%"}], [{"drag": [1]}], [{"wheel": 1, "as": 2}],
+                      [{"wheel": 1, "times": 2.5}], [{"wheel": 1, "times": -1}], [{"wheel": 1, "times": 1 << 33}], [{"wheel": 1, "times": 600000}] * 2,
                       [{"edit": "effects/passes/final.fxh", "from": "not there", "to": ""}]):
             ran = self.replay(steps, self.folder)
             self.assertEqual(ran.returncode, 1, f"{steps}: {ran.stderr}")

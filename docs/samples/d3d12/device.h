@@ -2,6 +2,9 @@
 // full; textures that know their state; rings of descriptors and of constants. An engine has better ones of its own.
 #pragma once
 
+#ifndef NOMINMAX
+#define NOMINMAX // std::min and std::max
+#endif
 #include <windows.h>
 
 #define WIDL_EXPLICIT_AGGREGATE_RETURNS // MinGW's header: structures come back as Windows returns them
@@ -55,10 +58,10 @@ struct Rows {
 /// Descriptors or bytes that are handed out in turn.
 struct Ring {
     UINT used = 0, size = 0;
-    UINT take(UINT count) {
-        if (used + count > size) throw std::runtime_error("a ring of the sample is too small");
-        used += count;
-        return used - count;
+    UINT take(UINT64 count) {
+        if (count > size - used) throw std::runtime_error("a ring of the sample is too small");
+        used += static_cast<UINT>(count);
+        return used - static_cast<UINT>(count);
     }
 };
 
@@ -228,7 +231,7 @@ public:
         D3D12_CPU_DESCRIPTOR_HANDLE at(UINT index) const { return {cpu.ptr + std::size_t{index} * step}; }
     };
     /// In the heaps that shaders see, until the list has run.
-    Table table(bool samplers, UINT count) {
+    Table table(bool samplers, UINT64 count) {
         const auto type = samplers ? D3D12_DESCRIPTOR_HEAP_TYPE_SAMPLER : D3D12_DESCRIPTOR_HEAP_TYPE_CBV_SRV_UAV;
         Heap& heap = heaps_[type];
         const UINT64 first = UINT64{heap.ring.take(count)} * heap.step;
@@ -237,7 +240,7 @@ public:
                 heap.step};
     }
     D3D12_GPU_VIRTUAL_ADDRESS constants(const std::vector<char>& bytes) {
-        const UINT at = constants_.take((static_cast<UINT>(bytes.size()) + 255) / 256 * 256);
+        const UINT at = constants_.take((UINT64{bytes.size()} + 255) / 256 * 256);
         std::memcpy(constantBytes_ + at, bytes.data(), bytes.size());
         return constantBuffer_->GetGPUVirtualAddress() + at;
     }

@@ -38,17 +38,13 @@ public:
             const std::string semantic = script_player::detail::upper(parameter.at("semantic").text());
             if (semantic != "RENDERCOLORTARGET" && semantic != "RENDERDEPTHSTENCILTARGET") continue;
             const Json& said = parameter.at("annotations");
-            const auto size = [&](const char* name, UINT axis, UINT picture) {
-                const Json* ratio = said.find("ViewportRatio");
-                const double share = ratio ? ratio->list().at(axis).number() : 1;
-                return static_cast<UINT>(said.numberOr(name, share * picture));
-            };
             const bool depth = semantic != "RENDERCOLORTARGET";
             auto flags = depth ? D3D12_RESOURCE_FLAG_ALLOW_DEPTH_STENCIL : D3D12_RESOURCE_FLAG_ALLOW_RENDER_TARGET;
             if (!depth && manifest_.find("storages")) flags |= D3D12_RESOURCE_FLAG_ALLOW_UNORDERED_ACCESS;
-            const auto levels = static_cast<UINT>(depth ? 1 : said.numberOr("MipLevels", 1));
+            const Json* levels = depth ? nullptr : said.find("MipLevels");
             const DXGI_FORMAT format = targetFormat(said.textOr("Format", depth ? "D24S8" : "A8R8G8B8"));
-            const TextureShape shape{size("Width", 0, pictureWidth), size("Height", 1, pictureHeight), levels, 1, format, flags};
+            const UINT width = targetSize(said, 0, "Width", pictureWidth), height = targetSize(said, 1, "Height", pictureHeight);
+            const TextureShape shape{width, height, levels ? levels->whole() : 1, 1, format, flags};
             targets_[parameter.at("name").text()] = device_.texture(shape);
         }
     }
@@ -68,9 +64,9 @@ private:
         colors_.clear();
         for (const auto& name : targets.colors) {
             if (!name) break;
-            colors_.push_back(name->empty() ? picture_ : &targets_.at(*name));
+            colors_.push_back(name->empty() ? picture_ : &targets_.at(nameOf(*name)));
         }
-        depth_ = !targets.depth ? nullptr : targets.depth->empty() ? pictureDepth_ : &targets_.at(*targets.depth);
+        depth_ = !targets.depth ? nullptr : targets.depth->empty() ? pictureDepth_ : &targets_.at(nameOf(*targets.depth));
         const TextureShape& size = colors_.at(0)->shape;
         if (depth_ && (depth_->shape.width != size.width || depth_->shape.height != size.height)) depth_ = nullptr;
         viewport_ = {static_cast<float>(size.width), static_cast<float>(size.height)};
@@ -86,7 +82,8 @@ private:
         } else if (depth_) {
             device_.transition(*depth_, D3D12_RESOURCE_STATE_DEPTH_WRITE);
             const auto flags = what == script_player::Clear::Depth ? D3D12_CLEAR_FLAG_DEPTH : D3D12_CLEAR_FLAG_STENCIL;
-            device_.list()->ClearDepthStencilView(depth_->target, flags, value[0], static_cast<UINT8>(value[0]), 0, nullptr);
+            const auto stencil = static_cast<UINT8>(std::clamp(value[0], 0.0F, 255.0F));
+            device_.list()->ClearDepthStencilView(depth_->target, flags, value[0], stencil, 0, nullptr);
         }
     }
 
@@ -101,6 +98,7 @@ private:
         const Pipeline& pipeline = pipelineOf(pass);
         list->SetPipelineState(pipeline.state.Get());
         list->SetGraphicsRootSignature(pipeline.root.signature.Get());
+        setBlendAndStencil(list, pass.at("states"));
         bind(pass, pipeline.root, false);
         std::vector<D3D12_CPU_DESCRIPTOR_HANDLE> views;
         for (Texture* color : colors_) {
@@ -114,7 +112,7 @@ private:
         list->RSSetViewports(1, &viewport);
         list->RSSetScissorRects(1, &all);
         const std::string instances = pass.at("annotations").textOr("Instances", "");
-        (*draw_)(played, what != script_player::Draw::Quad, instances.empty() ? 1U : static_cast<UINT>(value(instances).numbers.at(0)));
+        (*draw_)(played, what != script_player::Draw::Quad, instances.empty() ? 1U : countOf(value(instances).numbers.at(0)));
         for (Texture* color : colors_)
             if (color->shape.levels > 1) mips_.make(device_, *color);
     }
@@ -127,29 +125,29 @@ private:
         UINT groups[3] = {1, 1, 1};
         if (const Json* counted = said.find("Groups")) {
             for (std::size_t i = 0; i < std::min<std::size_t>(3, counted->list().size()); ++i)
-                groups[i] = static_cast<UINT>(counted->items[i].number());
+                groups[i] = counted->items[i].whole();
         } else if (const Json* parameter = said.find("GroupCount")) {
             const std::vector<float> counts = value(parameter->text()).numbers;
             for (std::size_t i = 0; i < std::min<std::size_t>(3, counts.size()); ++i)
-                groups[i] = static_cast<UINT>(counts[i]);
+                groups[i] = countOf(counts[i]);
         } else {
-            const TextureShape& shape = targets_.at(texels).shape;
+            const TextureShape& shape = targets_.at(nameOf(texels)).shape;
             const auto along = [&](UINT size, std::size_t axis) {
-                const auto threads = static_cast<UINT>(shader.at("threads").list().at(axis).number());
+                const UINT threads = std::max(1U, shader.at("threads").list().at(axis).whole());
                 return (size + threads - 1) / threads;
             };
             groups[0] = along(shape.width, 0);
             groups[1] = along(shape.height, 1);
         }
         const std::string sized = said.textOr("Viewport", texels);
-        const TextureShape& viewport = sized.empty() ? picture_->shape : targets_.at(sized).shape;
+        const TextureShape& viewport = sized.empty() ? picture_->shape : targets_.at(nameOf(sized)).shape;
         viewport_ = {static_cast<float>(viewport.width), static_cast<float>(viewport.height)};
         device_.beginDraw();
         const Pipeline& pipeline = pipelineOf(pass);
         device_.list()->SetPipelineState(pipeline.state.Get());
         device_.list()->SetComputeRootSignature(pipeline.root.signature.Get());
         bind(pass, pipeline.root, true);
-        if (groups[0] * groups[1] * groups[2] > 0) device_.list()->Dispatch(groups[0], groups[1], groups[2]);
+        if (groups[0] > 0 && groups[1] > 0 && groups[2] > 0) device_.list()->Dispatch(groups[0], groups[1], groups[2]);
     }
 
     // ---- What shaders read.
@@ -208,7 +206,9 @@ private:
             if (place.ParameterType == D3D12_ROOT_PARAMETER_TYPE_CBV) {
                 const auto address = device_.constants(blockOf(shader, place.Descriptor.ShaderRegister));
                 compute ? list->SetComputeRootConstantBufferView(i, address) : list->SetGraphicsRootConstantBufferView(i, address);
-            } else {
+            } else if (place.ParameterType != D3D12_ROOT_PARAMETER_TYPE_DESCRIPTOR_TABLE)
+                throw std::runtime_error("a root signature that no manifest has");
+            else {
                 const auto table = tableOf(shader, place.DescriptorTable);
                 compute ? list->SetComputeRootDescriptorTable(i, table) : list->SetGraphicsRootDescriptorTable(i, table);
             }
@@ -218,7 +218,7 @@ private:
     std::vector<char> blockOf(const Json& shader, UINT at) const {
         for (const Json& block : shader.at("constants").list()) {
             if (block.at("register").number() != at) continue;
-            std::vector<char> bytes(static_cast<std::size_t>(block.at("size").number()));
+            std::vector<char> bytes(block.at("size").whole());
             for (const Json& member : block.at("members").list()) {
                 const std::string& name = member.at("name").text();
                 const auto value = values_.find(name);
@@ -238,7 +238,7 @@ private:
     }
 
     D3D12_GPU_DESCRIPTOR_HANDLE tableOf(const Json& shader, const D3D12_ROOT_DESCRIPTOR_TABLE& wanted) {
-        UINT count = 0;
+        UINT64 count = 0;
         for (UINT i = 0; i < wanted.NumDescriptorRanges; ++i)
             count += wanted.pDescriptorRanges[i].NumDescriptors;
         const bool samplers = wanted.pDescriptorRanges[0].RangeType == D3D12_DESCRIPTOR_RANGE_TYPE_SAMPLER;
@@ -266,9 +266,9 @@ private:
 
     void fill(D3D12_CPU_DESCRIPTOR_HANDLE place, D3D12_DESCRIPTOR_RANGE_TYPE type, const std::string& name) {
         if (type == D3D12_DESCRIPTOR_RANGE_TYPE_SAMPLER) {
-            const D3D12_SAMPLER_DESC desc =
-                name.empty() ? D3D12_SAMPLER_DESC{} : samplerState(script_player::named(manifest_.at("samplers"), name).at("states"));
-            if (!name.empty()) device_->CreateSampler(&desc, place);
+            if (name.empty()) return;
+            const D3D12_SAMPLER_DESC desc = samplerState(script_player::named(manifest_.at("samplers"), name).at("states"));
+            device_->CreateSampler(&desc, place);
         } else if (type == D3D12_DESCRIPTOR_RANGE_TYPE_UAV) {
             if (name.empty()) return;
             const std::string& target = script_player::named(manifest_.at("storages"), name).at("target").text();

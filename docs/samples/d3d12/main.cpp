@@ -115,9 +115,10 @@ constexpr float kQuad[4][12] = {{-1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0},
 
 /// The effects give linear radiance. Tone map and sRGB are the engine's; this is what `tegument` does (docs/images.md).
 std::uint8_t displayed(float linear) {
-    const float rest = std::max(linear - 0.8F, 0.0F) / 0.2F;
-    const float c = std::min(std::max(linear, 0.0F), 0.8F) + 0.2F * rest / (1 + rest);
-    return static_cast<std::uint8_t>(255 * (c <= 0.0031308F ? c * 12.92F : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F) + 0.5F);
+    const float finite = std::min(std::max(0.0F, linear), 65504.0F); // what is no number is black
+    const float rest = std::max(finite - 0.8F, 0.0F) / 0.2F;
+    const float c = std::min(finite, 0.8F) + 0.2F * rest / (1 + rest);
+    return static_cast<std::uint8_t>(std::lround(255 * (c <= 0.0031308F ? c * 12.92F : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F)));
 }
 
 void save(Device& device, Texture& picture, const char* file) {
@@ -127,7 +128,7 @@ void save(Device& device, Texture& picture, const char* file) {
         for (UINT x = 0; x < kSize; ++x)
             for (UINT channel = 0; channel < 3; ++channel) {
                 float value = 0;
-                std::memcpy(&value, &rows.bytes[std::size_t{y} * rows.pitch + 16 * x + 4 * channel], 4);
+                std::memcpy(&value, &rows.bytes[std::size_t{y} * rows.pitch + 4 * (std::size_t{4} * x + channel)], 4);
                 shown.rgba[4 * (std::size_t{y} * kSize + x) + channel] = displayed(value);
             }
     savePicture(shown, file);

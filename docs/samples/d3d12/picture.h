@@ -18,8 +18,13 @@ inline IWICImagingFactory* imaging() {
     return factory.Get();
 }
 
+/// Of the code page in which main() gets its arguments.
 inline std::wstring wide(const std::string& text) {
-    return {text.begin(), text.end()};
+    std::wstring result(text.size(), L'\0');
+    const int size = static_cast<int>(text.size());
+    const int written = MultiByteToWideChar(CP_ACP, 0, text.data(), size, result.data(), size);
+    result.resize(static_cast<std::size_t>(written));
+    return result;
 }
 
 inline Pixels loadPicture(const std::string& file) {
@@ -68,8 +73,7 @@ inline Texture loadTexture(Device& device, const std::string& file, bool srgb) {
         const std::size_t right = from.width > 1 ? 4 : 0, below = from.height > 1 ? std::size_t{4} * from.width : 0;
         for (UINT y = 0; y < half.height; ++y)
             for (UINT x = 0; x < 4 * half.width; ++x) {
-                const std::uint8_t* corner = &from.rgba[std::size_t{8} * from.width * y + 8 * (x / 4) + x % 4];
-                if (from.height == 1) corner = &from.rgba[8 * (x / 4) + x % 4];
+                const std::uint8_t* corner = &from.rgba[8 * (std::size_t{from.width} * y + x / 4) + x % 4];
                 half.rgba.push_back(static_cast<std::uint8_t>((corner[0] + corner[right] + corner[below] + corner[below + right] + 2) / 4));
             }
         levels.push_back(std::move(half));

@@ -63,7 +63,7 @@ inline D3D12_BLEND_DESC blendState(const script_player::Json& states) {
     for (std::size_t i = 0; i < std::min<std::size_t>(8, targets.size()); ++i) {
         const script_player::Json& from = targets[i];
         D3D12_RENDER_TARGET_BLEND_DESC& to = desc.RenderTarget[i];
-        to.RenderTargetWriteMask = static_cast<UINT8>(from.at("write_mask").number());
+        to.RenderTargetWriteMask = static_cast<UINT8>(from.at("write_mask").whole());
         to.BlendEnable = from.at("blend").number() != 0;
         to.SrcBlend = to.SrcBlendAlpha = D3D12_BLEND_ONE;
         to.DestBlend = to.DestBlendAlpha = D3D12_BLEND_ZERO;
@@ -95,8 +95,8 @@ inline D3D12_DEPTH_STENCIL_DESC depthState(const script_player::Json& states) {
     const script_player::Json& stencil = states.at("stencil");
     desc.FrontFace = face(stencil.at("front"));
     desc.BackFace = face(stencil.at("back"));
-    desc.StencilReadMask = static_cast<UINT8>(stencil.at("read_mask").number());
-    desc.StencilWriteMask = static_cast<UINT8>(stencil.at("write_mask").number());
+    desc.StencilReadMask = static_cast<UINT8>(stencil.at("read_mask").whole());
+    desc.StencilWriteMask = static_cast<UINT8>(stencil.at("write_mask").whole());
     return desc;
 }
 
@@ -117,7 +117,7 @@ inline D3D12_GRAPHICS_PIPELINE_STATE_DESC graphicsState(const script_player::Jso
     desc.RasterizerState.CullMode = byName<D3D12_CULL_MODE>({"NONE", "FRONT", "BACK"}, states.at("cull").text());
     desc.RasterizerState.FrontCounterClockwise = states.at("front_counter_clockwise").number() != 0;
     desc.RasterizerState.DepthBias = static_cast<INT>(states.at("depth_bias").number());
-    desc.RasterizerState.SlopeScaledDepthBias = static_cast<float>(states.at("slope_scaled_depth_bias").number());
+    desc.RasterizerState.SlopeScaledDepthBias = states.at("slope_scaled_depth_bias").small();
     desc.RasterizerState.DepthClipEnable = states.at("depth_clip").number() != 0;
     desc.InputLayout = {kStream, 4};
     desc.PrimitiveTopologyType = D3D12_PRIMITIVE_TOPOLOGY_TYPE_TRIANGLE;
@@ -138,20 +138,46 @@ inline D3D12_SAMPLER_DESC samplerState(const script_player::Json& states) {
     desc.AddressU = address(0);
     desc.AddressV = address(1);
     desc.AddressW = address(2);
-    desc.MipLODBias = static_cast<float>(states.at("mip_lod_bias").number());
-    desc.MaxAnisotropy = static_cast<UINT>(states.at("max_anisotropy").number());
+    desc.MipLODBias = states.at("mip_lod_bias").small();
+    desc.MaxAnisotropy = states.at("max_anisotropy").whole();
     desc.ComparisonFunc = comparison(states.textOr("compare", "NEVER"));
     for (std::size_t i = 0; i < 4; ++i)
-        desc.BorderColor[i] = static_cast<float>(states.at("border").list().at(i).number());
-    desc.MinLOD = static_cast<float>(states.at("lod").list().at(0).number());
-    desc.MaxLOD = filter("mip") == "NONE" ? desc.MinLOD : static_cast<float>(states.at("lod").list().at(1).number());
+        desc.BorderColor[i] = states.at("border").list().at(i).small();
+    desc.MinLOD = states.at("lod").list().at(0).small();
+    desc.MaxLOD = filter("mip") == "NONE" ? desc.MinLOD : states.at("lod").list().at(1).small();
     return desc;
+}
+
+/// A target's side in texels: docs/running.md, "Targets".
+inline UINT targetSize(const script_player::Json& said, std::size_t axis, const char* name, UINT picture) {
+    const auto of = [&](const script_player::Json& sizes) -> const script_player::Json& {
+        return sizes.kind == script_player::Json::Kind::Array ? sizes.items.at(std::min(axis, sizes.items.size() - 1)) : sizes;
+    };
+    if (const script_player::Json* ratio = said.find("ViewportRatio"))
+        return static_cast<UINT>(std::clamp(of(*ratio).number() * picture, 1.0, double{D3D12_REQ_TEXTURE2D_U_OR_V_DIMENSION}));
+    if (const script_player::Json* sizes = said.find("Dimensions")) return of(*sizes).whole();
+    if (const script_player::Json* size = said.find(said.find(name) ? name : "Width")) return size->whole();
+    return picture;
+}
+
+/// A parameter that says how many.
+inline UINT countOf(float number) {
+    return static_cast<UINT>(std::clamp(number, 0.0F, 4294967040.0F)); // the largest float that fits
+}
+
+/// What Direct3D 12 keeps beside the pipeline.
+inline void setBlendAndStencil(ID3D12GraphicsCommandList* list, const script_player::Json& states) {
+    float factor[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        factor[i] = states.at("blend_constant").list().at(i).small();
+    list->OMSetBlendFactor(factor);
+    if (const script_player::Json* stencil = states.find("stencil")) list->OMSetStencilRef(stencil->at("reference").whole());
 }
 
 /// A member of a block of constants: vectors begin 16 bytes apart in arrays and matrices, whose columns lie one behind the other.
 inline void writeMember(const script_player::Json& member, const std::vector<float>& value, std::vector<char>& block) {
-    const auto count = [&](const char* key) { return static_cast<std::size_t>(member.numberOr(key, 1)); };
-    const std::size_t rows = count("rows"), columns = count("columns"), offset = static_cast<std::size_t>(member.at("offset").number());
+    const auto count = [&](const char* key) { return std::size_t{member.find(key) ? member.at(key).whole() : 1}; };
+    const std::size_t rows = count("rows"), columns = count("columns"), offset = member.at("offset").whole();
     const bool turned = rows > 1 && member.at("column_major").number() != 0;
     for (std::size_t i = 0; i < std::min(value.size(), count("elements") * rows * columns); ++i) {
         const std::size_t element = i / (rows * columns), row = i / columns % rows, column = i % columns;

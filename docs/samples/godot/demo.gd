@@ -1,4 +1,4 @@
-# Draws what lies beside it, for Godot 3: godot3 --path FOLDER -s demo.gd [SUBJECT PICTURE.png], SUBJECT head, bunny or ball.
+# Draws what lies beside it, for Godot 3: godot3 --path FOLDER -s demo.gd [SUBJECT PICTURE.png], SUBJECT head or bunny.
 extends SceneTree
 
 var frames = 0

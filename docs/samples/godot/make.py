@@ -29,7 +29,7 @@ def compiled(program):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "check", str(HERE / "functions.fx"), "-I", str(web.SHARE), "--target", "spirv-dxc", "--emit", folder, "--emit-kind", "glsl-es"],
                        check=True, stdout=subprocess.DEVNULL)
-        return {file.stem: function(file.stem, file.read_text()) for file in pathlib.Path(folder, "functions", "glsl-es").glob("*.frag")}
+        return {file.stem: function(file.stem, file.read_text(encoding="utf-8")) for file in pathlib.Path(folder, "functions", "glsl-es").glob("*.frag")}
 
 
 def function(name, text):
@@ -58,8 +58,8 @@ def write_subject(folder, name, source):
     (folder / f"{name}.json").write_text(json.dumps({"eye": place(shown["camera"]["position"]), "target": place(shown["camera"]["target"]),
         "fov": shown["camera"]["horizontal_fov"], "lamp": place(shown["light"]["position"]), "light": max(shown["light"]["color"]), "background": encoded}))
     for key, texture in source["textures"].items():
-        if "png" in texture:
-            (folder / f"{name}_{'color' if key == 'gSkinMap' else 'normal'}.png").write_bytes(unpack(texture["png"]))
+        if "picture" in texture:
+            (folder / f"{name}_{'color' if key == 'gSkinMap' else 'normal'}.png").write_bytes(unpack(texture["picture"]))
         else:
             write_cube(folder / f"{name}.cube", unpack(texture["texels"]), texture["size"], texture["levels"])
 
@@ -72,19 +72,21 @@ def write_cube(path, texels, size, levels):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--program", default="tegument")
+    parser.add_argument("--program", default="tegument", help="default: the one that is installed")
     arguments = parser.parse_args()
     try:
         functions = compiled(arguments.program)
     except subprocess.CalledProcessError as error:
         sys.exit(error.returncode)
+    except FileNotFoundError as error:
+        sys.exit(f"make.py: {error}: --program names tegument")
     (arguments.folder / "godot4").mkdir(parents=True, exist_ok=True)
     (arguments.folder / "godot4" / ".gdignore").touch()
     for name in ("skin.gdshader", "fur.gdshader"):
-        text = (HERE / name).read_text()
+        text = (HERE / name).read_text(encoding="utf-8")
         (arguments.folder / name).write_text(shader(text, functions, 3))
         (arguments.folder / "godot4" / name).write_text(shader(text, functions, 4))
-    (arguments.folder / "demo.gd").write_text((HERE / "demo.gd").read_text())
+    (arguments.folder / "demo.gd").write_text((HERE / "demo.gd").read_text(encoding="utf-8"))
     (arguments.folder / "project.godot").write_text('config_version=4\n[application]\nconfig/name="Tegument"\n[display]\nwindow/size/width=512\nwindow/size/height=512\n')
     subjects = {name: made for name, made in (("head", web.head()), ("bunny", web.bunny())) if made}
     for name, source in subjects.items():

@@ -12,6 +12,10 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <locale>
+#include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -38,6 +42,17 @@ struct Json {
     }
     const std::string& text() const { return need(Kind::String, "text"), string; }
     double number() const { return need(kind == Kind::Bool ? Kind::Bool : Kind::Number, "a number"), value; }
+    /// Of more than the largest float the conversion would be undefined. (max): Windows' headers make a macro of the name.
+    float small() const {
+        if (std::abs(number()) > static_cast<double>((std::numeric_limits<float>::max)())) throw std::runtime_error("manifest: no float");
+        return static_cast<float>(value);
+    }
+    /// A size or an index.
+    std::uint32_t whole() const {
+        const bool fits = number() >= 0 && value <= (std::numeric_limits<std::uint32_t>::max)() && value == std::floor(value);
+        if (!fits) throw std::runtime_error("manifest: no whole number: " + std::to_string(value));
+        return static_cast<std::uint32_t>(value);
+    }
     const std::vector<Json>& list() const { return need(Kind::Array, "a list"), items; }
     std::string textOr(const std::string& key, const std::string& otherwise) const { return find(key) ? at(key).text() : otherwise; }
     double numberOr(const std::string& key, double otherwise) const { return find(key) ? at(key).number() : otherwise; }
@@ -53,7 +68,7 @@ constexpr int kMostJsonDepth = 32; // a manifest has 8
 
 class JsonReader {
 public:
-    explicit JsonReader(std::string_view text) : text_(text) {}
+    explicit JsonReader(std::string_view text) : text_(text) { numbers_.imbue(std::locale::classic()); }
 
     Json read() {
         Json json = value(0);
@@ -104,13 +119,14 @@ private:
 
     Json object(int depth) {
         Json json;
+        std::set<std::string> known;
         json.kind = Json::Kind::Object;
         for (blank(); !take('}'); blank()) {
             if (!json.items.empty() && !take(',')) fail("neither , nor }");
             blank();
             if (!take('"')) fail("no name");
             std::string key = string();
-            if (json.find(key)) fail("a name stands twice");
+            if (!known.insert(key).second) fail("a name stands twice");
             blank();
             if (!take(':')) fail("no : behind a name");
             json.items.push_back(value(depth + 1));
@@ -136,7 +152,7 @@ private:
         return at_ > from;
     }
 
-    /// Text for from_chars, which takes more than JSON does.
+    /// By a stream: libc++ has no from_chars for it before version 20. Too small a number is 0.
     double number() {
         const std::size_t from = at_;
         take('-');
@@ -147,8 +163,9 @@ private:
             if (!digits()) fail("no digit in the exponent");
         }
         double number = 0;
-        const auto end = std::from_chars(text_.data() + from, text_.data() + at_, number);
-        if (end.ec != std::errc() || end.ptr != text_.data() + at_) fail("a number that is too large or too small");
+        numbers_.clear();
+        numbers_.str(std::string(text_.substr(from, at_ - from)));
+        if (!(numbers_ >> number) && std::abs(number) > 1) fail("a number that is too large");
         return number;
     }
 
@@ -212,6 +229,7 @@ private:
 
     std::string_view text_;
     std::size_t at_ = 0;
+    std::istringstream numbers_;
 };
 
 inline std::optional<std::string> scriptOf(const Json& owner) {
@@ -250,10 +268,10 @@ inline Technique techniqueOf(const Json& manifest, const std::string& name) {
 inline Value defaultOf(const Json& parameter) {
     const Json& written = parameter.at("default");
     Value value{{}, parameter.at("type").text().compare(0, 4, "bool") == 0};
-    if (written.kind == Json::Kind::Number || written.kind == Json::Kind::Bool) value.numbers = {static_cast<float>(written.value)};
+    if (written.kind == Json::Kind::Number || written.kind == Json::Kind::Bool) value.numbers = {written.small()};
     if (written.kind == Json::Kind::Array)
         for (const Json& number : written.items)
-            value.numbers.push_back(static_cast<float>(number.number()));
+            value.numbers.push_back(number.small());
     return value;
 }
 

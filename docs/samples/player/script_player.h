@@ -2,7 +2,7 @@
 // The scripts of docs/scripts.md for an engine of your own: walks those of a technique and calls your engine back to set targets, clear,
 // draw and set numbers. C++17, this file alone. manifest.h beside it reads techniques from what `tegument check --emit` writes.
 //
-//   class Mine : public script_player::Engine { ... seven functions ... };
+//   class Mine : public script_player::Engine { ... the five functions, and external() where effects lie above others ... };
 //   Mine engine;
 //   script_player::play(technique, engine);
 //
@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,7 @@ constexpr std::size_t kColors = 8;
 constexpr int kMostInLoop = 65536; // a script that never ends is a typing mistake
 constexpr long kMostCommands = 1000000;
 constexpr std::size_t kMostNested = 64; // loops in loops
+constexpr std::size_t kOption = 64;     // letters of a command's value that count as a command more
 
 struct Pass {
     std::string name;
@@ -113,8 +115,10 @@ struct State {
 class Player {
 public:
     Player(const Technique& technique, Engine& engine) : technique_(technique), engine_(engine) {
-        for (const Pass& pass : technique.passes)
+        for (const Pass& pass : technique.passes) {
+            places_.emplace(upper(pass.name), passes_.size());
             passes_.push_back(withEnds(parse(pass.script.value_or("Draw=Geometry"))));
+        }
     }
 
     void play() {
@@ -138,7 +142,8 @@ private:
     void run(const std::vector<Command>& commands, std::size_t from, std::size_t to, State& state, const Targets& caller,
              const Pass* pass) {
         for (std::size_t i = from; i < to; ++i) {
-            if (++commands_ > kMostCommands) fail("the script does not end");
+            commands_ += 1 + static_cast<long>(commands[i].value.size() / kOption);
+            if (commands_ > kMostCommands) fail("the script does not end");
             if (commands[i].name == "LOOPEND") continue;
             if (commands[i].name != "LOOPBYCOUNT") {
                 execute(commands[i], state, caller, pass);
@@ -223,12 +228,11 @@ private:
     float number(const std::string& parameter) { return valueOf(parameter).numbers[0]; }
 
     void runPass(const std::string& name, const State& state) {
-        for (std::size_t i = 0; i < passes_.size(); ++i) {
-            if (upper(technique_.passes[i].name) != upper(name)) continue;
-            State own = state;
-            return run(passes_[i], 0, passes_[i].size(), own, state.targets, &technique_.passes[i]);
-        }
-        fail("no pass " + name);
+        const auto found = places_.find(upper(name));
+        if (found == places_.end()) fail("no pass " + name);
+        const std::vector<Command>& commands = passes_[found->second];
+        State own = state;
+        run(commands, 0, commands.size(), own, state.targets, &technique_.passes[found->second]);
     }
 
     void bind(const State& state) {
@@ -241,7 +245,7 @@ private:
     void clear(const std::string& what, const State& state) {
         bind(state);
         const std::string name = upper(what);
-        const auto of = [&](const std::string& parameter, std::vector<float> otherwise) {
+        const auto of = [&](const std::string& parameter, const std::vector<float>& otherwise) {
             return parameter.empty() ? otherwise : valueOf(parameter).numbers;
         };
         if (name == "DEPTH") return engine_.clear(Clear::Depth, {}, of(state.depth, {1}));
@@ -274,6 +278,7 @@ private:
     const Technique& technique_;
     Engine& engine_;
     std::vector<std::vector<Command>> passes_;
+    std::map<std::string, std::size_t> places_; // by name: the first of that name
     std::optional<Targets> bound_;
     Loop loop_;
     long commands_ = 0;

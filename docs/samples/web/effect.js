@@ -4,11 +4,12 @@
 
 const FORMATS = {
   A16B16G16R16F: ["RGBA16F"], A32B32G32R32F: ["RGBA32F"], R16F: ["R16F"], G16R16F: ["RG16F"], R32F: ["R32F"], G32R32F: ["RG32F"],
-  A8R8G8B8: ["RGBA8"], D24S8: ["DEPTH24_STENCIL8", "depth"],
+  A8R8G8B8: ["RGBA8"], A8B8G8R8: ["RGBA8"], D24S8: ["DEPTH24_STENCIL8", "depth"],
 };
 const BLEND = { ZERO: "ZERO", ONE: "ONE", SRC_COLOR: "SRC_COLOR", INV_SRC_COLOR: "ONE_MINUS_SRC_COLOR", SRC_ALPHA: "SRC_ALPHA",
   INV_SRC_ALPHA: "ONE_MINUS_SRC_ALPHA", DEST_ALPHA: "DST_ALPHA", INV_DEST_ALPHA: "ONE_MINUS_DST_ALPHA", DEST_COLOR: "DST_COLOR",
-  INV_DEST_COLOR: "ONE_MINUS_DST_COLOR" };
+  INV_DEST_COLOR: "ONE_MINUS_DST_COLOR", SRC_ALPHA_SAT: "SRC_ALPHA_SATURATE", BLEND_FACTOR: "CONSTANT_COLOR",
+  INV_BLEND_FACTOR: "ONE_MINUS_CONSTANT_COLOR" };
 const BLEND_OP = { ADD: "FUNC_ADD", SUBTRACT: "FUNC_SUBTRACT", REV_SUBTRACT: "FUNC_REVERSE_SUBTRACT", MIN: "MIN", MAX: "MAX" };
 const COMPARE = { NEVER: "NEVER", LESS: "LESS", EQUAL: "EQUAL", LESS_EQUAL: "LEQUAL", GREATER: "GREATER", NOT_EQUAL: "NOTEQUAL",
   GREATER_EQUAL: "GEQUAL", ALWAYS: "ALWAYS" };
@@ -46,8 +47,8 @@ export function makeTexture(gl, internal, width, height, levels = 1, cube = fals
   return texture;
 }
 
-// [r, g, b, a] in 0..1: what a texture is that nobody gave.
-function plainTexture(gl, color, cube) {
+// [r, g, b, a] in 0..1, linear: what a texture is that nobody gave.
+export function plainTexture(gl, color, cube = false) {
   const texture = makeTexture(gl, "RGBA8", 1, 1, 1, cube);
   const texel = new Uint8Array(color.map(value => Math.round(value * 255)));
   const faces = cube ? [0, 1, 2, 3, 4, 5].map(face => gl.TEXTURE_CUBE_MAP_POSITIVE_X + face) : [gl.TEXTURE_2D];
@@ -62,6 +63,13 @@ export function makeTarget(gl, format, width, height, levels = 1) {
   gl.bindRenderbuffer(gl.RENDERBUFFER, target.handle);
   gl.renderbufferStorage(gl.RENDERBUFFER, gl[internal], width, height);
   return target;
+}
+
+// docs/running.md, "Targets": ViewportRatio wins over Dimensions, that over Width and Height.
+function targetSize({ ViewportRatio: ratio, Dimensions: sizes, Width: width, Height: height }, picture) {
+  if (ratio !== undefined) return picture.map((side, axis) => Math.max(1, Math.floor(side * ([ratio].flat()[axis] ?? [ratio].flat()[0]))));
+  const [wide, high] = [sizes ?? [width, height]].flat();
+  return wide === undefined ? picture : [wide, high ?? wide];
 }
 
 export function freeTarget(gl, target) {
@@ -79,28 +87,30 @@ function makeShader(gl, kind, text, name) {
   return gl.getShaderParameter(shader, gl.COMPILE_STATUS) ? shader : fail(`${name}: ${gl.getShaderInfoLog(shader)}`);
 }
 
-// ---- Scripts (docs/scripts.md)
+// ---- Scripts (docs/scripts.md), as ../player/script_player.h has them
 
+const MOST_IN_LOOP = 65536, MOST_COMMANDS = 1000000, MOST_NESTED = 64; // what takes more is a typing mistake
+const RESERVED = ["loopbytype", "loopupdate", "geometrylist", "hint", "scriptsignature"];
+const same = (a, b) => a.toLowerCase() === b.toLowerCase();
+
+// Each loop with the place of its end.
 function commands(script) {
-  return script.split(";").map(text => text.trim()).filter(Boolean).map(text => {
-    const [name, value] = text.split("=").map(part => part.trim());
-    const [, word, digit] = /^(.*?)(\d*)$/.exec(name);
-    return { name: word.toLowerCase(), digit: digit === "" ? 0 : Number(digit), value: value ?? "" };
+  const open = [];
+  const list = script.replace(/\s/g, "").split(";").filter(Boolean).map((text, i) => {
+    const [, word, digit, value] = /^([^=]*?)(\d?)(?:=(.*))?$/.exec(text);
+    const command = { name: word.toLowerCase(), digit: Number(digit), value: value ?? "" };
+    if (command.name === "loopbycount" && open.push(command) > MOST_NESTED) fail("too many loops in loops");
+    if (command.name === "loopend") (open.pop() ?? fail("LoopEnd without a loop")).end = i;
+    return command;
   });
+  return open.length ? fail("a loop has no end") : list;
 }
 
-function loopEnd(list, from) {
-  for (let i = from, depth = 0; i < list.length; ++i) {
-    if (list[i].name === "loopbycount") ++depth;
-    if (list[i].name === "loopend" && --depth === 0) return i;
-  }
-  return fail("a loop has no end");
-}
-
-// `engine`: setTargets(colors, depth), clear(what, place, value), draw(pass, quad), value(name), setNumber(name, number).
+// `engine`: setTargets(colors, depth), clear(what, place, value), draw(pass, quad), value(name), setNumber(name, number). Names come as the
+// script writes them, which may differ from the effect's by case.
 export function play(technique, engine) {
-  const initial = () => ({ colors: [""], depth: "", clears: {} });
-  let loop = { index: 0, count: 0 };
+  const caller = { colors: [""], depth: "" };
+  let loop = { index: 0, count: 0 }, executed = 0;
   const choose = value => {
     const [parameter, options] = value.split("?");
     if (options === undefined) return value;
@@ -109,49 +119,56 @@ export function play(technique, engine) {
   };
   const clear = (what, state) => {
     engine.setTargets(state.colors, state.depth);
-    const [, word, place] = /^(.*?)(\d*)$/.exec(what.toLowerCase());
-    const of = (kind, otherwise) => (state.clears[kind] ? engine.value(state.clears[kind]).numbers : otherwise);
-    engine.clear(word, place === "" ? undefined : Number(place), of(word, { color: [0, 0, 0, 0], depth: [1], stencil: [0] }[word]));
+    const [, word, place] = /^(color(?=\d?$)|depth$|stencil$)(\d?)/.exec(what.toLowerCase()) ?? fail(`no clear of ${what}`);
+    const value = [...(state.clears[word] ? engine.value(state.clears[word]).numbers : { color: [], depth: [1], stencil: [0] }[word])];
+    while (word === "color" && value.length < 4) value.push(0);
+    engine.clear(word, place === "" ? undefined : Number(place), value);
+  };
+  const draw = (what, state, pass) => {
+    if (!/^(geometry|buffer)$/i.test(what)) fail(`no drawing of ${what}`);
+    engine.setTargets(state.colors, state.depth);
+    engine.draw(pass, same(what, "buffer"));
   };
   const runPass = (name, state) => {
-    const pass = technique.passes.find(other => other.name.toLowerCase() === name.toLowerCase()) ?? fail(`no pass ${name}`);
-    run(commands(pass.annotations.Script ?? "Draw=Geometry"), { ...state, colors: [...state.colors] }, pass);
+    const pass = technique.passes.find(other => same(other.name, name)) ?? fail(`no pass ${name}`);
+    run(commands(pass.annotations.Script ?? "Draw=Geometry"), { ...state, colors: [...state.colors], clears: { ...state.clears } }, state, pass);
   };
-  const execute = (command, state, pass) => {
+  const execute = (command, state, outside, pass) => {
+    if (RESERVED.includes(command.name)) return;
     const option = choose(command.value);
-    switch (command.name) {
+    switch (pass && command.name === "pass" ? "" : command.name) {
       case "pass": return runPass(option, state);
-      case "draw":
-        engine.setTargets(state.colors, state.depth);
-        return engine.draw(pass, option.toLowerCase() === "buffer");
+      case "draw": return pass ? draw(option, state, pass) : fail("no command draw");
       case "clear": return clear(option, state);
       case "clearsetcolor": case "clearsetdepth": case "clearsetstencil":
         return void (state.clears[command.name.slice(8)] = option);
-      case "rendercolortarget": return void (state.colors[command.digit] = option || (command.digit === 0 ? "" : undefined));
-      case "renderdepthstenciltarget": return void (state.depth = option);
+      case "rendercolortarget": return void (state.colors[command.digit] = option || (command.digit === 0 ? outside.colors[0] : undefined));
+      case "renderdepthstenciltarget": return void (state.depth = option || outside.depth);
       case "loopgetindex": return engine.setNumber(option, loop.index);
       case "loopgetcount": return engine.setNumber(option, loop.count);
       default: return fail(`no command ${command.name}`);
     }
   };
-  const run = (list, state, pass, from = 0, to = list.length) => {
+  const run = (list, state, outside, pass, from = 0, to = list.length) => {
     for (let i = from; i < to; ++i) {
+      if (++executed > MOST_COMMANDS) fail("the script does not end");
+      if (list[i].name === "loopend") continue;
       if (list[i].name !== "loopbycount") {
-        execute(list[i], state, pass);
+        execute(list[i], state, outside, pass);
         continue;
       }
-      const end = loopEnd(list, i), outer = loop;
-      const count = Math.trunc(engine.value(list[i].value).numbers[0]);
+      const outer = loop, count = Math.trunc(engine.value(list[i].value).numbers[0]);
+      if (!(count >= 0 && count <= MOST_IN_LOOP)) fail(`a loop of ${count}`);
       for (let index = 0; index < count; ++index) {
         loop = { index, count };
-        run(list, state, pass, i + 1, end);
+        run(list, state, outside, pass, i + 1, list[i].end + 1);
       }
       loop = outer;
-      i = end;
+      i = list[i].end;
     }
   };
   const passes = technique.passes.map(pass => `Pass=${pass.name}`).join(";");
-  run(commands(technique.annotations.Script ?? passes), initial());
+  run(commands(technique.annotations.Script ?? passes), { ...caller, colors: [...caller.colors], clears: {} }, caller);
 }
 
 // ---- An effect
@@ -183,17 +200,24 @@ export class Effect {
     return this.targets.get(name);
   }
 
+  // As the effect writes a name that scripts may write in another case.
+  nameOf(name) {
+    if (this.parameters.has(name)) return name;
+    return this.manifest.parameters.find(other => same(other.name, name))?.name ?? fail(`no parameter ${name}`);
+  }
+
   // Those that are as large as the picture follow it.
   makeTargets(width, height) {
     for (const { name, semantic, annotations } of this.manifest.parameters) {
-      if (!/^RENDER(COLOR|DEPTHSTENCIL)TARGET$/.test(semantic)) continue;
-      const ratio = annotations.ViewportRatio;
-      const size = ratio ? [width * ratio[0], height * ratio[1]].map(Math.round) : [annotations.Width, annotations.Height];
+      const [, kind] = /^RENDER(COLOR|DEPTHSTENCIL)TARGET$/i.exec(semantic) ?? [];
+      if (!kind) continue;
+      const size = targetSize(annotations, [width, height]);
       const old = this.targets.get(name);
       if (old && old.width === size[0] && old.height === size[1]) continue;
       if (old) freeTarget(this.gl, old);
       const all = 1 + Math.floor(Math.log2(Math.max(...size)));
-      this.targets.set(name, makeTarget(this.gl, annotations.Format, ...size, annotations.MipLevels === 0 ? all : 1));
+      const format = annotations.Format ?? (same(kind, "COLOR") ? "A8R8G8B8" : "D24S8");
+      this.targets.set(name, makeTarget(this.gl, format, ...size, Math.min(all, annotations.MipLevels ?? 1) || all));
     }
   }
 
@@ -201,13 +225,13 @@ export class Effect {
   run(techniqueName, picture, mesh, scene) {
     this.makeTargets(picture.color.width, picture.color.height);
     for (const { name, semantic, annotations, type } of this.manifest.parameters) {
-      const numbers = semantic && /^(float|int)/.test(type) ? scene(semantic, annotations.Object) : undefined;
+      const numbers = semantic && /^(float|int)/.test(type) ? scene(semantic.toUpperCase(), annotations.Object) : undefined;
       if (numbers) this.values.set(name, { numbers, bool: false });
     }
     const technique = this.manifest.techniques.find(({ name }) => name === techniqueName) ?? fail(`no technique ${techniqueName}`);
     const engine = { setTargets: (colors, depth) => this.setTargets(colors, depth, picture), clear: (...what) => this.clear(...what),
-      draw: (pass, quad) => this.draw(pass, quad ? this.quad : mesh), value: name => this.values.get(name) ?? fail(`${name} has no value`),
-      setNumber: (name, number) => this.set(name, number) };
+      draw: (pass, quad) => this.draw(pass, quad ? this.quad : mesh), value: name => this.values.get(this.nameOf(name)) ?? fail(`${name} has no value`),
+      setNumber: (name, number) => this.set(this.nameOf(name), number) };
     this.framebuffer = this.gl.createFramebuffer();
     play(technique, engine);
     this.gl.deleteFramebuffer(this.framebuffer);
@@ -215,7 +239,7 @@ export class Effect {
 
   setTargets(names, depthName, picture) {
     const { gl } = this;
-    const own = name => this.targets.get(name) ?? fail(`no target ${name}`);
+    const own = name => this.targets.get(this.nameOf(name)) ?? fail(`no target ${name}`);
     const colors = names.map(name => (name === undefined ? undefined : name === "" ? picture.color : own(name)));
     const depth = depthName === "" ? picture.depth : own(depthName);
     const { width, height } = colors[0];
@@ -227,7 +251,7 @@ export class Effect {
     gl.drawBuffers(colors.map((color, place) => (color ? gl.COLOR_ATTACHMENT0 + place : gl.NONE)));
     gl.viewport(0, 0, width, height);
     this.bound = colors;
-    const size = this.manifest.parameters.find(({ semantic }) => semantic === "VIEWPORTPIXELSIZE");
+    const size = this.manifest.parameters.find(({ semantic }) => same(semantic, "VIEWPORTPIXELSIZE"));
     if (size) this.set(size.name, width, height);
   }
 
@@ -254,7 +278,7 @@ export class Effect {
     this.setStates(pass.states);
     gl.bindVertexArray(mesh.array);
     const count = pass.annotations.Instances;
-    if (count) gl.drawElementsInstanced(gl.TRIANGLES, mesh.count, mesh.type, 0, Math.trunc(this.values.get(count).numbers[0]));
+    if (count) gl.drawElementsInstanced(gl.TRIANGLES, mesh.count, mesh.type, 0, Math.trunc(this.values.get(this.nameOf(count)).numbers[0]));
     else gl.drawElements(gl.TRIANGLES, mesh.count, mesh.type, 0);
     const [target] = this.bound;
     if (target?.levels > 1) gl.bindTexture(target.kind, target.handle), gl.generateMipmap(target.kind);
@@ -310,10 +334,11 @@ export class Effect {
       const parameter = this.parameters.get(name);
       const value = this.values.get(name)?.numbers;
       if (!value) continue;
-      const columns = Number(/(\d)(\[\d+\])?$/.exec(parameter.type)?.[1] ?? 1);
+      const [, high, columns] = /(?:(\d)x)?(\d)(?:\[\d+\])?$/.exec(parameter.type)?.map(digit => Number(digit ?? 1)) ?? [0, 1, 1];
+      const cells = high * columns; // numbers of one matrix
       value.forEach((number, i) => {
         // Rows of vectors are the matrix's columns to GLSL: it is written turned.
-        const place = matrix ? (i % columns) * matrix + Math.trunc(i / columns) * 4
+        const place = matrix ? Math.trunc(i / cells) * array + (i % columns) * matrix + (Math.trunc(i / columns) % high) * 4
           : array ? Math.trunc(i / columns) * array + (i % columns) * 4 : i * 4;
         if (offset + place + 4 > size) return;
         if (whole.includes(type)) view.setInt32(offset + place, number, true);
@@ -342,7 +367,12 @@ export class Effect {
     const mip = states.mip === "NONE" ? "" : states.mip === "POINT" ? "_MIPMAP_NEAREST" : "_MIPMAP_LINEAR";
     gl.samplerParameteri(sampler, gl.TEXTURE_MIN_FILTER, gl[plain + mip]);
     gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, states.mag === "POINT" ? gl.NEAREST : gl.LINEAR);
-    ["S", "T", "R"].forEach((axis, i) => gl.samplerParameteri(sampler, gl[`TEXTURE_WRAP_${axis}`], gl[ADDRESS[states.address[i]] ?? "CLAMP_TO_EDGE"]));
+    gl.samplerParameterf(sampler, gl.TEXTURE_MIN_LOD, states.lod[0]);
+    gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, states.lod[1]);
+    ["S", "T", "R"].forEach((axis, i) => {
+      const address = ADDRESS[states.address[i]] ?? fail(`sampler ${name}: WebGL has no address mode ${states.address[i]}`);
+      gl.samplerParameteri(sampler, gl[`TEXTURE_WRAP_${axis}`], gl[address]);
+    });
     this.samplers.set(name, sampler);
     return sampler;
   }
@@ -356,12 +386,17 @@ export class Effect {
     enable(gl.CULL_FACE, states.cull !== "NONE");
     gl.cullFace(states.cull === "FRONT" ? gl.FRONT : gl.BACK);
     gl.frontFace(states.front_counter_clockwise ? gl.CW : gl.CCW); // the shaders turn y (docs/emit.md)
+    enable(gl.POLYGON_OFFSET_FILL, states.depth_bias !== 0 || states.slope_scaled_depth_bias !== 0);
+    gl.polygonOffset(states.slope_scaled_depth_bias, states.depth_bias);
+    if (states.stencil_test) fail("this sample has no stencil test");
     const [target] = states.targets;
+    if (states.targets.some(other => JSON.stringify(other) !== JSON.stringify(target))) fail("WebGL 2 blends all targets alike");
     gl.colorMask(...[1, 2, 4, 8].map(bit => (target.write_mask & bit) !== 0));
     enable(gl.BLEND, target.blend);
     if (!target.blend) return;
     const factor = name => gl[BLEND[name] ?? fail(`no blend factor ${name}`)];
     gl.blendFuncSeparate(factor(target.src), factor(target.dest), factor(target.src_alpha), factor(target.dest_alpha));
+    gl.blendColor(...states.blend_constant);
     gl.blendEquationSeparate(gl[BLEND_OP[target.op]], gl[BLEND_OP[target.op_alpha]]);
   }
 }

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""One page without requests that draws skin and fur by WebGL 2: make.py PAGE.html [--program tegument] [--ball FOLDER]
+"""One page without requests that draws skin and fur by WebGL 2: make.py PAGE.html [--program tegument] [--mesh HEAD.glb] [--ball FOLDER]
 
 The default head by effects/peers/Separable.fx, and the Bunny by effects/Fur.fx; each where it has been made (`tegument prep human`,
-`tegument prep bunny`). --ball: a sphere in the Bunny's coat instead of it, for machines that have no Bunny. Exit code 3: DXC is missing."""
+`tegument prep bunny`). --mesh: a head of yours instead, as `tegument prep` writes it. --ball: a sphere in the Bunny's coat instead of the
+Bunny, for machines that have none. Exit code 3: DXC is missing."""
 
 import argparse
 import base64
@@ -17,10 +18,11 @@ import tempfile
 import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
-SHARE = next((folder for folder in HERE.parents if (folder / "effects").is_dir()), HERE.parents[3] / "tegument")  # the tree, else share/tegument
+SHARE = next(share for folder in HERE.parents for share in (folder, folder / "tegument") if (share / "effects").is_dir())  # the tree, or share/tegument
 EFFECTS = {"Separable": "peers/Separable.fx", "EnergyAttenuation": "EnergyAttenuation.fx", "Fur": "Fur.fx"}
 USED = {"Separable": "Separable11", "EnergyAttenuation": "EnergyAttenuation", "Fur": "CubePosition"}
 TANGENT_LIMIT = 0.5
+PLAIN_SKIN = (0.53, 0.34, 0.27, 1)  # docs/running.md, "Textures"
 
 
 def cache():
@@ -40,13 +42,13 @@ def emitted(program, folder):
 
 
 def read_effect(folder, technique):
-    manifest = json.loads((folder / "manifest.json").read_text())
+    manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
     manifest["techniques"] = [entry for entry in manifest["techniques"] if entry["name"] == technique]
     used = {name for step in manifest["techniques"][0]["passes"] for name in (step["vertex_shader"], step["pixel_shader"])}
     manifest["shaders"] = [shader for shader in manifest["shaders"] if shader["name"] in used]
     files = [shader["glsl-es"]["file"] for shader in manifest["shaders"]]
     return {"manifest": {key: manifest[key] for key in ("effect", "parameters", "samplers", "techniques", "shaders")},
-            "texts": {file: (folder / file).read_text() for file in files}}
+            "texts": {file: (folder / file).read_text(encoding="utf-8") for file in files}}
 
 
 # ---- Meshes that `tegument prep` writes
@@ -55,6 +57,8 @@ def read_effect(folder, technique):
 class Glb:
     def __init__(self, path):
         data = path.read_bytes()
+        if data[:4] != b"glTF":
+            sys.exit(f"make.py: {path} is no .glb")
         length = struct.unpack_from("<I", data, 12)[0]
         self.json = json.loads(data[20:20 + length])
         self.bytes = data[28 + length:]
@@ -67,6 +71,11 @@ class Glb:
     def accessor(self, index):
         entry = self.json["accessors"][index]
         return self.view(entry["bufferView"])[entry.get("byteOffset", 0):], entry
+
+    def picture(self, reference):
+        """What a material's texture shows, as it is packed; none where it has none."""
+        source = self.json["textures"][reference["index"]].get("source") if reference else None
+        return None if source is None else self.view(self.json["images"][source]["bufferView"])
 
 
 def across(normal):
@@ -87,6 +96,9 @@ def interleaved(positions, normals, tangents=None, places=None):
 def read_mesh(path):
     file = Glb(path)
     mesh = file.json["meshes"][0]
+    bounds = mesh.get("extras", {}).get("tegument", {}).get("bounds")
+    if not bounds:
+        sys.exit(f"make.py: {path} was not written by tegument prep: tegument prep {path} -o PREPARED.glb")
     attributes = mesh["primitives"][0]["attributes"]
 
     def rows(name, size):
@@ -101,7 +113,7 @@ def read_mesh(path):
         data, entry = file.accessor(primitive["indices"])
         size = {5123: 2, 5125: 4}[entry["componentType"]]
         indices += data[:entry["count"] * size]
-    return file, {"vertices": pack(stream), "indices": pack(indices), "index_bytes": size, "bounds": mesh["extras"]["tegument"]["bounds"]}
+    return file, {"vertices": pack(stream), "indices": pack(indices), "index_bytes": size, "bounds": bounds}
 
 
 def ball(path, steps=48):
@@ -123,19 +135,26 @@ def ball(path, steps=48):
 
 
 def workspace(name):
-    text = json.loads((SHARE / "effects" / "workspaces" / f"{name}.json").read_text())
+    text = json.loads((SHARE / "effects" / "workspaces" / f"{name}.json").read_text(encoding="utf-8"))
     return {key: text[key] for key in ("camera", "light", "background", "parameters") if key in text}
 
 
-def head():
-    path = cache() / "human" / "human.glb"
+def head(own=None):
+    path = own or cache() / "human" / "human.glb"
     if not path.exists():
         return None
     file, mesh = read_mesh(path)
-    images = {entry["name"]: file.view(entry["bufferView"]) for entry in file.json["images"]}
-    return {"title": "The default head: separable scattering in screen space", "effect": "Separable", "technique": USED["Separable"], **mesh,
+    primitive = file.json["meshes"][0]["primitives"][0]
+    if "TEXCOORD_0" not in primitive["attributes"]:
+        sys.exit(f"make.py: {path} has no texture coordinates: tegument prep --unwrap makes them")
+    material = file.json["materials"][primitive["material"]] if "material" in primitive else {}
+    pictures = {"gSkinMap": (material.get("pbrMetallicRoughness", {}).get("baseColorTexture"), True), "gNormalMap": (material.get("normalTexture"), False)}
+    textures = {name: {"picture": pack(data), "srgb": srgb} for name, (reference, srgb) in pictures.items() if (data := file.picture(reference))}
+    if "gSkinMap" not in textures:
+        print(f"make.py: {path} has no colour map: its skin has one plain colour", file=sys.stderr)
+    return {"title": f"{own.stem if own else 'The default head'}: separable scattering in screen space", "effect": "Separable", "technique": USED["Separable"], **mesh,
             "workspace": workspace("human"),
-            "textures": {"gSkinMap": {"png": pack(images["color"]), "srgb": True}, "gNormalMap": {"png": pack(images["normal"]), "srgb": False}},
+            "textures": textures, "plain": {} if "gSkinMap" in textures else {"gSkinMap": PLAIN_SKIN},
             "products": {"gEnergyAttenuationMap": {"effect": "EnergyAttenuation", "technique": "EnergyAttenuation", "target": "gEnergyAttenuationMap"}}}
 
 
@@ -147,7 +166,7 @@ def cube_map(path):
 
 def furry(mesh_file, map_file, title):
     return {"title": title, "effect": "Fur", "technique": USED["Fur"], **read_mesh(mesh_file)[1], "workspace": workspace("bunny"),
-            "textures": {"gFurCubeMap": cube_map(map_file)}, "products": {}}
+            "textures": {"gFurCubeMap": cube_map(map_file)}, "plain": {}, "products": {}}
 
 
 def bunny():
@@ -167,20 +186,15 @@ def furry_ball(program, folder):
 
 def script():
     """effect.js, scene.js and page.js as one: a page that is opened as a file may not import others."""
-    texts = [(HERE / name).read_text() for name in ("effect.js", "scene.js", "page.js")]
+    texts = [(HERE / name).read_text(encoding="utf-8") for name in ("effect.js", "scene.js", "page.js")]
     lines = [line.removeprefix("export ") for text in texts for line in text.splitlines() if not line.startswith(("import ", '"use strict"'))]
     return "\n".join(lines)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("page", type=pathlib.Path)
-    parser.add_argument("--program", default="tegument")
-    parser.add_argument("--ball", type=pathlib.Path, metavar="FOLDER", help="a furry ball instead of the Bunny; its files stay in FOLDER")
-    parser.add_argument("--no-head", action="store_true")
-    arguments = parser.parse_args()
+def data_of(arguments):
+    """What the page shows, and the effects for it."""
     subjects = {}
-    if not arguments.no_head and (made := head()):
+    if not arguments.no_head and (made := head(arguments.mesh)):
         subjects["head"] = made
     if arguments.ball:
         arguments.ball.mkdir(parents=True, exist_ok=True)
@@ -188,16 +202,31 @@ def main():
     elif made := bunny():
         subjects["bunny"] = made
     if not subjects:
-        sys.exit("make.py: there is neither the head nor the Bunny: tegument prep human; tegument prep bunny; or --ball FOLDER")
+        sys.exit("make.py: there is neither the head nor the Bunny: tegument prep human; tegument prep bunny; or --mesh HEAD.glb; or --ball FOLDER")
     with tempfile.TemporaryDirectory() as folder:
-        try:
-            data = {"effects": emitted(arguments.program, pathlib.Path(folder)), "subjects": subjects}
-        except subprocess.CalledProcessError as error:
-            sys.exit(error.returncode)
-    text = (HERE / "page.html").read_text().replace("@SCRIPT@", script()).replace("@DATA@", json.dumps(data).replace("<", "\\u003c"))
+        return {"effects": emitted(arguments.program, pathlib.Path(folder)), "subjects": subjects}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("page", type=pathlib.Path)
+    parser.add_argument("--program", default="tegument", help="default: the one that is installed")
+    parser.add_argument("--ball", type=pathlib.Path, metavar="FOLDER", help="a furry ball instead of the Bunny; its files stay in FOLDER")
+    parser.add_argument("--mesh", type=pathlib.Path, metavar="HEAD.glb", help="a head of yours, from tegument prep, instead of the default one")
+    parser.add_argument("--no-head", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.mesh and not arguments.mesh.is_file():
+        parser.error(f"there is no {arguments.mesh}")
+    try:
+        data = data_of(arguments)
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.returncode)
+    except FileNotFoundError as error:
+        sys.exit(f"make.py: {error}: --program names tegument")
+    text = (HERE / "page.html").read_text(encoding="utf-8").replace("@SCRIPT@", script()).replace("@DATA@", json.dumps(data).replace("<", "\\u003c"))
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
-    arguments.page.write_text(text)
-    print(f"wrote {arguments.page}, {len(text) / 1e6:.1f} MB: {', '.join(subjects)}")
+    arguments.page.write_text(text, encoding="utf-8")
+    print(f"wrote {arguments.page}, {len(text) / 1e6:.1f} MB: {', '.join(data['subjects'])}")
 
 
 if __name__ == "__main__":

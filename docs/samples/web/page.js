@@ -1,6 +1,6 @@
 // The page: unpacks what make.py has put into it, draws, turns by pointer and keys. `view` is what tests use.
 "use strict";
-import { Effect, freeTarget, makeMesh, makeTarget, makeTexture, missing } from "./effect.js";
+import { Effect, freeTarget, makeMesh, makeTarget, makeTexture, missing, plainTexture, play } from "./effect.js";
 import { makeScene } from "./scene.js";
 
 const DISPLAY = `#version 300 es
@@ -32,8 +32,8 @@ async function unpack(text) {
   return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer());
 }
 
-async function imageTexture({ png, srgb }) {
-  const image = await createImageBitmap(new Blob([await unpack(png)]), { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+async function imageTexture({ picture, srgb }) {
+  const image = await createImageBitmap(new Blob([await unpack(picture)]), { premultiplyAlpha: "none", colorSpaceConversion: "none" });
   const levels = 1 + Math.floor(Math.log2(Math.max(image.width, image.height)));
   const texture = makeTexture(gl, srgb ? "SRGB8_ALPHA8" : "RGBA8", image.width, image.height, levels);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
@@ -68,13 +68,25 @@ async function open(name) {
   const source = data.subjects[name];
   const effect = new Effect(gl, data.effects[source.effect].manifest, data.effects[source.effect].texts);
   for (const [texture, image] of Object.entries(source.textures))
-    effect.setTexture(texture, image.png ? await imageTexture(image) : await cubeTexture(image));
+    effect.setTexture(texture, image.picture ? await imageTexture(image) : await cubeTexture(image));
+  for (const [texture, color] of Object.entries(source.plain)) effect.setTexture(texture, plainTexture(gl, color));
   for (const [texture, made] of Object.entries(source.products)) effect.setTexture(texture, product(made));
   for (const [parameter, value] of Object.entries(source.workspace.parameters ?? {})) effect.set(parameter, ...[value].flat());
   const [vertices, indices] = [await unpack(source.vertices), await unpack(source.indices)];
   const wide = source.index_bytes === 4 ? Uint32Array : Uint16Array;
   const mesh = makeMesh(gl, vertices, new wide(indices.buffer));
-  subjects.set(name, { source, effect, mesh, technique: source.technique });
+  return { source, effect, mesh };
+}
+
+// Made once, however often it is asked for meanwhile.
+async function loaded(name) {
+  if (!subjects.has(name)) {
+    say("loading ...");
+    subjects.set(name, open(name));
+    await subjects.get(name);
+    say("");
+  }
+  return subjects.get(name);
 }
 
 let picture;
@@ -121,19 +133,17 @@ function present({ color }) {
   gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
 
-async function draw(name, technique) {
-  if (!subjects.has(name)) {
-    say("loading ...");
-    await open(name);
-    say("");
-  }
-  const { source, effect, mesh } = subjects.get(name);
+function paint({ source, effect, mesh }, technique = source.technique) {
   const target = pictureOf(canvas.width, canvas.height);
   clearPicture(target, source.workspace.background);
-  effect.run(technique ?? subjects.get(name).technique, target, mesh, makeScene(source.workspace, source.bounds, canvas.width / canvas.height, angles));
+  effect.run(technique, target, mesh, makeScene(source.workspace, source.bounds, canvas.width / canvas.height, angles));
   present(target);
   const error = gl.getError();
   if (error !== gl.NO_ERROR) throw new Error(`WebGL error ${error}`);
+}
+
+async function draw(name, technique) {
+  paint(await loaded(name), technique);
 }
 
 let current, waiting = false;
@@ -143,7 +153,8 @@ function again() {
   requestAnimationFrame(async () => {
     waiting = false;
     try {
-      await draw(current);
+      const name = current, subject = await loaded(name);
+      if (name === current) paint(subject); // another may have been chosen meanwhile
     } catch (error) {
       say(error.message);
     }
@@ -178,5 +189,5 @@ else {
   current = Object.keys(data.subjects)[0];
   if (!location.hash.includes("still")) again();
 }
-window.view = { draw, effectOf: name => subjects.get(name).effect, canvas, angles, lacking, subjects: Object.keys(data.subjects) };
+window.view = { draw, play, canvas, angles, lacking, subjects: Object.keys(data.subjects) };
 document.body.dataset.ready = "yes";

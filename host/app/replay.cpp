@@ -12,7 +12,7 @@ namespace tegument::app {
 
 namespace {
 
-using Step = nlohmann::json;
+using JsonStep = nlohmann::json;
 
 constexpr int kNoReplay = 8049;
 constexpr int kMostTimes = 100000;
@@ -22,7 +22,7 @@ Error refused(const std::filesystem::path& file, const std::string& why) {
                       R"(a list of steps such as {"drag": [0.1, 0]}, {"wheel": 1}, {"key": "t"}, {"edit": FILE, "from": A, "to": B})");
 }
 
-bool readMove(const Step& step, const char* name, glm::dvec2& move) {
+bool readMove(const JsonStep& step, const char* name, glm::dvec2& move) {
     const auto found = step.find(name);
     if (found == step.end() || !found->is_array() || found->size() != 2 || !found->at(0).is_number() || !found->at(1).is_number())
         return false;
@@ -31,14 +31,14 @@ bool readMove(const Step& step, const char* name, glm::dvec2& move) {
 }
 
 /// "t" itself; "right" and "Esc" by the names in the help.
-std::optional<char32_t> keyOf(const Step& value) {
+std::optional<char32_t> keyOf(const JsonStep& value) {
     if (!value.is_string()) return std::nullopt;
     const auto keys = view::keyBindings();
     const auto found = std::ranges::find_if(keys, [&](const view::KeyBinding& key) { return key.label == value.get<std::string>(); });
     return found == keys.end() ? std::nullopt : std::optional(found->key);
 }
 
-bool readEdit(const Step& step, view::ReplayStep& read) {
+bool readEdit(const JsonStep& step, view::ReplayStep& read) {
     for (const char* name : {"edit", "from", "to"})
         if (!step.contains(name) || !step.at(name).is_string()) return false;
     read.file = step.at("edit").get<std::string>();
@@ -47,7 +47,7 @@ bool readEdit(const Step& step, view::ReplayStep& read) {
     return !read.from.empty();
 }
 
-std::optional<view::ReplayStep> readStep(const Step& step) {
+std::optional<view::ReplayStep> readStep(const JsonStep& step) {
     if (!step.is_object()) return std::nullopt;
     view::ReplayStep read;
     read.input.any = true;
@@ -78,7 +78,7 @@ std::optional<view::ReplayStep> readStep(const Step& step) {
 Result<std::vector<view::ReplayStep>> readReplay(const std::filesystem::path& file) {
     const auto text = readFile(file);
     if (!text) return text.error();
-    const Step list = Step::parse(*text, nullptr, false);
+    const JsonStep list = JsonStep::parse(*text, nullptr, false);
     if (!list.is_array()) return refused(file, "it is no JSON list");
     std::vector<view::ReplayStep> steps;
     for (std::size_t i = 0; i < list.size(); ++i) {

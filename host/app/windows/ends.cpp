@@ -15,6 +15,8 @@
 #include <io.h>
 #include <windows.h>
 
+int _dowildcard = -1; // NOLINT: the C library's name for it: files*.fx are spelt out before main, as shells do elsewhere
+
 namespace tegument::app {
 
 namespace {

@@ -33,7 +33,8 @@ def run(*words, **variables):
 
 
 def run_here(*words):
-    return subprocess.run([str(PROGRAM), *map(str, words)], env=ENVIRONMENT, cwd=WORK, capture_output=True, text=True, timeout=LIMIT)
+    """In its usual environment: Microsoft's compiler is in its cache."""
+    return subprocess.run([str(PROGRAM), *map(str, words)], cwd=WORK, capture_output=True, text=True, timeout=LIMIT)
 
 
 def files(folder):

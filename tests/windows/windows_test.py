@@ -149,7 +149,7 @@ class Windows(unittest.TestCase):
         kinds = [word for kind in ("fx_2_0", "fx_4_0", "fx_5_0", "sm5") for word in ("--target", kind, "--emit-kind", kind)]
         there, here = (files(folder) for folder in self.both("check", effect("Specular.fx"), *kinds, "--emit", "emitted_OUT"))
         self.assertEqual(set(there), set(here))
-        self.assertGreater(len(there), 10)
+        self.assertGreaterEqual(len(there), 10)
         for name, data in there.items():
             if not name.endswith("manifest.json"):  # it names DXC's version
                 self.assertTrue(data == here[name], name)

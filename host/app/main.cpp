@@ -37,6 +37,7 @@ Exit codes:
 int run(int argc, char** argv) {
     CLI::App program("Skin and fur effects in HLSL: check them, look into them, render them.", "tegument");
     program.require_subcommand(1);
+    program.allow_windows_style_options(false); // "/a/b.fx" is a file there, too
     bool verbose = false;
     program.add_flag("--verbose", verbose, "With --version: compilers, libraries and the device, too");
     program.set_version_flag("--version", [&] { return tegument::app::versionText(verbose); });

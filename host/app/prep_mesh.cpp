@@ -8,6 +8,7 @@
 #include "host/app/prep_report.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/prepare/manifold_levels.h"
 
 #include <fmt/format.h>
 
@@ -62,6 +63,11 @@ Result<void> setOrder(Arguments& arguments) {
     if (!method) return method.error();
     arguments.options.order = *method;
     return {};
+}
+
+Result<void> checkLevels(const prep::PrepOptions& options) {
+    if (options.levelMethod != prep::LevelMethod::OpenMesh || prep::ManifoldSimplifier::available()) return {};
+    return machineError(8051, "this build leaves out OpenMesh, and with it --levels-by openmesh", "without it, levels are meshoptimizer's");
 }
 
 Result<void> inputExists(const Arguments& arguments) {
@@ -127,6 +133,7 @@ int run(Arguments& arguments) {
     arguments.options.turnUp = arguments.up.empty() ? endingOf(arguments.input) == ".stl" : arguments.up == "z";
     arguments.options.read.dropNotFinite = !arguments.refuseNotFinite;
     if (const auto set = setOrder(arguments); !set) return fail(set.error(), arguments.json);
+    if (const auto can = checkLevels(arguments.options); !can) return fail(can.error(), arguments.json);
     if (const auto exists = inputExists(arguments); !exists) return fail(exists.error(), arguments.json);
     const auto earlier = earlierRun(arguments.page, prepFigures);
     if (!earlier) return fail(earlier.error(), arguments.json);

@@ -12,17 +12,17 @@ namespace tegument::app {
 
 namespace {
 
-using StepText = nlohmann::json;
+using JsonStep = nlohmann::json;
 
 constexpr int kNoReplay = 8049;
-constexpr std::size_t kMostSteps = 1000000; // hours of input
+constexpr int kMostTimes = 100000;
 
 Error refused(const std::filesystem::path& file, const std::string& why) {
     return inputError(kNoReplay, {.file = file.string(), .byte = {}}, "this is no replay: " + why,
                       R"(a list of steps such as {"drag": [0.1, 0]}, {"wheel": 1}, {"key": "t"}, {"edit": FILE, "from": A, "to": B})");
 }
 
-bool readMove(const StepText& step, const char* name, glm::dvec2& move) {
+bool readMove(const JsonStep& step, const char* name, glm::dvec2& move) {
     const auto found = step.find(name);
     if (found == step.end() || !found->is_array() || found->size() != 2 || !found->at(0).is_number() || !found->at(1).is_number())
         return false;
@@ -31,14 +31,14 @@ bool readMove(const StepText& step, const char* name, glm::dvec2& move) {
 }
 
 /// "t" itself; "right" and "Esc" by the names in the help.
-std::optional<char32_t> keyOf(const StepText& value) {
+std::optional<char32_t> keyOf(const JsonStep& value) {
     if (!value.is_string()) return std::nullopt;
     const auto keys = view::keyBindings();
     const auto found = std::ranges::find_if(keys, [&](const view::KeyBinding& key) { return key.label == value.get<std::string>(); });
     return found == keys.end() ? std::nullopt : std::optional(found->key);
 }
 
-bool readEdit(const StepText& step, view::ReplayStep& read) {
+bool readEdit(const JsonStep& step, view::ReplayStep& read) {
     for (const char* name : {"edit", "from", "to"})
         if (!step.contains(name) || !step.at(name).is_string()) return false;
     read.file = step.at("edit").get<std::string>();
@@ -47,7 +47,7 @@ bool readEdit(const StepText& step, view::ReplayStep& read) {
     return !read.from.empty();
 }
 
-std::optional<view::ReplayStep> readStep(const StepText& step) {
+std::optional<view::ReplayStep> readStep(const JsonStep& step) {
     if (!step.is_object()) return std::nullopt;
     view::ReplayStep read;
     read.input.any = true;
@@ -69,19 +69,8 @@ std::optional<view::ReplayStep> readStep(const StepText& step) {
     } else {
         return std::nullopt;
     }
-    if (step.contains("as")) {
-        if (!step.at("as").is_string()) return std::nullopt;
-        read.kind = step.at("as").get<std::string>();
-    }
+    if (step.contains("as") && step.at("as").is_string()) read.kind = step.at("as").get<std::string>();
     return read;
-}
-
-/// None where the step says no number of times that can be.
-std::optional<std::size_t> timesOf(const Step& step) {
-    const auto asked = step.find("times");
-    if (asked == step.end()) return 1;
-    if (!asked->is_number_unsigned() || asked->get<std::uint64_t>() > kMostSteps) return std::nullopt;
-    return asked->get<std::size_t>();
 }
 
 } // namespace
@@ -89,15 +78,15 @@ std::optional<std::size_t> timesOf(const Step& step) {
 Result<std::vector<view::ReplayStep>> readReplay(const std::filesystem::path& file) {
     const auto text = readFile(file);
     if (!text) return text.error();
-    const StepText list = StepText::parse(*text, nullptr, false);
+    const JsonStep list = JsonStep::parse(*text, nullptr, false);
     if (!list.is_array()) return refused(file, "it is no JSON list");
     std::vector<view::ReplayStep> steps;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const auto step = readStep(list[i]);
-        const auto times = step ? timesOf(list[i]) : std::nullopt;
-        if (!times) return refused(file, fmt::format("step {} is none of ours", i + 1));
-        if (steps.size() + *times > kMostSteps) return refused(file, fmt::format("more than {} steps", kMostSteps));
-        steps.insert(steps.end(), *times, *step);
+        if (!step) return refused(file, fmt::format("step {} is none of ours", i + 1));
+        const auto asked = list[i].find("times");
+        const int times = asked != list[i].end() && asked->is_number_integer() ? std::clamp(asked->get<int>(), 0, kMostTimes) : 1;
+        steps.insert(steps.end(), static_cast<std::size_t>(times), *step);
     }
     return steps;
 }

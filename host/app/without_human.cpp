@@ -3,6 +3,9 @@
 #include "host/app/command_line.h"
 #include "host/app/output.h"
 #include "host/app/prep_mesh.h"
+#include "host/support/file.h"
+
+#include <fmt/format.h>
 
 namespace tegument::app {
 
@@ -13,7 +16,8 @@ void addPrepHuman(CLI::App& prep, Action& action) {
     command->callback([&action] {
         action = [] {
             return fail(machineError(8051, "this build leaves out the default head, and with it tegument prep human",
-                                     "--mesh takes a head of your own; cmake -DTEGUMENT_HUMAN=ON where OpenSubdiv is"),
+                                     fmt::format("a human.glb from another build belongs in {}; --mesh takes a head of your own",
+                                                 (cacheFolder() / "human").string())),
                         false);
         };
     });

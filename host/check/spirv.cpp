@@ -75,7 +75,7 @@ void compareAll(const Work& work, TargetCheck& report) {
 } // namespace
 
 std::string noCompiler(Compiler compiler) {
-    return whyCompilerMissing(compiler) + " (./bootstrap build fetches it)";
+    return whyCompilerMissing(compiler) + (compiler == Compiler::Dxc ? " (./bootstrap build fetches it)" : "");
 }
 
 std::string obstacleFor(const Work& work, Compiler compiler) {

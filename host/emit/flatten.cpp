@@ -223,7 +223,7 @@ private:
     /// As seen from the effect; of a file elsewhere its name alone, for no path of one machine shall stand in the result.
     [[nodiscard]] std::string shownName(const fs::path& path) const {
         const fs::path relative = path.lexically_relative(root_.empty() ? "." : root_);
-        return relative.empty() || relative.is_absolute() ? path.filename().string() : relative.string();
+        return relative.empty() || relative.is_absolute() ? path.filename().string() : relative.generic_string();
     }
 
     const PreprocessOptions& options_;

@@ -1,5 +1,6 @@
 #include "host/gpu/instance.h"
 
+#include "host/gpu/advice.h"
 #include "host/gpu/error.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace tegument::gpu::detail {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-constexpr const char* kNoDeviceHint = "install a Vulkan driver; the Debian package mesa-vulkan-drivers has one that runs on the CPU";
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
@@ -65,7 +65,7 @@ Result<std::shared_ptr<DeviceState>> openLoader() {
     try {
         return std::make_shared<DeviceState>();
     } catch (const std::runtime_error&) {
-        return machineError(6001, "the Vulkan loader libvulkan.so.1 is not installed", "install the Debian package libvulkan1");
+        return machineError(6001, std::string("the Vulkan loader ") + advice().loader + " is not installed", advice().toGetLoader);
     }
 }
 
@@ -109,7 +109,9 @@ Result<std::shared_ptr<DeviceState>> makeInstance(const DeviceOptions& options) 
             if (const auto created = createSurface(**opened, *options.window); !created) return created.error();
         return opened;
     } catch (const vk::IncompatibleDriverError&) {
-        return machineError(6002, "no Vulkan device: no driver was found", kNoDeviceHint);
+        return machineError(6002, "no Vulkan device: no driver was found", advice().toGetDriver);
+    } catch (const vk::InitializationFailedError&) {
+        return machineError(6002, "no Vulkan device: its driver cannot be started", advice().toGetDriver);
     }
 }
 

@@ -1,3 +1,4 @@
+#include "host/gpu/advice.h"
 #include "host/gpu/error.h"
 #include "host/gpu/instance.h"
 
@@ -143,9 +144,7 @@ void adopt(DeviceState& state, Candidate chosen) {
 
 Result<void> choosePhysicalDevice(DeviceState& state, const DeviceOptions& options) {
     std::vector<Candidate> all = candidates(state);
-    if (all.empty())
-        return machineError(6002, "no Vulkan device: the installed drivers found none",
-                            "the Debian package mesa-vulkan-drivers has a driver that runs on the CPU");
+    if (all.empty()) return machineError(6002, "no Vulkan device: the installed drivers found none", advice().toGetDriver);
     const Wanted wanted = parsed(wantedName(options));
     std::size_t count = 0; // of those with that name
     const auto matches = [&](const Candidate& candidate) {

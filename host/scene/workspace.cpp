@@ -308,7 +308,8 @@ private:
 
     /// What lies in the cache, a command of ours makes: it is not there yet, which is no fault of the workspace.
     void requireFile(const LocatedJson& value, const std::string& path) {
-        const fs::path whole = fs::path(path).is_absolute() ? fs::path(path) : path_.parent_path() / path;
+        fs::path whole = path_.parent_path() / path;
+        whole.make_preferred();
         std::error_code code;
         if (error_ || fs::is_regular_file(whole, code)) return;
         const std::string command = commandThatMakes(whole);

@@ -1,7 +1,5 @@
 #include "host/support/process.h"
 
-#include "host/support/system.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -274,14 +272,6 @@ int exitCode(int status) {
 
 } // namespace
 
-std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
-    std::error_code code;
-    if (named.empty()) return std::nullopt;
-    for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::exists(folder / named, code)) return folder;
-    return std::nullopt;
-}
-
 std::optional<fs::path> findProgram(const std::string& name) {
     const auto executable = [](const fs::path& path) {
         std::error_code code;
@@ -334,23 +324,6 @@ Result<BackgroundProcess> BackgroundProcess::start(const ProcessCommand& command
     const auto started = spawn(joined);
     if (!started) return started.error();
     return BackgroundProcess(started->id, started->output);
-}
-
-BackgroundProcess::BackgroundProcess(BackgroundProcess&& other) noexcept
-    : id_(std::exchange(other.id_, -1)), output_(std::exchange(other.output_, -1)), pending_(std::move(other.pending_)) {}
-
-BackgroundProcess& BackgroundProcess::operator=(BackgroundProcess&& other) noexcept {
-    if (this != &other) {
-        stop();
-        id_ = std::exchange(other.id_, -1);
-        output_ = std::exchange(other.output_, -1);
-        pending_ = std::move(other.pending_);
-    }
-    return *this;
-}
-
-BackgroundProcess::~BackgroundProcess() {
-    stop();
 }
 
 std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {

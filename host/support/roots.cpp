@@ -25,7 +25,7 @@ fs::path resolved(const fs::path& path) {
 }
 
 bool isBelow(const fs::path& folder, const fs::path& file) {
-    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end(), sameName).first == folder.end();
 }
 
 /// A repository of everything that a user has is no project.

@@ -64,6 +64,10 @@ bool exchangeFolders(const fs::path& a, const fs::path& b) {
     return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
+bool sameName(const fs::path& a, const fs::path& b) {
+    return a == b;
+}
+
 std::vector<std::string> filesLike(const std::string& pattern) {
     glob_t found{};
     std::vector<std::string> all;

@@ -26,6 +26,8 @@ namespace tegument {
 [[nodiscard]] std::filesystem::path newTemporaryFolder();
 /// At one moment; false where the file system cannot.
 [[nodiscard]] bool exchangeFolders(const std::filesystem::path& a, const std::filesystem::path& b);
+/// Of two names in a path: whether they are of one file. Windows takes capitals for small letters.
+[[nodiscard]] bool sameName(const std::filesystem::path& a, const std::filesystem::path& b);
 /// The names that a pattern with `*`, `?` and `[` fits, sorted.
 [[nodiscard]] std::vector<std::string> filesLike(const std::string& pattern);
 /// contentHash (file.h) of a large file; empty where it cannot be read.

@@ -12,6 +12,8 @@ namespace tegument::prep {
 
 class ManifoldSimplifier {
 public:
+    /// Whether this build has it; where not, there is none for any mesh.
+    [[nodiscard]] static bool available();
     /// With `keepBorder` the vertices of every edge of one triangle stay. Null where the triangles are no
     /// 2-manifold of one orientation, or where vertices share a position (seams of texture coordinates): each side would go its own way.
     [[nodiscard]] static std::unique_ptr<ManifoldSimplifier> make(std::span<const std::uint32_t> indices,

@@ -15,15 +15,19 @@
 #include <io.h>
 #include <windows.h>
 
+int _dowildcard = -1; // NOLINT: the C library's name for it: files*.fx are spelt out before main, as shells do elsewhere
+
 namespace tegument::app {
 
 namespace {
+
+constexpr int kInterrupted = 130; // 128 + SIGINT, as elsewhere
 
 /// On a thread of the system's own: the others are held up or ended.
 BOOL WINAPI interrupted(DWORD) {
     removeTemporaries();
     say("tegument: interrupted; every file that stands there is whole");
-    return FALSE; // the next handler ends the program
+    std::_Exit(kInterrupted);
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 namespace tegument::app {
 
 Result<std::unique_ptr<Animation>> makeGif(const AnimationFormat&) {
-    return leftOut("animations as GIF: name a folder of pictures");
+    return leftOut("animations as GIF (-o NAME.png makes numbered pictures)");
 }
 
 } // namespace tegument::app

@@ -4,7 +4,7 @@
 namespace tegument::app {
 
 Result<std::unique_ptr<Animation>> makeWebp(const AnimationFormat&) {
-    return leftOut("animations as WebP: name a folder of pictures");
+    return leftOut("animations as WebP (-o NAME.png makes numbered pictures)");
 }
 
 } // namespace tegument::app

@@ -1,6 +1,5 @@
 #include "host/support/process.h"
 
-#include "host/support/system.h"
 #include "host/support/windows/wide.h"
 
 #include <fmt/format.h>
@@ -170,18 +169,10 @@ void measure(HANDLE process, ProcessResult& result) {
 
 /// What a BackgroundProcess's numbers stand for.
 Started* startedOf(pid_t id) {
-    return reinterpret_cast<Started*>(static_cast<std::intptr_t>(id));
+    return id <= 0 ? nullptr : reinterpret_cast<Started*>(static_cast<std::intptr_t>(id));
 }
 
 } // namespace
-
-std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
-    std::error_code code;
-    if (named.empty()) return std::nullopt;
-    for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::exists(folder / named, code)) return folder;
-    return std::nullopt;
-}
 
 std::optional<fs::path> findProgram(const std::string& name) {
     const auto executable = [](const fs::path& path) -> std::optional<fs::path> {
@@ -231,24 +222,7 @@ Result<BackgroundProcess> BackgroundProcess::start(const ProcessCommand& command
     joined.errorsApart = false;
     auto started = spawn(joined);
     if (!started) return started.error();
-    return BackgroundProcess(static_cast<pid_t>(reinterpret_cast<std::intptr_t>(new Started(std::move(*started)))), 0);
-}
-
-BackgroundProcess::BackgroundProcess(BackgroundProcess&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), output_(std::exchange(other.output_, -1)), pending_(std::move(other.pending_)) {}
-
-BackgroundProcess& BackgroundProcess::operator=(BackgroundProcess&& other) noexcept {
-    if (this != &other) {
-        stop();
-        id_ = std::exchange(other.id_, 0);
-        output_ = std::exchange(other.output_, -1);
-        pending_ = std::move(other.pending_);
-    }
-    return *this;
-}
-
-BackgroundProcess::~BackgroundProcess() {
-    stop();
+    return BackgroundProcess(static_cast<pid_t>(reinterpret_cast<std::intptr_t>(new Started(std::move(*started)))), -1);
 }
 
 std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {
@@ -268,11 +242,11 @@ std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {
 }
 
 bool BackgroundProcess::running() {
-    return id_ != 0 && runs(startedOf(id_)->process.get());
+    return id_ > 0 && runs(startedOf(id_)->process.get());
 }
 
 void BackgroundProcess::stop() {
-    const std::unique_ptr<Started> started(startedOf(std::exchange(id_, 0)));
+    const std::unique_ptr<Started> started(startedOf(std::exchange(id_, -1)));
     if (started == nullptr) return;
     ::TerminateJobObject(started->job.get(), kKilled);
     ::WaitForSingleObject(started->process.get(), INFINITE);

@@ -113,6 +113,10 @@ bool exchangeFolders(const fs::path&, const fs::path&) {
     return false;
 }
 
+bool sameName(const fs::path& a, const fs::path& b) {
+    return ::CompareStringOrdinal(a.c_str(), -1, b.c_str(), -1, TRUE) == CSTR_EQUAL;
+}
+
 std::vector<std::string> filesLike(const std::string& pattern) {
     const fs::path folder = fs::path(pattern).parent_path();
     const std::string last = fs::path(pattern).filename().string();

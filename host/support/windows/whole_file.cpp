@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <fstream>
 
 #include <windows.h>
 
@@ -22,13 +22,34 @@ fs::path nameOfOurOwnIn(const fs::path& folder) {
     return folder / fmt::format(".tegument.{}.{}.{}", hostName(), processNumber(), ++count);
 }
 
+/// What GetLastError says, as errno; the C library loses it.
+int failure() {
+    switch (::GetLastError()) {
+    case ERROR_DISK_FULL:
+    case ERROR_HANDLE_DISK_FULL: return ENOSPC;
+    case ERROR_ACCESS_DENIED:
+    case ERROR_SHARING_VIOLATION:
+    case ERROR_WRITE_PROTECT: return EACCES;
+    case ERROR_FILE_NOT_FOUND:
+    case ERROR_PATH_NOT_FOUND: return ENOENT;
+    default: return EIO;
+    }
+}
+
 /// 0, or errno.
 int writeNew(const fs::path& path, std::string_view bytes) {
-    errno = 0;
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    return file ? 0 : errno != 0 ? errno : EIO;
+    constexpr std::size_t kMostAtOnce = 1U << 30U;
+    const HANDLE file = ::CreateFileW(path.c_str(), GENERIC_WRITE, FILE_SHARE_READ, nullptr, CREATE_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr);
+    if (file == INVALID_HANDLE_VALUE) return failure();
+    int failed = 0;
+    while (!bytes.empty() && failed == 0) {
+        DWORD written = 0;
+        if (::WriteFile(file, bytes.data(), static_cast<DWORD>(std::min(bytes.size(), kMostAtOnce)), &written, nullptr) == 0)
+            failed = failure();
+        bytes.remove_prefix(written);
+    }
+    if (::CloseHandle(file) == 0 && failed == 0) failed = failure();
+    return failed;
 }
 
 bool isDevice(const fs::path& path) {
@@ -48,7 +69,7 @@ int writeWhole(const fs::path& path, std::string_view bytes) {
     const Temporary temporary(nameOfOurOwnIn(folderOf(path)));
     if (const int failed = writeNew(temporary.path(), bytes); failed != 0) return failed;
     constexpr DWORD kInItsPlace = MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH;
-    return ::MoveFileExW(temporary.path().c_str(), path.c_str(), kInItsPlace) != 0 ? 0 : EACCES;
+    return ::MoveFileExW(temporary.path().c_str(), path.c_str(), kInItsPlace) != 0 ? 0 : failure();
 }
 
 int makesFileIn(const fs::path& folder) {

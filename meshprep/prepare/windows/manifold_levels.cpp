@@ -1,6 +1,6 @@
 #include "meshprep/prepare/manifold_levels.h"
 
-// OpenMesh is left out: levels are meshoptimizer's, as for meshes that are no 2-manifold.
+// OpenMesh is left out.
 
 namespace tegument::prep {
 
@@ -9,6 +9,10 @@ struct ManifoldSimplifier::State {};
 ManifoldSimplifier::ManifoldSimplifier(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 ManifoldSimplifier::~ManifoldSimplifier() = default;
+
+bool ManifoldSimplifier::available() {
+    return false;
+}
 
 std::unique_ptr<ManifoldSimplifier> ManifoldSimplifier::make(std::span<const std::uint32_t>, const std::vector<glm::vec3>&, bool) {
     return nullptr;

@@ -30,12 +30,12 @@ protected:
         const auto prelude = readFile("hlsl/platform.fxh");
         return checkPlain((prelude ? *prelude : "") + "\n" + text);
     }
-    [[nodiscard]] FileReport checkPlain(const std::string& text) const {
-        EXPECT_TRUE(writeFile(folder_ / "effect.fx", text));
-        return checkEffects({folder_ / "effect.fx"}, kDirect3D).files.at(0);
+    [[nodiscard]] FileReport checkPlain(const std::string& text) const { return checkPlain(text, folder_ / "effect.fx"); }
+    [[nodiscard]] static FileReport checkPlain(const std::string& text, const fs::path& file) {
+        EXPECT_TRUE(writeFile(file, text));
+        return checkEffects({file}, kDirect3D).files.at(0);
     }
 
-private:
     fs::path folder_;
 };
 
@@ -90,6 +90,14 @@ TEST_F(CheckMicrosoft, a_plain_direct3d_9_file_is_checked_as_such_only) {
     EXPECT_EQ(report.targets[2].verdict, Verdict::NotApplicable);
     ASSERT_EQ(report.sm3.size(), 1U);
     EXPECT_EQ(report.sm3[0].usage.samplers, 1);
+}
+
+TEST_F(CheckMicrosoft, files_and_folders_have_names_in_any_letters) {
+    const fs::path folder = folder_ / "k\u00f6pfe \u982d";
+    ASSERT_TRUE(writeFile(folder / "t\u00f6ne.fxh", "float4 PS() : COLOR0 { return 1; }\n"));
+    const FileReport report = checkPlain("#include \"t\u00f6ne.fxh\"\ntechnique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n",
+                                         folder / "Gr\u00f6\u00dfe.fx");
+    EXPECT_EQ(report.targets[0].verdict, Verdict::Passed) << describe(report);
 }
 
 } // namespace

@@ -16,7 +16,7 @@ static const float kMostLinks = 64.0;
 static const float kLeastSource = 1e-4;
 
 // Maps of light by their size, as links name them: coarser ones where there are none as fine. WIDE_n(light): `light` at the level whose map
-// is as large as the links' own, that of quarters at the next, else nothing. FINE_...: passes without the coarse levels (gCoarseLevels = 0).
+// is as large as the links' own, quarters' at the next, else nothing. FINE_...: passes without the coarse levels (gCoarseLevels = 0).
 #if TEGUMENT_MAP_SIZE >= 2048
 #define LINK_512 gEntry2
 #define LINK_256 gEntry3
@@ -81,10 +81,10 @@ static const float kLeastSource = 1e-4;
 #endif
 
 // x: as many tiles as lie side by side, 0 where the mesh has no links; y: 1 where the fourth Gaussian comes along; z: the height of a tile,
-// 1 without quarters.
+// 1 without quarters, of which older sheets say nothing.
 float3 linkSheet()
 {
-    return tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xyz;
+    return max(tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xyz, float3(0.0, 0.0, 1.0));
 }
 
 // Link number k of a list; slot: where each tile holds the list.

@@ -2,7 +2,29 @@
 
 #include "meshprep/skin/link_receiver.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace tegument {
+
+namespace {
+
+/// Along a texel's longer axis, mm: the largest stretch from the map to the surface.
+float longest(const LinkCells::Middle& middle) {
+    const float uu = glm::dot(middle.alongU, middle.alongU);
+    const float vv = glm::dot(middle.alongV, middle.alongV);
+    const float uv = glm::dot(middle.alongU, middle.alongV);
+    const float mean = (uu + vv) / 2;
+    const float stretch = std::sqrt(mean + std::sqrt(std::max(mean * mean - (uu * vv - uv * uv), 0.0F)));
+    return stretch * (kSamplesAlongCell << kDestinationLevel);
+}
+
+bool tooWide(const LinkCells::Middle& middle) {
+    return middle.side < kWideTo && (middle.side > kWideFrom || longest(middle) > std::numbers::sqrt2_v<float> * kWideFrom);
+}
+
+} // namespace
 
 static_assert(WideTexels::kAlong * 2 == kLinkSide);
 
@@ -12,7 +34,7 @@ WideTexels::WideTexels(const Mesh& mesh, const LinkCells& cells) : wide_(static_
         const auto middle =
             cells.middle(mesh, kDestinationLevel, static_cast<int>(i % kLinkSide), static_cast<int>(i / kLinkSide), kLinksBeside);
         has[i] = middle ? 1 : 0;
-        wide_[i] = middle && middle->side > kWideFrom && middle->side < kWideTo ? 1 : 0;
+        wide_[i] = middle && tooWide(*middle) ? 1 : 0;
     }
     for (std::size_t i = 0; i < wide_.size(); ++i) {
         const glm::ivec2 texel(i % kLinkSide, i / kLinkSide);

@@ -8,9 +8,10 @@
 
 namespace tegument {
 
-/// Sides of a texel of kDestinationLevel, mm. From the first on the fifth Gaussian, 1.41 mm wide, is not to be had from its spline where
-/// skin is thin. From 6.8 on levels bring all of that Gaussian (kWideTexel of effects/passes/pyramid.fxh), so beyond the second, which
-/// leaves room for how the effect measures sides, nothing is gained.
+/// Sides of a texel of kDestinationLevel, mm, as the root of its area. From the first on, or where its longer axis is sqrt(2) of that, the
+/// fifth Gaussian, 1.41 mm wide, is not to be had from its spline where skin is thin. From 6.8 on levels bring all of that Gaussian
+/// (kWideTexel of effects/passes/pyramid.fxh), so beyond the second, which leaves room for how the effect measures sides, nothing is
+/// gained.
 inline constexpr float kWideFrom = 2.4F;
 inline constexpr float kWideTo = 8;
 

@@ -11,8 +11,9 @@ static const float kLargestDensity = 60000.0;
 // Texels of the links' map, along a side.
 static const float kLinkTexels = 256.0;
 // Sides of such a texel, mm: from the first on it is too wide for the fifth Gaussian (1.41 mm), which links then blur by more than its own
-// width; at the second all of that Gaussian is the levels'.
-static const float2 kWideTexel = float2(2.6, 3.4);
+// width; at the second all of that Gaussian is the levels'. Where the base has as many texels, quarters of such texels have links of
+// their own.
+static const float2 kWideTexel = TEGUMENT_MAP_SIZE >= 512 ? float2(5.2, 6.8) : float2(2.6, 3.4);
 
 // Share of the fifth Gaussian that levels bring beside links. density: texels^2 of the base per mm^2.
 float fifthByLevels(float density)

@@ -2,7 +2,8 @@
 // prep links` makes them, and Generator has them made: a sheet of square tiles, as many along each side as its last texel says in x; tile k
 // holds link k of each texel of a map of 256 x 256. Link = (u, v, weights of the two Gaussians) of a texel that sends light. Signs tell the
 // size of the map that it belongs to: u < 0 halves 512, v < 0 quarters it, the second weight < 0 takes a sixteenth; 0 ends a list. A mesh
-// without links gets all its light from the pyramid.
+// without links gets all its light from the pyramid. Where texels are too wide, their quarters have lists of their own, in rows below the
+// map: the last tile says of each texel where, (0, x + 1, y, 1 where they replace its own list), counted in 2 x 2.
 #ifndef TEGUMENT_PASSES_PYRAMID_LINKS_FXH
 #define TEGUMENT_PASSES_PYRAMID_LINKS_FXH
 
@@ -15,7 +16,7 @@ static const float kMostLinks = 64.0;
 static const float kLeastSource = 1e-4;
 
 // Maps of light by their size, as links name them: coarser ones where there are none as fine. WIDE_n(light): `light` at the level whose map
-// is as large as the links' own, else nothing. FINE_...: passes without the coarse levels (gCoarseLevels = 0).
+// is as large as the links' own, quarters' at the next, else nothing. FINE_...: passes without the coarse levels (gCoarseLevels = 0).
 #if TEGUMENT_MAP_SIZE >= 2048
 #define LINK_512 gEntry2
 #define LINK_256 gEntry3
@@ -59,31 +60,52 @@ static const float kLeastSource = 1e-4;
 #endif
 #if TEGUMENT_MAP_SIZE >= 1024 && TEGUMENT_MAP_SIZE < 2048
 #define WIDE_2(light) light
+#elif TEGUMENT_MAP_SIZE >= 2048
+#define WIDE_2(light) quarterLinks(input.uv)
 #else
 #define WIDE_2(light) 0.0
 #endif
 #if TEGUMENT_MAP_SIZE >= 512 && TEGUMENT_MAP_SIZE < 1024
 #define WIDE_1(light) light
+#elif TEGUMENT_MAP_SIZE >= 1024 && TEGUMENT_MAP_SIZE < 2048
+#define WIDE_1(light) quarterLinks(input.uv)
 #else
 #define WIDE_1(light) 0.0
 #endif
 #if TEGUMENT_MAP_SIZE < 512
 #define WIDE_0(light) light
+#elif TEGUMENT_MAP_SIZE < 1024
+#define WIDE_0(light) quarterLinks(input.uv)
 #else
 #define WIDE_0(light) 0.0
 #endif
 
-// x: as many tiles as lie side by side, 0 where the mesh has no links; y: 1 where the fourth Gaussian comes along.
-float2 linkSheet()
+// x: as many tiles as lie side by side, 0 where the mesh has no links; y: 1 where the fourth Gaussian comes along; z: the height of a tile,
+// 1 without quarters, of which older sheets say nothing.
+float3 linkSheet()
 {
-    return tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xy;
+    return max(tex2Dlod(gLinks, float4(1.0, 1.0, 0.0, 0.0)).xyz, float3(0.0, 0.0, 1.0));
 }
 
-// Link number k of the texel.
-float4 linkOf(float2 uv, float k, float tiles)
+// Link number k of a list; slot: where each tile holds the list.
+float4 linkOf(float2 slot, float k, float tiles)
 {
     float row = floor((k + 0.5) / tiles);
-    return tex2Dlod(gLinks, float4((float2(k - row * tiles, row) + uv) / tiles, 0.0, 0.0));
+    return tex2Dlod(gLinks, float4((float2(k - row * tiles, row) + slot) / tiles, 0.0, 0.0));
+}
+
+float2 linkSlot(float2 uv, float high)
+{
+    return float2(uv.x, uv.y / high);
+}
+
+// Where the lists of a texel's quarters are.
+float4 quartersOf(float2 uv, float3 sheet)
+{
+    float4 found = 0.0;
+    [branch] if (sheet.z > 1.0)
+        found = linkOf(linkSlot(uv, sheet.z), sheet.x * sheet.x - 1.0, sheet.x);
+    return found;
 }
 
 float linkMap(float4 link)
@@ -139,28 +161,60 @@ float4 anySource(float4 link)
     return source;
 }
 
-// Light of the fifth and sixth Gaussian, of each `apart`th link from `first` on. A list ends the loop by its 0.
-#define LINKED_SUM(name, sourceOf) \
-float4 name(float2 uv, float first, float apart) \
+// Light of the fifth and sixth Gaussian by the list at `slot`, of each `apart`th link from `first` on, none where `lists` is below 0.5. A
+// list ends the loop by its 0.
+#define LINKED_LIST(name, sourceOf) \
+float4 name(float2 uv, float2 slot, float3 sheet, float lists, float first, float apart) \
 { \
-    float tiles = linkSheet().x; \
     float fifth = 1.0 - fifthByLevels(tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z); \
     float3 sum = 0.0; \
-    float last = tiles > 0.5 ? kMostLinks - 1.0 : -1.0; \
+    float last = lists > 0.5 ? kMostLinks - 1.0 : -1.0; \
     [loop] for (float k = first; k <= last; k += apart) \
     { \
-        float4 link = linkOf(uv, k, tiles); \
+        float4 link = linkOf(slot, k, sheet.x); \
         last = link.x == 0.0 ? -1.0 : last; \
         sum += link.x == 0.0 ? float3(0.0, 0.0, 0.0) : linkLight(link, sourceOf(link), fifth); \
     } \
     return float4(sum, 0.0); \
 }
-LINKED_SUM(fineLinks, fineSource)
-LINKED_SUM(anyLinks, anySource)
+LINKED_LIST(fineList, fineSource)
+LINKED_LIST(anyList, anySource)
+
+// Of a texel, but where its quarters bring it.
+float listsAt(float2 uv, float3 sheet)
+{
+    float lists = sheet.x;
+#if TEGUMENT_MAP_SIZE >= 512
+    lists *= 1.0 - quartersOf(uv, sheet).w;
+#endif
+    return lists;
+}
+
+float4 fineLinks(float2 uv, float first, float apart)
+{
+    float3 sheet = linkSheet();
+    return fineList(uv, linkSlot(uv, sheet.z), sheet, listsAt(uv, sheet), first, apart);
+}
+
+float4 anyLinks(float2 uv, float first, float apart)
+{
+    float3 sheet = linkSheet();
+    return anyList(uv, linkSlot(uv, sheet.z), sheet, listsAt(uv, sheet), first, apart);
+}
+
+// Of a quarter of a texel.
+float4 quarterLinks(float2 uv)
+{
+    float3 sheet = linkSheet();
+    float4 quarters = quartersOf(uv, sheet);
+    float2 odd = floor(2.0 * frac(uv * kLinkTexels));
+    float2 slot = (2.0 * float2(quarters.y - 1.0, quarters.z) + odd + 0.5) / kLinkTexels + float2(0.0, 1.0);
+    return fineList(uv, linkSlot(slot, sheet.z), sheet, quarters.y, 0.0, 1.0);
+}
 
 float4 linkedLevel(TG_SAMPLER2D_PARAM(map), float2 uv, float size, float level)
 {
-    float2 sheet = linkSheet();
+    float3 sheet = linkSheet();
     return levelLight(TG_SAMPLER2D_ARG(map), uv, size, level, sheet.x > 0.5 ? 1.0 : 0.0, sheet.y);
 }
 

@@ -53,6 +53,7 @@ Json toJson(const Mesh& mesh, const SkinLinks& links, const LinkOptions& options
         {"links", links.links},
         {"mean", mean},
         {"longest", links.longest},
+        {"quarters", links.quarters},
         {"seconds", {{"cells", links.seconds.cells}, {"links", links.seconds.links}, {"sheet", links.seconds.sheet}}}};
 }
 

@@ -3,11 +3,12 @@
 #include "host/support/parallel.h"
 #include "meshprep/skin/link_cells.h"
 #include "meshprep/skin/link_fit.h"
+#include "meshprep/skin/link_receiver.h"
+#include "meshprep/skin/wide_texels.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -15,28 +16,14 @@ namespace tegument {
 
 namespace {
 
-/// Variance along each axis in squares of a texel's side: a texel's light is interpolated between texels by a quadratic B-spline.
-constexpr double kReceived = 0.25;
-/// What the above leaves of a Gaussian: at least this share.
-constexpr double kLeast = 0.35;
-/// Widths of the widest Gaussian within which sources count: 3.5 leave out 0.2 %.
-constexpr double kReach = 3.5;
 /// A source is taken apart to find its weight where its side is more than this share of the narrower Gaussian's width.
 constexpr double kFineShare = 0.75;
-/// No Gaussian is narrower, in squares of a finest cell's side: what it gives to the cells of a grid is then within 1.1 % of 1 wherever it
-/// stands (Poisson's sum: 4 exp(-2 pi^2 kFelt)). Below that it would fall between their middles, and large bodies would lose light.
-constexpr double kFelt = 0.3;
 /// Sources that a pyramid misses for the fourth Gaussian by more than this share of its peak are at most so many of its widths large.
 constexpr float kMissed = 0.05F;
 constexpr double kMissedSource = 1.0;
 /// Every so manieth texel is asked for it, and so much more is to be sent than taken back.
 constexpr int kProbes = 8;
 constexpr double kSentOverTaken = 10;
-/// Texels beside the charts that have lists too, as if the surface went on: as far as interpolation asks.
-constexpr int kBeside = 2;
-/// A texel counts as at most so many usual ones along a side; for kFelt, which loses light where it is less, twice as many.
-constexpr double kMostSide = 1.5;
-constexpr double kMostFelt = 3;
 /// Half floats below this are 0.
 constexpr float kTinyWeight = 1e-7F;
 
@@ -51,64 +38,6 @@ struct Gathered {
     std::vector<Link> links;
     std::array<double, 2> whole{};
 };
-
-/// A Gaussian for links: narrower along the receiver's plane, in which a spline reads what it receives, than through it, mm^2.
-struct Spread {
-    float along = 0;
-    float through = 0;
-};
-
-/// Where light arrives, and what is left of the Gaussians for links there.
-struct Receiver {
-    LinkCells::Middle middle;
-    glm::vec3 normal{0}; // unit, either way
-    std::array<Spread, 2> spreads;
-    Spread fourth;
-    float fourthReach = 0;
-    float reach = 0; // mm: sources farther away do not count
-
-    /// Of the way to a source, 1/mm^2.
-    [[nodiscard]] float sent(const glm::vec3& way, const Spread& spread) const {
-        const float height = glm::dot(way, normal);
-        const float squared = glm::dot(way, way) - height * height;
-        return std::exp(-0.5F * (squared / spread.along + height * height / spread.through)) /
-               (2 * std::numbers::pi_v<float> * spread.along);
-    }
-    [[nodiscard]] float peak(const Spread& spread) const { return sent(glm::vec3(0), spread); }
-    /// The same of its distance in the map.
-    [[nodiscard]] float sentAlong(const LinkCell& cell, const Spread& spread) const {
-        const float distance = flat(cell);
-        return std::exp(-0.5F * distance * distance / spread.along) / (2 * std::numbers::pi_v<float> * spread.along);
-    }
-
-    /// Distance in the map, mm in the receiver's own plane.
-    [[nodiscard]] float flat(const LinkCell& cell) const {
-        const glm::vec2 way = cell.uv - middle.uv;
-        return glm::length(way.x * middle.alongU + way.y * middle.alongV);
-    }
-};
-
-Receiver receiverAt(const LinkCells& cells, const LinkCells::Middle& middle, const LinkOptions& options) {
-    const auto usual = static_cast<double>(cells.usualSide(kDestinationLevel));
-    const double side = std::min(static_cast<double>(middle.side), kMostSide * usual);
-    const double finest = std::min(static_cast<double>(middle.side), kMostFelt * usual) / (1 << kDestinationLevel);
-    const auto left = [&](double variance) {
-        const double along = std::max({variance - kReceived * side * side, kLeast * variance, kFelt * finest * finest});
-        return Spread{.along = static_cast<float>(along), .through = static_cast<float>(std::max(along, variance))};
-    };
-    const glm::vec3 across = glm::cross(middle.alongU, middle.alongV);
-    const float length = glm::length(across);
-    Receiver receiver{
-        .middle = middle, .normal = length > 0 ? across / length : glm::vec3(0), .spreads = {}, .fourth = left(options.fourth)};
-    receiver.fourthReach = static_cast<float>(kReach) * std::sqrt(receiver.fourth.through);
-    float widest = 0;
-    for (std::size_t i = 0; i < 2; ++i) {
-        receiver.spreads[i] = left(options.variances[i]);
-        widest = std::max(widest, receiver.spreads[i].through);
-    }
-    receiver.reach = static_cast<float>(kReach) * std::sqrt(widest);
-    return receiver;
-}
 
 /// What a pyramid does not know of the fourth Gaussian: light from where space is near and the map is not, and the reverse.
 struct Missed {
@@ -133,7 +62,7 @@ public:
             for (int x = kProbes / 2; x < kLinkSide; x += kProbes) {
                 const auto middle = cells_.middle(mesh, kDestinationLevel, x, y, 0);
                 if (!middle) continue;
-                const Receiver receiver = receiverAt(cells_, *middle, options_);
+                const LinkReceiver receiver = linkReceiver(cells_, *middle, options_);
                 for (int i = 0; i < LinkCells::side(top) * LinkCells::side(top); ++i)
                     addMissed(receiver, top, i % LinkCells::side(top), i / LinkCells::side(top), missed);
             }
@@ -142,14 +71,14 @@ public:
     [[nodiscard]] bool bringsFourth() const { return brings_; }
 
     /// Means of the Gaussians over a cell, 1/mm^2.
-    [[nodiscard]] std::array<double, 2> means(const Receiver& receiver, const LinkSource& cell) const {
+    [[nodiscard]] std::array<double, 2> means(const LinkReceiver& receiver, const LinkSource& cell) const {
         std::array<double, 2> sum{};
         add(receiver, cell.level, cell.x, cell.y, sum);
         const auto area = static_cast<double>(cells_.at(cell.level, cell.x, cell.y).area);
         return {sum[0] / area, sum[1] / area};
     }
 
-    [[nodiscard]] Gathered at(const Receiver& receiver) const {
+    [[nodiscard]] Gathered at(const LinkReceiver& receiver) const {
         Gathered gathered;
         const int top = kLinkLevels - 1;
         for (int y = 0; y < LinkCells::side(top); ++y)
@@ -159,7 +88,7 @@ public:
     }
 
 private:
-    void visit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
+    void visit(const LinkReceiver& receiver, int level, int x, int y, Gathered& gathered) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
         const glm::vec3 way = cell.place - receiver.middle.place;
@@ -177,7 +106,7 @@ private:
         emit(receiver, level, x, y, gathered);
     }
 
-    void emit(const Receiver& receiver, int level, int x, int y, Gathered& gathered) const {
+    void emit(const LinkReceiver& receiver, int level, int x, int y, Gathered& gathered) const {
         Link link{
             .level = static_cast<std::uint8_t>(level), .index = static_cast<std::uint32_t>(y * LinkCells::side(level) + x), .weight = {}};
         std::array<double, 2> sum{};
@@ -190,7 +119,7 @@ private:
 
     /// The cell, or its parts where it is large: all as fine as each other, for a Gaussian's sum over a grid is exact, over a mixed one
     /// not.
-    void add(const Receiver& receiver, int level, int x, int y, std::array<double, 2>& sum) const {
+    void add(const LinkReceiver& receiver, int level, int x, int y, std::array<double, 2>& sum) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
         if (level > 0 && cell.radius * std::numbers::sqrt2_v < float >> fine_) {
@@ -198,9 +127,8 @@ private:
                 add(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, sum);
             return;
         }
-        const glm::vec3 way = cell.place - receiver.middle.place;
         for (std::size_t i = 0; i < 2; ++i)
-            sum[i] += cell.area * receiver.sent(way, receiver.spreads[i]);
+            sum[i] += cell.area * receiver.sentBy(cell.place, i);
         if (!brings_) return;
         Missed missed;
         addMissed(receiver, level, x, y, missed);
@@ -208,7 +136,7 @@ private:
     }
 
     /// What a pyramid misses of the fourth Gaussian from a cell, and takes from it that it should not.
-    void addMissed(const Receiver& receiver, int level, int x, int y, Missed& missed) const {
+    void addMissed(const LinkReceiver& receiver, int level, int x, int y, Missed& missed) const {
         const LinkCell& cell = cells_.at(level, x, y);
         if (!(cell.area > 0)) return;
         const glm::vec3 way = cell.place - receiver.middle.place;
@@ -223,13 +151,13 @@ private:
             addMissed(receiver, level - 1, 2 * x + i % 2, 2 * y + i / 2, missed);
     }
 
-    static bool misses(const Receiver& receiver, const LinkCell& cell, const glm::vec3& way) {
+    static bool misses(const LinkReceiver& receiver, const LinkCell& cell, const glm::vec3& way) {
         return std::abs(unseen(receiver, cell, way)) > kMissed * receiver.peak(receiver.fourth);
     }
 
     /// What a pyramid misses of the fourth Gaussian, 1/mm^2: it takes the distance in the map, in the receiver's own plane, for that in
     /// space. Below 0 for what is near in the map only.
-    [[nodiscard]] static double unseen(const Receiver& receiver, const LinkCell& cell, const glm::vec3& way) {
+    [[nodiscard]] static double unseen(const LinkReceiver& receiver, const LinkCell& cell, const glm::vec3& way) {
         return receiver.sent(way, receiver.fourth) - receiver.sentAlong(cell, receiver.fourth);
     }
 
@@ -241,7 +169,7 @@ private:
 };
 
 /// Leaves out the least links.
-void leaveOut(std::vector<Link>& links, const LinkOptions& options) {
+void leaveOut(std::vector<Link>& links, const LinkOptions& options, std::size_t most) {
     const auto worth = [&](const Link& link) {
         return std::max(options.weights[0] * link.weight[0] + options.weights[1] * link.weight[1], 0.0);
     };
@@ -251,7 +179,7 @@ void leaveOut(std::vector<Link>& links, const LinkOptions& options) {
         all += worth(link);
     double left = all;
     std::size_t count = 0;
-    while (count < links.size() && count < kMostLinks && left > options.lost * all)
+    while (count < links.size() && count < most && left > options.lost * all)
         left -= worth(links[count++]);
     links.resize(count);
     // Neighbouring texels then read neighbouring sources at the same time.
@@ -264,11 +192,11 @@ LinkSource sourceOf(const Link& link) {
 }
 
 /// The links that are kept, so weighed that their sources, as wide as they are, make the Gaussians, and each list has all of its light.
-std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkCells::Middle& middle, const LinkOptions& options) {
-    const Receiver receiver = receiverAt(cells, middle, options);
+std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, const LinkReceiver& receiver, const LinkOptions& options,
+                          std::size_t most) {
     Gathered gathered = gatherer.at(receiver);
     std::vector<Link>& links = gathered.links;
-    leaveOut(links, options);
+    leaveOut(links, options, most);
     std::vector<LinkSource> sources;
     for (const Link& link : links)
         sources.push_back(sourceOf(link));
@@ -294,16 +222,38 @@ std::vector<Link> weighed(const LinkCells& cells, const Gatherer& gatherer, cons
 
 using Lists = std::vector<std::vector<Link>>;
 
-Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const Gatherer& gatherer, const LinkOptions& options) {
+Lists gatherAll(const Mesh& mesh, const LinkCells& cells, const Gatherer& gatherer, const LinkOptions& options, std::size_t most) {
     Lists lists(static_cast<std::size_t>(kLinkSide) * kLinkSide);
     forEachInParallel(
         kLinkSide,
         [&](std::size_t y) {
             for (std::size_t x = 0; x < kLinkSide; ++x) {
-                const auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kBeside);
+                const auto middle = cells.middle(mesh, kDestinationLevel, static_cast<int>(x), static_cast<int>(y), kLinksBeside);
                 if (!middle) continue;
-                lists[y * kLinkSide + x] = weighed(cells, gatherer, *middle, options);
+                lists[y * kLinkSide + x] = weighed(cells, gatherer, linkReceiver(cells, *middle, options), options, most);
             }
+        },
+        {}, options.threads);
+    return lists;
+}
+
+/// Of the quarters of wide texels, four by four in the order of WideTexels::blocks(). Each sends on what the spline through the whole
+/// texels around it, those that are not wide, leaves of it.
+Lists gatherQuarters(const Mesh& mesh, const LinkCells& cells, const Gatherer& gatherer, const LinkOptions& options, const WideTexels& wide,
+                     std::size_t most) {
+    Lists lists(4 * wide.blocks().size());
+    forEachInParallel(
+        lists.size(),
+        [&](std::size_t i) {
+            const glm::ivec2 texel = 2 * wide.blocks()[i / 4] + glm::ivec2(i % 2, i / 2 % 2);
+            const auto share = static_cast<float>(wide.share(texel));
+            if (!(share > 0)) return;
+            const auto receiver = linkReceiverAmong(mesh, cells, kDestinationLevel - 1, texel, options);
+            if (!receiver) return;
+            lists[i] = weighed(cells, gatherer, *receiver, options, most);
+            for (Link& link : lists[i])
+                for (float& weight : link.weight)
+                    weight = std::max(share * weight, kTinyWeight);
         },
         {}, options.threads);
     return lists;
@@ -318,32 +268,59 @@ std::array<float, 4> texelOf(const Link& link) {
             link.weight[0], link.level / 4 % 2 == 1 ? -link.weight[1] : link.weight[1]};
 }
 
-void draw(const Lists& lists, SkinLinks& links) {
+/// Where a tile of the sheet holds what.
+class Sheet {
+public:
+    Sheet(SkinLinks& links, int tiles, int rows) : sheet_(links.sheet), tiles_(tiles), rows_(rows) {
+        sheet_ = {.width = tiles * kLinkSide, .height = tiles * rows, .channels = 4, .pixels = {}, .metadata = {}};
+        sheet_.pixels.assign(static_cast<std::size_t>(sheet_.width) * static_cast<std::size_t>(sheet_.height) * 4, 0.0F);
+    }
+
+    void put(int tile, const glm::ivec2& slot, const std::array<float, 4>& texel) {
+        for (int c = 0; c < 4; ++c)
+            sheet_.at(tile % tiles_ * kLinkSide + slot.x, tile / tiles_ * rows_ + slot.y, c) = texel[static_cast<std::size_t>(c)];
+    }
+    void put(const glm::ivec2& slot, const std::vector<Link>& list) {
+        for (std::size_t k = 0; k < list.size(); ++k)
+            put(static_cast<int>(k), slot, texelOf(list[k]));
+    }
+
+private:
+    Image& sheet_;
+    int tiles_;
+    int rows_;
+};
+
+void count(const Lists& lists, SkinLinks& links) {
     for (const auto& list : lists) {
         links.lists += list.empty() ? 0 : 1;
         links.links += list.size();
         links.longest = std::max(links.longest, list.size());
     }
-    links.tiles = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(links.longest)))));
-    const int side = links.tiles * kLinkSide;
-    links.sheet = {.width = side, .height = side, .channels = 4, .pixels = {}, .metadata = {}};
-    links.sheet.pixels.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4, 0.0F);
-    for (int y = 0; y < kLinkSide; ++y)
-        for (int x = 0; x < kLinkSide; ++x) {
-            const auto& list = lists[static_cast<std::size_t>(y) * kLinkSide + static_cast<std::size_t>(x)];
-            for (std::size_t k = 0; k < list.size(); ++k) {
-                const int tile = static_cast<int>(k);
-                const auto texel = texelOf(list[k]);
-                for (int c = 0; c < 4; ++c)
-                    links.sheet.at(tile % links.tiles * kLinkSide + x, tile / links.tiles * kLinkSide + y, c) =
-                        texel[static_cast<std::size_t>(c)];
-            }
-        }
-    // The last texel of all says how many tiles there are, and whether the fourth Gaussian comes along, in place of the last link of a
-    // corner.
-    const std::array<float, 4> last = {static_cast<float>(links.tiles), links.fourth ? 1.0F : 0.0F, 0, 0};
-    for (int c = 0; c < 4; ++c)
-        links.sheet.at(side - 1, side - 1, c) = last[static_cast<std::size_t>(c)];
+}
+
+void draw(const Lists& lists, const Lists& quarters, const WideTexels& wide, SkinLinks& links) {
+    count(lists, links);
+    count(quarters, links);
+    links.quarters = quarters.size();
+    const std::size_t most = links.longest + (quarters.empty() ? 0 : 1); // the last tile says where quarters are
+    links.tiles = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(most)))));
+    const int rows = kLinkSide + wide.rows();
+    Sheet sheet(links, links.tiles, rows);
+    for (std::size_t i = 0; i < lists.size(); ++i)
+        sheet.put(glm::ivec2(i % kLinkSide, i / kLinkSide), lists[i]);
+    const int last = links.tiles * links.tiles - 1;
+    for (std::size_t i = 0; i < wide.blocks().size(); ++i) {
+        const glm::ivec2 place = WideTexels::placeOf(i);
+        for (std::size_t k = 0; k < 4; ++k)
+            sheet.put(glm::ivec2(0, kLinkSide) + 2 * place + glm::ivec2(k % 2, k / 2), quarters[4 * i + k]);
+        sheet.put(last, wide.blocks()[i],
+                  {0, static_cast<float>(place.x + 1), static_cast<float>(place.y), wide.isWide(wide.blocks()[i]) ? 1.0F : 0.0F});
+    }
+    // The last texel of all says how many tiles there are, whether the fourth Gaussian comes along, and how high tiles are in maps of
+    // kLinkSide, in place of the last link of a corner.
+    const float high = static_cast<float>(rows) / kLinkSide;
+    sheet.put(last, {kLinkSide - 1, rows - 1}, {static_cast<float>(links.tiles), links.fourth ? 1.0F : 0.0F, high, 0});
 }
 
 /// Seconds since it was asked last.
@@ -372,11 +349,14 @@ Result<SkinLinks> makeSkinLinks(const Mesh& mesh, const LinkOptions& options) {
                           "tegument prep MESH --unwrap makes them");
     Gatherer gatherer(cells, options);
     gatherer.decide(mesh);
-    const Lists lists = gatherAll(mesh, cells, gatherer, options);
+    const WideTexels wide(mesh, cells);
+    const std::size_t most = kMostLinks - (wide.blocks().empty() ? 0 : 1);
+    const Lists lists = gatherAll(mesh, cells, gatherer, options, most);
+    const Lists quarters = gatherQuarters(mesh, cells, gatherer, options, wide, most);
     links.seconds.links = watch.lap();
     links.fourth = gatherer.bringsFourth();
     links.sideMm = static_cast<double>(cells.usualSide(kDestinationLevel));
-    draw(lists, links);
+    draw(lists, quarters, wide, links);
     links.seconds.sheet = watch.lap();
     return links;
 }

@@ -26,16 +26,17 @@ struct LinkOptions {
 /// A list of links for each texel of a map of kLinkSide texels along each side.
 inline constexpr int kLinkSide = 256;
 inline constexpr int kMostLinks = 64; // of a list: what effects/passes/pyramid_links.fxh reads
-inline constexpr int kLinkVersion = 7;
+inline constexpr int kLinkVersion = 8;
 
 struct SkinLinks {
-    Image sheet;           // RGBA: tiles x tiles maps of kLinkSide, as the effect reads it; for half floats
+    Image sheet;           // RGBA: tiles x tiles maps of kLinkSide, below each the quarters, as the effect reads it; for half floats
     int tiles = 0;         // along each side
     std::size_t lists = 0; // texels that have any
     std::size_t links = 0;
     std::size_t longest = 0;
-    bool fourth = false; // the fourth Gaussian comes along: texels that receive are no larger than it is wide
-    double sideMm = 0;   // of a usual texel that receives light
+    std::size_t quarters = 0; // lists of quarters of texels that are too wide for the fifth Gaussian, within `lists`
+    bool fourth = false;      // the fourth Gaussian comes along: texels that receive are no larger than it is wide
+    double sideMm = 0;        // of a usual texel that receives light
     struct Seconds {
         double cells = 0;
         double links = 0;

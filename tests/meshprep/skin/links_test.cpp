@@ -52,7 +52,7 @@ Read listOf(const SkinLinks& links, int x, int y, double border = 1) {
     Read read;
     for (int k = 0; k < kMostLinks; ++k) {
         const int u = k % tiles * kLinkSide + x;
-        const int v = k / tiles * kLinkSide + y;
+        const int v = k / tiles * (sheet.height / tiles) + y;
         if (k >= tiles * tiles || sheet.at(u, v, 0) == 0) break;
         const glm::dvec2 uv(std::abs(sheet.at(u, v, 0)), std::abs(sheet.at(u, v, 1)));
         const std::array<double, 2> weight = {std::abs(sheet.at(u, v, 2)), std::abs(sheet.at(u, v, 3))};

@@ -15,7 +15,7 @@ namespace {
 using JsonStep = nlohmann::json;
 
 constexpr int kNoReplay = 8049;
-constexpr int kMostTimes = 100000;
+constexpr std::size_t kMostSteps = 1000000; // hours of input
 
 Error refused(const std::filesystem::path& file, const std::string& why) {
     return inputError(kNoReplay, {.file = file.string(), .byte = {}}, "this is no replay: " + why,
@@ -69,8 +69,19 @@ std::optional<view::ReplayStep> readStep(const JsonStep& step) {
     } else {
         return std::nullopt;
     }
-    if (step.contains("as") && step.at("as").is_string()) read.kind = step.at("as").get<std::string>();
+    if (step.contains("as")) {
+        if (!step.at("as").is_string()) return std::nullopt;
+        read.kind = step.at("as").get<std::string>();
+    }
     return read;
+}
+
+/// None where the step says no number of times that can be.
+std::optional<std::size_t> timesOf(const JsonStep& step) {
+    const auto asked = step.find("times");
+    if (asked == step.end()) return 1;
+    if (!asked->is_number_unsigned() || asked->get<std::uint64_t>() > kMostSteps) return std::nullopt;
+    return asked->get<std::size_t>();
 }
 
 } // namespace
@@ -83,10 +94,10 @@ Result<std::vector<view::ReplayStep>> readReplay(const std::filesystem::path& fi
     std::vector<view::ReplayStep> steps;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const auto step = readStep(list[i]);
-        if (!step) return refused(file, fmt::format("step {} is none of ours", i + 1));
-        const auto asked = list[i].find("times");
-        const int times = asked != list[i].end() && asked->is_number_integer() ? std::clamp(asked->get<int>(), 0, kMostTimes) : 1;
-        steps.insert(steps.end(), static_cast<std::size_t>(times), *step);
+        const auto times = step ? timesOf(list[i]) : std::nullopt;
+        if (!times) return refused(file, fmt::format("step {} is none of ours", i + 1));
+        if (steps.size() + *times > kMostSteps) return refused(file, fmt::format("more than {} steps", kMostSteps));
+        steps.insert(steps.end(), *times, *step);
     }
     return steps;
 }

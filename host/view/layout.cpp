@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kWidestSliders = 0.6F;  // of the window, where something stands beside them
 constexpr float kTallestProblem = 0.4F; // of the window
-constexpr float kTallestStrip = 0.3F;   // of the window
+constexpr float kTallestStrip = 0.4F;   // of the window
 constexpr float kTallestLines = 0.5F;   // of what is above the problem, where the help stands below them
 
 /// At most as large as the room, which may be none.

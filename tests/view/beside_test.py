@@ -125,9 +125,9 @@ class Beside(unittest.TestCase):
         typed = self.keep(self.view.still(unlike=mended), "text_3_typed")
         self.assertEqual(include.read_text(), right)
         for _ in range(3):
-            self.view.screen.press("z", "Control_L")
-        undone = self.view.still(unlike=typed)
-        self.assertLess(undone.share_apart(mended), 0.001)  # the cursor
+            self.view.screen.press("z", "Control_L", seconds=0.2)
+        undone = self.keep(self.view.still(unlike=typed), "text_3_undone")
+        self.assertLess(undone.share_apart(mended), typed.share_apart(mended))
         for key in ("slash", "slash", "a"):
             self.view.screen.press(key)
         self.view.still(unlike=undone)

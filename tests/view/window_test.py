@@ -304,7 +304,7 @@ class Window(unittest.TestCase):
         at = (120 * large.width + 100) * 3
         apart = max(abs(a - b) for a, b in zip(large.pixels[at:at + 3], self.start.pixels[at:at + 3]))
         self.assertLessEqual(apart, 8)  # a pixel's texel stays; half a pixel of it may not
-        self.view.screen.press("Z")
+        self.view.screen.press("z", "Shift_L")
         self.assertEqual(self.view.still(unlike=large), self.start)
 
     def test_s_writes_a_png_of_the_windows_size(self):

@@ -240,8 +240,9 @@ TEST(ForeignBindings, take_every_choice_that_is_offered) {
 
 TEST(ForeignBindings, give_textures_the_picture_that_is_asked_for) {
     const auto bound = [](const std::string& declaration, const std::string& picture) {
-        const Adoption adoption = adopted(foreign(declaration + " sampler s = sampler_state { Texture = <pic>; };\n"
-                                                                "float4 PS(float2 t : TEXCOORD0) : COLOR { return tex2D(s, t); }\n" +
+        const Adoption adoption = adopted(foreign(declaration +
+                                                  " sampler s = sampler_state { Texture = <pic>; };\n"
+                                                  "float4 PS(float2 t : TEXCOORD0) : COLOR { return tex2D(s, t); }\n" +
                                                   kRest),
                                           {.bind = {{"pic", picture}}});
         const Parameter& parameter = *adoption.effect.findParameter("pic");

@@ -368,11 +368,21 @@ private:
     void bindTexture(Parameter& parameter, const std::set<std::string>& shown) {
         if (parameter.annotations.find("Fallback") || parameter.annotations.find("Producer")) return;
         const auto volume = parameter.annotations.string("Procedure");
-        const std::string standIn = volume ? "noise in two dimensions: volumes are not loaded" : textureStandIn(parameter);
+        std::string standIn = volume ? "noise in two dimensions: volumes are not loaded" : textureStandIn(parameter);
+        std::string rule = "where no file is found";
+        if (const auto asked = options_.bind.find(parameter.name); asked != options_.bind.end() && !volume) {
+            const std::vector<std::string> known = bindChoices(parameter);
+            const bool ours = std::ranges::find(known, toLower(asked->second)) != known.end();
+            rule = ours ? "--bind" : fmt::format("--bind names no picture of this host: '{}'", asked->second);
+            if (ours) {
+                standIn = toLower(asked->second);
+                parameter.semantic.clear(); // of the mesh's own pictures
+                std::erase_if(parameter.annotations.list, [](const Annotation& a) { return equalsIgnoreCase(a.name, "ResourceName"); });
+            }
+        }
         if (!volume)
             parameter.annotations.list.push_back({"Procedure", {.base = BaseType::String, .name = "string"}, standIn, parameter.at, {}});
-        if (shown.contains(parameter.name))
-            adoption_.bindings.push_back({.parameter = parameter.name, .source = standIn, .rule = "where no file is found"});
+        if (shown.contains(parameter.name)) adoption_.bindings.push_back({.parameter = parameter.name, .source = standIn, .rule = rule});
     }
 
     /// The words of the sources that the technique in question is drawn with.

@@ -21,9 +21,10 @@ struct ParameterBinding {
 inline constexpr const char* kSceneTechnique = "<scene>";
 
 struct AdoptOptions {
-    std::map<std::string, std::string> bind; // --bind: parameter name -> a semantic of this host, "default" or "zero"
-    std::string technique;                   // whose bindings are reported; empty: the effect's default
-    int width = 1024;                        // of the picture
+    /// --bind: parameter name -> a semantic of this host, "default" or "zero"; of a texture a picture of this host's, "checker".
+    std::map<std::string, std::string> bind;
+    std::string technique; // whose bindings are reported; empty: the effect's default
+    int width = 1024;      // of the picture
     int height = 1024;
 };
 
@@ -34,6 +35,9 @@ struct Adoption {
     std::set<std::string> turned;  // techniques whose host winds front faces the other way
     bool halfPixel = false; // the technique reported on covers its targets half a pixel off, as Direct3D 9 does: edges have no samples
 };
+
+/// What `bind` takes for a parameter of this type, in the order of a list to choose from; empty: nothing.
+[[nodiscard]] std::vector<std::string> bindChoices(const Parameter& parameter);
 
 /// Whether DXC and glslang cannot take the effect as it is, or this host not what they make of it: words of Direct3D 9, shaders compiled
 /// with arguments, profiles before 4, structures among the parameters.

@@ -37,8 +37,6 @@ std::vector<std::string> renderArguments(const JobOptions& options) {
         words.insert(words.end(), {"-I", folder});
     if (options.effect.anywhere) words.emplace_back("--anywhere");
     if (options.effect.mapSize > 0) words.insert(words.end(), {"--map-size", std::to_string(options.effect.mapSize)});
-    for (const std::string& bind : options.binds)
-        words.insert(words.end(), {"--bind", bind});
     if (options.samples > 0) words.insert(words.end(), {"--samples", std::to_string(options.samples)});
     if (!options.compiler.empty()) words.insert(words.end(), {"--compiler", options.compiler});
     if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});

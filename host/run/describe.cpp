@@ -14,14 +14,8 @@ std::string callersName(const std::string& target) {
     return isCallers(target) ? std::string() : target;
 }
 
-SessionPass describe(const FrameDraw& draw) {
-    SessionPass pass{.name = draw.name, .object = draw.object, .targets = {}};
-    for (const gpu::Texture* color : draw.targets.colors)
-        pass.targets.push_back(callersName(color->desc().name));
-    for (const gpu::Texture* stored : draw.stored)
-        pass.targets.push_back(callersName(stored->desc().name));
-    if (draw.targets.depth) pass.targets.push_back(callersName(draw.targets.depth->desc().name));
-    return pass;
+bool writesColor(const DrawStep& step, const PassUse& use, std::size_t slot) {
+    return (use.writtenColors >> slot & 1U) != 0 && step.pass->state.targets.at(slot).writeMask != 0;
 }
 
 /// Of the effect, that any object uses.
@@ -89,6 +83,25 @@ std::map<std::string, std::string> metadata(std::span<const ObjectRun> objects, 
 
 } // namespace
 
+SessionPass describe(const DrawStep& step, const Prepared& prepared, int object) {
+    const PassUse& use = prepared.programs.at(step.pass)->use;
+    SessionPass pass{.name = step.pass->name, .object = object, .targets = {}, .reads = {}, .writes = {}};
+    for (std::size_t slot = 0; slot < step.colors.size(); ++slot) {
+        if (!step.colors[slot]) continue;
+        pass.targets.push_back(callersName(*step.colors[slot]));
+        if (writesColor(step, use, slot)) pass.writes.push_back(pass.targets.back());
+    }
+    for (const std::string& stored : use.stored) {
+        pass.targets.push_back(callersName(stored));
+        pass.writes.push_back(pass.targets.back());
+    }
+    if (step.depth) pass.targets.push_back(callersName(*step.depth));
+    if (step.depth && pass.writes.empty()) pass.writes.push_back(pass.targets.back());
+    for (const std::string& name : use.sampled) // a copy of what it draws into counts as that
+        if (prepared.targets.contains(name)) pass.reads.push_back(callersName(name));
+    return pass;
+}
+
 SessionFrame describe(std::span<const ObjectRun> objects, const Frame& frame, const gpu::DeviceInfo& device) {
     SessionFrame described{.technique = objects.front().prepared.plan.technique->name,
                            .passes = {},
@@ -101,7 +114,7 @@ SessionFrame describe(std::span<const ObjectRun> objects, const Frame& frame, co
     for (const FrameNode& node : frame.before)
         described.produced.push_back(node.effect);
     for (const FrameItem& item : frame.items)
-        if (const auto* draw = std::get_if<FrameDraw>(&item)) described.passes.push_back(describe(*draw));
+        if (const auto* draw = std::get_if<FrameDraw>(&item)) described.passes.push_back(draw->described);
     return described;
 }
 

@@ -11,4 +11,7 @@ namespace tegument::run {
 /// Without times.
 [[nodiscard]] SessionFrame describe(std::span<const ObjectRun> objects, const Frame& frame, const gpu::DeviceInfo& device);
 
+/// One execution of a pass, before anything is allocated.
+[[nodiscard]] SessionPass describe(const DrawStep& step, const Prepared& prepared, int object = 0);
+
 } // namespace tegument::run

@@ -1,6 +1,7 @@
 #include "host/run/frame.h"
 
 #include "host/run/constants.h"
+#include "host/run/describe.h"
 #include "host/run/groups.h"
 #include "host/run/noted_rows.h"
 #include "host/run/part_draws.h"
@@ -162,11 +163,12 @@ Extent extentOf(const gpu::Targets& targets) {
 Result<void> addDraw(Builder& builder, const DrawStep& step) {
     const auto instances = instancesOf(builder, step);
     if (!instances) return instances.error();
-    FrameDraw item{.name = step.pass->name, .object = builder.object, .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
+    FrameDraw item{
+        .described = describe(step, builder.prepared, builder.object), .targets = targetsOf(builder, step), .draw = {}, .blocks = {}};
     const auto pipeline = pipelineFor(builder, step, item.targets);
     if (!pipeline) return pipeline.error();
     const Geometry& geometry =
-        step.kind == DrawKind::Buffer ? *builder.resources.store.quad : builder.resources.store.meshes.at(builder.input.mesh);
+        step.kind == DrawKind::Buffer ? *builder.resources.store.quad : *builder.resources.store.meshes.at(builder.input.mesh);
     item.draw.pipeline = *pipeline;
     item.draw.vertices = &geometry.vertices;
     item.draw.indices = &geometry.indices;
@@ -211,7 +213,7 @@ Result<void> addDispatch(Builder& builder, const DrawStep& step) {
     if (!groups) return groups.error();
     const auto pipeline = computePipelineFor(builder, *step.pass, program);
     if (!pipeline) return pipeline.error();
-    FrameDraw item{.name = step.pass->name, .object = builder.object, .targets = {}, .draw = {}, .blocks = {}};
+    FrameDraw item{.described = describe(step, builder.prepared, builder.object), .targets = {}, .draw = {}, .blocks = {}};
     item.groups = *groups;
     item.draw.pipeline = *pipeline;
     for (const std::string& name : program.use.stored)
@@ -267,7 +269,7 @@ Result<void> recordTimed(const FrameItem& item, gpu::Recorder& recorder, bool cl
     const auto* draw = std::get_if<FrameDraw>(&item);
     if (!draw) return recordItem(item, recorder);
     if (cleared) recordClears(recorder);
-    recorder.beginTimer(draw->name);
+    recorder.beginTimer(draw->described.name);
     auto drawn = recordItem(item, recorder);
     recorder.endTimer();
     return drawn;

@@ -3,6 +3,7 @@
 
 #include "host/run/part_draws.h"
 #include "host/run/resources.h"
+#include "host/run/session_frame.h"
 
 #include <array>
 #include <cstddef>
@@ -25,8 +26,7 @@ struct ObjectRun {
 };
 
 struct FrameDraw {
-    std::string name;
-    int object = 0;
+    SessionPass described;
     gpu::Targets targets;
     gpu::Draw draw;                        // its spans point into `blocks`
     std::array<std::uint32_t, 3> groups{}; // of a compute pass, which takes pipeline and resources from `draw`; else 0

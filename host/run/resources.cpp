@@ -60,8 +60,8 @@ Result<void> uploadTextures(const RunInput&, const Prepared& prepared, Resources
         if (resources.store.textures.contains(data.key) || resources.store.products.contains(data.key)) continue;
         auto texture = uploadTexture(resources.device, name, data);
         if (!texture) return texture.error();
-        const auto placed = resources.store.textures.emplace(data.key, std::move(*texture));
-        if (data.mips) chains.push_back(&placed.first->second);
+        const auto placed = resources.store.textures.emplace(data.key, std::make_shared<gpu::Texture>(std::move(*texture)));
+        if (data.mips) chains.push_back(placed.first->second.get());
     }
     if (chains.empty()) return {};
     const auto run = resources.device.run([&](gpu::Recorder& recorder) -> Result<void> {
@@ -124,7 +124,7 @@ Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resou
     if (!prepared.drawsMesh || resources.store.meshes.contains(input.mesh)) return {};
     auto mesh = uploadGeometry(resources.device, *input.mesh);
     if (!mesh) return mesh.error();
-    resources.store.meshes.emplace(input.mesh, std::move(*mesh));
+    resources.store.meshes.emplace(input.mesh, std::make_shared<Geometry>(std::move(*mesh)));
     return {};
 }
 
@@ -136,7 +136,7 @@ gpu::Texture* Resources::texture(const Prepared& prepared, const std::string& na
     if (data == prepared.textures.end()) return nullptr;
     if (const auto product = store.products.find(data->second.key); product != store.products.end()) return product->second;
     const auto found = store.textures.find(data->second.key);
-    return found == store.textures.end() ? nullptr : &found->second;
+    return found == store.textures.end() ? nullptr : found->second.get();
 }
 
 gpu::Texture* Resources::picture() {

@@ -6,6 +6,7 @@
 #include "host/run/prepare.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -24,12 +25,12 @@ struct Geometry {
     std::uint32_t indexCount = 0;
 };
 
-/// What all effects of a session share.
+/// What all effects of a session share, and the next session of the same scene may take over.
 struct Store {
-    std::map<std::string, gpu::Texture> textures;  // by TextureData::key
-    std::map<std::string, gpu::Texture*> products; // likewise; targets of the effects that draw them
-    std::set<std::string> uploaded;                // keys of `textures`
-    std::map<const Mesh*, Geometry> meshes;
+    std::map<std::string, std::shared_ptr<gpu::Texture>> textures; // by TextureData::key
+    std::map<std::string, gpu::Texture*> products;                 // likewise; targets of the effects that draw them
+    std::set<std::string> uploaded;                                // keys of `textures`
+    std::map<const Mesh*, std::shared_ptr<Geometry>> meshes;
     std::optional<Geometry> quad;
 };
 

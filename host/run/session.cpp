@@ -82,8 +82,8 @@ struct EffectSession::State {
     run::Stage stage;
 };
 
-EffectSession::EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene)
-    : state_(new State{.device = device, .effect = effect, .stage = {device, effect, scene}}) {}
+EffectSession::EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene, const EffectSession* before)
+    : state_(new State{.device = device, .effect = effect, .stage = {device, effect, scene, before ? &before->state_->stage : nullptr}}) {}
 EffectSession::EffectSession(EffectSession&&) noexcept = default;
 EffectSession& EffectSession::operator=(EffectSession&&) noexcept = default;
 EffectSession::~EffectSession() = default;

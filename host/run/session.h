@@ -15,7 +15,8 @@ namespace tegument {
 /// Effect, meshes and device must outlive it.
 class EffectSession {
 public:
-    EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene);
+    /// `before`: a session of the same scene, as it was before an edit; textures and meshes that it has on the device are taken over.
+    EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene, const EffectSession* before = nullptr);
     EffectSession(EffectSession&&) noexcept;
     EffectSession& operator=(EffectSession&&) noexcept;
     ~EffectSession();

@@ -17,6 +17,8 @@ struct SessionPass {
     std::string name;                 // "ConvolutionU" ...; a pass run several times: one entry per run, in order
     int object = 0;                   // which of the scene's objects it drew
     std::vector<std::string> targets; // colours, then depth; empty name: the caller's
+    std::vector<std::string> reads;   // targets of the effect that it samples
+    std::vector<std::string> writes;  // colours and textures that its shaders write; where there is none, the depth
     double milliseconds = 0;          // median over the frames; 0 for passes that were not drawn
 };
 

@@ -12,7 +12,13 @@ bool serves(const TargetDesc& there, const TargetDesc& wanted) {
 
 } // namespace
 
-Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene) : device_(device), effect_(effect), scene_(scene) {}
+Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene, const Stage* before)
+    : device_(device), effect_(effect), scene_(scene) {
+    if (!before) return;
+    store_.textures = before->store_.textures;
+    store_.meshes = before->store_.meshes;
+    store_.uploaded = before->store_.uploaded;
+}
 
 void Stage::setScene(SessionScene scene) {
     scene_ = scene;

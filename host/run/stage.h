@@ -19,8 +19,9 @@ struct StagedFrame {
 
 class Stage {
 public:
-    /// Device, effect and scene must outlive it.
-    Stage(gpu::Device& device, const Effect& effect, SessionScene scene);
+    /// Device, effect and scene must outlive it. Textures and meshes that `before` has on the device are taken over: it draws the same
+    /// scene, and need not live on.
+    Stage(gpu::Device& device, const Effect& effect, SessionScene scene, const Stage* before = nullptr);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 

@@ -42,11 +42,11 @@ float encoded(float x) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
 }
 
-// The colour is the mode (x: channel, y: tone map, z: sRGB) and no parameter on purpose: lavapipe of Mesa 22 compiles a shader whose
+// The colour is the mode (x: channel, y: tone map, z: sRGB, w: mip level) and no parameter on purpose: lavapipe of Mesa 22 compiles a shader whose
 // branches depend on parameters alone for their values at each draw, and keeps it.
 float4 ShowPS(Varyings input) : SV_Target {
     float4 mode = input.color;
-    float4 texel = gImageMap.SampleLevel(gImage, input.uv, 0);
+    float4 texel = gImageMap.SampleLevel(gImage, input.uv, mode.w);
     if (any(isnan(texel)) || any(isinf(texel))) return float4(1, 0, 1, 1);
     float4 level = texel * gScale + gOffset;
     float3 color = level.rgb;
@@ -142,9 +142,10 @@ std::vector<std::byte> layOut(const UniformBlock& block, const Constants& consta
     return bytes;
 }
 
-Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter) {
+/// `magFilter`: points, where texels are to be seen as they are.
+Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter, Filter magFilter = Filter::Point) {
     return device.createSampler({.minFilter = minFilter,
-                                 .magFilter = Filter::Point, // texels are seen as they are
+                                 .magFilter = magFilter,
                                  .mipFilter = Filter::Point,
                                  .addressU = Address::Clamp,
                                  .addressV = Address::Clamp,
@@ -154,16 +155,22 @@ Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter) {
 
 /// The whole texture in the middle of the left share of the target.
 std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture, const std::array<float, 4>& color,
-                                       double share) {
-    const double across = share * target.width / texture.width;
+                                       const Canvas::Fit& fit) {
+    const double across = fit.share * target.width / texture.width;
     const double down = static_cast<double>(target.height) / texture.height;
     const double scale = std::min(across, down);
-    const double half = share * scale / across;
-    const auto left = static_cast<float>(share - 1 - half);
-    const auto right = static_cast<float>(share - 1 + half);
-    const auto y = static_cast<float>(scale / down);
-    return {CanvasVertex{left, y, 0, 0, color}, CanvasVertex{right, y, 1, 0, color}, CanvasVertex{right, -y, 1, 1, color},
-            CanvasVertex{left, -y, 0, 1, color}};
+    const auto halfWidth = static_cast<float>(fit.fill ? fit.share : fit.share * scale / across);
+    const auto halfHeight = static_cast<float>(fit.fill ? 1 : scale / down);
+    const auto share = static_cast<float>(fit.share);
+    const float stillX = 2 * share * fit.closer.at[0] - 1;
+    const float stillY = 1 - 2 * fit.closer.at[1];
+    const auto corner = [&](float x, float y, float u, float v) {
+        return CanvasVertex{stillX + fit.closer.zoom * (x - stillX), stillY + fit.closer.zoom * (y - stillY), u, v, color};
+    };
+    const float left = share - 1 - halfWidth;
+    const float right = share - 1 + halfWidth;
+    return {corner(left, halfHeight, 0, 0), corner(right, halfHeight, 1, 0), corner(right, -halfHeight, 1, 1),
+            corner(left, -halfHeight, 0, 1)};
 }
 
 } // namespace
@@ -171,6 +178,7 @@ std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu
 struct Canvas::State {
     gpu::Device& device;
     gpu::Sampler smooth;
+    gpu::Sampler soft;  // larger than it is, too
     gpu::Sampler exact; // depths cannot be filtered everywhere
     Program show;
     Program blend;
@@ -230,17 +238,28 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
     if (!blend) return blend.error();
     auto smooth = makeSampler(device, Filter::Linear);
     if (!smooth) return smooth.error();
+    auto soft = makeSampler(device, Filter::Linear, Filter::Linear);
+    if (!soft) return soft.error();
     auto exact = makeSampler(device, Filter::Point);
     if (!exact) return exact.error();
-    return Canvas(std::unique_ptr<State>(new State{
-        .device = device, .smooth = std::move(*smooth), .exact = std::move(*exact), .show = std::move(*show), .blend = std::move(*blend)}));
+    return Canvas(std::unique_ptr<State>(new State{.device = device,
+                                                   .smooth = std::move(*smooth),
+                                                   .soft = std::move(*soft),
+                                                   .exact = std::move(*exact),
+                                                   .show = std::move(*show),
+                                                   .blend = std::move(*blend)}));
 }
 
-Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels, double share) {
-    const std::array<float, 4> mode{static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F, 0};
-    const auto quad = fittedQuad(target.desc(), texture.desc(), mode, share);
+Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
+    return show(target, texture, levels, Fit{});
+}
+
+Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels, const Fit& fit) {
+    const std::array<float, 4> mode{static_cast<float>(levels.channel), levels.toneMap ? 1.0F : 0.0F, levels.encode ? 1.0F : 0.0F,
+                                    static_cast<float>(levels.mip)};
+    const auto quad = fittedQuad(target.desc(), texture.desc(), mode, fit);
     const Constants constants{.scale = levels.scale, .offset = levels.offset};
-    const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : state_->smooth;
+    const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : fit.fill ? state_->soft : state_->smooth;
     Prepared prepared;
     const auto ready =
         prepare(state_->device, state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, prepared);

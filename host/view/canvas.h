@@ -27,7 +27,14 @@ struct Levels {
     int channel = 0; // 0 colour, 1 to 4 one channel as grey
     bool toneMap = false;
     bool encode = false; // as sRGB
+    int mip = 0;
     bool operator==(const Levels&) const = default;
+};
+
+/// Which part of a texture is seen: `zoom` times as large, with the point `at` (shares from the left top) where it was.
+struct Closer {
+    float zoom = 1;
+    std::array<float, 2> at{0.5F, 0.5F};
 };
 
 /// Pixels: left, top, right, bottom.
@@ -40,9 +47,14 @@ public:
     Canvas& operator=(Canvas&&) noexcept;
     ~Canvas();
 
-    /// Black, then the texture in the middle, as large as its shape allows. NaN and infinity are shown in magenta. `share`: of the target's
-    /// width, from the left, that is the texture's.
-    [[nodiscard]] Result<void> show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels, double share = 1);
+    struct Fit {
+        double share = 1;  // of the target's width, from the left, that is the texture's
+        bool fill = false; // all of that, whatever the texture's shape, with soft edges between its texels
+        Closer closer;
+    };
+    /// Black, then the texture in the middle, as large as its shape allows. NaN and infinity are shown in magenta.
+    [[nodiscard]] Result<void> show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels, const Fit& fit);
+    [[nodiscard]] Result<void> show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels);
 
     struct Mesh {
         std::span<const CanvasVertex> vertices;

@@ -6,10 +6,11 @@ namespace tegument::view {
 
 namespace {
 
-constexpr float kWidestSliders = 0.6F;  // of the window, where something stands beside them
-constexpr float kTallestProblem = 0.4F; // of the window
-constexpr float kTallestStrip = 0.3F;   // of the window
-constexpr float kTallestLines = 0.5F;   // of what is above the problem, where the help stands below them
+constexpr float kWidestSliders = 0.6F;          // of the window, where something stands beside them
+constexpr float kTallestProblem = 0.4F;         // of the window
+constexpr float kTallestStrip = 0.4F;           // of the window
+constexpr float kAboveStrip = 3 * kPanelMargin; // what stands above it keeps its margins
+constexpr float kTallestLines = 0.5F;           // of what is above the problem, where the help stands below them
 
 /// At most as large as the room, which may be none.
 Area fitted(const PanelSize& size, float x, float y, float width, float height) {
@@ -30,7 +31,7 @@ PanelAreas arrange(float width, float height, const PanelSizes& sizes) {
         areas.problem = area;
     }
     if (sizes.strip) {
-        Area area = fitted(*sizes.strip, kPanelMargin, 0, across, kTallestStrip * height);
+        Area area = fitted(*sizes.strip, kPanelMargin, 0, across, std::min(kTallestStrip * height, bottom - kAboveStrip));
         area.y = bottom - area.height;
         bottom = area.y - kPanelMargin;
         areas.strip = area;

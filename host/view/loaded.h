@@ -11,8 +11,11 @@
 namespace tegument::view {
 
 struct Loaded {
-    Loaded(gpu::Device& device, Adoption source, const std::shared_ptr<const void>& scene, const SessionScene& parts)
-        : keeps(scene), effect(std::move(source.effect)), bindings(std::move(source.bindings)), session(device, effect, parts) {}
+    /// `before`: of the same scene.
+    Loaded(gpu::Device& device, Adoption source, const std::shared_ptr<const void>& scene, const SessionScene& parts,
+           const Loaded* before = nullptr)
+        : keeps(scene), effect(std::move(source.effect)), bindings(std::move(source.bindings)),
+          session(device, effect, parts, before ? &before->session : nullptr) {}
     Loaded(const Loaded&) = delete; // the session points at the effect
     Loaded& operator=(const Loaded&) = delete;
 

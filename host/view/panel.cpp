@@ -3,9 +3,9 @@
 #include "host/support/text.h"
 #include "host/view/keys.h"
 #include "host/view/layout.h"
+#include "host/view/panel_parts.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -15,26 +15,16 @@ namespace tegument::view {
 
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr ImGuiWindowFlags kPlain = kFixed | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar;
-constexpr float kOpacity = 0.75F;
+constexpr ImGuiWindowFlags kPlain = kFixedPanel | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar;
 constexpr float kSliderShare = 0.5F; // of the panel's width; the rest is the name
 const ImVec4 kRed(1.0F, 0.55F, 0.5F, 1.0F);
-const ImVec4 kChosen(0.45F, 0.75F, 1.0F, 1.0F);
-constexpr float kThumbnail = 72; // pixels high
+constexpr const char* kOwnEffect = "written for this host: its semantics say what each parameter gets\n";
 constexpr float kHistogramWidth = 280;
 constexpr float kHistogramHeight = 80;
 // Half transparent: what lies behind is seen.
 constexpr ImU32 kGrey = IM_COL32(220, 220, 220, 200);
 constexpr std::array<ImU32, Histogram::kChannels> kChannelColors = {IM_COL32(235, 70, 60, 150), IM_COL32(70, 200, 80, 150),
                                                                     IM_COL32(80, 130, 255, 150)};
-
-void place(const Area& area) {
-    ImGui::SetNextWindowPos(ImVec2(area.x, area.y), ImGuiCond_Always);
-    ImGui::SetNextWindowSize(ImVec2(area.width, area.height), ImGuiCond_Always);
-    ImGui::SetNextWindowBgAlpha(kOpacity);
-}
 
 /// Text with a window's padding around it.
 PanelSize sizeOf(const std::string& text) {
@@ -47,7 +37,7 @@ PanelSize sizeOf(const std::string& text) {
 
 void drawText(const char* name, const Area& area, const std::string& text) {
     if (area.width <= 0 || area.height <= 0) return;
-    place(area);
+    placePanel(area);
     ImGui::Begin(name, nullptr, kPlain);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text.c_str());
@@ -174,8 +164,8 @@ PanelSize sliderSize(const ViewState& state, const std::vector<const Parameter*>
 
 bool drawSliders(ViewState& state, const ViewState& start, const std::vector<const Parameter*>& parameters, const Area& area) {
     if (area.width <= 0 || area.height <= 0) return false;
-    place(area);
-    ImGui::Begin("parameters", nullptr, kFixed);
+    placePanel(area);
+    ImGui::Begin("parameters", nullptr, kFixedPanel);
     ImGui::PushItemWidth(kSliderShare * (area.width - 2 * ImGui::GetStyle().WindowPadding.x));
     bool changed = choosePresetFromList(state, start);
     if (parameters.empty() && state.presets.empty()) ImGui::TextUnformatted("no parameters");
@@ -186,36 +176,6 @@ bool drawSliders(ViewState& state, const ViewState& start, const std::vector<con
     return changed;
 }
 
-PanelSize stripSize() {
-    const float height =
-        kThumbnail + 2 * ImGui::GetTextLineHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ScrollbarSize;
-    return {.width = ImGui::GetIO().DisplaySize.x, .height = [height](float) { return height; }};
-}
-
-/// The name of the target that was clicked.
-std::optional<std::string> drawStrip(const std::vector<Thumbnail>& thumbnails, const Area& area) {
-    std::optional<std::string> opened;
-    if (area.width <= 0 || area.height <= 0) return opened;
-    place(area);
-    ImGui::Begin("targets", nullptr, kFixed | ImGuiWindowFlags_HorizontalScrollbar);
-    for (const Thumbnail& thumbnail : thumbnails) {
-        const gpu::TextureDesc& desc = thumbnail.texture->desc();
-        const ImVec2 size(kThumbnail * static_cast<float>(desc.width) / static_cast<float>(desc.height), kThumbnail);
-        ImGui::BeginGroup();
-        const ImVec4 frame = thumbnail.shown ? kChosen : ImVec4(0, 0, 0, 0);
-        ImGui::PushID(thumbnail.name.c_str());
-        ImGui::Image(thumbnail.texture, size, ImVec2(0, 0), ImVec2(1, 1), ImVec4(1, 1, 1, 1), frame);
-        if (ImGui::IsItemClicked()) opened = thumbnail.name;
-        ImGui::TextUnformatted(thumbnail.name.empty() ? "picture" : thumbnail.name.c_str());
-        ImGui::TextDisabled("%s", thumbnail.label.c_str());
-        ImGui::PopID();
-        ImGui::EndGroup();
-        ImGui::SameLine();
-    }
-    ImGui::End();
-    return opened;
-}
-
 PanelSize histogramSize() {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     return {.width = kHistogramWidth,
@@ -224,7 +184,7 @@ PanelSize histogramSize() {
 
 void drawHistogram(const Histogram& histogram, const Area& area) {
     if (area.width <= 0 || area.height <= 0) return;
-    place(area);
+    placePanel(area);
     ImGui::Begin("values", nullptr, kPlain);
     std::size_t most = 1;
     for (const auto& counts : histogram.counts)
@@ -261,20 +221,6 @@ bool isWhole(const Parameter& parameter) {
     return whole("UIMin") && whole("UIMax") && whole("UIStep") && annotated(parameter, "UIStep", 0) >= 1;
 }
 
-std::string bindingLines(const std::vector<ParameterBinding>& bindings) {
-    if (bindings.empty()) return "written for this host: its semantics say what each parameter gets\n";
-    std::size_t name = 0;
-    std::size_t source = 0;
-    for (const ParameterBinding& binding : bindings) {
-        name = std::max(name, binding.parameter.size());
-        source = std::max(source, binding.source.size());
-    }
-    std::string text = "what each parameter got, by which rule; --bind NAME=RULE says otherwise\n";
-    for (const ParameterBinding& binding : bindings)
-        text += fmt::format("  {:<{}}  {:<{}}  {}\n", binding.parameter, name, binding.source, source, binding.rule);
-    return text;
-}
-
 std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& effect) {
     std::vector<const Parameter*> parameters;
     for (const Parameter& parameter : effect.parameters)
@@ -282,17 +228,21 @@ std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& ef
     return parameters;
 }
 
-PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text, const PanelPictures& pictures,
+PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& loaded, const PanelText& text, const PanelPictures& pictures,
                        SourceText& source) {
     const float width = text.pictureShare * ImGui::GetIO().DisplaySize.x;
     const float height = ImGui::GetIO().DisplaySize.y;
-    const std::vector<const Parameter*> parameters = slidersOf(state, effect);
+    const std::vector<const Parameter*> parameters = slidersOf(state, loaded.effect);
     const std::string lines = linesOf(text);
     PanelSizes sizes;
     if (state.information) sizes.lines = sizeOf(lines);
-    const std::string help = state.help ? bindingsHelp() : state.bindings ? text.bindings : std::string();
-    if (!help.empty()) sizes.help = sizeOf(help);
-    if (!pictures.thumbnails.empty()) sizes.strip = stripSize();
+    const bool bindings = !state.help && state.bindings && !loaded.bindings.empty();
+    const std::string help = state.help ? bindingsHelp() : state.bindings ? kOwnEffect : std::string();
+    if (bindings)
+        sizes.help = bindingsSize(loaded.bindings);
+    else if (!help.empty())
+        sizes.help = sizeOf(help);
+    if (!pictures.thumbnails.empty()) sizes.strip = stripSize(pictures);
     if (pictures.histogram) sizes.histogram = histogramSize();
     if (state.sliders) sizes.sliders = sliderSize(state, parameters);
     if (!text.problem.empty()) {
@@ -306,10 +256,11 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& e
         drawText("problem", *areas.problem, text.problem);
         ImGui::PopStyleColor();
     }
-    if (areas.help) drawText("help", *areas.help, help);
+    if (areas.help && !bindings) drawText("help", *areas.help, help);
     if (areas.histogram) drawHistogram(*pictures.histogram, *areas.histogram);
     PanelOutcome outcome;
-    if (areas.strip) outcome.opened = drawStrip(pictures.thumbnails, *areas.strip);
+    if (areas.help && bindings) outcome.bound = drawBindings(loaded.bindings, loaded.effect, state.binds, *areas.help);
+    if (areas.strip) outcome.opened = drawStrip(pictures, *areas.strip);
     outcome.moved = areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
     if (text.beside) {
         float bottom = height;

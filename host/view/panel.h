@@ -4,7 +4,9 @@
 #include "host/adopt/adopt.h"
 #include "host/effect/model.h"
 #include "host/gpu/gpu.h"
+#include "host/view/graph.h"
 #include "host/view/layout.h"
+#include "host/view/loaded.h"
 #include "host/view/probe.h"
 #include "host/view/source_text.h"
 #include "host/view/state.h"
@@ -23,7 +25,6 @@ struct PanelText {
     std::vector<std::string> lines; // what is shown
     std::string problem;            // why the picture is not up to date; empty: it is
     std::string notice;             // "wrote out/Main-001.png"
-    std::string bindings;           // what each parameter got, by which rule
     std::optional<BesideText> beside;
     float pictureShare = 1; // of the window's width, from the left; the rest is the effect's text
 };
@@ -39,16 +40,21 @@ struct Thumbnail {
 /// What is shown besides text; empty: not asked for.
 struct PanelPictures {
     std::vector<Thumbnail> thumbnails;
+    std::vector<TargetArrow> arrows; // between them
     std::optional<Histogram> histogram;
 };
 
-/// "gWorld  WORLD  by semantic", a line for each parameter; why there is none where there is none.
-[[nodiscard]] std::string bindingLines(const std::vector<ParameterBinding>& bindings);
+/// What a parameter of another host's effect is to get: AdoptOptions::bind; an empty rule: what its own words say.
+struct BindingChoice {
+    std::string parameter;
+    std::string rule;
+};
 
 /// What was done in the panels.
 struct PanelOutcome {
     bool moved = false;                // a slider, or a preset was chosen: `state.parameters` then holds the values
     std::optional<std::string> opened; // a thumbnail
+    std::optional<BindingChoice> bound;
 };
 
 /// Of a parameter without fractions, by its type or because its range and step are whole numbers.
@@ -58,11 +64,20 @@ struct PanelOutcome {
 [[nodiscard]] std::vector<const Parameter*> slidersOf(const ViewState& state, const Effect& effect);
 
 /// `start`: what presets are laid over.
-[[nodiscard]] PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Effect& effect, const PanelText& text,
+[[nodiscard]] PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& loaded, const PanelText& text,
                                      const PanelPictures& pictures, SourceText& source);
+
+[[nodiscard]] PanelSize bindingsSize(const std::vector<ParameterBinding>& bindings);
+[[nodiscard]] std::optional<BindingChoice> drawBindings(const std::vector<ParameterBinding>& bindings, const Effect& effect,
+                                                        const std::map<std::string, std::string>& binds, const Area& area);
 
 /// The border over the picture, the names of both sides and their error above `bottom`.
 void drawBorder(double border, const BesideText& text, float width, float bottom);
+
+[[nodiscard]] std::string nameOf(const Thumbnail& thumbnail);
+[[nodiscard]] PanelSize stripSize(const PanelPictures& pictures);
+/// The small pictures and their arrows; the name of the one that was clicked.
+[[nodiscard]] std::optional<std::string> drawStrip(const PanelPictures& pictures, const Area& area);
 
 /// The effect's text with line numbers and errors in place; written by Ctrl+S.
 void drawSource(SourceText& source, const Area& area);

@@ -17,6 +17,7 @@ constexpr double kTurn = 3.14159265358979323846; // radians for a drag over the 
 constexpr double kNotch = 1.1;                   // of the distance for a notch of the wheel
 constexpr double kStops = 0.5;
 constexpr int kChannels = 5;
+constexpr float kMostZoom = 32;
 
 /// The element `step` places on, round the end; the first when `current` is not among them.
 std::size_t stepped(std::size_t count, std::optional<std::size_t> current, int step) {
@@ -32,6 +33,8 @@ std::optional<std::size_t> indexOf(const std::vector<std::string>& list, const s
 void showAnew(ViewState& state) {
     state.stops = 0;
     state.channel = 0;
+    state.level = 0;
+    state.zoom = 1;
 }
 
 Request stepTechnique(ViewState& state, int step) {
@@ -93,6 +96,16 @@ Request toggle(bool& flag) {
     return Request::None;
 }
 
+/// What is under the cursor stays there.
+Request zoomIn(ViewState& state) {
+    if (state.zoom >= kMostZoom) return Request::None;
+    const glm::dvec2 place = placeSeenAt(state, state.cursor);
+    state.zoom *= 2;
+    const auto zoom = static_cast<double>(state.zoom);
+    state.zoomAt = glm::clamp((state.cursor - zoom * place) / (1 - zoom), 0.0, 1.0);
+    return Request::Levels;
+}
+
 Request brighten(ViewState& state, double stops) {
     state.stops = stops == 0 ? 0 : state.stops + stops;
     return Request::Levels;
@@ -114,6 +127,9 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::Picture: return showPicture(state);
     case Command::NextSetting: return stepSetting(state);
     case Command::NextChannel: state.channel = (state.channel + 1) % kChannels; return Request::Levels;
+    case Command::NextLevel: state.level = (state.level + 1) % std::max(1, state.levels); return Request::Levels;
+    case Command::Closer: return zoomIn(state);
+    case Command::Whole: state.zoom = 1; return Request::Levels;
     case Command::Brighter: return brighten(state, kStops);
     case Command::Darker: return brighten(state, -kStops);
     case Command::Automatic: return brighten(state, 0);
@@ -132,6 +148,10 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::Quit: return Request::Quit;
     }
     return Request::None;
+}
+
+glm::dvec2 placeSeenAt(const ViewState& state, glm::dvec2 seen) {
+    return (seen - state.zoomAt) / static_cast<double>(state.zoom) + state.zoomAt;
 }
 
 Request showTarget(ViewState& state, const std::string& name) {

@@ -35,6 +35,12 @@ struct ViewState {
     std::vector<std::string> targets;
     double stops = 0;
     int channel = 0; // 0: as the target has them
+    int level = 0;   // of the mip chain
+    int levels = 1;  // that what is shown has
+    float zoom = 1;
+    glm::dvec2 zoomAt{0.5};                   // share of the picture that stays where it is
+    glm::dvec2 cursor{0.5};                   // likewise, of the picture as it is seen; where `zoom` goes
+    std::map<std::string, std::string> binds; // of a foreign effect's parameters: AdoptOptions::bind
     bool help = false;
     bool sliders = false;
     bool information = true;
@@ -58,6 +64,9 @@ void adopt(ViewState& state, const Effect& effect);
 
 /// Shows this target of the whole frame; the picture for an empty name.
 [[nodiscard]] Request showTarget(ViewState& state, const std::string& name);
+
+/// Where on the whole picture a place lies that is seen at `seen`; both shares from the left top.
+[[nodiscard]] glm::dvec2 placeSeenAt(const ViewState& state, glm::dvec2 seen);
 
 /// How many passes are to be drawn.
 [[nodiscard]] std::size_t passCount(const ViewState& state);

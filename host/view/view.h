@@ -23,7 +23,7 @@ struct ViewRequest {
     bool window = true;                     // false: a replay, drawn the same way
     std::filesystem::path beside;           // a saved picture to hold the effect's against; empty: none
     std::filesystem::path pictures = "out"; // where the keys s, w and c write
-    /// Of `tegument render`, besides effect, technique, setting, workspace and size: what the command line asked for.
+    /// Of `tegument render`, besides effect, technique, setting, workspace, size and `binds`: what the command line asked for.
     std::vector<std::string> renderArguments;
     std::shared_ptr<const void> keeps; // what `scene` points at
     bool keepView = false;             // of one that `open` made: camera, light and parameters stay where they are

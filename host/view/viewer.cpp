@@ -89,6 +89,7 @@ void Viewer::begin() {
     state_.preset.clear();
     state_.technique = request_.run.technique;
     state_.setting = request_.load.setting;
+    state_.binds = request_.binds;
 }
 
 void Viewer::readPresets() {
@@ -107,8 +108,7 @@ Result<Adoption> Viewer::readEffect() const {
     load.setting = state_.setting;
     auto effect = loadEffect(request_.effect, load);
     if (!effect) return effect.error();
-    return adopted(std::move(*effect),
-                   {.bind = request_.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height});
+    return adopted(std::move(*effect), {.bind = state_.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height});
 }
 
 Result<void> Viewer::run() {
@@ -130,6 +130,7 @@ Result<void> Viewer::step(const Input& input) {
     const bool seen = pixels.width > 0 && pixels.height > 0;
     if (input.any) settling_ = kSettlingFrames;
     cursor_ = input.cursor;
+    state_.cursor = glm::clamp(glm::dvec2(cursor_.x / pictureShare(), cursor_.y), 0.0, 1.0);
     if (input.closed) running_ = false;
     if (input.border) state_.border = std::clamp(*input.border / pictureShare(), 0.0, 1.0);
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
@@ -140,7 +141,8 @@ Result<void> Viewer::step(const Input& input) {
         if (const auto loaded = load(); !loaded) return loaded;
     }
     if (const auto resized = resize(); !resized) return resized;
-    if (!input.any) // once nothing moves
+    if (const auto sharpened = sharpen(); !sharpened) return sharpened;
+    if (!input.any && sharpness_ == 1) // once nothing moves
         if (const auto measured = measureBeside(); !measured) return measured;
     return seen && settling_ > 0 ? show() : Result<void>();
 }
@@ -154,7 +156,7 @@ void Viewer::waitForEditor() {
 
 Result<void> Viewer::obey(const Input& input) {
     if (apply(state_, input))
-        if (const auto drawn = draw(); !drawn) return drawn;
+        if (const auto drawn = drawMoving(); !drawn) return drawn;
     if (state_.source && std::ranges::find(input.keys, kKeyWrite) != input.keys.end()) writeSource(source_);
     if (overlay_->wantsKeys()) return {};
     for (const char32_t key : input.keys)
@@ -169,8 +171,12 @@ Result<void> Viewer::fulfil(Request request) {
     case Request::None: return {};
     case Request::Draw: return draw();
     case Request::Levels: return paint();
-    case Request::Load: return load();
-    case Request::Save: save(); return {};
+    case Request::Load: return load(true);
+    case Request::Save:
+        if (sharpness_ < 1)
+            if (const auto drawn = draw(); !drawn) return drawn;
+        save();
+        return {};
     case Request::SaveWorkspace:
         if (const auto path = saveWorkspace()) notice("wrote " + path->string());
         return {};
@@ -204,17 +210,19 @@ PixelSize Viewer::picturePixels() const {
 }
 
 glm::dvec2 Viewer::cursorOnPicture() const {
-    return {cursor_.x / pictureShare(), cursor_.y};
+    return placeSeenAt(state_, {cursor_.x / pictureShare(), cursor_.y});
 }
 
-Result<void> Viewer::load() {
+Result<void> Viewer::load(bool anew) {
     auto effect = readEffect();
     if (!effect) return report(nullptr, effect.error());
-    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
+    const double sharpness = std::exchange(sharpness_, 1);
+    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, anew ? nullptr : loaded_.get());
     const ViewState before = state_;
     adopt(state_, loaded->effect);
     auto frame = drawWith(*loaded);
     if (!frame) {
+        sharpness_ = sharpness;
         state_.techniques = before.techniques;
         state_.technique = before.technique;
         return report(&loaded->effect, frame.error());
@@ -233,6 +241,7 @@ Result<void> Viewer::open(const fs::path& file) {
     if (!request_.open) return {};
     auto next = request_.open(file, loaded_->effect);
     if (!next) return report(nullptr, next.error());
+    const double sharpness = std::exchange(sharpness_, 1);
     const ViewRequest before = std::exchange(request_, std::move(*next));
     const ViewState state = state_;
     request_.pictures = before.pictures;
@@ -250,6 +259,7 @@ Result<void> Viewer::open(const fs::path& file) {
     if (!frame) {
         request_ = before;
         state_ = state;
+        sharpness_ = sharpness;
         return report(nullptr, frame.error());
     }
     loaded_ = std::move(loaded);
@@ -259,12 +269,6 @@ Result<void> Viewer::open(const fs::path& file) {
     start_ = state_;
     notice("shown: " + file.string());
     watchFiles(&loaded_->effect, nullptr);
-    return develop(std::move(*frame));
-}
-
-Result<void> Viewer::draw() {
-    auto frame = drawWith(*loaded_);
-    if (!frame) return report(&loaded_->effect, frame.error());
     return develop(std::move(*frame));
 }
 
@@ -289,6 +293,8 @@ Result<void> Viewer::develop(SessionFrame frame) {
     const std::string name = shownTarget(state_, frame_);
     gpu::Texture* texture = loaded_->session.target(name);
     assert(texture); // the frame has drawn into it
+    state_.levels = static_cast<int>(texture->desc().mips);
+    state_.level = std::min(state_.level, state_.levels - 1);
     if (const auto found = findLevels(*texture, name); !found) return found;
     if (const auto drawn = drawBeside(); !drawn) return report(nullptr, drawn.error());
     return paint();
@@ -319,6 +325,7 @@ Result<void> Viewer::makePicture(gpu::Texture& picture, const char* name) {
 Levels Viewer::shownLevels() const {
     Levels levels = brightened(levels_, state_.stops);
     if (state_.channel != 0) levels.channel = state_.channel;
+    levels.mip = state_.level;
     return levels;
 }
 
@@ -326,7 +333,8 @@ Result<void> Viewer::paint() {
     if (const auto made = makePicture(picture_, "picture in the window"); !made) return made;
     settling_ = kSettlingFrames;
     if (const auto painted = paintBeside(); !painted) return painted;
-    return canvas_->show(picture_, *loaded_->session.target(shownTarget(state_, frame_)), shownLevels());
+    gpu::Texture& texture = *loaded_->session.target(shownTarget(state_, frame_));
+    return canvas_->show(picture_, texture, shownLevels(), fitOf(texture));
 }
 
 Result<void> Viewer::show() {
@@ -342,7 +350,7 @@ Result<void> Viewer::show() {
     const auto pictures = panelPictures();
     if (!pictures) return pictures.error();
     PanelOutcome outcome;
-    const auto text = [&] { outcome = drawPanel(state_, start_, loaded_->effect, panelText(), *pictures, source_); };
+    const auto text = [&] { outcome = drawPanel(state_, start_, *loaded_, panelText(), *pictures, source_); };
     if (const auto drawn = overlay_->draw(*canvas_, composed_, text); !drawn) return drawn;
     if (!window_) return {};
     if (std::string title = titleText(); title != title_) window_->setTitle(title_ = std::move(title));
@@ -350,7 +358,16 @@ Result<void> Viewer::show() {
     if (!shown) return shown.error();
     if (!*shown) settling_ = kSettlingFrames;
     if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
-    return outcome.moved ? draw() : Result<void>();
+    if (outcome.bound) return bind(*outcome.bound);
+    return outcome.moved ? drawMoving() : Result<void>();
+}
+
+Result<void> Viewer::bind(const BindingChoice& choice) {
+    if (choice.rule.empty())
+        state_.binds.erase(choice.parameter);
+    else
+        state_.binds[choice.parameter] = choice.rule;
+    return load();
 }
 
 void Viewer::notice(std::string text) {
@@ -363,8 +380,8 @@ RunOptions Viewer::runOptions() const {
     RunOptions options = request_.run;
     options.technique = state_.technique;
     options.parameters = state_.parameters;
-    options.width = static_cast<int>(size_.width);
-    options.height = static_cast<int>(size_.height);
+    options.width = static_cast<int>(drawnPixels().width);
+    options.height = static_cast<int>(drawnPixels().height);
     return options;
 }
 

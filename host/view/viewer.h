@@ -7,12 +7,14 @@
 #include "host/view/loaded.h"
 #include "host/view/overlay.h"
 #include "host/view/panel.h"
+#include "host/view/sharpness.h"
 #include "host/view/source_text.h"
 #include "host/view/state.h"
 #include "host/view/targets.h"
 #include "host/view/view.h"
 #include "host/view/watch.h"
 
+#include <chrono>
 #include <set>
 
 namespace tegument::view {
@@ -30,6 +32,9 @@ public:
     [[nodiscard]] std::vector<std::string> validationMessages() const { return device_.validationMessages(); }
 
 private:
+    /// Until a small picture is whole, which is a step of its own kind.
+    [[nodiscard]] Result<void> awaitSharp(std::vector<Reaction>& reactions);
+
     Viewer(const ViewRequest& request, const std::function<void(const std::string&)>& say, std::optional<Window> window,
            gpu::Device device);
     [[nodiscard]] Result<void> prepare();
@@ -44,14 +49,13 @@ private:
     /// Until the files have been still for a moment.
     void waitForEditor();
     [[nodiscard]] Result<Adoption> readEffect() const;
-    /// Reads the effect and draws it; what was there before stays if either fails.
-    [[nodiscard]] Result<void> load();
+    /// Reads the effect and draws it; what was there before stays if either fails. `anew`: its textures, too.
+    [[nodiscard]] Result<void> load(bool anew = false);
     /// A file that was dropped on the window.
     [[nodiscard]] Result<void> open(const std::filesystem::path& file);
     /// Camera, light, parameters, technique and setting as the request has them.
     void begin();
     void readPresets();
-    [[nodiscard]] Result<void> draw();
     [[nodiscard]] Result<SessionFrame> drawWith(Loaded& loaded);
     /// The frame's shown target becomes the picture.
     [[nodiscard]] Result<void> develop(SessionFrame frame);
@@ -60,6 +64,17 @@ private:
     /// A target of the picture's size.
     [[nodiscard]] Result<void> makePicture(gpu::Texture& picture, const char* name);
     [[nodiscard]] Levels shownLevels() const;
+
+    // viewer_moving.cpp
+    [[nodiscard]] Result<void> draw();
+    /// Small where a whole picture takes too long.
+    [[nodiscard]] Result<void> drawMoving();
+    [[nodiscard]] Result<void> drawAt(double share);
+    /// Draws the whole picture once nothing moves.
+    [[nodiscard]] Result<void> sharpen();
+    [[nodiscard]] PixelSize drawnPixels() const;
+    [[nodiscard]] Canvas::Fit fitOf(const gpu::Texture& texture) const;
+    [[nodiscard]] Closer closer() const;
 
     // viewer_beside.cpp
     [[nodiscard]] Result<void> keep();
@@ -90,6 +105,7 @@ private:
     std::optional<std::filesystem::path> saveWorkspace();
     void copyCommand();
     void notice(std::string text);
+    [[nodiscard]] Result<void> bind(const BindingChoice& choice);
 
     [[nodiscard]] RunOptions runOptions() const;
     /// What the panels show of the targets: read back and made small only while it is asked for.
@@ -131,7 +147,11 @@ private:
     std::string workspaceText_;
     std::string title_;
     std::size_t answers_ = 0; // frames and errors so far
-    int settling_ = 0;        // Dear ImGui's layout follows its input by a frame or two
+    double sharpness_ = 1;    // share of each side of the picture that is drawn
+    QuickPicture quick_;      // the last one
+    double wholeMilliseconds_ = 0;
+    std::chrono::steady_clock::time_point moved_; // when the last picture was there
+    int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;
     bool running_ = true;
 };

@@ -96,7 +96,7 @@ Result<void> Viewer::paintBeside() {
     gpu::Texture* texture = beside.loaded ? beside.loaded->session.target(shownTarget(state_, frame_)) : &beside.stored;
     Levels levels = shownLevels();
     if (beside.display) levels = {.channel = state_.channel, .toneMap = false, .encode = true};
-    return canvas_->show(beside.picture, *texture, levels);
+    return canvas_->show(beside.picture, *texture, levels, fitOf(*texture));
 }
 
 Result<std::pair<Image, const Image*>> Viewer::sides() {
@@ -141,7 +141,10 @@ Result<void> Viewer::compose() {
     if (beside && state_.errors)
         if (const auto found = findErrors(); !found) return found;
     const bool errors = beside && state_.errors && beside_->haveErrors;
-    if (const auto shown = canvas_->show(composed_, errors ? beside_->errors : picture_, {}, share); !shown) return shown;
+    if (const auto shown =
+            canvas_->show(composed_, errors ? beside_->errors : picture_, {}, {.share = share, .closer = errors ? closer() : Closer{}});
+        !shown)
+        return shown;
     if (!beside || errors) return {};
     const auto right = static_cast<float>(2 * share - 1);
     const std::array<CanvasVertex, kCorners> quad = {CanvasVertex{-1, 1, 0, 0}, CanvasVertex{right, 1, 1, 0}, CanvasVertex{right, -1, 1, 1},

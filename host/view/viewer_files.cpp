@@ -78,6 +78,8 @@ void Viewer::copyCommand() {
     std::vector<std::string> words = {"tegument", "render", request_.effect.string(), "-t", state_.technique};
     if (!state_.setting.empty()) words.insert(words.end(), {"--setting", state_.setting});
     words.insert(words.end(), {"-w", workspace->string(), "--size", fmt::format("{}x{}", size_.width, size_.height)});
+    for (const auto& [name, rule] : state_.binds)
+        words.insert(words.end(), {"--bind", name + "=" + rule});
     words.insert(words.end(), request_.renderArguments.begin(), request_.renderArguments.end());
     words.insert(words.end(), {"-o", picture.string()});
     std::string line;

@@ -28,9 +28,8 @@ Result<PanelPictures> Viewer::panelPictures() {
     if (state_.probe)
         if (const auto image = targets_.image(device_, loaded_->session, shown)) pictures.histogram = histogramOf(**image);
     if (!state_.strip) return pictures;
-    std::vector<std::string> names = state_.targets;
-    names.insert(names.begin(), std::string());
-    for (const std::string& name : names) {
+    pictures.arrows = arrowsOf(frame_);
+    for (const std::string& name : inOrderOfFlow(frame_)) {
         const gpu::Texture* target = loaded_->session.target(name);
         if (!target) continue; // of a part of the frame
         auto small = targets_.thumbnail(device_, *canvas_, loaded_->session, name, !loaded_->effect.adopted);
@@ -77,6 +76,10 @@ PanelText Viewer::panelText() {
     if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
     if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
     constexpr std::array kChannels = {"", "red", "green", "blue", "alpha"};
+    if (state_.levels > 1 && state_.show != Show::Picture)
+        text.lines.push_back(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
+    if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
+    if (sharpness_ < 1) text.lines.push_back(fmt::format("drawn at {} x {} while it moves", drawnPixels().width, drawnPixels().height));
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
     if (state_.probe) {
@@ -85,7 +88,6 @@ PanelText Viewer::panelText() {
     }
     text.beside = besideText();
     text.pictureShare = static_cast<float>(pictureShare());
-    if (state_.bindings) text.bindings = bindingLines(loaded_->bindings);
     if (!state_.help) text.lines.emplace_back("h: help");
     return text;
 }

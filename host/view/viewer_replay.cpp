@@ -24,11 +24,22 @@ Result<void> replaceIn(const ReplayStep& edit) {
 
 } // namespace
 
+Result<void> Viewer::awaitSharp(std::vector<Reaction>& reactions) {
+    if (sharpness_ >= 1) return {};
+    const auto begin = std::chrono::steady_clock::now();
+    while (sharpness_ < 1)
+        if (const auto stepped = step(wait()); !stepped) return stepped;
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    reactions.push_back({.kind = "sharp after a move", .milliseconds = took.count()});
+    return {};
+}
+
 Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& steps) {
     std::vector<Reaction> reactions;
     for (int settled = 0; settled < kSettlingFrames; ++settled)
         if (const auto stepped = step(wait()); !stepped) return stepped.error();
-    for (const ReplayStep& next : steps) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const ReplayStep& next = steps[i];
         const std::size_t before = answers_;
         if (!next.file.empty())
             if (const auto edited = replaceIn(next); !edited) return edited.error();
@@ -42,6 +53,8 @@ Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& step
         if (!problem_.empty())
             return inputError(kNoReplay, {.file = request_.effect.string(), .byte = {}},
                               "a step of the replay has no picture: " + problem_);
+        const bool moves = i + 1 < steps.size() && steps[i + 1].kind == next.kind;
+        if (const auto sharp = moves ? Result<void>() : awaitSharp(reactions); !sharp) return sharp.error();
     }
     return reactions;
 }

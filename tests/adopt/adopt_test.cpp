@@ -230,6 +230,31 @@ TEST(ForeignBindings, obey_the_command_line) {
     EXPECT_EQ(binding("float4x4 World : WORLD;", {.bind = {{"World", "default"}}}).source, "the identity");
 }
 
+TEST(ForeignBindings, take_every_choice_that_is_offered) {
+    for (const char* declaration : {"float4x4 p;", "float3 p;", "float4 p;", "float2 p;", "float p;", "int p;", "float4x4 p[4];"}) {
+        const Effect effect = foreign(declaration + ("\nfloat4 PS() : COLOR { return 1; }\n" + kRest));
+        for (const std::string& choice : bindChoices(effect.parameters[0]))
+            EXPECT_EQ(binding(declaration, {.bind = {{"p", choice}}}).rule, "--bind") << declaration << " " << choice;
+    }
+}
+
+TEST(ForeignBindings, give_textures_the_picture_that_is_asked_for) {
+    const auto bound = [](const std::string& declaration, const std::string& picture) {
+        const Adoption adoption = adopted(foreign(declaration +
+                                                  " sampler s = sampler_state { Texture = <pic>; };\n"
+                                                  "float4 PS(float2 t : TEXCOORD0) : COLOR { return tex2D(s, t); }\n" +
+                                                  kRest),
+                                          {.bind = {{"pic", picture}}});
+        const Parameter& parameter = *adoption.effect.findParameter("pic");
+        const auto found = std::ranges::find(adoption.bindings, "pic", &ParameterBinding::parameter);
+        return std::vector<std::string>{parameter.annotations.string("Procedure").value_or(""), found->source, found->rule,
+                                        parameter.annotations.string("ResourceName").value_or("none")};
+    };
+    const std::string file = "texture pic : DIFFUSE < string ResourceName = \"a.png\"; >;";
+    EXPECT_EQ(bound(file, "noise"), (std::vector<std::string>{"noise", "noise", "--bind", "none"})) << "nor the file, nor the mesh's own";
+    EXPECT_EQ(bound(file, "sky"), (std::vector<std::string>{"checker", "checker", "--bind names no picture of this host: 'sky'", "a.png"}));
+}
+
 TEST(ForeignBindings, follow_the_members_of_a_structure_with_an_address) {
     const Adoption adoption = adopted(foreign("struct D { float3 Color; float3 Direction; };\n"
                                               "D sun < string SasBindAddress = \"Sas.DirectionalLight[0]\"; >;\n"

@@ -98,10 +98,4 @@ TEST(Strip, opens_a_target_or_the_picture_and_nothing_else) {
     EXPECT_EQ(state.show, Show::Picture);
 }
 
-TEST(Bindings, say_parameter_value_and_rule_in_columns) {
-    const std::string text = bindingLines({{"gWorld", "WORLD", "semantic"}, {"tint", "white", "name"}});
-    EXPECT_NE(text.find("  gWorld  WORLD  semantic\n  tint    white  name\n"), std::string::npos) << text;
-    EXPECT_NE(bindingLines({}).find("written for this host"), std::string::npos);
-}
-
 } // namespace tegument::view

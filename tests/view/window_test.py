@@ -271,11 +271,41 @@ class Window(unittest.TestCase):
         self.view.screen.press("v")
         strip = self.keep(self.view.still(unlike=self.start), "key_v")
         self.assertGreater(strip.share_apart(self.start), 0.05)
-        self.view.screen.drag((130, 250), (130, 250))  # the picture is the first and as wide as high: this is one behind it
-        self.view.title("target g")
+        self.view.screen.drag((30, 225), (30, 225))  # in the order of the frame, the picture last
+        self.view.title("target gTsmMap")
         self.keep(self.view.still(unlike=strip), "key_v_opened")
         self.view.screen.press("v")
         self.assertEqual(self.view.start_again(), self.start)
+
+    def amber(self, picture):
+        """Of arrows that begin or end at the target under the cursor, else at the one that is shown."""
+        pixels = picture.pixels
+        return sum(abs(pixels[i] - 255) < 12 and abs(pixels[i + 1] - 190) < 12 and abs(pixels[i + 2] - 60) < 24 for i in range(0, len(pixels), 3))
+
+    def test_arrows_tell_what_is_drawn_from_what(self):
+        self.view.screen.resize(2 * SIZE, SIZE)
+        self.view.still()
+        self.view.screen.press("v")
+        strip = self.keep(self.view.still(unlike=self.start), "arrows_1_to_the_picture")
+        self.assertGreater(self.amber(strip), 100)
+        self.view.screen.move(30, 225)  # gTsmMap, which the first convolution and the picture read
+        hovered = self.keep(self.view.still(unlike=strip), "arrows_2_of_one_target")
+        self.assertGreater(self.amber(hovered), 100)
+        self.view.screen.move(10, 10)
+        self.view.screen.press("v")
+        self.view.screen.resize(SIZE, SIZE)
+        self.assertEqual(self.view.still(unlike=hovered), self.start)
+
+    def test_z_enlarges_about_the_cursor_and_Z_shows_the_whole(self):
+        self.view.screen.move(100, 120)
+        self.view.still()
+        self.view.screen.press("z")
+        large = self.keep(self.view.still(unlike=self.start), "key_z")
+        at = (120 * large.width + 100) * 3
+        apart = max(abs(a - b) for a, b in zip(large.pixels[at:at + 3], self.start.pixels[at:at + 3]))
+        self.assertLessEqual(apart, 8)  # a pixel's texel stays; half a pixel of it may not
+        self.view.screen.press("z", "Shift_L")
+        self.assertEqual(self.view.still(unlike=large), self.start)
 
     def test_s_writes_a_png_of_the_windows_size(self):
         self.view.screen.press("s")
@@ -369,67 +399,6 @@ class NoWindowSystem(unittest.TestCase):
                                  env=environment, capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(ran.returncode, 3, ran.stderr)
         self.assertEqual(len([line for line in ran.stderr.splitlines() if "error TG6060" in line]), 1, ran.stderr)
-
-
-FOREIGN = """float4x4 wvp : WORLDVIEWPROJECTION;
-float4 tint = { 1, 0, 0, 1 };
-float4 VS(float4 p : POSITION) : POSITION { return mul(p, wvp); }
-float4 PS() : COLOR { return tint; }
-float4 Other() : COLOR { return float4(0, 1, 0, 1); }
-technique Red { pass { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }
-technique Green { pass { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 Other(); } }
-"""
-
-
-class ForeignWindow(unittest.TestCase):
-    """An effect of Direct3D 9, on the ball that stands in for a mesh."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.view = View(("foreign.fx",), (("foreign.fx", FOREIGN),))
-        cls.view.title("foreign.fx Red [")
-        cls.view.screen.press("i")
-        cls.first = cls.view.still()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.view.end()
-        shutil.rmtree(cls.view.folder)
-
-    def middle(self, picture):
-        at = (SIZE // 2 * picture.width + SIZE // 2) * 3
-        return tuple(picture.pixels[at:at + 3])
-
-    def test_is_shown_in_its_own_colours(self):
-        self.assertEqual(self.middle(self.first), (255, 0, 0))
-
-    def test_b_tells_what_each_parameter_got(self):
-        self.view.screen.press("b")
-        over = self.view.still(unlike=self.first)
-        if PICTURES:
-            over.save(PICTURES / "key_b.png")
-        self.view.screen.press("b")
-        self.assertEqual(self.view.still(unlike=over), self.first)
-
-    def test_t_shows_its_next_technique(self):
-        self.view.screen.press("t")
-        self.view.title("foreign.fx Green [")
-        self.assertEqual(self.middle(self.view.still(unlike=self.first)), (0, 255, 0))
-        self.view.screen.press("T")
-        self.view.title("foreign.fx Red [")
-        self.assertEqual(self.view.still(), self.first)
-
-    def test_an_edit_is_seen_and_a_broken_one_keeps_the_picture(self):
-        source = self.view.folder / "foreign.fx"
-        source.write_text(FOREIGN.replace("{ 1, 0, 0, 1 }", "{ 0, 0, 1, 1 }"))
-        blue = self.view.still(unlike=self.first)
-        self.assertEqual(self.middle(blue), (0, 0, 255))
-        source.write_text(FOREIGN.replace("return tint;", "return nowhere;"))
-        self.view.title("error TG3001")
-        self.assertIn("foreign.fx(4,", self.view.said())
-        source.write_text(FOREIGN)
-        self.view.title("foreign.fx Red [")
-        self.assertEqual(self.view.still(unlike=blue), self.first)
 
 
 if __name__ == "__main__":

@@ -74,7 +74,7 @@ std::uint64_t writtenBy(const run::FrameDraw& draw, const CountingPass& pass) {
 }
 
 Traffic trafficOf(const run::FrameDraw& draw, const CountingPass& pass, const std::vector<std::uint32_t>& numbers) {
-    Traffic traffic{.pass = draw.name};
+    Traffic traffic{.pass = draw.described.name};
     for (std::size_t i = 0; i < pass.counters.size(); ++i) {
         const AccessCounter& counter = pass.counters[i];
         const std::uint64_t count = numbers[i];
@@ -117,8 +117,8 @@ Result<std::deque<CountedDraw>> giveBuffers(gpu::Device& device, run::Frame& fra
     std::deque<CountedDraw> counted;
     for (run::FrameItem& item : frame.items) {
         auto* draw = std::get_if<run::FrameDraw>(&item);
-        if (!draw || !passes.contains(draw->name)) continue;
-        const CountingPass& pass = passes.at(draw->name);
+        if (!draw || !passes.contains(draw->described.name)) continue;
+        const CountingPass& pass = passes.at(draw->described.name);
         const std::vector<std::byte> zeros(pass.counters.size() * sizeof(std::uint32_t));
         auto buffer = device.createBuffer(gpu::BufferUsage::Storage, zeros);
         if (!buffer) return buffer.error();

@@ -16,7 +16,7 @@ void splitMeshDraws(run::Frame& frame, const gpu::Buffer* mesh) {
             frame.items.push_back(std::move(item));
             continue;
         }
-        run::FrameDraw rest{.name = whole->name, .object = whole->object, .targets = whole->targets, .draw = whole->draw, .blocks = {}};
+        run::FrameDraw rest{.described = whole->described, .targets = whole->targets, .draw = whole->draw, .blocks = {}};
         const std::uint32_t triangles = whole->draw.count / 3;
         const std::uint32_t kept = 3 * (triangles / 3); // not in the middle: a mirror's plane may lie there
         rest.draw.first += kept;
@@ -48,7 +48,7 @@ Result<Image> Painter::draw(const EngineScene& scene) {
     remember(staged->prepared.front());
     const auto& meshes = stage_.resources().store.meshes;
     if (const auto mesh = meshes.find(&scene.mesh); scene.split && mesh != meshes.end())
-        splitMeshDraws(staged->frame, &mesh->second.vertices);
+        splitMeshDraws(staged->frame, &mesh->second->vertices);
     if (const auto drawn = stage_.draw(*staged, staged->frame.items.size()); !drawn) return drawn.error();
     auto image = run::readBack(device_, *stage_.resources().picture());
     if (image && scene.mirrored) exchangeLeftAndRight(*image);

@@ -1,0 +1,34 @@
+#include "host/view/sharpness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr double kQuick = 70; // milliseconds: with what a window adds, below the 100 that feel like at once
+constexpr double kWorth = 4;  // pixels that take a quarter of the rest are not worth being fewer
+constexpr std::array kShares = {1.0, 0.75, 0.5, 0.375, 0.25, 0.125}; // few: each other size allocates targets anew
+
+/// Which pixels, as a share of all, fit: those cost `whole` less `rest`.
+double pixelsThatFit(double whole, double rest) {
+    const double pixels = whole - rest;
+    if (pixels <= 0) return 1;
+    return rest < kQuick ? std::max((kQuick - rest) / pixels, rest / kWorth / pixels) : rest / kWorth / pixels;
+}
+
+} // namespace
+
+double quickShare(double whole, const QuickPicture& last) {
+    if (whole <= kQuick) return 1;
+    double rest = 0; // what a picture without pixels takes
+    if (last.milliseconds > 0 && last.share < 1) rest = whole - (whole - last.milliseconds) / (1 - last.share * last.share);
+    double share = std::sqrt(pixelsThatFit(whole, std::clamp(rest, 0.0, whole)));
+    if (rest < -kQuick / 2) share = std::max(share, std::min(1.0, 2 * last.share)); // the whole picture took longer for what it compiled
+    const auto fits = std::ranges::find_if(kShares, [&](double candidate) { return candidate <= share; });
+    return fits == kShares.end() ? kShares.back() : *fits;
+}
+
+} // namespace tegument::view

@@ -1,0 +1,122 @@
+// How small a picture gets while something moves, what stays under the cursor, and what a session takes over from the one before an edit.
+
+#include "host/run/read_back.h"
+#include "host/run/session.h"
+#include "host/view/sharpness.h"
+#include "host/view/state.h"
+#include "tests/run/fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace tegument::view {
+
+namespace {
+
+/// A machine that takes so long for what does not depend on the size, and for all pixels.
+struct Machine {
+    double rest = 0;
+    double pixels = 0;
+    [[nodiscard]] double milliseconds(double share) const { return rest + pixels * share * share; }
+
+    /// After a few pictures.
+    [[nodiscard]] double settled() const {
+        QuickPicture last;
+        for (int i = 0; i < 8; ++i) {
+            const double share = quickShare(milliseconds(1), last);
+            if (share == 1) return 1;
+            last = {.share = share, .milliseconds = milliseconds(share)};
+        }
+        return last.share;
+    }
+};
+
+} // namespace
+
+TEST(WhileItMoves, a_picture_that_is_quick_enough_is_whole) {
+    EXPECT_EQ(quickShare(0, {}), 1) << "none was drawn yet";
+    EXPECT_EQ((Machine{.rest = 20, .pixels = 45}.settled()), 1);
+}
+
+TEST(WhileItMoves, the_picture_is_as_small_as_answers_in_time) {
+    for (const double rest : {0.0, 20.0, 50.0})
+        for (const double pixels : {100.0, 400.0, 1000.0}) {
+            const Machine machine{.rest = rest, .pixels = pixels};
+            EXPECT_LE(machine.milliseconds(machine.settled()), 70) << rest << " and " << pixels; // the 70 ms that sharpness.h promises
+            EXPECT_GT(machine.milliseconds(1.6 * machine.settled()), 50) << "not smaller than need be";
+        }
+}
+
+TEST(WhileItMoves, the_picture_is_no_smaller_than_helps) {
+    const Machine machine{.rest = 800, .pixels = 400};
+    EXPECT_GE(machine.settled(), 0.5);
+}
+
+TEST(WhileItMoves, one_slow_picture_that_compiled_does_not_blur_the_rest) {
+    const Machine machine{.rest = 5, .pixels = 30};
+    QuickPicture last{.share = 0.125, .milliseconds = machine.milliseconds(0.125)};
+    for (int i = 0; i < 8 && last.share < 1; ++i) {
+        const double share = quickShare(5000, last);
+        last = {.share = share, .milliseconds = machine.milliseconds(share)};
+    }
+    EXPECT_EQ(last.share, 1);
+}
+
+TEST(Zoom, keeps_what_is_under_the_cursor_and_ends_at_32) {
+    ViewState state;
+    const ViewState start = state;
+    state.cursor = {0.8, 0.3};
+    const glm::dvec2 place = placeSeenAt(state, state.cursor);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(apply(state, Command::Closer, start), Request::Levels);
+        EXPECT_NEAR(glm::length(placeSeenAt(state, state.cursor) - place), 0, 1e-9) << i;
+    }
+    EXPECT_EQ(state.zoom, 32);
+    EXPECT_EQ(apply(state, Command::Closer, start), Request::None);
+    EXPECT_EQ(apply(state, Command::Whole, start), Request::Levels);
+    EXPECT_NEAR(glm::length(placeSeenAt(state, {0.1, 0.2}) - glm::dvec2(0.1, 0.2)), 0, 1e-12); // rounding
+}
+
+TEST(MipLevels, go_round_and_begin_anew_with_another_target) {
+    ViewState state;
+    state.targets = {"gA", "gB"};
+    state.levels = 3;
+    const ViewState start = state;
+    for (const int expected : {1, 2, 0, 1}) {
+        EXPECT_EQ(apply(state, Command::NextLevel, start), Request::Levels);
+        EXPECT_EQ(state.level, expected);
+    }
+    EXPECT_EQ(showTarget(state, "gB"), Request::Draw);
+    EXPECT_EQ(state.level, 0);
+}
+
+class AfterAnEdit : public test::Run {};
+
+TEST_F(AfterAnEdit, a_session_takes_over_what_the_device_holds_and_draws_the_same) {
+    const Mesh mesh = test::square();
+    const auto effect = loadEffect("tests/run/fixtures/textures.fx", {});
+    ASSERT_TRUE(effect) << format(effect.error());
+    const RunOptions options{.technique = "Color",
+                             .width = 16,
+                             .height = 16,
+                             .compiler = defaultCompiler(),
+                             .textures = {{"gColorMap", "docs/images/batch_model.png"}}};
+    const auto drawn = [&](EffectSession& session) {
+        const auto frame = session.draw({}, options);
+        EXPECT_TRUE(frame) << (frame ? "" : format(frame.error()));
+        auto image = run::readBack(*device_, *session.target(""));
+        return image ? image->pixels : std::vector<float>();
+    };
+    auto first = std::make_unique<EffectSession>(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+    const std::vector<float> picture = drawn(*first);
+    const auto one = device_->allocatedBytes();
+    EffectSession alone(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}});
+    EXPECT_EQ(drawn(alone), picture);
+    const auto two = device_->allocatedBytes();
+    EffectSession next(*device_, *effect, SessionScene{.mesh = &mesh, .objects = {}}, first.get());
+    EXPECT_EQ(drawn(next), picture);
+    EXPECT_LT(device_->allocatedBytes() - two, (two - one) / 2) << "it has no texture of its own";
+    first.reset();
+    EXPECT_EQ(drawn(next), picture) << "what it took over lives on";
+}
+
+} // namespace tegument::view

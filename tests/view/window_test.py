@@ -284,9 +284,9 @@ class Window(unittest.TestCase):
 
     def test_arrows_tell_what_is_drawn_from_what(self):
         self.view.screen.resize(2 * SIZE, SIZE)
-        self.view.still()
+        wide = self.view.still(unlike=self.start)
         self.view.screen.press("v")
-        strip = self.keep(self.view.still(unlike=self.start), "arrows_1_to_the_picture")
+        strip = self.keep(self.view.still(unlike=wide), "arrows_1_to_the_picture")
         self.assertGreater(self.amber(strip), 100)
         self.view.screen.move(30, 225)  # gTsmMap, which the first convolution and the picture read
         hovered = self.keep(self.view.still(unlike=strip), "arrows_2_of_one_target")

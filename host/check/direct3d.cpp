@@ -192,12 +192,18 @@ void checkPositions(const Work& work, TargetCheck& report) {
     }
 }
 
+/// A technique that Direct3D 9 does not read stays in the list: what is dropped without a word is to be found.
+const Technique& readBy9(const Effect& nine, const Technique& technique) {
+    const auto found = std::ranges::find(nine.techniques, technique.name, &Technique::name);
+    return found == nine.techniques.end() ? technique : *found;
+}
+
 } // namespace
 
 std::vector<const Technique*> techniquesIn(const Work& work, Target target) {
     std::vector<const Technique*> found;
-    const Effect& effect = target == Target::Fx2 && work.nine ? *work.nine : work.effect();
-    for (const Technique& technique : effect.techniques) {
+    for (const Technique& written : work.effect().techniques) {
+        const Technique& technique = target == Target::Fx2 && work.nine ? readBy9(*work.nine, written) : written;
         const bool nine = technique.kind == TechniqueKind::D3D9;
         const bool ten = technique.kind == TechniqueKind::D3D10;
         // Files that do not distinguish targets keep only the techniques that are written for the target.

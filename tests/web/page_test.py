@@ -128,7 +128,7 @@ class Page(unittest.TestCase):
     def test_what_is_chosen_last_is_shown_whatever_is_loaded_first(self):
         if "head" not in self.page.evaluate("view.subjects"):
             self.skipTest("the default head was not made (./bootstrap demo makes it)")
-        self.page.open(f"{self.folder / 'page.html'}#still")
+        self.page.open(f"{self.folder / 'page.html'}?anew#still")  # the same address would leave the document, and what it has decoded
         self.page.evaluate("""(async () => {
             const wait = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds)), decode = createImageBitmap;
             let decoded = 0;

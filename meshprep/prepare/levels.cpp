@@ -165,7 +165,7 @@ private:
     std::size_t leftOver_ = 0;
 };
 
-/// For each level so many triangles are simplified and judged, that is in about half a second of one processor. Small meshes are tried
+/// For each level so many triangles are simplified and judged, that is in some two seconds of one processor. Small meshes are tried
 /// often.
 constexpr std::size_t kTrianglesTried = 1'000'000;
 constexpr std::size_t kMostTries = 90;

@@ -79,7 +79,7 @@ void Viewer::copyCommand() {
     if (!state_.setting.empty()) words.insert(words.end(), {"--setting", state_.setting});
     words.insert(words.end(), {"-w", workspace->string(), "--size", fmt::format("{}x{}", size_.width, size_.height)});
     for (const auto& [name, rule] : state_.binds)
-        words.insert(words.end(), {"--bind", name + "=" + rule});
+        words.insert(words.end(), {"--bind", fmt::format("{}={}", name, rule)});
     words.insert(words.end(), request_.renderArguments.begin(), request_.renderArguments.end());
     words.insert(words.end(), {"-o", picture.string()});
     std::string line;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Image grey(std::vector<float> values) {
+Image grey(const std::vector<float>& values) {
     Image image{.width = static_cast<int>(values.size()), .height = 1, .channels = 4, .pixels = {}, .metadata = {}};
     for (const float value : values)
         image.pixels.insert(image.pixels.end(), {value, value, value, 1});

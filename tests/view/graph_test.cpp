@@ -58,8 +58,8 @@ bool has(const std::vector<TargetArrow>& arrows, const std::string& from, const 
     return std::ranges::any_of(arrows, [&](const TargetArrow& arrow) { return arrow.from == from && arrow.to == to; });
 }
 
-SessionPass passOf(const char* name, std::vector<std::string> reads, std::vector<std::string> writes) {
-    return {.name = name, .object = 0, .targets = writes, .reads = std::move(reads), .writes = std::move(writes)};
+SessionPass passOf(const char* name, const std::vector<std::string>& reads, const std::vector<std::string>& writes) {
+    return {.name = name, .object = 0, .targets = writes, .reads = reads, .writes = writes};
 }
 
 } // namespace

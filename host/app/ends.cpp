@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <thread>
 
@@ -72,14 +71,6 @@ void begin() {
     std::thread(waitForInterruption, ends[0]).detach();
     for (const int signal : kInterruptions)
         listenTo(signal);
-}
-
-int ended(int code) {
-    const bool lost = std::ferror(stdout) != 0;
-    if (std::fflush(stdout) == 0 && !lost) return code;
-    say(format(machineError(8090, fmt::format("cannot write to standard output: {}", std::strerror(errno != 0 ? errno : EIO)),
-                            "files that were written are whole; run it again with its output elsewhere")));
-    return code != 0 ? code : static_cast<int>(Blame::Machine);
 }
 
 } // namespace tegument::app

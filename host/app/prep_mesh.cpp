@@ -7,6 +7,7 @@
 #include "host/app/prep_page.h"
 #include "host/app/prep_report.h"
 #include "host/support/file.h"
+#include "host/support/left_out.h"
 #include "host/support/text.h"
 #include "meshprep/prepare/manifold_levels.h"
 
@@ -67,7 +68,7 @@ Result<void> setOrder(Arguments& arguments) {
 
 Result<void> checkLevels(const prep::PrepOptions& options) {
     if (options.levelMethod != prep::LevelMethod::OpenMesh || prep::ManifoldSimplifier::available()) return {};
-    return machineError(8051, "this build leaves out OpenMesh, and with it --levels-by openmesh", "without it, levels are meshoptimizer's");
+    return leftOut("OpenMesh, and with it --levels-by openmesh", "without it, levels are meshoptimizer's");
 }
 
 Result<void> inputExists(const Arguments& arguments) {

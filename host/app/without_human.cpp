@@ -4,6 +4,7 @@
 #include "host/app/output.h"
 #include "host/app/prep_mesh.h"
 #include "host/support/file.h"
+#include "host/support/left_out.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +16,9 @@ void addPrepHuman(CLI::App& prep, Action& action) {
     command->allow_extras();
     command->callback([&action] {
         action = [] {
-            return fail(machineError(8051, "this build leaves out the default head, and with it tegument prep human",
-                                     fmt::format("a human.glb from another build belongs in {}; --mesh takes a head of your own",
-                                                 (cacheFolder() / "human").string())),
+            return fail(leftOut("the default head, and with it tegument prep human",
+                                fmt::format("a human.glb from another build belongs in {}; --mesh takes a head of your own",
+                                            (cacheFolder() / "human").string())),
                         false);
         };
     });

@@ -1,8 +1,11 @@
 // What process.h offers and no system does differently.
 
+#include "host/support/any_process.h"
+
 #include "host/support/process.h"
 #include "host/support/system.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tegument {
@@ -15,6 +18,24 @@ std::optional<fs::path> folderAboveProgramWith(const fs::path& named) {
     for (fs::path folder = programFile().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
         if (fs::exists(folder / named, code)) return folder;
     return std::nullopt;
+}
+
+std::optional<fs::path> findInFolders(NativeView folders, fs::path::value_type separator, const fs::path& name,
+                                      const std::function<std::optional<fs::path>(const fs::path&)>& asProgram) {
+    while (!folders.empty()) {
+        const std::size_t end = std::min(folders.find(separator), folders.size());
+        if (auto found = asProgram(fs::path(folders.substr(0, end)) / name)) return found;
+        folders.remove_prefix(std::min(end + 1, folders.size()));
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> takeLine(std::string& text) {
+    const std::size_t length = text.find('\n');
+    if (length == std::string::npos) return std::nullopt;
+    std::string line = text.substr(0, length);
+    text.erase(0, length + 1);
+    return line;
 }
 
 BackgroundProcess::BackgroundProcess(BackgroundProcess&& other) noexcept

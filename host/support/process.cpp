@@ -1,5 +1,7 @@
 #include "host/support/process.h"
 
+#include "host/support/any_process.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -275,17 +277,11 @@ int exitCode(int status) {
 std::optional<fs::path> findProgram(const std::string& name) {
     const auto executable = [](const fs::path& path) {
         std::error_code code;
-        return fs::is_regular_file(path, code) && access(path.c_str(), X_OK) == 0;
+        return fs::is_regular_file(path, code) && access(path.c_str(), X_OK) == 0 ? std::optional(path) : std::nullopt;
     };
-    if (name.find('/') != std::string::npos) return executable(name) ? std::optional(fs::path(name)) : std::nullopt;
+    if (name.find('/') != std::string::npos) return executable(name);
     const char* path = std::getenv("PATH");
-    std::string_view folders = path == nullptr ? "" : path;
-    while (!folders.empty()) {
-        const std::size_t end = std::min(folders.find(':'), folders.size());
-        if (const fs::path candidate = fs::path(folders.substr(0, end)) / name; executable(candidate)) return candidate;
-        folders.remove_prefix(std::min(end + 1, folders.size()));
-    }
-    return {};
+    return findInFolders(path == nullptr ? "" : path, ':', name, executable);
 }
 
 Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSeconds) {
@@ -330,11 +326,7 @@ std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {
     const auto end = after(timeoutSeconds);
     while (pending_.find('\n') == std::string::npos && Clock::now() < end)
         if (!readSome(output_, millisecondsUntil(end), pending_)) break;
-    const std::size_t length = pending_.find('\n');
-    if (length == std::string::npos) return {};
-    std::string line = pending_.substr(0, length);
-    pending_.erase(0, length + 1);
-    return line;
+    return takeLine(pending_);
 }
 
 bool BackgroundProcess::running() {

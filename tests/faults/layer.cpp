@@ -9,9 +9,7 @@
 //   crash   vkCreateGraphicsPipelines: the process is ended by a signal, as by a driver's own fault
 
 #include "tests/faults/live_objects.h"
-
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
+#include "tests/gpu/layer_below.h"
 
 #include <atomic>
 #include <csignal>
@@ -54,20 +52,16 @@ Fault& fault() {
     return fault;
 }
 
-/// What lies below, by name. One instance and one device are enough for the program under test; further ones share the driver's functions.
 std::mutex mutex;
-PFN_vkGetInstanceProcAddr nextInstance = nullptr;
-PFN_vkGetDeviceProcAddr nextDevice = nullptr;
+tegument::test::LayerBelow next;
 PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr; // asked for before the loader puts ours into the instance
 PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
-VkInstance theInstance = VK_NULL_HANDLE;
-VkDevice theDevice = VK_NULL_HANDLE;
 
 } // namespace
 
 template <class Function>
 Function tegument::test::below(const char* name) {
-    return reinterpret_cast<Function>(nextDevice(theDevice, name));
+    return next.ofDevice<Function>(name);
 }
 
 namespace {
@@ -80,47 +74,25 @@ VkResult counted(VkResult result, int objects = 1) {
     return result;
 }
 
-/// The loader's link for this layer, in the chain behind a create info.
-template <class Info, class Link>
-Link* linkOf(const Info* info, VkStructureType type) {
-    auto* link = static_cast<Link*>(const_cast<void*>(info->pNext));
-    while (link != nullptr && !(link->sType == type && link->function == VK_LAYER_LINK_INFO))
-        link = static_cast<Link*>(const_cast<void*>(link->pNext));
-    return link;
-}
-
 /// A lost device has no work left: what the driver still does must end before the program takes its memory away.
 bool isLost() {
     if (!fault().strikes("lost", true)) return false;
-    below<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(theDevice);
+    below<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(next.device);
     return true;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* instance) {
-    auto* link = linkOf<VkInstanceCreateInfo, VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
-    nextInstance = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstance(VK_NULL_HANDLE, "vkCreateInstance"));
-    const VkResult result = create(info, allocator, instance);
-    theInstance = *instance;
+    const VkResult result = next.createInstance(info, allocator, instance);
     if (result != VK_SUCCESS) return result;
-    nextProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(nextInstance(*instance, "vkGetPhysicalDeviceProperties"));
-    nextFeatures2 = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(nextInstance(*instance, "vkGetPhysicalDeviceFeatures2"));
+    nextProperties = next.ofInstance<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties");
+    nextFeatures2 = next.ofInstance<PFN_vkGetPhysicalDeviceFeatures2>("vkGetPhysicalDeviceFeatures2");
     return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
-    auto* link = linkOf<VkDeviceCreateInfo, VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
-    nextDevice = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateDevice>(nextInstance(theInstance, "vkCreateDevice"));
-    const VkResult result = create(physical, info, allocator, device);
-    theDevice = *device;
-    return result;
+    return next.createDevice(physical, info, allocator, device);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* allocator,
@@ -231,7 +203,7 @@ EXPORTED PFN_vkVoidFunction VKAPI_CALL faultDeviceProcAddr(VkDevice device, cons
     if (std::strcmp(name, "vkGetDeviceProcAddr") == 0) return reinterpret_cast<PFN_vkVoidFunction>(faultDeviceProcAddr);
     const std::scoped_lock lock(mutex);
     if (const auto own = ours(name)) return own;
-    return nextDevice(device, name);
+    return next.deviceProc(device, name);
 }
 
 EXPORTED PFN_vkVoidFunction VKAPI_CALL faultInstanceProcAddr(VkInstance instance, const char* name) {
@@ -239,7 +211,7 @@ EXPORTED PFN_vkVoidFunction VKAPI_CALL faultInstanceProcAddr(VkInstance instance
     if (std::strcmp(name, "vkGetDeviceProcAddr") == 0) return reinterpret_cast<PFN_vkVoidFunction>(faultDeviceProcAddr);
     const std::scoped_lock lock(mutex);
     if (const auto own = ours(name)) return own;
-    return nextInstance != nullptr ? nextInstance(instance, name) : nullptr;
+    return next.instanceProc != nullptr ? next.instanceProc(instance, name) : nullptr;
 }
 
 /// How many objects of the device live.

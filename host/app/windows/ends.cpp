@@ -4,12 +4,8 @@
 #include "host/direct3d/windows/own_driver.h"
 #include "host/support/temporary.h"
 
-#include <fmt/format.h>
-
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 #include <fcntl.h>
 #include <io.h>
@@ -38,14 +34,6 @@ void begin() {
         if (::_fileno(stream) >= 0) ::_setmode(::_fileno(stream), _O_BINARY); // the same bytes as elsewhere
     ::SetConsoleOutputCP(CP_UTF8);
     ::SetConsoleCtrlHandler(interrupted, TRUE);
-}
-
-int ended(int code) {
-    const bool lost = std::ferror(stdout) != 0;
-    if (std::fflush(stdout) == 0 && !lost) return code;
-    say(format(machineError(8090, fmt::format("cannot write to standard output: {}", std::strerror(errno != 0 ? errno : EIO)),
-                            "files that were written are whole; run it again with its output elsewhere")));
-    return code != 0 ? code : static_cast<int>(Blame::Machine);
 }
 
 } // namespace tegument::app

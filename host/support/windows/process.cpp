@@ -1,5 +1,7 @@
 #include "host/support/process.h"
 
+#include "host/support/any_process.h"
+
 #include "host/support/windows/wide.h"
 
 #include <fmt/format.h>
@@ -183,13 +185,7 @@ std::optional<fs::path> findProgram(const std::string& name) {
     };
     if (name.find_first_of("/\\") != std::string::npos) return executable(name);
     const wchar_t* path = ::_wgetenv(L"PATH");
-    std::wstring_view folders = path == nullptr ? L"" : path;
-    while (!folders.empty()) {
-        const std::size_t end = std::min(folders.find(L';'), folders.size());
-        if (const auto found = executable(fs::path(folders.substr(0, end)) / name)) return found;
-        folders.remove_prefix(std::min(end + 1, folders.size()));
-    }
-    return {};
+    return findInFolders(path == nullptr ? L"" : path, L';', name, executable);
 }
 
 Result<ProcessResult> runProcess(const ProcessCommand& command, double timeoutSeconds) {
@@ -234,11 +230,7 @@ std::optional<std::string> BackgroundProcess::readLine(double timeoutSeconds) {
         if (!ran) break;
         ::WaitForSingleObject(started.process.get(), static_cast<DWORD>(kTick.count()));
     }
-    const std::size_t length = pending_.find('\n');
-    if (length == std::string::npos) return {};
-    std::string line = pending_.substr(0, length);
-    pending_.erase(0, length + 1);
-    return line;
+    return takeLine(pending_);
 }
 
 bool BackgroundProcess::running() {

@@ -2,8 +2,7 @@
 // VK_EXT_descriptor_indexing, also in its mode VKD3D_CONFIG=virtual_heaps, which uses nothing of that extension. lavapipe of Mesa 22.3 does
 // not list it. This layer does, and takes the name away again when the device is made; every feature of it stays off.
 
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
+#include "tests/gpu/layer_below.h"
 
 #include <cstdint>
 #include <cstring>
@@ -15,31 +14,14 @@
 namespace {
 
 std::mutex listedMutex;
-VkInstance listedInstance = VK_NULL_HANDLE; // the program has one at a time
-PFN_vkGetInstanceProcAddr belowInstance = nullptr;
-PFN_vkGetDeviceProcAddr belowDevice = nullptr;
+tegument::test::LayerBelow listedBelow;
 PFN_vkEnumerateDeviceExtensionProperties belowExtensions = nullptr;
-
-template <class Info, class Link>
-Link* layerLink(const Info* info, VkStructureType type) {
-    auto* link = static_cast<Link*>(const_cast<void*>(info->pNext));
-    while (link != nullptr && !(link->sType == type && link->function == VK_LAYER_LINK_INFO))
-        link = static_cast<Link*>(const_cast<void*>(link->pNext));
-    return link;
-}
 
 VKAPI_ATTR VkResult VKAPI_CALL makeInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                             VkInstance* instance) {
-    auto* link = layerLink<VkInstanceCreateInfo, VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
-    belowInstance = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateInstance>(belowInstance(VK_NULL_HANDLE, "vkCreateInstance"));
-    const VkResult result = create(info, allocator, instance);
+    const VkResult result = listedBelow.createInstance(info, allocator, instance);
     if (result != VK_SUCCESS) return result;
-    listedInstance = *instance;
-    belowExtensions =
-        reinterpret_cast<PFN_vkEnumerateDeviceExtensionProperties>(belowInstance(*instance, "vkEnumerateDeviceExtensionProperties"));
+    belowExtensions = listedBelow.ofInstance<PFN_vkEnumerateDeviceExtensionProperties>("vkEnumerateDeviceExtensionProperties");
     return result;
 }
 
@@ -64,10 +46,6 @@ VKAPI_ATTR VkResult VKAPI_CALL listExtensions(VkPhysicalDevice physical, const c
 
 VKAPI_ATTR VkResult VKAPI_CALL makeDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                           VkDevice* device) {
-    auto* link = layerLink<VkDeviceCreateInfo, VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
-    belowDevice = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     std::vector<const char*> extensions;
     for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
         if (std::strcmp(info->ppEnabledExtensionNames[i], VK_EXT_DESCRIPTOR_INDEXING_EXTENSION_NAME) != 0)
@@ -75,7 +53,7 @@ VKAPI_ATTR VkResult VKAPI_CALL makeDevice(VkPhysicalDevice physical, const VkDev
     VkDeviceCreateInfo without = *info;
     without.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     without.ppEnabledExtensionNames = extensions.data();
-    return reinterpret_cast<PFN_vkCreateDevice>(belowInstance(listedInstance, "vkCreateDevice"))(physical, &without, allocator, device);
+    return listedBelow.createDevice(physical, &without, allocator, device);
 }
 
 } // namespace
@@ -83,7 +61,7 @@ VKAPI_ATTR VkResult VKAPI_CALL makeDevice(VkPhysicalDevice physical, const VkDev
 LAYER_EXPORTED PFN_vkVoidFunction VKAPI_CALL listedDeviceProcAddr(VkDevice device, const char* name) {
     const std::scoped_lock lock(listedMutex);
     return std::strcmp(name, "vkGetDeviceProcAddr") == 0 ? reinterpret_cast<PFN_vkVoidFunction>(listedDeviceProcAddr)
-                                                         : belowDevice(device, name);
+                                                         : listedBelow.deviceProc(device, name);
 }
 
 LAYER_EXPORTED PFN_vkVoidFunction VKAPI_CALL listedInstanceProcAddr(VkInstance instance, const char* name) {
@@ -95,7 +73,7 @@ LAYER_EXPORTED PFN_vkVoidFunction VKAPI_CALL listedInstanceProcAddr(VkInstance i
         {"vkEnumerateDeviceExtensionProperties", reinterpret_cast<PFN_vkVoidFunction>(listExtensions)}};
     for (const auto& [known, function] : own)
         if (std::strcmp(name, known) == 0) return function;
-    return belowInstance != nullptr ? belowInstance(instance, name) : nullptr;
+    return listedBelow.instanceProc != nullptr ? listedBelow.instanceProc(instance, name) : nullptr;
 }
 
 LAYER_EXPORTED VkResult VKAPI_CALL vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* versions) {

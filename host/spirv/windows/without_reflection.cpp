@@ -2,13 +2,11 @@
 
 #include "host/spirv/instructions.h"
 
-#include <spirv-tools/libspirv.hpp>
-
 #include <array>
 #include <set>
 #include <string_view>
 
-// As ../validate.cpp, without SPIRV-Tools' optimiser, of which that uses one pass out of a hundred: here it is written out.
+// As ../without_reflection.cpp, without SPIRV-Tools' optimiser, of which that uses one pass out of a hundred: here it is written out.
 
 namespace tegument::spirv {
 
@@ -49,17 +47,6 @@ bool isStripped(spv::Op code, Words words, std::set<std::uint32_t>& sets) {
 
 } // namespace
 
-std::string validate(std::span<const std::uint32_t> words) {
-    std::string messages;
-    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
-    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
-        if (!messages.empty()) messages += "; ";
-        messages += text;
-    });
-    if (tools.Validate(words.data(), words.size())) return {};
-    return messages.empty() ? "the module is not valid" : messages;
-}
-
 std::vector<std::uint32_t> withoutReflectionDecorations(std::span<const std::uint32_t> words) {
     if (words.size() < kModuleHeader) return {};
     std::vector<std::uint32_t> stripped(words.begin(), words.begin() + kModuleHeader);
@@ -68,10 +55,6 @@ std::vector<std::uint32_t> withoutReflectionDecorations(std::span<const std::uin
         if (!isStripped(code, instruction, sets)) stripped.insert(stripped.end(), instruction.begin(), instruction.end());
     });
     return stripped;
-}
-
-std::string validatorName() {
-    return spvSoftwareVersionString();
 }
 
 } // namespace tegument::spirv

@@ -388,7 +388,7 @@ float4 UndercoatPS(FurVarying input) : SV_Target0
 // Least: of Core as lockAfar; of the underfur the widest, lockRadius times lockShare, and no pixel shows it.
 #define LOCK_CORE LOCK_SEEN string Least = "gCoatAfar"; string LeastRadius = "gCoatRadius";
 #define LOCK_UNDER RIBBON_REACH LOCK_SHARE_OF("gCoatUnderThin") LOCK_LEAST float SegmentScale = 0.5;
-#define LOCK_LEAST string Least = "gFurCut"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.01;
+#define LOCK_LEAST string Least = "gFurCut"; string LeastRadius = "gCoatRadius"; float LeastScale = 1.01; float LeastTaper = 3.0;
 #define COAT_PASSES(under, core, fringe, coreState) OPACITY_PASSES \
     TG_PART_PASS(Undercoat, "skin", UndercoatVS, UndercoatPS, TG_STATE_SOLID) \
     TG_SEEN_LAYER_PASS(Underfur, "underfur", LOCK_UNDER, "gCoatUnderfur", UnderfurVS, under, coreState) \

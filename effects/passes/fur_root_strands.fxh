@@ -144,7 +144,7 @@ RibbonVarying StrandsCoreVS(VertexInput input)
 }
 
 #define STRANDS_SHARE RIBBON_SHARE float SegmentFewest = 3.0;
-#define STRANDS_CORE STRANDS_SHARE string Least = "gRibbonThin"; string LeastSpacings = "gFurRadius";
+#define STRANDS_CORE STRANDS_SHARE string Least = "gRibbonThin"; string LeastSpacings = "gFurRadius"; float LeastTaper = 1.0;
 #define STRANDS_SCRIPT LIGHT_SCRIPT(SHADOW_MAP_SCRIPT) \
     "RenderColorTarget0=; RenderDepthStencilTarget=; Pass=Skin; Pass=Core; Pass=Fringe;" STRANDS_MOTION_SCRIPT
 #define STRANDS_PASSES(core, fringe, coreState) \

@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 65> kAnnotations{{
+constexpr std::array<KnownAnnotation, 66> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -72,6 +72,7 @@ constexpr std::array<KnownAnnotation, 65> kAnnotations{{
     {"LeastRadius", kText},
     {"LeastSpacings", kText},
     {"LeastScale", kNumber},
+    {"LeastTaper", kNumber},
     {"Stores", kText},
     {"Threads", kText},
     {"Rows", kText},

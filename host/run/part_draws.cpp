@@ -56,7 +56,8 @@ double spacingOf(const Mesh& mesh, const MeshPart& strands) {
     return std::sqrt(area * static_cast<double>(ribbon) / strands.indexCount);
 }
 
-/// Which strands are too thin for the pass, as the annotations Least, LeastRadius or LeastSpacings, and LeastScale say.
+/// Which strands are too thin for the pass, and from where on, as the annotations Least, LeastRadius or LeastSpacings, LeastScale and
+/// LeastTaper say.
 Result<void> addLeast(const PartRequest& request, const MeshPart* strands, StrandShare& share) {
     const auto least = namedNumber(request, "Least");
     if (!least) return least.error();
@@ -67,7 +68,9 @@ Result<void> addLeast(const PartRequest& request, const MeshPart* strands, Stran
     if (!*least || !strands) return {};
     const auto scale = request.pass.annotations.numbers("LeastScale");
     const double unit = *spacings ? spacingOf(*request.input.mesh, *strands) : meshRadius(request);
+    const auto taper = request.pass.annotations.numbers("LeastTaper");
     share.least = **least;
+    share.taper = taper ? std::max(taper->front(), 0.0) : 0;
     share.widest =
         2 * (*spacings ? **spacings : radius->value_or(0)) * unit * (scale ? scale->front() : 1) * unevenness(request.prepared.scene.world);
     return {};

@@ -17,11 +17,17 @@ constexpr double kShareTolerance = 1e-4; // relative: of distances in single pre
 struct Seen {
     std::uint32_t first = 0; // of its indices
     std::uint32_t count = 0;
-    std::uint32_t segments = 0; // that are drawn; 0: all
+    std::uint32_t segments = 0; // of rows that are joined anew; 0: all that there are
+    std::uint32_t drawn = 0;    // of these, from the root on
     double strands = 0;         // how many of the root's are drawn, less the root's rank
 };
 
 constexpr std::uint32_t kQuad = 6; // indices of a segment, a b c b d c: two vertices of a row, c and d of the next (meshprep/fur/ribbons)
+
+/// As the vertices of ribbons hold it (docs/design/fur.md, "The vertices"): 31 parts of 32.
+double placeAlong(float stored) {
+    return (static_cast<double>(stored) - std::floor(static_cast<double>(stored))) * (32.0 / 31.0);
+}
 
 /// Whether the triangles are segments, so that rows may be left out.
 bool inRows(std::span<const std::uint32_t> ribbon) {
@@ -33,13 +39,17 @@ bool inRows(std::span<const std::uint32_t> ribbon) {
     return true;
 }
 
-/// The ribbon in fewer segments: some of its rows, the first and the last among them.
-void appendRows(std::span<const std::uint32_t> ribbon, std::uint32_t segments, std::vector<std::uint32_t>& indices) {
+/// Where a segment begins, in rows, if a ribbon of `all` has fewer: the first row and the last are kept.
+std::uint32_t rowOf(std::uint32_t segment, std::uint32_t segments, std::uint32_t all) {
+    return (segment * all + segments / 2) / segments;
+}
+
+/// The first of a ribbon's segments, joined from some of its rows.
+void appendRows(std::span<const std::uint32_t> ribbon, const Seen& seen, std::vector<std::uint32_t>& indices) {
     const auto all = static_cast<std::uint32_t>(ribbon.size()) / kQuad;
-    const auto rowOf = [&](std::uint32_t segment) { return (segment * all + segments / 2) / segments; };
-    for (std::uint32_t segment = 0; segment < segments; ++segment) {
-        const auto from = ribbon.subspan(std::size_t{rowOf(segment)} * kQuad, kQuad);
-        const auto to = ribbon.subspan(std::size_t{rowOf(segment + 1) - 1} * kQuad, kQuad);
+    for (std::uint32_t segment = 0; segment < seen.drawn; ++segment) {
+        const auto from = ribbon.subspan(std::size_t{rowOf(segment, seen.segments, all)} * kQuad, kQuad);
+        const auto to = ribbon.subspan(std::size_t{rowOf(segment + 1, seen.segments, all) - 1} * kQuad, kQuad);
         indices.insert(indices.end(), {from[0], from[1], to[2], from[1], to[4], to[2]});
     }
 }
@@ -54,7 +64,7 @@ public:
         StrandLists lists;
         std::size_t indices = 0;
         for (const Seen& ribbon : seen_)
-            indices += ribbon.segments > 0 ? ribbon.segments * kQuad : ribbon.count;
+            indices += ribbon.segments > 0 ? ribbon.drawn * kQuad : ribbon.count;
         const auto wholes = static_cast<std::uint32_t>(std::clamp(fewest_, 0.0, double(share_.count)));
         if (indices == part_.indexCount && wholes == share_.count) return std::nullopt;
         if (wholes > 0) append(lists, 0, wholes);
@@ -102,16 +112,28 @@ private:
         const glm::dvec3 place = pose_ ? pose_->position(root) : glm::dvec3(mesh_.positions[root]);
         if (view_ && !canBeSeen(place, pose_ ? pose_->normal(root) : glm::dvec3(mesh_.normals[root]), *view_)) return;
         const double distance = glm::distance(eye_, place);
-        if (isThin(share_, distance, view_ ? view_->reach : distance)) return;
+        const double thin = thinFrom(share_, distance, view_ ? view_->reach : distance);
+        if (!(thin > 0)) return;
         const double strands = shareAt(share_, distance) * share_.count;
         const double rank = rankOf(address, share_.first);
         ribbon.strands = strands - rank;
         if (!(ribbon.strands > -kRankTolerance)) return;
         found.fewest = std::min(found.fewest, std::floor(strands * (1 + 1e-9)));
-        const std::uint32_t all = ribbon.count / kQuad;
-        const std::uint32_t segments = segmentsAt(share_, distance, rank, all);
-        if (segments < all && inRows(std::span(mesh_.indices).subspan(ribbon.first, ribbon.count))) ribbon.segments = segments;
+        chooseRows(ribbon, segmentsAt(share_, distance, rank, ribbon.count / kQuad), thin);
         found.ribbons.push_back(ribbon);
+    }
+
+    /// So many segments; of them those that begin before the place `end`.
+    void chooseRows(Seen& ribbon, std::uint32_t segments, double end) const {
+        const std::span<const std::uint32_t> indices = std::span(mesh_.indices).subspan(ribbon.first, ribbon.count);
+        const std::uint32_t all = ribbon.count / kQuad;
+        if ((segments == all && end >= 1) || !inRows(indices)) return;
+        std::uint32_t drawn = segments;
+        while (drawn > 1 && placeAlong(mesh_.uvs[indices[std::size_t{rowOf(drawn - 1, segments, all)} * kQuad]].x) >= end)
+            --drawn;
+        if (drawn == all) return;
+        ribbon.segments = segments;
+        ribbon.drawn = drawn;
     }
 
     /// Whether any is.
@@ -121,7 +143,7 @@ private:
             if (instance + instances <= fewest_ || ribbon.strands > instance - kRankTolerance) {
                 const auto indices = std::span(mesh_.indices).subspan(ribbon.first, ribbon.count);
                 if (ribbon.segments > 0)
-                    appendRows(indices, ribbon.segments, lists.indices);
+                    appendRows(indices, ribbon, lists.indices);
                 else
                     lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
             }
@@ -149,10 +171,12 @@ double shareAt(const StrandShare& share, double distance) {
     return share.share * std::clamp(pixels / share.thinnest * (1 + kShareTolerance), std::min(share.fewest, 1.0), 1.0);
 }
 
-bool isThin(const StrandShare& share, double distance, double reach) {
-    if (!(share.least > 0) || !(share.widest > 0) || distance <= reach) return false;
+double thinFrom(const StrandShare& share, double distance, double reach) {
+    if (!(share.least > 0) || !(share.widest > 0) || distance <= reach) return 1;
     const double drawn = share.widest / std::max(shareAt(share, distance) * (1 - kShareTolerance) * (1 - kShareTolerance), 1e-30);
-    return drawn < share.least * share.pixel * (distance - reach);
+    const double asked = share.least * share.pixel * (distance - reach) / drawn; // of the root's width
+    if (asked > 1) return 0;
+    return share.taper > 0 ? std::pow(1 - asked, 1 / share.taper) : 1;
 }
 
 std::uint32_t segmentsAt(const StrandShare& share, double distance, double rank, std::uint32_t most) {

@@ -26,6 +26,7 @@ struct StrandShare {
     std::uint32_t fewestSegments = 1;
     double widest = 0; // of a strand, mm, before a share makes it wider
     double least = 0;  // pixels: strands that are drawn narrower from near their roots on are left out; 0: none is
+    double taper = 0; // a strand's width at place t, 0 root, 1 tip, is 1 - t^taper of its root's: rows behind `least` are left out; 0: even
     bool operator==(const StrandShare&) const = default;
 };
 
@@ -45,8 +46,9 @@ struct StrandLists {
 /// Share of the strands of a root at this distance in mm, at least what a shader finds.
 [[nodiscard]] double shareAt(const StrandShare& share, double distance);
 
-/// Whether nothing of a strand at this distance is as wide as the share asks; it may come nearer to the eye by `reach`, mm.
-[[nodiscard]] bool isThin(const StrandShare& share, double distance, double reach);
+/// Place along a strand at this distance, 0 root, 1 tip, from which on nothing of it is as wide as the share asks; it may come nearer to
+/// the eye by `reach`, mm.
+[[nodiscard]] double thinFrom(const StrandShare& share, double distance, double reach);
 
 /// How many segments the ribbon of this root has, 1 to `most`. Roots differ, so that not all change at one distance.
 [[nodiscard]] std::uint32_t segmentsAt(const StrandShare& share, double distance, double rank, std::uint32_t most);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 
@@ -85,7 +86,8 @@ Mesh ribbonsInRows(std::uint32_t segments) {
         for (std::uint32_t vertex = 0; vertex < 2 * segments + 2; ++vertex) {
             mesh.positions.push_back(ball.positions[root * (kTriangles + 2)]);
             mesh.normals.push_back(ball.normals[root * (kTriangles + 2)]);
-            mesh.uvs.emplace_back(static_cast<float>(vertex), 4096.0F + 3.0F * static_cast<float>(root));
+            const float place = std::round(31 * static_cast<float>(vertex / 2) / static_cast<float>(segments)) / 32;
+            mesh.uvs.emplace_back(7 + place, 4096.0F + 3.0F * static_cast<float>(root));
         }
         for (std::uint32_t segment = 0; segment < segments; ++segment)
             for (const std::uint32_t corner : {0U, 1U, 2U, 1U, 3U, 2U})
@@ -130,6 +132,71 @@ TEST(SegmentsOfAPass, join_root_and_tip_by_rows_of_one_ribbon_and_are_as_long_as
         before = mean;
     }
     EXPECT_NEAR(before, 2, 1e-9);
+}
+
+/// A strand's width in pixels at the place where a row stands, by the nearest that it may come.
+double widthAt(const StrandShare& share, double stored, double nearest) {
+    const double place = 32.0 / 31.0 * (stored - std::floor(stored));
+    return share.widest * (1 - std::pow(place, share.taper)) / (share.pixel * nearest);
+}
+
+/// Of each root how many segments are drawn.
+std::map<std::uint32_t, std::uint32_t> segmentsOf(const std::vector<std::uint32_t>& indices, std::uint32_t segments) {
+    std::map<std::uint32_t, std::uint32_t> drawn;
+    for (std::size_t at = 0; at < indices.size(); at += 6)
+        ++drawn[indices[at] / (2 * segments + 2)];
+    return drawn;
+}
+
+class TaperOfAPass : public testing::TestWithParam<double> {};
+
+TEST_P(TaperOfAPass, leaves_out_rows_that_are_thin_from_their_beginning_on_and_no_other) {
+    constexpr std::uint32_t kSegments = 6;
+    const Mesh mesh = ribbonsInRows(kSegments);
+    std::set<std::uint32_t> lengths;
+    for (const double distance : {600.0, 900.0, 1500.0, 2500.0}) {
+        const StrandShare asked{.pixel = 0.001, .count = 1, .widest = 2, .least = 0.7, .taper = GetParam()};
+        const glm::dvec3 eye(0, 0, distance);
+        const PartView view = viewFrom(eye, 5);
+        const auto lists = listStrands(mesh, mesh.parts[0], &view, eye, asked);
+        ASSERT_TRUE(lists);
+        for (const auto& [root, drawn] : segmentsOf(lists->indices, kSegments)) {
+            const std::uint32_t vertex = root * (2 * kSegments + 2);
+            const double nearest = glm::distance(eye, glm::dvec3(mesh.positions[vertex])) - 5;
+            const auto width = [&](std::uint32_t row) {
+                return widthAt(asked, static_cast<double>(mesh.uvs[vertex + 2 * row].x), nearest);
+            };
+            EXPECT_GT(width(drawn - 1), 0.7 * 0.999) << "a segment that a shader draws nothing of";
+            EXPECT_LE(drawn == kSegments ? 0 : width(drawn), 0.7 * 1.001) << "a segment is missing";
+            lengths.insert(drawn);
+        }
+    }
+    EXPECT_GE(lengths.size(), 3U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Powers, TaperOfAPass, testing::Values(1.0, 3.0));
+
+TEST(TaperOfAPass, leaves_rows_out_of_fewer_segments_too_and_keeps_them_joined) {
+    constexpr std::uint32_t kSegments = 6;
+    const Mesh mesh = ribbonsInRows(kSegments);
+    const glm::dvec3 eye(0, 0, 900);
+    const PartView view = viewFrom(eye, 5);
+    StrandShare asked{.pixel = 0.001, .count = 1, .length = 6, .segment = 2, .fewestSegments = 3, .widest = 2, .least = 0.7, .taper = 1};
+    const auto cut = listStrands(mesh, mesh.parts[0], &view, eye, asked);
+    asked.taper = 0;
+    const auto whole = listStrands(mesh, mesh.parts[0], &view, eye, asked);
+    ASSERT_TRUE(cut && whole);
+    EXPECT_LT(cut->indices.size(), whole->indices.size());
+    // What is left of each ribbon is how it began.
+    std::map<std::uint32_t, std::vector<std::uint32_t>> ribbons;
+    for (const std::uint32_t index : whole->indices)
+        ribbons[index / (2 * kSegments + 2)].push_back(index);
+    std::map<std::uint32_t, std::size_t> at;
+    for (const std::uint32_t index : cut->indices) {
+        const std::uint32_t root = index / (2 * kSegments + 2);
+        ASSERT_LT(at[root], ribbons[root].size());
+        ASSERT_EQ(index, ribbons[root][at[root]++]);
+    }
 }
 
 TEST(SegmentsOfAPass, are_all_where_none_may_be_left_out) {

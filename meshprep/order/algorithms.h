@@ -13,10 +13,9 @@ using Corners = std::vector<std::uint32_t>;
 [[nodiscard]] Corners linYu(const Piece& piece, unsigned entries, std::uint32_t first = 0);
 
 /// For a FIFO cache of `entries` vertices; a strip is broken off when more than `limit` vertices would have come since the start of the
-/// next. `links`: of `linkFaces`.
-/// `first`: where the first strip starts; 0: where the fewest neighbours are. Nothing comes back when it takes more than `most` misses.
+/// next. `links`: of `linkFaces`. Nothing comes back when it takes more than `most` misses.
 [[nodiscard]] Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit,
-                            std::uint32_t first = 0, std::size_t most = std::numeric_limits<std::size_t>::max());
+                            std::size_t most = std::numeric_limits<std::size_t>::max());
 
 inline constexpr std::size_t kBatchVariations = 6;
 /// For batches of at most so many vertices and triangles that share nothing. `variation`: which of the rules; the first is the best of

@@ -15,8 +15,7 @@ public:
         out_.reserve(piece.corners.size());
     }
 
-    Corners run(std::uint32_t first, std::size_t most) {
-        if (first != 0) drawStrips(startCorner(first));
+    Corners run(std::size_t most) {
         for (std::uint32_t f = open_.fewestNeighbours(); f != kNoLink; f = open_.fewestNeighbours()) {
             if (now_ - entries_ > most) return {};
             drawStrips(startCorner(f));
@@ -99,9 +98,8 @@ private:
 
 } // namespace
 
-Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit, std::uint32_t first,
-              std::size_t most) {
-    return Hoppe(piece, links, entries, limit).run(first, most);
+Corners hoppe(const Piece& piece, std::span<const std::uint32_t> links, unsigned entries, unsigned limit, std::size_t most) {
+    return Hoppe(piece, links, entries, limit).run(most);
 }
 
 } // namespace tegument::order

@@ -17,9 +17,13 @@ public:
 
     std::vector<std::uint32_t> run() {
         for (std::uint32_t v = 0; v < piece_.vertexCount; ++v) {
-            forSides(v, [&](std::uint32_t leaving, std::uint32_t) { wait(leaving, piece_.corners[cornerAfter(leaving)], v); });
-            forSides(v, [&](std::uint32_t, std::uint32_t arriving) { match(arriving, piece_.corners[arriving], v); });
-            forSides(v, [&](std::uint32_t leaving, std::uint32_t) { waiting_[piece_.corners[cornerAfter(leaving)]] = kNoLink; });
+            gather(v);
+            for (const std::uint32_t side : leaving_)
+                wait(side, piece_.corners[cornerAfter(side)]);
+            for (const std::uint32_t side : arriving_)
+                match(side, piece_.corners[side]);
+            for (const std::uint32_t side : leaving_)
+                waiting_[piece_.corners[cornerAfter(side)]] = kNoLink;
         }
         for (std::uint32_t corner = 0; corner < links_.size(); corner += 3)
             dropDoubles(corner);
@@ -27,25 +31,27 @@ public:
     }
 
 private:
-    /// `visit(corner at v, corner before it)`: the sides that leave v and that arrive there.
-    template <class Visit>
-    void forSides(std::uint32_t v, Visit visit) const {
+    /// The sides that leave v for a vertex of higher number, and those that arrive from one.
+    void gather(std::uint32_t v) {
+        leaving_.clear();
+        arriving_.clear();
         for (const std::uint32_t f : piece_.around.of(v)) {
             const auto face = piece_.face(f);
             if (degenerate(face)) continue;
             const std::uint32_t corner = 3 * f + (face[1] == v ? 1u : 0u) + (face[2] == v ? 2u : 0u);
-            visit(corner, cornerBefore(corner));
+            const std::uint32_t before = cornerBefore(corner);
+            if (piece_.corners[cornerAfter(corner)] > v) leaving_.push_back(corner);
+            if (piece_.corners[before] > v) arriving_.push_back(before);
         }
     }
 
-    void wait(std::uint32_t side, std::uint32_t end, std::uint32_t v) {
-        if (end < v) return;
+    void wait(std::uint32_t side, std::uint32_t end) {
         next_[side] = waiting_[end];
         waiting_[end] = side;
     }
 
-    void match(std::uint32_t side, std::uint32_t start, std::uint32_t v) {
-        const std::uint32_t other = start < v ? kNoLink : waiting_[start];
+    void match(std::uint32_t side, std::uint32_t start) {
+        const std::uint32_t other = waiting_[start];
         if (other == kNoLink) return;
         waiting_[start] = next_[other];
         links_[side] = other;
@@ -65,6 +71,8 @@ private:
     std::vector<std::uint32_t> links_;
     std::vector<std::uint32_t> waiting_; // by the other end: the last side that leads there
     std::vector<std::uint32_t> next_;    // the one before it
+    std::vector<std::uint32_t> leaving_; // of the vertex that is looked at
+    std::vector<std::uint32_t> arriving_;
 };
 
 } // namespace

@@ -71,18 +71,15 @@ constexpr unsigned kLeastReserve = 5;
 
 /// Strips of full width first, as on regular meshes; then narrower ones while that helps, as on irregular ones. Ends when the best so far
 /// is out of reach: one step narrower gains a twentieth at most, the third step a hundredth. `regular`: strips of full width alone.
-/// `starts`: where the first of them begins, one after the other.
-void addHoppe(Choice& choice, unsigned entries, bool regular = false, std::uint32_t starts = 1) {
+void addHoppe(Choice& choice, unsigned entries, bool regular = false) {
     const Piece& piece = choice.piece();
     const std::vector<std::uint32_t> links = linkFaces(piece);
     const unsigned step = std::max(entries / 8, 1u);
     const unsigned full = std::min(kLeastReserve, entries - 1);
     std::size_t last = std::numeric_limits<std::size_t>::max();
     for (unsigned reserve = full; reserve < entries; reserve += step) {
-        std::size_t misses = last;
-        for (std::uint32_t i = 0; i < (reserve == full ? starts : 1); ++i)
-            misses = std::min(misses, choice.addUnlessEmpty(hoppe(piece, links, entries, entries - reserve, piece.faceCount() / starts * i,
-                                                                  choice.mostOf(entries, reserve == full && !regular ? 10 : 100))));
+        const std::size_t most = choice.mostOf(entries, reserve == full && !regular ? 10 : 100);
+        const std::size_t misses = choice.addUnlessEmpty(hoppe(piece, links, entries, entries - reserve, most));
         if (regular || misses >= last || misses > choice.fewest() + choice.fewest() / (reserve == full ? 10 : 100)) return;
         last = misses;
     }
@@ -127,13 +124,23 @@ Regularity regularity(const Piece& piece) {
     return {.six = static_cast<double>(six) / all, .nearSix = static_cast<double>(nearSix) / all};
 }
 
-/// Hoppe's strips win where nearly all vertices have six faces, by a twentieth, Lin & Yu's order where few do. Between them both are tried:
-/// where fewer have about six, strips won nothing on any piece of a machine or a scan.
+/// Hoppe's strips win where nearly all vertices have six faces, by a twentieth, Lin & Yu's order where few do. Between them both are tried.
 constexpr double kAllSix = 0.95;
 constexpr std::uint32_t kPatchFaces = 5'000; // in so few, regular or not, Lin & Yu's order may win by 2 %
 constexpr double kMostSix = 0.8;
 constexpr double kAboutSix = 0.8;
-constexpr std::uint32_t kRegularStarts = 5; // of strips, which take a tenth of the time
+
+/// Above so many faces strips won nothing for a FIFO cache of 16, 24 or 32 entries where fewer vertices have six faces than this, on any
+/// piece of a machine, a figure or a scan, in three orders of the file; for LRU caches they did. A grid with diagonals drawn by lot is the
+/// exception, by 0.6 %: no count of faces tells it from a scan.
+constexpr std::uint32_t kLargePiece = 10'000;
+constexpr double kSixForStrips = 0.88;
+
+bool stripsMayWin(const Piece& piece, const Regularity& share, const CacheModel& cache) {
+    if (share.nearSix < kAboutSix) return false;
+    const bool keepsAll = cache.replacement == Replacement::Fifo && !cache.batched();
+    return !keepsAll || piece.faceCount() <= kLargePiece || share.six >= kSixForStrips;
+}
 
 Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
     Choice choice(piece, cache);
@@ -141,9 +148,7 @@ Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
     const bool cheap = piece.faceCount() < kCheapFaces;
     const Regularity share = regularity(piece);
     if (piece.faceCount() <= kPatchFaces || share.six <= (cheap ? kAllSix : kMostSix)) addLinYu(choice, entries, faces);
-    if (share.nearSix >= kAboutSix)
-        addHoppe(choice, entries, share.six > kAllSix,
-                 share.six > kAllSix && 2 * std::size_t{piece.faceCount()} > faces ? kRegularStarts : 1);
+    if (stripsMayWin(piece, share, cache)) addHoppe(choice, entries, share.six > kAllSix);
     return choice.take();
 }
 
@@ -187,24 +192,40 @@ using Candidate = std::function<Corners()>;
 class BestSearch {
 public:
     BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache)
-        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)), best_(indices.begin(), indices.end()) {
-        const CacheCost came = measure(cache, indices, vertexCount);
-        fewest_ = came.misses;
-        named_ = came.vertices;
-    }
+        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)) {}
 
     BestOrder run() && {
+        begin();
         if (fewest_ != named_) {
             if (cache_.batched())
                 runBatched();
             else
                 runCached();
         }
+        if (best_.empty()) best_.assign(indices_.begin(), indices_.end());
         return {.corners = std::move(best_), .sortedToo = sortedToo_};
     }
 
 private:
     [[nodiscard]] std::size_t faces() const { return indices_.size() / 3; }
+
+    /// What came in is judged while it is cut up.
+    void begin() {
+        forEachInParallel(
+            2,
+            [this](std::size_t i) {
+                if (i == 1) {
+                    const CacheCost came = measure(cache_, indices_, vertexCount_);
+                    fewest_ = came.misses;
+                    named_ = came.vertices;
+                } else if (cache_.batched()) {
+                    (void)whole();
+                } else {
+                    components_.emplace(indices_, vertexCount_);
+                }
+            },
+            {}, faces() > kFewFaces ? 0 : 1);
+    }
 
     void runCached() {
         tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_, faces()); }); }});
@@ -279,19 +300,25 @@ private:
 
     /// The pieces one by one, on all processors.
     [[nodiscard]] Corners byPieces(const std::function<Corners(const Piece&)>& order) const {
+        std::call_once(cutUp_, [this] {
+            if (!components_) components_.emplace(indices_, vertexCount_);
+        });
         Corners out(indices_.size());
-        const Pieces pieces(indices_, vertexCount_);
-        forEachInParallel(pieces.size(), [&](std::size_t i) { pieces.restore(i, order(pieces.piece(i)), out); });
+        forEachInParallel(components_->size(), [&](std::size_t i) { components_->restore(i, order(components_->piece(i)), out); });
         return out;
+    }
+
+    [[nodiscard]] const Pieces& whole() const {
+        std::call_once(cut_, [this] { whole_.emplace(indices_, vertexCount_, Pieces::Cut::Nowhere); });
+        return *whole_;
     }
 
     /// Everything as one piece, so that a batch that one component leaves half full is filled by the next.
     [[nodiscard]] Candidate inOne(std::function<Corners(const Piece&)> order) const {
         return [this, order = std::move(order)] {
-            std::call_once(cut_, [this] { whole_.emplace(indices_, vertexCount_, Pieces::Cut::Nowhere); });
-            const Corners corners = order(whole_->piece(0));
+            const Corners corners = order(whole().piece(0));
             Corners out(corners.size());
-            whole_->restore(0, corners, out);
+            whole().restore(0, corners, out);
             return out;
         };
     }
@@ -321,8 +348,8 @@ private:
     std::size_t fewest_ = 0;
     std::size_t named_ = 0; // vertices, each of which must run once
     bool sortedToo_ = false;
-    mutable std::once_flag cut_;
-    mutable std::optional<Pieces> whole_; // when it is asked for
+    mutable std::once_flag cut_, cutUp_;
+    mutable std::optional<Pieces> whole_, components_; // when they are asked for
 };
 
 } // namespace

@@ -2,7 +2,35 @@
 #include "host/gpu/error.h"
 #include "host/gpu/instance.h"
 
+#include <atomic>
+#include <cassert>
+
 namespace tegument::gpu {
+
+std::uint64_t detail::nextIdentity() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+std::uint64_t Texture::identity() const {
+    assert(state);
+    return state->identity;
+}
+
+std::uint64_t Buffer::identity() const {
+    assert(state);
+    return state->identity;
+}
+
+std::uint64_t Sampler::identity() const {
+    assert(state);
+    return state->identity;
+}
+
+std::uint64_t Pipeline::identity() const {
+    assert(state);
+    return state->identity;
+}
 
 Device::Device(std::shared_ptr<detail::DeviceState> state) : state_(std::move(state)) {}
 Device::Device(Device&&) noexcept = default;

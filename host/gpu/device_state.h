@@ -59,6 +59,9 @@ struct DeviceState {
     [[nodiscard]] Format realFormat(Format format) const { return format == Format::D24S8 ? packedDepthStencil : format; }
 };
 
+/// Each number once.
+[[nodiscard]] std::uint64_t nextIdentity();
+
 struct TextureState {
     std::shared_ptr<DeviceState> device;
     TextureDesc desc; // as allocated
@@ -68,6 +71,7 @@ struct TextureState {
     vk::raii::ImageView sampledView{nullptr}; // all mips; colour or depth; not of multisampled ones
     vk::raii::ImageView targetView{nullptr};  // mip 0, layer 0, all aspects; only of render targets
     Track track;
+    std::uint64_t identity = nextIdentity();
 
     ~TextureState();
     [[nodiscard]] std::uint32_t layers() const { return desc.cube ? 6 : 1; }
@@ -81,6 +85,7 @@ struct BufferState {
     vk::raii::DeviceMemory memory{nullptr};
     vk::raii::Buffer buffer{nullptr};
     Track track;
+    std::uint64_t identity = nextIdentity();
 
     ~BufferState();
 };
@@ -88,6 +93,7 @@ struct BufferState {
 struct SamplerHandle {
     std::shared_ptr<DeviceState> device;
     vk::raii::Sampler sampler{nullptr};
+    std::uint64_t identity = nextIdentity();
 };
 
 struct PipelineHandle {
@@ -103,6 +109,7 @@ struct PipelineHandle {
     std::vector<vk::raii::DescriptorSetLayout> setLayouts;
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::Pipeline pipeline{nullptr};
+    std::uint64_t identity = nextIdentity();
 };
 
 /// Records into a command buffer, submits it and waits. Throws Vulkan's exceptions.

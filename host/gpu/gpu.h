@@ -80,6 +80,7 @@ public:
     ~Texture();
     [[nodiscard]] const TextureDesc& desc() const; // format and mips as really allocated
     [[nodiscard]] std::uint64_t bytes() const;
+    [[nodiscard]] std::uint64_t identity() const; // that nothing else had, or will have, in this process; likewise below
     std::unique_ptr<detail::TextureState> state;
 };
 
@@ -92,6 +93,7 @@ public:
     Buffer& operator=(Buffer&&) noexcept;
     ~Buffer();
     [[nodiscard]] std::uint64_t bytes() const;
+    [[nodiscard]] std::uint64_t identity() const;
     std::unique_ptr<detail::BufferState> state;
 };
 
@@ -101,6 +103,7 @@ public:
     Sampler(Sampler&&) noexcept;
     Sampler& operator=(Sampler&&) noexcept;
     ~Sampler();
+    [[nodiscard]] std::uint64_t identity() const;
     std::unique_ptr<detail::SamplerHandle> state;
 };
 
@@ -110,6 +113,7 @@ public:
     Pipeline(Pipeline&&) noexcept;
     Pipeline& operator=(Pipeline&&) noexcept;
     ~Pipeline();
+    [[nodiscard]] std::uint64_t identity() const;
     std::unique_ptr<detail::PipelineHandle> state;
 };
 

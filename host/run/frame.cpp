@@ -312,11 +312,13 @@ Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t ite
         for (const FrameItem& item : node.items)
             if (auto done = recordItem(item, recorder); !done) return done;
     bool cleared = false;
-    for (const FrameItem& item : std::span(frame.items).first(std::min(items, frame.items.size()))) {
+    for (std::size_t i = 0; i < std::min(items, frame.items.size()); ++i) {
+        if (!frame.kept.empty() && frame.kept[i]) continue;
+        const FrameItem& item = frame.items[i];
         if (auto done = recordTimed(item, recorder, cleared && frame.clearsApart); !done) return done;
         cleared = std::holds_alternative<FrameClear>(item) || (cleared && !std::holds_alternative<FrameDraw>(item));
     }
-    return frame.resolve ? recordResolve(*frame.resolve, recorder) : Result<void>();
+    return frame.resolve && !frame.resolveKept ? recordResolve(*frame.resolve, recorder) : Result<void>();
 }
 
 } // namespace tegument::run

@@ -69,6 +69,8 @@ struct Frame {
     std::vector<FrameItem> items;
     PartLists lists;                     // that draws of parts of a mesh take their indices from
     bool clearsApart = false;            // RunOptions
+    std::vector<bool> kept;              // of `items`: what it draws is there already (host/run/held.h); empty: of none
+    bool resolveKept = false;            // likewise
     std::optional<FrameResolve> resolve; // after the items that are recorded; where the caller's targets have several samples a pixel
 };
 
@@ -77,7 +79,7 @@ struct Frame {
 /// TG4063 a compute pass does not say how many groups run, or asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
-/// Records the nodes before the frame, then its items, or the first `items` of them; each of their draws is a timed section with its pass's
+/// Records the nodes before the frame, then its items, or the first `items` of them, without those that are kept; each of their draws is a timed section with its pass's
 /// name, and so is the resolve, kResolve. Apart, the clears before a draw are a section kClears in front of it.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 

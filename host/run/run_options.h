@@ -43,6 +43,9 @@ struct RunOptions {
     /// Hears of each pass that has to be compiled, before it is: how many of its frame are done; and at the end that all are.
     std::function<void(std::size_t done, std::size_t total)> compiling;
     bool clearsApart = false; // clears are drawn and timed by themselves; otherwise on the way of the pass behind them
+    /// What the last frame of a session left in its targets is not drawn again where it would be the same, bit for bit. Of one frame
+    /// without others to warm up.
+    bool keepUnchanged = false;
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these
 };

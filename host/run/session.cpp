@@ -58,14 +58,29 @@ Sections clearsLast(const Sections& sections) {
     return result;
 }
 
+/// Of the frame's items those that draw, in order.
+void noteKept(const run::Frame& staged, SessionFrame& frame) {
+    std::size_t pass = 0;
+    for (std::size_t i = 0; i < staged.items.size(); ++i)
+        if (std::holds_alternative<run::FrameDraw>(staged.items[i])) frame.passes[pass++].kept = !staged.kept.empty() && staged.kept[i];
+}
+
 /// The sections are those of the passes that were drawn, and of the resolve; then the clears.
-void readTimes(std::vector<double> times, bool resolved, SessionFrame& frame) {
+void readTimes(std::vector<double> times, const run::Frame& staged, SessionFrame& frame) {
     frame.clearMilliseconds = times.back();
     times.pop_back();
-    const std::size_t drawn = times.size() - (resolved ? 1 : 0);
-    for (std::size_t i = 0; i < drawn; ++i)
-        frame.passes[i].milliseconds = times[i];
-    if (resolved) frame.resolveMilliseconds = times.back();
+    if (staged.resolve) frame.resolveMilliseconds = 0;
+    if (staged.resolve && !staged.resolveKept) {
+        frame.resolveMilliseconds = times.back();
+        times.pop_back();
+    }
+    noteKept(staged, frame);
+    std::size_t pass = 0;
+    for (const double time : times) {
+        while (frame.passes[pass].kept)
+            ++pass;
+        frame.passes[pass++].milliseconds = time;
+    }
 }
 
 constexpr int kMixedSamples = 4039;
@@ -106,7 +121,7 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
         if (!sections) return sections.error();
         if (i >= options.warmUpFrames) timed.push_back(clearsLast(*sections));
     }
-    readTimes(medians(timed), staged->frame.resolve.has_value(), frame);
+    readTimes(medians(timed), staged->frame, frame);
     return frame;
 }
 

@@ -20,6 +20,7 @@ struct SessionPass {
     std::vector<std::string> reads;   // targets of the effect that it samples
     std::vector<std::string> writes;  // colours and textures that its shaders write; where there is none, the depth
     double milliseconds = 0;          // median over the frames; 0 for passes that were not drawn
+    bool kept = false;                // not drawn: its targets hold what it would draw (RunOptions::keepUnchanged)
 };
 
 struct SessionFrame {

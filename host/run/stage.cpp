@@ -104,8 +104,15 @@ Result<StagedFrame> Stage::prepare(const Workspace& workspace, const RunOptions&
 }
 
 Result<std::vector<gpu::TimedSection>> Stage::draw(StagedFrame& staged, std::size_t items) {
+    if (staged.inputs.front().options.keepUnchanged)
+        held_.choose(staged.frame, items);
+    else
+        held_.forget();
     auto sections = device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
-    if (!sections) return sections;
+    if (!sections) {
+        held_.forget();
+        return sections;
+    }
     staged.frame.before.clear();
     products_.finish();
     return sections;

@@ -2,6 +2,7 @@
 // The scene of a session on the device, and the one loop over its objects. Inside host/run, and for those that change a frame before it is
 // drawn; all others take a session.
 
+#include "host/run/held.h"
 #include "host/run/products.h"
 
 #include <deque>
@@ -30,7 +31,7 @@ public:
 
     /// Plans, compiles, loads, allocates; nothing is drawn yet. What an earlier frame left is used.
     [[nodiscard]] Result<StagedFrame> prepare(const Workspace& workspace, const RunOptions& options);
-    /// Draws the frame, or its first `items`; the textures that other effects draw for it only the first time. Times of the passes, in
+    /// Draws the frame, or its first `items`, with RunOptions::keepUnchanged those that change something; the textures that other effects draw for it only the first time. Times of the passes, in
     /// order, then of the resolve.
     [[nodiscard]] Result<std::vector<gpu::TimedSection>> draw(StagedFrame& staged, std::size_t items);
 
@@ -53,6 +54,7 @@ private:
     Resources resources_{device_, store_, kit_, {}};
     std::map<std::string, TargetDesc> allocated_; // as asked for
     Products products_{device_, store_};
+    Held held_;
 };
 
 } // namespace tegument::run

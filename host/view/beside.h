@@ -4,6 +4,7 @@
 
 #include "host/image/compare.h"
 #include "host/view/loaded.h"
+#include "host/view/pass_times.h"
 
 #include <map>
 #include <optional>
@@ -16,11 +17,12 @@ struct Beside {
     std::unique_ptr<Loaded> loaded; // none: a saved picture
     std::string technique;
     std::map<std::string, std::vector<double>> parameters;
-    bool display = false;    // `values` are a display's light, as 8-bit files hold it
-    Image values;            // of what is shown
-    gpu::Texture stored;     // a saved picture's
-    gpu::Texture picture;    // as it is shown
-    gpu::Texture errors;     // in false colours
+    bool display = false; // `values` are a display's light, as 8-bit files hold it
+    Image values;         // of what is shown
+    gpu::Texture stored;  // a saved picture's
+    gpu::Texture picture; // as it is shown
+    gpu::Texture errors;  // in false colours
+    PassTimes times;
     std::string error;       // a line; empty: not measured yet
     bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
     bool haveErrors = false; // of this frame

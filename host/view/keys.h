@@ -34,6 +34,7 @@ enum class Command {
     CopyCommand,
     Probe,
     Strip,
+    Times,
     Bindings,
     Keep,
     Errors,

@@ -45,13 +45,21 @@ PanelAreas arrange(float width, float height, const PanelSizes& sizes) {
         under = area.y - kPanelMargin;
         areas.histogram = area;
     }
+    if (sizes.times) {
+        const float share = sizes.sliders ? kTallestLines : 1;
+        Area area = fitted(*sizes.times, 0, 0, kWidestSliders * across, share * (under - kPanelMargin));
+        area.x = right - area.width;
+        area.y = under - area.height;
+        under = area.y - kPanelMargin;
+        areas.times = area;
+    }
     if (sizes.sliders) {
-        const bool alone = !sizes.lines && !sizes.help && !sizes.histogram;
+        const bool alone = !sizes.lines && !sizes.help && !sizes.histogram && !sizes.times;
         Area area = fitted(*sizes.sliders, 0, kPanelMargin, alone ? across : kWidestSliders * across, under - kPanelMargin);
         area.x = right - area.width;
         areas.sliders = area;
     }
-    for (const auto& beside : {areas.sliders, areas.histogram})
+    for (const auto& beside : {areas.sliders, areas.histogram, areas.times})
         if (beside) right = std::min(right, beside->x - kPanelMargin);
     float top = kPanelMargin;
     if (sizes.lines) {

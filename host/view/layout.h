@@ -28,6 +28,7 @@ struct PanelSizes {
     std::optional<PanelSize> problem;
     std::optional<PanelSize> strip;
     std::optional<PanelSize> histogram;
+    std::optional<PanelSize> times;
 };
 
 struct PanelAreas {
@@ -37,11 +38,13 @@ struct PanelAreas {
     std::optional<Area> problem;
     std::optional<Area> strip;
     std::optional<Area> histogram;
+    std::optional<Area> times;
 };
 
 inline constexpr float kPanelMargin = 8;
 
-/// The problem at the bottom and the strip above it, the sliders to the right and the histogram below them, the lines to the left and the
+/// The problem at the bottom and the strip above it, the sliders to the right, times of passes and the
+/// histogram below them, the lines to the left and the
 /// help below them. What has no room is cut: panels scroll.
 [[nodiscard]] PanelAreas arrange(float width, float height, const PanelSizes& sizes);
 

@@ -244,6 +244,7 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
         sizes.help = sizeOf(help);
     if (!pictures.thumbnails.empty()) sizes.strip = stripSize(pictures);
     if (pictures.histogram) sizes.histogram = histogramSize();
+    if (!pictures.times.empty()) sizes.times = timesSize(pictures.times);
     if (state.sliders) sizes.sliders = sliderSize(state, parameters);
     if (!text.problem.empty()) {
         sizes.problem = sizeOf(text.problem);
@@ -258,6 +259,7 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
     }
     if (areas.help && !bindings) drawText("help", *areas.help, help);
     if (areas.histogram) drawHistogram(*pictures.histogram, *areas.histogram);
+    if (areas.times) drawTimes(pictures.times, *areas.times);
     PanelOutcome outcome;
     if (areas.help && bindings) outcome.bound = drawBindings(loaded.bindings, loaded.effect, state.binds, *areas.help);
     if (areas.strip) outcome.opened = drawStrip(pictures, *areas.strip);

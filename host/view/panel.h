@@ -7,6 +7,7 @@
 #include "host/view/graph.h"
 #include "host/view/layout.h"
 #include "host/view/loaded.h"
+#include "host/view/pass_times.h"
 #include "host/view/probe.h"
 #include "host/view/source_text.h"
 #include "host/view/state.h"
@@ -37,11 +38,18 @@ struct Thumbnail {
     bool shown = false;
 };
 
+/// The picture, or the kept side.
+struct TimesOfSide {
+    std::string name; // empty: there is one side
+    const PassTimes* times = nullptr;
+};
+
 /// What is shown besides text; empty: not asked for.
 struct PanelPictures {
     std::vector<Thumbnail> thumbnails;
     std::vector<TargetArrow> arrows; // between them
     std::optional<Histogram> histogram;
+    std::vector<TimesOfSide> times;
 };
 
 /// What a parameter of another host's effect is to get: AdoptOptions::bind; an empty rule: what its own words say.
@@ -78,6 +86,9 @@ void drawBorder(double border, const BesideText& text, float width, float bottom
 [[nodiscard]] PanelSize stripSize(const PanelPictures& pictures);
 /// The small pictures and their arrows; the name of the one that was clicked.
 [[nodiscard]] std::optional<std::string> drawStrip(const PanelPictures& pictures, const Area& area);
+
+[[nodiscard]] PanelSize timesSize(const std::vector<TimesOfSide>& sides);
+void drawTimes(const std::vector<TimesOfSide>& sides, const Area& area);
 
 /// The effect's text with line numbers and errors in place; written by Ctrl+S.
 void drawSource(SourceText& source, const Area& area);

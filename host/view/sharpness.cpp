@@ -31,4 +31,19 @@ double quickShare(double whole, const QuickPicture& last) {
     return fits == kShares.end() ? kShares.back() : *fits;
 }
 
+void MovingCosts::note(const PassCosts& passes, double took, double share, std::optional<Moving> moving) {
+    if (passes.pixels > 0 && share == 1) pixels = passes.pixels;
+    if (passes.pixels > 0 && share < 1) quick = {.share = share, .milliseconds = passes.pixels};
+    const double rest = std::max(passes.others, took - passes.pixels);
+    if (moving == Moving::Camera) camera = rest;
+    if (moving == Moving::Rest) anything = rest;
+}
+
+double MovingCosts::share(Moving moving) const {
+    const double rest = moving == Moving::Camera ? camera : anything;
+    QuickPicture last = quick;
+    if (last.milliseconds > 0) last.milliseconds += rest;
+    return quickShare(pixels + rest, last);
+}
+
 } // namespace tegument::view

@@ -1,7 +1,12 @@
 #pragma once
 // How large a picture is drawn while something moves, where a whole one takes too long. Needs no GPU.
 
+#include <optional>
+
 namespace tegument::view {
+
+/// What moves: with the camera alone the maps on the skin, and those that the light sees, stay as they are.
+enum class Moving { Camera, Rest };
 
 /// A picture drawn while something moves.
 struct QuickPicture {
@@ -12,5 +17,23 @@ struct QuickPicture {
 /// The share of each side that keeps the next picture near 70 ms: 1, 3/4, 1/2, 3/8, 1/4 or 1/8. `whole`: what the last whole picture took.
 /// What does not depend on the picture's size is found from both; where that alone takes longer, the picture is no smaller than helps.
 [[nodiscard]] double quickShare(double whole, const QuickPicture& last);
+
+/// Milliseconds that passes took, of those that have the picture's size and of all others. Of a frame that kept some, those that it drew.
+struct PassCosts {
+    double pixels = 0;
+    double others = 0;
+};
+
+/// What the next picture will take, by what the last ones did.
+struct MovingCosts {
+    double pixels = 0;   // of a whole picture
+    QuickPicture quick;  // the last one, of the passes of the picture's size
+    double camera = 0;   // of all other passes, and what is not the GPU's, where the camera moves
+    double anything = 0; // likewise, where anything else does
+
+    /// Of a picture of this share of each side. `took`: all of it; a picture that nothing moved for says nothing of the other passes.
+    void note(const PassCosts& passes, double took, double share, std::optional<Moving> moving);
+    [[nodiscard]] double share(Moving moving) const;
+};
 
 } // namespace tegument::view

@@ -141,6 +141,7 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::CopyCommand: return Request::CopyCommand;
     case Command::Probe: return toggle(state.probe);
     case Command::Strip: return toggle(state.strip);
+    case Command::Times: return toggle(state.times);
     case Command::Bindings: return toggle(state.bindings);
     case Command::Keep: return Request::Keep;
     case Command::Errors: return toggle(state.errors);
@@ -171,6 +172,10 @@ void choosePreset(ViewState& state, const std::string& name, const ViewState& st
     state.preset = name;
     for (const auto& [parameter, numbers] : found->parameters)
         state.parameters[parameter] = numbers;
+}
+
+bool movesLight(const Input& input) {
+    return input.light != glm::dvec2(0) || input.lightWheel != 0;
 }
 
 bool apply(ViewState& state, const Input& input) {

@@ -46,6 +46,7 @@ struct ViewState {
     bool information = true;
     bool probe = false;
     bool strip = false;
+    bool times = false;
     bool bindings = false;
     bool errors = false; // against what is beside, in false colours
     bool source = false; // text beside the picture
@@ -56,6 +57,7 @@ struct ViewState {
 [[nodiscard]] Request apply(ViewState& state, Command command, const ViewState& start);
 /// The parameters as `start` has them, with those of the preset of this name; none for an empty name.
 void choosePreset(ViewState& state, const std::string& name, const ViewState& start);
+[[nodiscard]] bool movesLight(const Input& input);
 /// Whether camera or light moved.
 [[nodiscard]] bool apply(ViewState& state, const Input& input);
 /// Passes, targets and techniques of what was drawn or loaded; what is shown stays where it can.

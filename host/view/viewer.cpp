@@ -104,7 +104,10 @@ void Viewer::readPresets() {
 }
 
 Result<Adoption> Viewer::readEffect() const {
-    LoadOptions load = request_.load;
+    return readEffect(request_.load);
+}
+
+Result<Adoption> Viewer::readEffect(LoadOptions load) const {
     load.setting = state_.setting;
     auto effect = loadEffect(request_.effect, load);
     if (!effect) return effect.error();
@@ -142,7 +145,7 @@ Result<void> Viewer::step(const Input& input) {
     }
     if (const auto resized = resize(); !resized) return resized;
     if (const auto sharpened = sharpen(); !sharpened) return sharpened;
-    if (!input.any && sharpness_ == 1) // once nothing moves
+    if (!input.any && !isDraft()) // once nothing moves
         if (const auto measured = measureBeside(); !measured) return measured;
     return seen && settling_ > 0 ? show() : Result<void>();
 }
@@ -156,7 +159,7 @@ void Viewer::waitForEditor() {
 
 Result<void> Viewer::obey(const Input& input) {
     if (apply(state_, input))
-        if (const auto drawn = drawMoving(); !drawn) return drawn;
+        if (const auto drawn = drawMoving(movesLight(input) ? Moving::Rest : Moving::Camera); !drawn) return drawn;
     if (state_.source && std::ranges::find(input.keys, kKeyWrite) != input.keys.end()) writeSource(source_);
     if (overlay_->wantsKeys()) return {};
     for (const char32_t key : input.keys)
@@ -173,7 +176,7 @@ Result<void> Viewer::fulfil(Request request) {
     case Request::Levels: return paint();
     case Request::Load: return load(true);
     case Request::Save:
-        if (sharpness_ < 1)
+        if (isDraft())
             if (const auto drawn = draw(); !drawn) return drawn;
         save();
         return {};
@@ -216,7 +219,7 @@ glm::dvec2 Viewer::cursorOnPicture() const {
 Result<void> Viewer::load(bool anew) {
     auto effect = readEffect();
     if (!effect) return report(nullptr, effect.error());
-    const double sharpness = std::exchange(sharpness_, 1);
+    const double sharpness = std::exchange(sharpness_, anew ? 1 : costs_.share(Moving::Rest));
     auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, anew ? nullptr : loaded_.get());
     const ViewState before = state_;
     adopt(state_, loaded->effect);
@@ -228,6 +231,7 @@ Result<void> Viewer::load(bool anew) {
         return report(&loaded->effect, frame.error());
     }
     loaded_ = std::move(loaded);
+    dropDraft();
     levelled_.clear();
     targets_.forgetAll();
     readPresets();
@@ -263,6 +267,7 @@ Result<void> Viewer::open(const fs::path& file) {
         return report(nullptr, frame.error());
     }
     loaded_ = std::move(loaded);
+    dropDraft();
     levelled_.clear();
     targets_.forgetAll();
     readPresets();
@@ -283,15 +288,21 @@ Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
 Result<void> Viewer::develop(SessionFrame frame) {
     if (!problem_.empty()) say_("the picture is up to date again");
     problem_.clear();
-    if (frame.technique != frame_.technique) targets_.forgetAll();
+    if (frame.technique != frame_.technique) {
+        targets_.forgetAll();
+        costs_ = draftCosts_ = {};
+    }
     frame_ = std::move(frame);
+    times_.note(frame_);
+    noteCosts();
+    moved_ = std::chrono::steady_clock::now();
     ++answers_;
     targets_.forget();
     adopt(state_, frame_);
     for (const Diagnostic& warning : frame_.warnings)
         if (std::string text = format(warning); warned_.insert(text).second) say_(text);
     const std::string name = shownTarget(state_, frame_);
-    gpu::Texture* texture = loaded_->session.target(name);
+    gpu::Texture* texture = session().target(name);
     assert(texture); // the frame has drawn into it
     state_.levels = static_cast<int>(texture->desc().mips);
     state_.level = std::min(state_.level, state_.levels - 1);
@@ -333,7 +344,7 @@ Result<void> Viewer::paint() {
     if (const auto made = makePicture(picture_, "picture in the window"); !made) return made;
     settling_ = kSettlingFrames;
     if (const auto painted = paintBeside(); !painted) return painted;
-    gpu::Texture& texture = *loaded_->session.target(shownTarget(state_, frame_));
+    gpu::Texture& texture = *session().target(shownTarget(state_, frame_));
     return canvas_->show(picture_, texture, shownLevels(), fitOf(texture));
 }
 
@@ -359,7 +370,7 @@ Result<void> Viewer::show() {
     if (!*shown) settling_ = kSettlingFrames;
     if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
     if (outcome.bound) return bind(*outcome.bound);
-    return outcome.moved ? drawMoving() : Result<void>();
+    return outcome.moved ? drawMoving(Moving::Rest) : Result<void>();
 }
 
 Result<void> Viewer::bind(const BindingChoice& choice) {
@@ -382,6 +393,8 @@ RunOptions Viewer::runOptions() const {
     options.parameters = state_.parameters;
     options.width = static_cast<int>(drawnPixels().width);
     options.height = static_cast<int>(drawnPixels().height);
+    options.keepUnchanged = true;
+    if (isDraft()) options.samples = 1;
     return options;
 }
 

@@ -49,6 +49,7 @@ private:
     /// Until the files have been still for a moment.
     void waitForEditor();
     [[nodiscard]] Result<Adoption> readEffect() const;
+    [[nodiscard]] Result<Adoption> readEffect(LoadOptions load) const;
     /// Reads the effect and draws it; what was there before stays if either fails. `anew`: its textures, too.
     [[nodiscard]] Result<void> load(bool anew = false);
     /// A file that was dropped on the window.
@@ -67,9 +68,21 @@ private:
 
     // viewer_moving.cpp
     [[nodiscard]] Result<void> draw();
-    /// Small where a whole picture takes too long.
-    [[nodiscard]] Result<void> drawMoving();
+    /// Small where a whole picture takes too long. `what` moves: each has passes of its own that must be drawn.
+    [[nodiscard]] Result<void> drawMoving(Moving what);
     [[nodiscard]] Result<void> drawAt(double share);
+    /// With fewer texels in the maps that do not follow the picture's size; made when it is first needed. False: the effect has no such
+    /// maps, or does not ask how many (TEGUMENT_MAP_SIZE).
+    [[nodiscard]] bool haveDraft();
+    void dropDraft();
+    /// Whether the picture is smaller, or its maps are, than they will be once nothing moves.
+    [[nodiscard]] bool isDraft() const { return sharpness_ < 1 || drafting_; }
+    /// Of what is shown.
+    [[nodiscard]] EffectSession& session() { return (drafting_ ? draft_ : loaded_)->session; }
+    /// Of a whole picture.
+    void noteCosts();
+    /// What the last frame's passes took.
+    [[nodiscard]] PassCosts passCosts();
     /// Draws the whole picture once nothing moves.
     [[nodiscard]] Result<void> sharpen();
     [[nodiscard]] PixelSize drawnPixels() const;
@@ -132,8 +145,9 @@ private:
     ViewState state_;
     ViewState start_;
 
-    SessionFrame frame_;      // the last good one
-    ShownTargets targets_;    // of the last good one
+    SessionFrame frame_;   // the last good one
+    ShownTargets targets_; // of the last good one
+    PassTimes times_;
     glm::dvec2 cursor_{-1};   // share of the window
     gpu::Texture picture_;    // as it is shown, without text
     gpu::Texture composed_;   // with text, of the window's size
@@ -148,8 +162,11 @@ private:
     std::string title_;
     std::size_t answers_ = 0; // frames and errors so far
     double sharpness_ = 1;    // share of each side of the picture that is drawn
-    QuickPicture quick_;      // the last one
-    double wholeMilliseconds_ = 0;
+    MovingCosts costs_;
+    std::unique_ptr<Loaded> draft_;
+    MovingCosts draftCosts_;
+    bool draftTried_ = false;
+    bool drafting_ = false;                       // what is shown is the draft's
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;

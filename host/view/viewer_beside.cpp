@@ -82,7 +82,9 @@ Result<void> Viewer::drawBeside() {
         options.technique = beside.technique;
         options.parameters = beside.parameters;
         beside.values = {};
-        if (auto frame = beside.loaded->session.draw(state_.workspace, options); !frame) return frame.error();
+        const auto frame = beside.loaded->session.draw(state_.workspace, options);
+        if (!frame) return frame.error();
+        beside.times.note(*frame);
         if (!beside.loaded->session.target(shownTarget(state_, frame_))) return {};
     }
     beside.drawn = true;
@@ -102,7 +104,7 @@ Result<void> Viewer::paintBeside() {
 Result<std::pair<Image, const Image*>> Viewer::sides() {
     Beside& beside = *beside_;
     const std::string shown = shownTarget(state_, frame_);
-    const auto now = targets_.image(device_, loaded_->session, shown);
+    const auto now = targets_.image(device_, session(), shown);
     if (!now) return now.error();
     if (beside.values.pixels.empty()) {
         auto values = run::readBack(device_, *beside.loaded->session.target(shown));

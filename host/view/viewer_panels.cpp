@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -26,13 +27,18 @@ Result<PanelPictures> Viewer::panelPictures() {
     PanelPictures pictures;
     const std::string shown = shownTarget(state_, frame_);
     if (state_.probe)
-        if (const auto image = targets_.image(device_, loaded_->session, shown)) pictures.histogram = histogramOf(**image);
+        if (const auto image = targets_.image(device_, session(), shown)) pictures.histogram = histogramOf(**image);
+    if (state_.times) {
+        const bool both = beside_ && beside_->loaded && beside_->drawn;
+        if (both) pictures.times.push_back({.name = beside_->name, .times = &beside_->times});
+        pictures.times.push_back({.name = both ? sideName() : std::string(), .times = &times_});
+    }
     if (!state_.strip) return pictures;
     pictures.arrows = arrowsOf(frame_);
     for (const std::string& name : inOrderOfFlow(frame_)) {
-        const gpu::Texture* target = loaded_->session.target(name);
+        const gpu::Texture* target = session().target(name);
         if (!target) continue; // of a part of the frame
-        auto small = targets_.thumbnail(device_, *canvas_, loaded_->session, name, !loaded_->effect.adopted);
+        auto small = targets_.thumbnail(device_, *canvas_, session(), name, !loaded_->effect.adopted);
         if (!small) return small.error();
         pictures.thumbnails.push_back(
             {.name = name,
@@ -46,7 +52,7 @@ Result<PanelPictures> Viewer::panelPictures() {
 /// Nothing while the cursor is beside the picture.
 std::vector<std::string> Viewer::probed() {
     const std::string shown = shownTarget(state_, frame_);
-    const gpu::Texture* texture = loaded_->session.target(shown);
+    const gpu::Texture* texture = session().target(shown);
     if (!texture) return {};
     const glm::ivec2 size(texture->desc().width, texture->desc().height);
     const auto place = placeOnPicture(cursorOnPicture(), size, glm::ivec2(size_.width, size_.height));
@@ -55,7 +61,7 @@ std::vector<std::string> Viewer::probed() {
     std::vector<std::string> names = state_.targets;
     names.emplace_back();
     for (const std::string& name : names)
-        if (const auto image = targets_.image(device_, loaded_->session, name)) targets.push_back({name, *image});
+        if (const auto image = targets_.image(device_, session(), name)) targets.push_back({name, *image});
     std::vector<std::string> lines = probeLines(targets, shown, *place);
     if (beside_ && beside_->drawn)
         if (const auto both = sides()) {
@@ -70,8 +76,9 @@ PanelText Viewer::panelText() {
     text.lines.push_back(
         fmt::format("{}  technique {}  setting {}", request_.effect.filename().string(), state_.technique, state_.setting));
     text.lines.push_back(shownText(state_, frame_));
-    text.lines.push_back(
-        fmt::format("{} passes {:.2f} ms, frame {:.1f} ms", frame_.passes.size(), totalMilliseconds(frame_), milliseconds_));
+    const auto kept = std::ranges::count_if(frame_.passes, &SessionPass::kept);
+    text.lines.push_back(fmt::format("{} passes{} {:.2f} ms, frame {:.1f} ms", frame_.passes.size(),
+                                     kept > 0 ? fmt::format(", {} kept,", kept) : std::string(), totalMilliseconds(frame_), milliseconds_));
     text.lines.push_back(device_.info().name);
     if (!state_.preset.empty()) text.lines.push_back("preset " + state_.preset);
     if (state_.stops != 0) text.lines.push_back(fmt::format("{:+.1f} stops", state_.stops));
@@ -79,7 +86,9 @@ PanelText Viewer::panelText() {
     if (state_.levels > 1 && state_.show != Show::Picture)
         text.lines.push_back(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
     if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
-    if (sharpness_ < 1) text.lines.push_back(fmt::format("drawn at {} x {} while it moves", drawnPixels().width, drawnPixels().height));
+    if (isDraft())
+        text.lines.push_back(fmt::format("drawn at {} x {}{} while it moves", drawnPixels().width, drawnPixels().height,
+                                         drafting_ ? ", maps at a quarter of each side," : ""));
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
     if (state_.probe) {

@@ -25,9 +25,9 @@ Result<void> replaceIn(const ReplayStep& edit) {
 } // namespace
 
 Result<void> Viewer::awaitSharp(std::vector<Reaction>& reactions) {
-    if (sharpness_ >= 1) return {};
+    if (!isDraft()) return {};
     const auto begin = std::chrono::steady_clock::now();
-    while (sharpness_ < 1)
+    while (isDraft())
         if (const auto stepped = step(wait()); !stepped) return stepped;
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     reactions.push_back({.kind = "sharp after a move", .milliseconds = took.count()});

@@ -251,7 +251,7 @@ TEST(Panels, stand_inside_the_window_and_none_covers_another) {
     for (const float width : {160.0F, 320.0F, 900.0F, 2560.0F})
         for (const float height : {120.0F, 320.0F, 900.0F})
             for (const float text : {60.0F, 400.0F, 3000.0F})
-                for (int shown = 0; shown < 64; ++shown) {
+                for (int shown = 0; shown < 128; ++shown) {
                     PanelSizes sizes;
                     if (shown & 1) sizes.lines = panel(text, 90);
                     if (shown & 2) sizes.help = panel(420, 400);
@@ -259,9 +259,10 @@ TEST(Panels, stand_inside_the_window_and_none_covers_another) {
                     if (shown & 8) sizes.problem = panel(text, 200);
                     if (shown & 16) sizes.strip = panel(width, 120);
                     if (shown & 32) sizes.histogram = panel(280, 120);
+                    if (shown & 64) sizes.times = panel(300, text);
                     const PanelAreas areas = arrange(width, height, sizes);
-                    const std::vector<std::optional<Area>> all = {areas.lines,   areas.help,  areas.sliders,
-                                                                  areas.problem, areas.strip, areas.histogram};
+                    const std::vector<std::optional<Area>> all = {areas.lines, areas.help,      areas.sliders, areas.problem,
+                                                                  areas.strip, areas.histogram, areas.times};
                     for (std::size_t i = 0; i < all.size(); ++i) {
                         EXPECT_EQ(all[i].has_value(), (shown >> i & 1) != 0);
                         for (std::size_t j = 0; j < i; ++j)

@@ -1,0 +1,225 @@
+#include "host/run/held.h"
+
+#include <algorithm>
+#include <set>
+
+namespace tegument::run {
+
+namespace {
+
+using Content = std::uint64_t;
+using Contents = std::map<std::uint64_t, Content>; // by the texture's identity
+
+/// Textures came and went: above it all is drawn once more.
+constexpr std::size_t kMostTextures = 4096;
+
+/// An item as it is compared, and what it does.
+struct HeldItem {
+    bool node = false; // of another effect, drawn whenever it is there
+    std::vector<std::uint64_t> writes;
+    std::vector<std::pair<std::uint64_t, Content>> reads; // of textures that a frame draws, with what it samples
+};
+
+/// Bytes that differ where anything differs that an item depends on: each part is of a known length, or preceded by it.
+class HeldKey {
+public:
+    void add(std::uint64_t number) { bytes_.append(reinterpret_cast<const char*>(&number), sizeof number); }
+    void add(std::span<const std::byte> bytes) {
+        add(bytes.size());
+        bytes_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    }
+    template <class Number>
+    void addNumber(Number number) {
+        add(std::as_bytes(std::span(&number, 1)));
+    }
+    /// What its texels mean.
+    void addShape(const gpu::TextureDesc& desc) {
+        for (const std::uint64_t number : {std::uint64_t{desc.width}, std::uint64_t{desc.height}, static_cast<std::uint64_t>(desc.format),
+                                           std::uint64_t{desc.mips}, std::uint64_t{desc.samples}})
+            add(number);
+    }
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+private:
+    std::string bytes_;
+};
+
+/// A frame followed item by item, without drawing.
+struct Follower {
+    const Contents& held;
+    const std::unordered_map<std::string, Content>& known;
+    std::unordered_map<std::string, Content> next;
+    Content& made;
+    Contents now; // of what the frame has drawn so far
+    std::vector<HeldItem> items;
+
+    Content numberOf(const HeldKey& key) {
+        if (const auto found = known.find(key.bytes()); found != known.end()) return next[key.bytes()] = found->second;
+        Content& number = next[key.bytes()];
+        if (number == 0) number = ++made;
+        return number;
+    }
+
+    /// What an item draws over. What the frame before left makes no difference: it is cleared, or overwritten whole (completePlan).
+    [[nodiscard]] Content under(const gpu::Texture& target) const {
+        const auto found = now.find(target.identity());
+        return found == now.end() ? 0 : found->second;
+    }
+
+    void sample(const gpu::Texture& texture, HeldKey& key, HeldItem& item) const {
+        for (const Contents* contents : {static_cast<const Contents*>(&now), &held})
+            if (const auto found = contents->find(texture.identity()); found != contents->end()) {
+                key.add(1);
+                key.add(found->second);
+                key.addShape(texture.desc());
+                item.reads.emplace_back(texture.identity(), found->second);
+                return;
+            }
+        key.add(0); // a file's, which nothing draws
+        key.add(texture.identity());
+    }
+
+    /// The item puts new content into these.
+    void write(HeldKey& key, std::span<gpu::Texture* const> targets, HeldItem item) {
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            HeldKey of = key;
+            of.add(i);
+            of.addShape(targets[i]->desc());
+            now[targets[i]->identity()] = numberOf(of);
+            item.writes.push_back(targets[i]->identity());
+        }
+        items.push_back(std::move(item));
+    }
+};
+
+enum class HeldKind : std::uint64_t { Draw, Clear, Mips, Copy, Resolve };
+
+HeldKey begun(HeldKind kind) {
+    HeldKey key;
+    key.add(static_cast<std::uint64_t>(kind));
+    return key;
+}
+
+void addGeometry(const gpu::Draw& draw, HeldKey& key) {
+    for (const gpu::Buffer* buffer : {draw.vertices, draw.indices})
+        key.add(buffer ? buffer->identity() : 0);
+    for (const std::uint32_t number : {draw.first, draw.count, draw.instances})
+        key.add(number);
+    key.add(draw.more.size());
+    for (const gpu::DrawRange& range : draw.more)
+        for (const std::uint32_t number : {range.first, range.count, range.firstInstance, range.instances})
+            key.add(number);
+}
+
+void addResource(const gpu::BoundResource& bound, const Follower& follower, HeldKey& key, HeldItem& item) {
+    key.add(bound.set);
+    key.add(bound.binding);
+    key.add(bound.resource.index());
+    if (const auto* bytes = std::get_if<std::span<const std::byte>>(&bound.resource)) key.add(*bytes);
+    if (const auto* texture = std::get_if<gpu::Texture*>(&bound.resource)) follower.sample(**texture, key, item);
+    if (const auto* sampler = std::get_if<const gpu::Sampler*>(&bound.resource)) key.add((*sampler)->identity());
+    if (const auto* buffer = std::get_if<gpu::Buffer*>(&bound.resource)) key.add((*buffer)->identity());
+    // What is stored to is one of the item's targets.
+}
+
+void followDraw(const FrameDraw& draw, Follower& follower, HeldItem item) {
+    HeldKey key = begun(HeldKind::Draw);
+    key.add(draw.draw.pipeline->identity());
+    for (const std::uint32_t groups : draw.groups)
+        key.add(groups);
+    addGeometry(draw.draw, key);
+    key.add(draw.draw.resources.size());
+    for (const gpu::BoundResource& bound : draw.draw.resources)
+        addResource(bound, follower, key, item);
+    std::vector<gpu::Texture*> targets = draw.targets.colors;
+    targets.insert(targets.end(), draw.stored.begin(), draw.stored.end());
+    key.add(targets.size());
+    if (draw.targets.depth) targets.push_back(draw.targets.depth);
+    for (const gpu::Texture* target : targets)
+        key.add(follower.under(*target));
+    follower.write(key, targets, std::move(item));
+}
+
+void followClear(const FrameClear& clear, Follower& follower, HeldItem item) {
+    HeldKey key = begun(HeldKind::Clear);
+    key.add(static_cast<std::uint64_t>(clear.step.what));
+    key.addNumber(clear.step.color);
+    key.addNumber(clear.step.depth);
+    key.add(clear.step.stencil);
+    if (clear.step.what != ClearKind::Color) key.add(follower.under(*clear.target)); // depth or stencil stays
+    follower.write(key, std::span(&clear.target, 1), std::move(item));
+}
+
+void follow(const FrameItem& item, bool node, Follower& follower) {
+    HeldItem followed{.node = node, .writes = {}, .reads = {}};
+    if (const auto* draw = std::get_if<FrameDraw>(&item)) return followDraw(*draw, follower, std::move(followed));
+    if (const auto* clear = std::get_if<FrameClear>(&item)) return followClear(*clear, follower, std::move(followed));
+    if (const auto* mips = std::get_if<FrameMips>(&item)) {
+        HeldKey key = begun(HeldKind::Mips);
+        key.add(follower.under(*mips->target));
+        return follower.write(key, std::span(&mips->target, 1), std::move(followed));
+    }
+    const FrameCopy& copy = std::get<FrameCopy>(item);
+    HeldKey key = begun(HeldKind::Copy);
+    follower.sample(*copy.from, key, followed);
+    follower.write(key, std::span(&copy.to, 1), std::move(followed));
+}
+
+/// Targets that must be drawn: whole, or not at all.
+std::set<std::uint64_t> dueTargets(const Follower& follower) {
+    std::set<std::uint64_t> due;
+    const auto holds = [&](std::uint64_t target, Content content) {
+        const auto found = follower.held.find(target);
+        return found != follower.held.end() && found->second == content;
+    };
+    for (const auto& [target, last] : follower.now)
+        if (!holds(target, last)) due.insert(target);
+    for (std::size_t before = 0; before != due.size() + 1;) {
+        before = due.size() + 1;
+        for (const HeldItem& item : follower.items) {
+            if (!item.node && std::ranges::none_of(item.writes, [&](std::uint64_t target) { return due.contains(target); })) continue;
+            due.insert(item.writes.begin(), item.writes.end());
+            for (const auto& [target, content] : item.reads)
+                if (follower.now.contains(target) && !holds(target, content)) due.insert(target);
+        }
+    }
+    return due;
+}
+
+} // namespace
+
+void Held::choose(Frame& frame, std::size_t items) {
+    if (held_.size() > kMostTextures) forget();
+    Follower follower{.held = held_, .known = known_, .next = {}, .made = made_, .now = {}, .items = {}};
+    for (const FrameNode& node : frame.before)
+        for (const FrameItem& item : node.items)
+            follow(item, true, follower);
+    const std::size_t nodes = follower.items.size();
+    const std::size_t count = std::min(items, frame.items.size());
+    for (std::size_t i = 0; i < count; ++i)
+        follow(frame.items[i], false, follower);
+    if (frame.resolve) {
+        HeldKey key = begun(HeldKind::Resolve);
+        HeldItem item;
+        follower.sample(*frame.resolve->from, key, item);
+        follower.write(key, std::span(&frame.resolve->to, 1), std::move(item));
+    }
+    const std::set<std::uint64_t> due = dueTargets(follower);
+    const auto isKept = [&](const HeldItem& item) {
+        return std::ranges::none_of(item.writes, [&](std::uint64_t target) { return due.contains(target); });
+    };
+    frame.kept.assign(frame.items.size(), false);
+    for (std::size_t i = 0; i < count; ++i)
+        frame.kept[i] = isKept(follower.items[nodes + i]);
+    frame.resolveKept = frame.resolve && isKept(follower.items.back());
+    for (const auto& [target, content] : follower.now)
+        held_[target] = content;
+    known_ = std::move(follower.next);
+}
+
+void Held::forget() {
+    held_.clear();
+    known_.clear();
+}
+
+} // namespace tegument::run

@@ -1,0 +1,34 @@
+#pragma once
+// What the targets of a session hold, and which items of its next frame would put the same there again.
+//
+// Each thing that was ever drawn has a number, its content: two contents with one number are the same bit for bit. A draw's content follows
+// from everything that it depends on, compared as it is and not by a hash: pipeline, uniform bytes, samplers, buffers, ranges, and the
+// contents of what it samples and of what it draws over. A target is drawn again from its first item on where its last content would be
+// another than it holds, or where an item that must be drawn samples it half-way.
+
+#include "host/run/frame.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+namespace tegument::run {
+
+class Held {
+public:
+    /// Marks in `frame` what need not be drawn of its first `items`; the targets then hold what these leave, once they have been drawn.
+    /// Textures that other effects draw are drawn whenever the frame brings their nodes.
+    void choose(Frame& frame, std::size_t items);
+    /// The targets hold anything.
+    void forget();
+
+private:
+    using Content = std::uint64_t;
+
+    std::map<std::uint64_t, Content> held_;          // by the texture's identity
+    std::unordered_map<std::string, Content> known_; // by what it follows from; of the last frame
+    Content made_ = 0;
+};
+
+} // namespace tegument::run

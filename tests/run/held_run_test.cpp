@@ -1,0 +1,168 @@
+// RunOptions::keepUnchanged: the same bits in every target as a session has that draws all of it, and what is drawn is no more than must
+// be.
+
+#include "host/run/read_back.h"
+#include "host/run/session.h"
+#include "tests/run/fixture.h"
+#include "tests/run/sphere.h"
+
+#include <cstring>
+#include <functional>
+#include <random>
+
+namespace tegument::test {
+namespace {
+
+using HeldNames = std::vector<std::string>;
+
+class Held : public Run {
+protected:
+    void load(const std::filesystem::path& file, const LoadOptions& options = {}) {
+        auto effect = loadEffect(file, options);
+        ASSERT_TRUE(succeeded(effect));
+        effect_ = std::make_unique<Effect>(std::move(*effect));
+        mesh_ = sphere();
+        session_ = std::make_unique<EffectSession>(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}});
+    }
+
+    /// The passes that were drawn.
+    HeldNames drawn(const Workspace& workspace, RunOptions options, std::size_t passes = kAllPasses) {
+        options.keepUnchanged = true;
+        const auto frame = session_->draw(workspace, options, passes);
+        EXPECT_TRUE(succeeded(frame));
+        HeldNames names;
+        if (!frame) return names;
+        for (std::size_t i = 0; i < std::min(passes, frame->passes.size()); ++i)
+            if (!frame->passes[i].kept) names.push_back(frame->passes[i].name);
+        return names;
+    }
+
+    /// Every target of the session beside those of one that has drawn nothing before.
+    testing::AssertionResult isAsDrawnAnew(const Workspace& workspace, const RunOptions& options, std::size_t passes = kAllPasses) {
+        EffectSession anew(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}});
+        const auto frame = anew.draw(workspace, options, passes);
+        if (!frame) return testing::AssertionFailure() << format(frame.error());
+        HeldNames names = frame->targets;
+        names.emplace_back();
+        if (passes != kAllPasses) names = frame->passes[passes - 1].targets; // others hold what they held
+        for (const std::string& name : names) {
+            const auto expected = run::readBack(*device_, *anew.target(name));
+            const auto actual = run::readBack(*device_, *session_->target(name));
+            if (!expected || !actual) return testing::AssertionFailure() << "no target '" << name << "'";
+            if (expected->pixels.size() != actual->pixels.size() ||
+                std::memcmp(expected->pixels.data(), actual->pixels.data(), expected->pixels.size() * sizeof(float)) != 0)
+                return testing::AssertionFailure() << "target '" << name << "' differs";
+        }
+        return testing::AssertionSuccess();
+    }
+
+    std::unique_ptr<Effect> effect_;
+    std::unique_ptr<EffectSession> session_;
+    Mesh mesh_;
+};
+
+RunOptions chain(std::map<std::string, std::vector<double>> values) {
+    return {.technique = "Chain", .width = 4, .height = 4, .compiler = defaultCompiler(), .parameters = std::move(values)};
+}
+
+TEST_F(Held, nothing_is_drawn_where_nothing_has_changed) {
+    load(kFixtures / "held.fx");
+    EXPECT_EQ(drawn({}, chain({})).size(), 4U);
+    EXPECT_EQ(drawn({}, chain({})), HeldNames{});
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
+}
+
+TEST_F(Held, what_only_the_last_pass_reads_draws_that_one) {
+    load(kFixtures / "held.fx");
+    (void)drawn({}, chain({}));
+    EXPECT_EQ(drawn({}, chain({{"gShown", {3}}})), HeldNames{"Shown"});
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({{"gShown", {3}}})));
+}
+
+TEST_F(Held, a_target_that_is_sampled_half_way_is_drawn_from_its_first_pass_on) {
+    load(kFixtures / "held.fx");
+    (void)drawn({}, chain({}));
+    EXPECT_EQ(drawn({}, chain({{"gThird", {3}}})), (HeldNames{"First", "Third", "Shown"})) << "the right map stays";
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({{"gThird", {3}}})));
+    EXPECT_EQ(drawn({}, chain({{"gSecond", {2}}, {"gThird", {3}}})), (HeldNames{"First", "Second", "Third", "Shown"}));
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({{"gSecond", {2}}, {"gThird", {3}}})));
+}
+
+TEST_F(Held, parts_of_a_frame_draw_what_the_part_before_has_not) {
+    load(kFixtures / "held.fx");
+    (void)drawn({}, chain({}));
+    EXPECT_EQ(drawn({}, chain({}), 1), HeldNames{"First"}) << "the left map is to be as after the first pass";
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({}), 1));
+    EXPECT_EQ(drawn({}, chain({}), 2), HeldNames{"Second"});
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({}), 2));
+    EXPECT_EQ(drawn({}, chain({})), (HeldNames{"First", "Third", "Shown"})) << "a part begins by clearing what the whole clears";
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
+}
+
+TEST_F(Held, a_frame_that_draws_all_is_no_ground_to_keep_anything) {
+    load(kFixtures / "held.fx");
+    (void)drawn({}, chain({}));
+    ASSERT_TRUE(session_->draw({}, chain({{"gFirst", {5}}})));
+    EXPECT_EQ(drawn({}, chain({})).size(), 4U);
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
+}
+
+/// A change that a viewer makes, at random.
+struct HeldChange {
+    Workspace workspace = closeUp();
+    RunOptions options{.width = 48, .height = 48, .compiler = defaultCompiler()};
+    std::size_t passes = kAllPasses;
+
+    void step(std::mt19937& random, const HeldNames& techniques) {
+        const auto pick = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+        const auto place = [&] { return 0.5F * static_cast<float>(pick(9) - 4); };
+        passes = kAllPasses;
+        switch (pick(7)) {
+        case 0: break;
+        case 1: workspace.camera.position = {place(), place(), 5}; break;
+        case 2: workspace.light.position = {place(), place(), 5}; break;
+        case 3: options.technique = techniques[static_cast<std::size_t>(pick(static_cast<int>(techniques.size())))]; break;
+        case 4: options.width = options.height = 32 + 8 * pick(3); break;
+        case 5: passes = static_cast<std::size_t>(1 + pick(3)); break;
+        default: options.samples = 1 + 3 * pick(2); break;
+        }
+    }
+};
+
+void walk(const std::function<void(const HeldChange&, int)>& check, const HeldNames& techniques, unsigned seed) {
+    std::mt19937 random(seed);
+    HeldChange change;
+    change.options.technique = techniques.front();
+    for (int i = 0; i < 24; ++i) {
+        check(change, i);
+        change.step(random, techniques);
+    }
+}
+
+TEST_F(Held, main_has_the_same_bits_through_changes_of_all_kinds) {
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    std::size_t kept = 0;
+    const auto check = [&](const HeldChange& change, int i) {
+        const HeldNames names = drawn(change.workspace, change.options, change.passes);
+        kept += names.empty() ? 1 : 0;
+        EXPECT_TRUE(isAsDrawnAnew(change.workspace, change.options, change.passes)) << "step " << i;
+    };
+    walk(check, {"DEonLuebke", "Lambert", "GosselinCulled"}, 7);
+    EXPECT_GT(kept, 0U);
+}
+
+TEST_F(Held, the_camera_alone_leaves_the_skin_s_maps_as_they_are) {
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    Workspace workspace = closeUp();
+    const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler()};
+    EXPECT_EQ(drawn(workspace, options).size(), 13U);
+    workspace.camera.position = {1, 0.5F, 5};
+    EXPECT_EQ(drawn(workspace, options), HeldNames{"Final"});
+    EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+    workspace.light.position = {1, 1, 5};
+    EXPECT_EQ(drawn(workspace, options).size(), 13U);
+    EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+}
+
+} // namespace
+} // namespace tegument::test

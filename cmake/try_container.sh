@@ -1,9 +1,11 @@
 #!/bin/bash
-# What `cmake/package try-container FOLDER` runs, as root: buildah builds docs/samples/container/Containerfile as it stands, then what its head
-# promises is done in the container. It needs no daemon, no namespaces, and no registry: where none answers, debootstrap makes the base image.
+# What `cmake/package try-container FOLDER [OPTION...]` runs, as root: buildah builds docs/samples/container/Containerfile as it stands, then what
+# its head promises is done in the container. It needs no daemon, no namespaces, and no registry: where none answers, debootstrap makes the base
+# image. What FOLDER holds of an earlier run is used again; OPTIONs, such as --volume of a compiler's cache, are of `buildah build`.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder="$(realpath -m "$1")" base=docker.io/library/debian:12-slim certificates=()
+shift
 mkdir -p "$folder"/{work,cache}
 
 images() { buildah --root "$folder/images" --runroot "$folder/run" --storage-driver vfs "$@"; }
@@ -23,8 +25,8 @@ if [ -n "${PIP_CERT-}" ]; then
     printf '[global]\ncert = /run/certificates\n' >"$folder/pip.conf"
     certificates=(--volume "$PIP_CERT:/run/certificates:ro" --volume "$folder/pip.conf:/etc/pip.conf:ro")
 fi
-images pull -q "$base" 2>"$folder/pull.log" || { echo "no $base to be had ($(tail -n 1 "$folder/pull.log")): made by debootstrap" && bare_image; }
-images build --isolation chroot --pull=never "${certificates[@]}" -f docs/samples/container/Containerfile -t tegument .
+images inspect "$base" >/dev/null 2>&1 || images pull -q "$base" 2>"$folder/pull.log" || { echo "no $base to be had ($(tail -n 1 "$folder/pull.log")): made by debootstrap" && bare_image; }
+images build --isolation chroot --pull=never "${certificates[@]}" "$@" -f docs/samples/container/Containerfile -t tegument .
 
 container="$(images from --pull-never tegument)"
 read -ra program <<<"$(images inspect --format '{{join .OCIv1.Config.Entrypoint " "}}' "$container")"

@@ -17,10 +17,11 @@ def program():
 
 
 class Browser:
-    """One page. What the page throws, logs as an error or asks of a network stands in `problems`."""
+    """One page. What the page throws, logs as an error or asks of a network, but for its own server's, stands in `problems`."""
 
-    def __init__(self, width=1400, height=1000, timeout=60):
+    def __init__(self, width=1400, height=1000, timeout=60, server="file:"):
         self.timeout = timeout
+        self.own = (server, "file:", "about:", "data:", "blob:")
         self.folder = tempfile.mkdtemp(prefix="tegument-browser-")
         ours_in, theirs_out = os.pipe()
         theirs_in, ours_out = os.pipe()
@@ -62,7 +63,7 @@ class Browser:
             self.problems.append(what["exceptionDetails"].get("exception", {}).get("description") or what["exceptionDetails"]["text"])
         elif method == "Log.entryAdded" and what["entry"]["level"] == "error":
             self.problems.append(what["entry"]["text"])
-        elif method == "Network.requestWillBeSent" and not what["request"]["url"].startswith(("file:", "about:", "data:", "blob:")):
+        elif method == "Network.requestWillBeSent" and not what["request"]["url"].startswith(self.own):
             self.problems.append("asks the network for " + what["request"]["url"])
 
     def call(self, method, **parameters):
@@ -95,7 +96,7 @@ class Browser:
             time.sleep(0.05)
 
     def open(self, path):
-        self.call("Page.navigate", url="file://" + str(path))
+        self.call("Page.navigate", url=path if "://" in str(path) else f"file://{path}")
         self.wait("document.readyState === 'complete' && document.body.dataset.ready === 'yes'")
 
     def size(self, width, height):

@@ -66,7 +66,7 @@ export function makeTarget(gl, format, width, height, levels = 1) {
 }
 
 // docs/running.md, "Targets": ViewportRatio wins over Dimensions, that over Width and Height.
-function targetSize({ ViewportRatio: ratio, Dimensions: sizes, Width: width, Height: height }, picture) {
+export function targetSize({ ViewportRatio: ratio, Dimensions: sizes, Width: width, Height: height }, picture) {
   if (ratio !== undefined) return picture.map((side, axis) => Math.max(1, Math.floor(side * ([ratio].flat()[axis] ?? [ratio].flat()[0]))));
   const [wide, high] = [sizes ?? [width, height]].flat();
   return wide === undefined ? picture : [wide, high ?? wide];

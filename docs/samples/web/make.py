@@ -41,10 +41,10 @@ def emitted(program, folder):
     return {name: read_effect(folder / name, USED[name]) for name in EFFECTS}
 
 
-def read_effect(folder, technique):
+def read_effect(folder, *techniques):
     manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
-    manifest["techniques"] = [entry for entry in manifest["techniques"] if entry["name"] == technique]
-    used = {name for step in manifest["techniques"][0]["passes"] for name in (step["vertex_shader"], step["pixel_shader"])}
+    manifest["techniques"] = [entry for entry in manifest["techniques"] if entry["name"] in techniques]
+    used = {name for entry in manifest["techniques"] for step in entry["passes"] for name in (step["vertex_shader"], step["pixel_shader"])}
     manifest["shaders"] = [shader for shader in manifest["shaders"] if shader["name"] in used]
     files = [shader["glsl-es"]["file"] for shader in manifest["shaders"]]
     return {"manifest": {key: manifest[key] for key in ("effect", "parameters", "samplers", "techniques", "shaders")},

@@ -146,6 +146,67 @@ std::optional<Error> windowError(const Encoded& in, const Imath::Box2i& window) 
     return sizeError(in, size(window.min.x, window.max.x), size(window.min.y, window.max.y));
 }
 
+/// Reads through a header by its own words of size.
+class HeaderSizes {
+public:
+    explicit HeaderSizes(std::span<const std::byte> bytes) : left_(bytes) {}
+
+    /// OpenEXR takes memory for what an attribute announces before it reads it: is all of it there? In each of several parts' headers.
+    bool areThere() {
+        std::uint32_t magic = 0;
+        std::uint32_t version = 0;
+        if (!number(magic) || !number(version)) return false;
+        bool some = true;
+        for (bool more = true; more; more = some && (version & 0x1000U) != 0)
+            if (!header(some)) return false;
+        return true;
+    }
+
+private:
+    bool header(bool& some) {
+        some = false;
+        for (std::string_view name, type; word(name); some = true) {
+            if (name.empty()) return true;
+            std::uint32_t size = 0;
+            if (!word(type) || !number(size) || size > left_.size()) return false;
+            if (!HeaderSizes(left_.first(size)).holds(type)) return false;
+            left_ = left_.subspan(size);
+        }
+        return false;
+    }
+
+    /// The two types whose values have sizes of their own.
+    bool holds(std::string_view type) {
+        std::uint32_t size = 0;
+        std::uint32_t rows = 0;
+        if (type == "preview") return number(size) && number(rows) && std::uint64_t{size} * rows <= left_.size() / 4;
+        while (type == "stringvector" && !left_.empty()) {
+            if (!number(size) || size > left_.size()) return false;
+            left_ = left_.subspan(size);
+        }
+        return true;
+    }
+
+    bool number(std::uint32_t& value) {
+        if (left_.size() < 4) return false;
+        value = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            value |= std::to_integer<std::uint32_t>(left_[i]) << (8 * i);
+        left_ = left_.subspan(4);
+        return true;
+    }
+
+    bool word(std::string_view& text) {
+        const auto end = std::ranges::find(left_, std::byte{0});
+        if (end == left_.end()) return false;
+        text = {reinterpret_cast<const char*>(left_.data()), static_cast<std::size_t>(end - left_.begin())};
+        left_ = left_.subspan(text.size() + 1);
+        return true;
+    }
+
+    std::span<const std::byte> left_;
+};
+
 /// The first part's data window, before OpenEXR sizes its tables by it.
 Imath::Box2i peekDataWindow(MemoryInput& stream) {
     std::array<char, 8> start{}; // magic number, version and flags
@@ -162,6 +223,7 @@ Imath::Box2i peekDataWindow(MemoryInput& stream) {
 }
 
 Result<Image> readPart(const Encoded& in, MemoryInput& stream) {
+    if (!HeaderSizes(in.bytes).areThere()) return truncated(in, in.bytes.size(), "its header announces more than there is");
     const Imath::Box2i window = peekDataWindow(stream);
     if (const auto wrong = windowError(in, window)) return *wrong;
     Imf::InputFile file(stream, 0); // no threads

@@ -11,6 +11,10 @@
 #include <array>
 #include <cmath>
 
+#ifndef TEGUMENT_UV_TEXELS
+#define TEGUMENT_UV_TEXELS 1024
+#endif
+
 namespace tegument {
 
 namespace {
@@ -141,7 +145,7 @@ private:
 /// Fewer texels for a mesh whose triangles cover the square hundreds of times over, so that the time stays bounded; its overlap shows
 /// anyway.
 std::int64_t mapSize(double insideArea) {
-    constexpr double kFull = 1024;
+    constexpr double kFull = TEGUMENT_UV_TEXELS;
     constexpr double kMostLayers = 64;
     return static_cast<std::int64_t>(std::max(16.0, kFull * std::sqrt(std::min(1.0, kMostLayers / std::max(insideArea, 1.0)))));
 }

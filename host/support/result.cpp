@@ -40,7 +40,8 @@ std::string printable(std::string_view text) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = sequence(text, at);
-        const bool control = length == 1 && (text[at] == 0x7F || (text[at] >= 0 && text[at] < ' ' && text[at] != '\t' && text[at] != '\n'));
+        const auto first = static_cast<unsigned char>(text[at]);
+        const bool control = length == 1 && (first == 0x7F || (first < ' ' && first != '\t' && first != '\n'));
         if (length == 0 || control)
             result += '?';
         else

@@ -94,6 +94,7 @@ def liars():
         "rows.hdr": b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n",
         "rows.jpg": jpeg(), "progressive.jpg": jpeg(progressive=True),
         "size.dds": dds(16384),
+        "attribute.exr": b"v/1\x01\x02\0\0\0note\0string\0" + struct.pack("<I", 2_000_000_000),
         "doubling.fx": doubling().encode(),
         "itself.fx": b'#include "itself.fx"\n',
         "brackets.fx": ("float a = " + "(" * nested + "1" + ")" * nested + ";\n").encode(),

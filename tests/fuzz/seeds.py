@@ -13,7 +13,7 @@ KEPT = {
     "binary_fuzz": [],
 }
 
-OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0 1 0 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf -3//1 -1//1 -2//1\nf 1 2 4 3\n"
+OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0 1 0 0\nvt 0 0\nvt 0.01 0\nvt 0 0.01\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf -3//1 -1//1 -2//1\nf 1 2 4 3\n"
 MTL = ("newmtl a\nNs 10\nKa 0 0 0\nKd 0.5 0.5 0.5\nmap_Kd -s 1 1 1 skin.png\nbump -bm 0.5 bump.png\nnorm normal.png\nPr 0.5\n"
        "newmtl b\nmap_Kd \"a b.png\"\nd 0.5\nTr 0.5\nillum 2\n")
 SAID = ["Z:\\tmp\\a.fx(3,7-9): error X3000: syntax error: unexpected token 'x'\na.fx(1): warning X4717: Effects deprecated for D3DCompiler_47\n",

@@ -1,0 +1,121 @@
+// What the header of an OpenEXR file announces is looked for before memory is taken for it.
+
+#include "host/image/image.h"
+
+#include <gtest/gtest.h>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfPreviewImage.h>
+#include <ImfStringAttribute.h>
+#include <ImfStringVectorAttribute.h>
+
+#include <array>
+#include <cstring>
+
+using namespace tegument;
+using namespace std::string_literals;
+
+namespace {
+
+class Memory : public Imf::OStream {
+public:
+    Memory() : Imf::OStream("memory") {}
+    void write(const char source[], int count) override {
+        bytes.resize(std::max(bytes.size(), at_ + static_cast<std::size_t>(count)));
+        std::memcpy(bytes.data() + at_, source, static_cast<std::size_t>(count));
+        at_ += static_cast<std::size_t>(count);
+    }
+    std::uint64_t tellp() override { return at_; }
+    void seekp(std::uint64_t place) override { at_ = place; }
+
+    std::string bytes;
+
+private:
+    std::uint64_t at_ = 0;
+};
+
+Imf::Header header(const std::string& part) {
+    Imf::Header header(2, 1);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    header.setPreviewImage(Imf::PreviewImage(1, 1));
+    header.insert("words", Imf::StringVectorAttribute({"one", "two"}));
+    header.insert("note-" + part, Imf::StringAttribute("text of " + part));
+    header.setName(part);
+    header.setType(Imf::SCANLINEIMAGE);
+    return header;
+}
+
+Imf::FrameBuffer frame(std::array<float, 2>& pixels) {
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float), sizeof(pixels)));
+    return frame;
+}
+
+/// A picture of two pixels in a file of one or two parts.
+std::string written(int parts) {
+    std::array<float, 2> pixels = {0.25f, 4};
+    const std::array headers = {header("first"), header("second")};
+    Memory memory;
+    if (parts == 1) {
+        Imf::OutputFile file(memory, headers[0], 0);
+        file.setFrameBuffer(frame(pixels));
+        file.writePixels(1);
+    } else {
+        Imf::MultiPartOutputFile file(memory, headers.data(), parts);
+        for (int i = 0; i < parts; ++i) {
+            Imf::OutputPart part(file, i);
+            part.setFrameBuffer(frame(pixels));
+            part.writePixels(1);
+        }
+    }
+    return memory.bytes;
+}
+
+Result<Image> decode(const std::string& bytes) {
+    return decodeImage(std::as_bytes(std::span(bytes)), "picture.exr");
+}
+
+/// The number that stands so far behind these words becomes another.
+std::string withNumber(std::string bytes, const std::string& words, std::size_t behind, std::uint32_t number) {
+    const std::size_t at = bytes.find(words);
+    EXPECT_NE(at, std::string::npos);
+    for (std::size_t i = 0; i < 4; ++i)
+        bytes[at + words.size() + behind + i] = static_cast<char>(number >> (8 * i));
+    return bytes;
+}
+
+void expectCutHeader(const std::string& bytes, const std::string& what) {
+    const auto image = decode(bytes);
+    ASSERT_FALSE(image) << what;
+    EXPECT_EQ(image.error().diagnostics.front().code, 5201) << what;
+    EXPECT_NE(format(image.error()).find("its header announces more than there is"), std::string::npos) << what << format(image.error());
+}
+
+} // namespace
+
+TEST(ExrHeaders, of_one_and_of_several_parts_with_every_kind_of_attribute_are_read) {
+    for (const int parts : {1, 2}) {
+        const auto image = decode(written(parts));
+        ASSERT_TRUE(image) << format(image.error());
+        EXPECT_EQ(image->at(1, 0, 0), 4);
+        EXPECT_EQ(image->metadata.at("note-first"), "text of first");
+    }
+}
+
+TEST(ExrHeaders, that_announce_more_than_there_is_take_no_memory_and_are_an_error) {
+    for (const int parts : {1, 2}) {
+        const std::string whole = written(parts);
+        expectCutHeader(withNumber(whole, "note-first\0string\0"s, 0, 0x7fffff00), "a string");
+        expectCutHeader(withNumber(whole, "words\0stringvector\0"s, 4, 0x7fffff00), "a string of several");
+        expectCutHeader(withNumber(whole, "preview\0preview\0"s, 4, 0x1fffff00), "a small picture");
+        expectCutHeader(withNumber(whole, "preview\0preview\0"s, 8, 0x1fffff00), "a small picture's rows");
+    }
+    expectCutHeader(withNumber(written(2), "note-second\0string\0"s, 0, 0x7fffff00), "a string of the second part");
+}

@@ -31,8 +31,8 @@ public:
 
     /// Plans, compiles, loads, allocates; nothing is drawn yet. What an earlier frame left is used.
     [[nodiscard]] Result<StagedFrame> prepare(const Workspace& workspace, const RunOptions& options);
-    /// Draws the frame, or its first `items`, with RunOptions::keepUnchanged those that change something; the textures that other effects draw for it only the first time. Times of the passes, in
-    /// order, then of the resolve.
+    /// Draws the frame, or its first `items`, with RunOptions::keepUnchanged those that change something; the textures that other effects
+    /// draw for it only the first time. Times of the passes, in order, then of the resolve.
     [[nodiscard]] Result<std::vector<gpu::TimedSection>> draw(StagedFrame& staged, std::size_t items);
 
     [[nodiscard]] Resources& resources() { return resources_; }

@@ -26,6 +26,8 @@ constexpr double kLeastReduction = 0.75; // a level that keeps more of the one b
 
 using Indices = std::vector<std::uint32_t>;
 
+constexpr std::size_t kMostMatched = 4'000'000; // parts times triangles: 16 MB
+
 bool tooNear(std::size_t indices, std::size_t ofTheOneBefore) {
     return static_cast<double>(indices) > kLeastReduction * static_cast<double>(ofTheOneBefore);
 }
@@ -85,8 +87,8 @@ public:
             shares_ = shares_ || seen[vertex]++ != 0;
     }
 
-    /// Whether parts have vertices in common.
-    [[nodiscard]] bool shares() const { return shares_; }
+    /// Whether parts have vertices in common, and few enough triangles would be left to find theirs again.
+    [[nodiscard]] bool mayBeOne(std::size_t triangles) const { return shares_ && mesh_.parts.size() * triangles <= kMostMatched; }
 
     /// In the vertices' own numbers, as what follows.
     [[nodiscard]] const Indices& full() const { return indices_; }
@@ -311,8 +313,9 @@ public:
         std::vector<Simplifier> plain;
         for (const Simplifier& simplifier : simplifiers())
             if (simplifier.version == simplifiers()[0].version && plain.size() < kPlain) plain.push_back(simplifier);
-        if (count == 0 || (count == target_ && !whole_.shares())) return; // that was tried
-        std::vector<Made> made(plain.size() * (whole_.shares() ? 2 : 1));
+        const bool asOne = whole_.mayBeOne(count);
+        if (count == 0 || (count == target_ && !asOne)) return; // that was tried
+        std::vector<Made> made(plain.size() * (asOne ? 2 : 1));
         forEachInParallel(made.size(), [&](std::size_t i) {
             const Simplifier& by = plain[i % plain.size()];
             made[i] = judged(i < plain.size() ? whole_.simplified(whole_.full(), count, by) : whole_.simplifiedAsOne(count, by), by);
@@ -401,7 +404,7 @@ std::vector<LevelChoice::Way> waysOf(const Mesh& mesh, const WholeMesh& whole, c
         add(simplifier, whole.full());
     if (mesh.parts.size() == 1 || mesh.parts.size() > kMostPartsForChoice) return ways;
     ways.push_back({[=, &whole] { return whole.partByPart(triangles); }, {}});
-    for (const Simplifier& simplifier : whole.shares() ? simplifiers() : simplifiers().first(0))
+    for (const Simplifier& simplifier : whole.mayBeOne(triangles) ? simplifiers() : simplifiers().first(0))
         ways.push_back({[=, &whole] { return whole.simplifiedAsOne(triangles, simplifier); }, simplifier});
     return ways;
 }

@@ -8,12 +8,14 @@
 #include "host/support/parallel.h"
 #include "meshprep/prepare/cover.h"
 #include "meshprep/prepare/near_surface.h"
+#include "meshprep/prepare/peaks.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 
@@ -63,9 +65,6 @@ constexpr Effort kRough{.perTriangle = 1, .atLeast = 3'000, .atMost = 500'000};
 /// Corners whose greatest distance is a first guess.
 constexpr std::size_t kMostSampled = 4096;
 
-/// What is further than this share of the greatest distance is worth mending.
-constexpr double kPeak = 0.5;
-
 /// One surface's distance from the other.
 class OneWay {
 public:
@@ -74,8 +73,8 @@ public:
             places_[other.corners()[i]] = {.apart = 0, .hint = static_cast<std::uint32_t>(i / 3)};
     }
 
-    /// The greatest distance of the corners that the other surface does not have.
-    double measureCorners(double reached) {
+    /// The greatest distance of the corners that the other surface does not have. Once `enough` is passed the rest is not looked at.
+    double measureCorners(double reached, double enough) {
         std::vector<std::uint32_t> asked;
         for (const std::uint32_t triangle : own_.alongCurve())
             for (const std::uint32_t corner : own_.corners().subspan(3 * std::size_t{triangle}, 3)) {
@@ -88,6 +87,7 @@ public:
         const std::size_t step = asked.size() / samples + 1; // their greatest distance spares most others an exact answer
         for (std::size_t i = 0; i < asked.size(); i += step)
             reached = std::max(reached, measure(asked[i], kNoHint, reached));
+        if (reached > enough) return reached;
         return inRuns(asked.size(), reached, [&](std::size_t first, std::size_t last, double ofRun) {
             std::uint32_t hint = kNoHint;
             for (std::size_t i = first; i < last; ++i) {
@@ -114,13 +114,7 @@ public:
         return reached;
     }
 
-    /// A point, or a triangle, far from the other surface.
-    struct Peak {
-        double apart = 0;
-        std::uint32_t number = 0;
-        glm::dvec3 at{};
-        std::uint32_t nearest = 0; // corner of the other surface
-    };
+    using Peak = DistancePeak;
 
     /// The greatest distance of every triangle's middle and of the middles of its sides; triangles that are far off join `peaks`.
     [[nodiscard]] double measureMiddles(double reached, std::vector<Peak>& peaks) const {
@@ -372,53 +366,6 @@ OneWay::Found OneWay::bound(double reached, const Effort& effort, const Cover* c
     return all;
 }
 
-/// More would not change the first two digits.
-constexpr std::size_t kMostSamples = 40'000;
-
-double rootMeanSquare(const Surface& from, const Surface& to, bool dear) {
-    const std::size_t most = dear ? kMostSamples / 64 : kMostSamples;
-    const std::size_t step = std::max<std::size_t>(1, 4 * from.size() / most);
-    const std::size_t samples = (from.size() + step - 1) / step;
-    struct Sum {
-        double squares = 0;
-        std::size_t count = 0;
-    };
-    std::vector<Sum> ofRun(chunkCount(samples));
-    inChunks(samples, 0, [&](std::size_t first, std::size_t last, std::size_t run) {
-        std::uint32_t hint = kNoHint;
-        for (std::size_t i = first; i < last; ++i) {
-            const Triangle t = from.triangle(from.alongCurve()[i * step]);
-            for (const glm::dvec3& point : {centroid(t), t[0], t[1], t[2]}) {
-                const Nearest near = to.nearest(point, hint);
-                if (!std::isfinite(near.distance)) continue;
-                hint = near.triangle;
-                ofRun[run].squares += near.distance * near.distance;
-                ++ofRun[run].count;
-            }
-        }
-    });
-    Sum all;
-    for (const Sum& sum : ofRun)
-        all = {.squares = all.squares + sum.squares, .count = all.count + sum.count};
-    return all.count == 0 ? 0 : std::sqrt(all.squares / static_cast<double>(all.count));
-}
-
-/// From the farthest on; none within twice the distance of one before, for that is the same hill.
-std::vector<OneWay::Peak> summits(std::vector<OneWay::Peak> peaks, double reached, std::size_t most) {
-    constexpr std::size_t kMostLookedAt = 4096;
-    std::erase_if(peaks, [&](const OneWay::Peak& peak) { return peak.apart <= kPeak * reached; });
-    std::ranges::sort(peaks, [](const OneWay::Peak& a, const OneWay::Peak& b) {
-        return a.apart > b.apart || (a.apart == b.apart && a.number < b.number);
-    });
-    if (peaks.size() > kMostLookedAt) peaks.resize(kMostLookedAt);
-    std::vector<OneWay::Peak> kept;
-    for (const OneWay::Peak& peak : peaks) {
-        const auto near = [&](const OneWay::Peak& other) { return glm::distance(other.at, peak.at) < 2 * other.apart; };
-        if (kept.size() < most && std::ranges::none_of(kept, near)) kept.push_back(peak);
-    }
-    return kept;
-}
-
 } // namespace
 
 struct DistanceFrom::State {
@@ -448,39 +395,72 @@ DistanceFrom::DistanceFrom(const std::vector<glm::vec3>& positions, std::span<co
 
 DistanceFrom::~DistanceFrom() = default;
 
+/// Both ways to one other surface.
+class DistanceFrom::Both {
+public:
+    Both(const State& state, std::span<const std::uint32_t> triangles)
+        : state_(state), other_(state.points, triangles), there_(*state.surface, other_), back_(other_, *state.surface) {}
+
+    /// Nothing more is looked at once `enough` is passed.
+    OneWay::Found bound(double enough) {
+        const double sampled = back_.sampleCorners(there_.sampleCorners(0));
+        if (sampled > enough) return {.bound = kFar, .reached = sampled};
+        dear_ = there_.dear() || back_.dear();
+        const Effort& effort = dear_ ? kDear : kThorough;
+        if (!dear_) cover_.emplace(other_);
+        const OneWay::Found first = there_.bound(sampled, effort, dear_ ? nullptr : &*cover_);
+        if (first.reached > enough) return {.bound = kFar, .reached = first.reached};
+        const OneWay::Found last = back_.bound(first.reached, effort, dear_ ? nullptr : state_.cover.get());
+        return {.bound = std::max({first.bound, last.bound, Undecided::closeTo(last.reached)}) + kRounding, .reached = last.reached};
+    }
+
+    [[nodiscard]] double rms() const { return rootMeanSquare(*state_.surface, other_, dear_); }
+
+private:
+    static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+    const State& state_;
+    Surface other_;
+    OneWay there_;
+    OneWay back_;
+    std::optional<Cover> cover_;
+    bool dear_ = false;
+};
+
 SurfaceDistance DistanceFrom::to(std::span<const std::uint32_t> triangles) const {
     if (!state_->surface || triangles.empty()) return {};
-    const Surface& own = *state_->surface;
-    const Surface other(state_->points, triangles);
-    const Cover cover(other);
-    OneWay there(own, other);
-    OneWay back(other, own);
-    const double reached = back.sampleCorners(there.sampleCorners(0));
-    const bool dear = there.dear() || back.dear();
-    const Effort& effort = dear ? kDear : kThorough;
-    const OneWay::Found first = there.bound(reached, effort, dear ? nullptr : &cover);
-    const OneWay::Found last = back.bound(first.reached, effort, dear ? nullptr : state_->cover.get());
-    const double bound = std::max({first.bound, last.bound, Undecided::closeTo(last.reached)}) + kRounding;
-    return {.greatest = state_->scale * bound,
-            .reached = state_->scale * last.reached,
-            .rms = state_->scale * rootMeanSquare(own, other, dear)};
+    Both both(*state_, triangles);
+    const OneWay::Found found = both.bound(std::numeric_limits<double>::infinity());
+    return {.greatest = state_->scale * found.bound, .reached = state_->scale * found.reached, .rms = state_->scale * both.rms()};
 }
 
-RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, std::size_t most) const {
+double DistanceFrom::reached(std::span<const std::uint32_t> triangles, double enough) const {
+    if (!state_->surface || triangles.empty()) return 0;
+    return state_->scale * Both(*state_, triangles).bound(enough / state_->scale).reached;
+}
+
+RoughDistance DistanceFrom::roughly(std::span<const std::uint32_t> triangles, std::size_t most, double enough, TooFar tooFar) const {
     if (!state_->surface || triangles.empty()) return {.greatest = std::numeric_limits<double>::infinity(), .peaks = {}, .bridges = {}};
     const Surface other(state_->points, triangles);
     OneWay there(*state_->surface, other);
     const OneWay back(other, *state_->surface);
-    const double ofCorners = there.measureCorners(0);
-    if (there.dear() || back.dear()) return {.greatest = state_->scale * there.corners(), .peaks = {}, .bridges = {}};
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const double far = enough / state_->scale;
+    double reached = there.measureCorners(0, tooFar == TooFar::HasPeaks ? kFar : far);
     std::vector<OneWay::Peak> peaks, bridges;
-    const OneWay::Found found = back.bound(back.measureMiddles(ofCorners, bridges), kRough);
-    const OneWay::Found last = there.bound(found.reached, kRough);
-    const double reached = last.reached;
-    bridges.insert(bridges.end(), found.highest.begin(), found.highest.end());
-    for (OneWay::Peak peak : last.highest) {
-        peak.number = state_->surface->nearestCorner(peak.number, peak.at);
-        peaks.push_back(peak);
+    if (reached <= far) {
+        if (there.dear() || back.dear()) return {.greatest = state_->scale * there.corners(), .peaks = {}, .bridges = {}};
+        reached = back.measureMiddles(reached, bridges);
+    }
+    if (reached <= far) {
+        const OneWay::Found found = back.bound(reached, kRough);
+        const OneWay::Found last = there.bound(found.reached, kRough);
+        reached = last.reached;
+        bridges.insert(bridges.end(), found.highest.begin(), found.highest.end());
+        for (OneWay::Peak peak : last.highest) {
+            peak.number = state_->surface->nearestCorner(peak.number, peak.at);
+            peaks.push_back(peak);
+        }
     }
     there.addPeaks(reached, peaks);
     RoughDistance rough{.greatest = state_->scale * reached, .peaks = {}, .bridges = {}};

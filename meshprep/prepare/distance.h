@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,6 +28,12 @@ struct RoughDistance {
     std::vector<Bridge> bridges;      // likewise triangles of the other one
 };
 
+/// What is told of a surface that is too far off.
+enum class TooFar {
+    HasPeaks, // how far its corners are
+    IsLeft    // that it is: nothing else is looked at
+};
+
 /// Distances of surfaces over the same positions from one of them.
 class DistanceFrom {
 public:
@@ -39,11 +46,17 @@ public:
     /// true. Safe to call from several threads.
     [[nodiscard]] SurfaceDistance to(std::span<const std::uint32_t> triangles) const;
 
-    /// Infinite for no triangles. `most`: peaks, and bridges.
-    [[nodiscard]] RoughDistance roughly(std::span<const std::uint32_t> triangles, std::size_t most) const;
+    /// As `reached` of `to`; of what is further than `enough`, some distance that is more than that.
+    [[nodiscard]] double reached(std::span<const std::uint32_t> triangles, double enough) const;
+
+    /// Infinite for no triangles. `most`: peaks, and bridges. What is further than `enough` is too far: of that some distance is told that
+    /// is reached.
+    [[nodiscard]] RoughDistance roughly(std::span<const std::uint32_t> triangles, std::size_t most,
+                                        double enough = std::numeric_limits<double>::infinity(), TooFar tooFar = TooFar::HasPeaks) const;
 
 private:
     struct State;
+    class Both;
     std::unique_ptr<State> state_;
 };
 

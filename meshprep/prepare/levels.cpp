@@ -26,8 +26,41 @@ constexpr double kLeastReduction = 0.75; // a level that keeps more of the one b
 
 using Indices = std::vector<std::uint32_t>;
 
+constexpr std::size_t kMostMatched = 4'000'000; // parts times triangles: 16 MB
+
 bool tooNear(std::size_t indices, std::size_t ofTheOneBefore) {
     return static_cast<double>(indices) > kLeastReduction * static_cast<double>(ofTheOneBefore);
+}
+
+/// Where each part's triangles end in a list that has lost some and kept their order: so that as many corners as can be are vertices of
+/// their part.
+std::vector<std::size_t> endsOfParts(const Mesh& mesh, const Indices& coarse) {
+    const std::size_t count = coarse.size() / 3;
+    std::vector<Indices> begins;                     // of each part, by where it ends: where it begins at best
+    std::vector<std::int64_t> corners(count + 1, 0); // that are right of so many triangles, at best
+    std::vector<std::uint8_t> has(mesh.positions.size());
+    for (const MeshPart& part : mesh.parts) {
+        std::ranges::fill(has, 0);
+        for (const std::uint32_t index : std::span(mesh.indices).subspan(part.firstIndex, part.indexCount))
+            has[index] = 1;
+        Indices& begin = begins.emplace_back(count + 1, 0);
+        std::int64_t own = 0; // of the part's, from the first triangle on
+        std::int64_t best = 0;
+        for (std::uint32_t end = 1; end <= count; ++end) {
+            const std::uint32_t* t = &coarse[3 * std::size_t{end - 1}];
+            own += has[t[0]] + has[t[1]] + has[t[2]];
+            begin[end] = begin[end - 1];
+            if (begins.size() > 1 && corners[end] - own > best) { // the first part begins at the first triangle
+                best = corners[end] - own;
+                begin[end] = end;
+            }
+            corners[end] = best + own;
+        }
+    }
+    std::vector<std::size_t> ends(mesh.parts.size(), count);
+    for (std::size_t part = ends.size() - 1; part > 0; --part)
+        ends[part - 1] = begins[part][ends[part]];
+    return ends;
 }
 
 /// Every part's vertices are its own for the simplifier: where parts meet it sees a seam, moves both sides at once and opens no gap. So all
@@ -47,12 +80,15 @@ public:
         }
         for (const std::uint32_t vertex : original_) {
             positions_.push_back(unit[vertex]);
-            if (mesh.normals.empty()) continue;
-            const glm::vec3& n = mesh.normals[vertex];
-            const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[vertex];
-            attributes_.push_back({n.x, n.y, n.z, uv.x, uv.y});
+            if (!mesh.normals.empty()) attributes_.push_back(attributesOf(vertex));
         }
+        std::vector<std::uint8_t> seen(mesh.positions.size(), 0);
+        for (const std::uint32_t vertex : original_)
+            shares_ = shares_ || seen[vertex]++ != 0;
     }
+
+    /// Whether parts have vertices in common, and few enough triangles would be left to find theirs again.
+    [[nodiscard]] bool mayBeOne(std::size_t triangles) const { return shares_ && mesh_.parts.size() * triangles <= kMostMatched; }
 
     /// In the vertices' own numbers, as what follows.
     [[nodiscard]] const Indices& full() const { return indices_; }
@@ -68,6 +104,22 @@ public:
                          .triangles = triangles,
                          .locked = std::move(locked)},
                         simplifier);
+    }
+
+    /// As users of the library have it who do not know of parts: a vertex of several is one, and borders of parts hold nothing. What is
+    /// left is in the order in which it came, so that the parts are found again.
+    [[nodiscard]] Indices simplifiedAsOne(std::size_t triangles, Simplifier simplifier) const {
+        const std::vector<glm::vec3> unit = atUnitSize(mesh_.positions);
+        std::vector<SimplifiedAttributes> attributes;
+        for (std::uint32_t vertex = 0; vertex < mesh_.normals.size(); ++vertex)
+            attributes.push_back(attributesOf(vertex));
+        const Indices coarse = simplify({.from = mesh_.indices,
+                                         .positions = unit,
+                                         .attributes = attributes,
+                                         .counted = mesh_.uvs.empty() ? 3u : 5u,
+                                         .triangles = triangles},
+                                        simplifier);
+        return toParts(coarse);
     }
 
     /// Each part loses the same share, and keeps its borders.
@@ -105,8 +157,39 @@ public:
     }
 
 private:
+    [[nodiscard]] SimplifiedAttributes attributesOf(std::uint32_t vertex) const {
+        const glm::vec3& n = mesh_.normals[vertex];
+        const glm::vec2 uv = mesh_.uvs.empty() ? glm::vec2(0) : mesh_.uvs[vertex];
+        return {n.x, n.y, n.z, uv.x, uv.y};
+    }
+
+    /// Own numbers of triangles in the mesh's, which are in the order of its parts: a triangle's first corner is one of its part, and those
+    /// that its part does not have are another one's.
+    [[nodiscard]] Indices toParts(const Indices& coarse) const {
+        const std::vector<std::size_t> ends = endsOfParts(mesh_, coarse);
+        std::vector<std::uint32_t> number(mesh_.positions.size(), 0);
+        for (std::uint32_t own = 0; own < original_.size(); ++own)
+            number[original_[own]] = own;
+        Indices out;
+        std::uint32_t own = 0;
+        for (std::uint32_t part = 0, triangle = 0; part < ends.size(); ++part) {
+            for (; own < original_.size() && part_[own] == part; ++own)
+                number[original_[own]] = own;
+            for (; triangle < ends[part]; ++triangle) {
+                std::array<std::uint32_t, 3> t{};
+                std::ranges::transform(std::span(coarse).subspan(3 * std::size_t{triangle}, 3), t.begin(),
+                                       [&](std::uint32_t corner) { return number[corner]; });
+                const auto first = std::ranges::find(t, part, [&](std::uint32_t corner) { return part_[corner]; });
+                if (first != t.end()) std::ranges::rotate(t, first);
+                out.insert(out.end(), t.begin(), t.end());
+            }
+        }
+        return out;
+    }
+
     const Mesh& mesh_;
     Indices indices_;
+    bool shares_ = false;
     std::vector<std::uint32_t> original_; // vertex of the mesh
     std::vector<std::uint32_t> part_;     // of each vertex
     std::vector<glm::vec3> positions_;
@@ -170,6 +253,8 @@ private:
 constexpr std::size_t kTrianglesTried = 1'000'000;
 constexpr std::size_t kMostTries = 90;
 constexpr std::size_t kLeastWays = 5;            // before the first is mended
+constexpr std::size_t kLikeliest = 4;            // of the ways
+constexpr std::size_t kMostMended = 12;          // simplifiers whose levels are: those that were further off before seldom win
 constexpr std::size_t kMostPartsForChoice = 256; // part by part, the time grows with parts times vertices
 
 std::size_t triesFor(std::size_t triangles) {
@@ -188,18 +273,25 @@ public:
         Simplifier simplifier;
     };
 
-    /// In parallel.
+    /// In parallel: the likeliest first, whose best then tells soon what is further off.
     void tryAll(std::vector<Way> all) {
         all.resize(std::min(all.size(), std::max(tries_ / 2, kLeastWays)), all[0]);
         all.resize(std::min(all.size(), tries_), all[0]);
         tries_ -= all.size();
         std::vector<Made> made(all.size());
-        forEachInParallel(all.size(), [&](std::size_t i) { made[i] = judged(all[i].make(), all[i].simplifier); });
-        std::ranges::stable_sort(made, {}, [](const Made& one) { return one.apart.greatest; });
-        for (Made& one : made) {
-            if (std::ranges::find(promising_, one.simplifier) == promising_.end()) promising_.push_back(one.simplifier);
-            take(std::move(one));
+        const std::size_t likeliest = std::min(kLikeliest, all.size());
+        for (const auto& [first, last] : {std::pair(std::size_t{0}, likeliest), std::pair(likeliest, all.size())}) {
+            forEachInParallel(last - first, [&](std::size_t i) {
+                const Way& way = all[first + i];
+                made[first + i] = judged(way.make(), way.simplifier);
+            });
+            std::stable_sort(made.begin(), made.begin() + static_cast<std::ptrdiff_t>(last),
+                             [](const Made& a, const Made& b) { return a.apart.greatest < b.apart.greatest; });
+            for (std::size_t i = 0; i < last; ++i)
+                take(made[i]);
         }
+        for (const Made& one : made)
+            if (std::ranges::find(promising_, one.simplifier) == promising_.end()) promising_.push_back(one.simplifier);
     }
 
     /// Where the level is furthest off, vertices of the full mesh are kept, and it is made again, as often as tries are left: first by the
@@ -208,11 +300,11 @@ public:
         constexpr std::size_t kMostRounds = 5;
         if (tries_ == 0) return;
         const std::size_t rounds = std::clamp(tries_ / promising_.size(), std::min(tries_, std::size_t{2}), kMostRounds);
-        std::vector<std::vector<Made>> better(std::min(tries_ / rounds, promising_.size()));
+        std::vector<std::vector<Made>> better(std::min({tries_ / rounds, promising_.size(), kMostMended}));
         forEachInParallel(better.size(), [&](std::size_t i) { better[i] = mended(promising_[i], rounds, i % 2 == 0 ? mostPeaks_ : 1); });
         for (std::vector<Made>& all : better)
             for (Made& made : all)
-                take(std::move(made));
+                take(made);
     }
 
     /// As a user of the library would ask for as many triangles as the best has: what it gives then is never nearer than what is kept.
@@ -221,12 +313,15 @@ public:
         std::vector<Simplifier> plain;
         for (const Simplifier& simplifier : simplifiers())
             if (simplifier.version == simplifiers()[0].version && plain.size() < kPlain) plain.push_back(simplifier);
-        if (count == 0 || count == target_) return; // that was tried
-        std::vector<Made> made(plain.size());
-        forEachInParallel(made.size(),
-                          [&](std::size_t i) { made[i] = judged(whole_.simplified(whole_.full(), count, plain[i]), plain[i]); });
+        const bool asOne = whole_.mayBeOne(count);
+        if (count == 0 || (count == target_ && !asOne)) return; // that was tried
+        std::vector<Made> made(plain.size() * (asOne ? 2 : 1));
+        forEachInParallel(made.size(), [&](std::size_t i) {
+            const Simplifier& by = plain[i % plain.size()];
+            made[i] = judged(i < plain.size() ? whole_.simplified(whole_.full(), count, by) : whole_.simplifiedAsOne(count, by), by);
+        });
         for (Made& one : made)
-            take(std::move(one));
+            take(one);
     }
 
     [[nodiscard]] const Indices& best() const { return best_.level; }
@@ -258,8 +353,8 @@ private:
         return vertices;
     }
 
-    [[nodiscard]] Made judged(Indices level, Simplifier simplifier) const {
-        RoughDistance apart = distance_.roughly(level, mostPeaks_);
+    [[nodiscard]] Made judged(Indices level, Simplifier simplifier, TooFar tooFar = TooFar::IsLeft) const {
+        RoughDistance apart = distance_.roughly(level, mostPeaks_, best_.apart.greatest, tooFar);
         return {.level = std::move(level), .apart = std::move(apart), .simplifier = simplifier};
     }
 
@@ -271,7 +366,8 @@ private:
         std::size_t before = 0;
         for (std::size_t i = 0; i < rounds && locked.size() > before && 4 * locked.size() <= target_ + 64; ++i) {
             before = locked.size();
-            Made made = judged(whole_.simplified(whole_.full(), target_, simplifier, locked), simplifier);
+            Made made = judged(whole_.simplified(whole_.full(), target_, simplifier, locked), simplifier,
+                               i + 1 < rounds ? TooFar::HasPeaks : TooFar::IsLeft);
             locked.merge(cause(made, most, made.apart.greatest >= last));
             last = made.apart.greatest;
             if (last < best_.apart.greatest) better.push_back(std::move(made));
@@ -279,12 +375,12 @@ private:
         return better;
     }
 
-    void take(Made made) {
+    void take(Made& made) {
         const bool fits = !made.level.empty() && made.level.size() <= 3 * target_ + 3 * target_ / 100;
         if (!fits || made.apart.greatest >= best_.apart.greatest) return;
         // Of many that are roughly known the least is likely to be one that was judged too well.
-        made.apart.greatest = std::max(made.apart.greatest, distance_.to(made.level).reached);
-        if (made.apart.greatest < best_.apart.greatest) best_ = std::move(made);
+        made.apart.greatest = std::max(made.apart.greatest, distance_.reached(made.level, best_.apart.greatest));
+        if (made.apart.greatest < best_.apart.greatest) best_ = made;
     }
 
     const WholeMesh& whole_;
@@ -306,8 +402,10 @@ std::vector<LevelChoice::Way> waysOf(const Mesh& mesh, const WholeMesh& whole, c
     if (!last.empty()) add(simplifiers()[0], last);
     for (const Simplifier& simplifier : simplifiers().subspan(1))
         add(simplifier, whole.full());
-    if (mesh.parts.size() > 1 && mesh.parts.size() <= kMostPartsForChoice)
-        ways.push_back({[=, &whole] { return whole.partByPart(triangles); }, {}});
+    if (mesh.parts.size() == 1 || mesh.parts.size() > kMostPartsForChoice) return ways;
+    ways.push_back({[=, &whole] { return whole.partByPart(triangles); }, {}});
+    for (const Simplifier& simplifier : whole.mayBeOne(triangles) ? simplifiers() : simplifiers().first(0))
+        ways.push_back({[=, &whole] { return whole.simplifiedAsOne(triangles, simplifier); }, simplifier});
     return ways;
 }
 

@@ -186,7 +186,7 @@ TEST(Orders, of_shuffled_pieces_are_as_good_within_one_per_cent) {
     }
 }
 
-/// Of 100,000 faces on, halves are ordered at the same time: nothing is lost where they meet, and who orders them does not matter. A quad
+/// Halves of a large component are ordered at the same time: nothing is lost where they meet, and who orders them does not matter. A quad
 /// grid in strips of 14 quads: 15/14 runs per vertex; 3 % for ends of strips and the border between the halves.
 TEST(Orders, of_a_large_component_s_halves_are_one_good_order) {
     constexpr std::uint32_t kSide = 230;

@@ -160,6 +160,28 @@ TEST(Distance, is_that_of_both_ways) {
     EXPECT_NEAR(d.rms, 0.5, 1e-6) << "of the first from the second";
 }
 
+/// What is near enough is told as if nothing had been said of that; what is not, as further than that and no further than it is.
+TEST(Distance, of_what_is_too_far_is_known_soon) {
+    const Mesh mesh = makeShape(Shape::Terrain, 30);
+    const DistanceFrom from(mesh.positions, mesh.indices);
+    std::vector<std::uint32_t> coarse;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        if (i / 3 % 5 != 0) coarse.insert(coarse.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    const double all = from.to(coarse).reached;
+    const double rough = from.roughly(coarse, 4).greatest;
+    ASSERT_GT(all, 0);
+    EXPECT_EQ(from.reached(coarse, 1.01 * all), all);
+    EXPECT_EQ(from.roughly(coarse, 4, 1.01 * all, TooFar::IsLeft).greatest, rough);
+    for (const double enough : {0.1 * all, 0.9 * all}) {
+        EXPECT_GT(from.reached(coarse, enough), enough);
+        EXPECT_LE(from.reached(coarse, enough), all);
+        for (const TooFar tooFar : {TooFar::HasPeaks, TooFar::IsLeft})
+            EXPECT_LE(from.roughly(coarse, 4, enough, tooFar).greatest, 1.0001 * rough);
+    }
+    EXPECT_FALSE(from.roughly(coarse, 4, 0.1 * all, TooFar::HasPeaks).peaks.empty() &&
+                 from.roughly(coarse, 4, 0.1 * all, TooFar::HasPeaks).bridges.empty());
+}
+
 TEST(Distance, does_not_stumble_over_triangles_of_two_equal_corners) {
     const std::vector<glm::vec3> positions = {{0, 0, 0},    {4, 0, 0},  {0, 4, 0},  {1, 1, 0.5f}, {2, 1, 0.5f},
                                               {1, 2, 0.5f}, {0, 0, -9}, {4, 0, -9}, {0, 4, -9}};

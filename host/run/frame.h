@@ -79,8 +79,9 @@ struct Frame {
 /// TG4063 a compute pass does not say how many groups run, or asks for an impossible number.
 [[nodiscard]] Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resources);
 
-/// Records the nodes before the frame, then its items, or the first `items` of them, without those that are kept; each of their draws is a timed section with its pass's
-/// name, and so is the resolve, kResolve. Apart, the clears before a draw are a section kClears in front of it.
+/// Records the nodes before the frame, then its items, or the first `items` of them, without those that are kept; each of their draws is a
+/// timed section with its pass's name, and so is the resolve, kResolve. Apart, the clears before a draw are a section kClears in front of
+/// it.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 
 } // namespace tegument::run

@@ -276,7 +276,10 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
         float bottom = height;
         for (const auto& area : {areas.strip, areas.problem})
             if (area) bottom = std::min(bottom, area->y);
-        drawBorder(state.border, *text.beside, width, bottom);
+        float right = width;
+        for (const auto& area : {areas.histogram, areas.times})
+            if (area) right = std::min(right, area->x - kPanelMargin);
+        drawBorder(state.border, *text.beside, width, right, bottom);
     }
     if (state.source) drawSource(source, {.x = width, .y = 0, .width = ImGui::GetIO().DisplaySize.x - width, .height = height});
     return outcome;

@@ -82,8 +82,8 @@ struct PanelOutcome {
 [[nodiscard]] std::optional<BindingChoice> drawBindings(const std::vector<ParameterBinding>& bindings, const Effect& effect,
                                                         const std::map<std::string, std::string>& binds, const Area& area);
 
-/// The border over the picture, the names of both sides and their error above `bottom`.
-void drawBorder(double border, const BesideText& text, float width, float bottom);
+/// The border over the picture, the names of both sides and their error above `bottom`, left of `right`.
+void drawBorder(double border, const BesideText& text, float width, float right, float bottom);
 
 [[nodiscard]] std::string nameOf(const Thumbnail& thumbnail);
 [[nodiscard]] PanelSize stripSize(const PanelPictures& pictures);

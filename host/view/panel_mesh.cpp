@@ -11,6 +11,7 @@ namespace tegument::view {
 
 namespace {
 
+const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
 const ImVec4 kOpened(0.45F, 0.75F, 1.0F, 1.0F);
 constexpr const char* kBakeAgain = "F5 reads files and bakes again";
 
@@ -78,7 +79,7 @@ std::optional<std::string> drawTextures(const std::vector<SessionTexture>& textu
         if (texture.name == shown) ImGui::PushStyleColor(ImGuiCol_Text, kOpened);
         if (ImGui::Selectable(label.c_str(), texture.name == shown)) opened = texture.name;
         if (texture.name == shown) ImGui::PopStyleColor();
-        ImGui::TextDisabled("    %s", texture.source.c_str());
+        ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
     }
     ImGui::TextUnformatted(kBakeAgain);
     ImGui::End();

@@ -204,7 +204,7 @@ void adopt(ViewState& state, const SessionFrame& frame) {
     state.read = frame.parameters;
     state.sampled.clear();
     for (const SessionTexture& texture : frame.textures)
-        state.sampled.push_back(texture.name);
+        if (!texture.cube) state.sampled.push_back(texture.name); // the window shows no faces
     state.passes.clear();
     for (const SessionPass& pass : frame.passes)
         state.passes.push_back(pass.name);

@@ -192,10 +192,9 @@ std::vector<std::string> linesOf(MeshShow show, const MeshFigures& figures, doub
             fmt::format("{} vertices, {} triangles, {} component{}", figures.vertices, figures.triangles.size(), figures.components,
                         figures.components == 1 ? "" : "s"),
             fmt::format("seams {:.0f} mm, borders {:.0f} mm", figures.seamLength, figures.borderLength),
-            fmt::format("on the texture: {} triangles without area, {} mirrored", figures.flat, figures.mirrored),
-            fmt::format("texels per mm, maps of {:.0f}: {:.3g}, 98 % from {:.3g} to {:.3g}", texels, texels * s.median, texels * s.low,
-                        texels * s.high),
-            fmt::format("stretch: {:.3g}, 99 % below {:.3g}", figures.stretch.median, figures.stretch.high)};
+            fmt::format("flat on the texture {}, mirrored {}", figures.flat, figures.mirrored),
+            fmt::format("texels per mm {:.3g}, 98 % in {:.3g} to {:.3g}", texels * s.median, texels * s.low, texels * s.high),
+            fmt::format("stretch {:.3g}, 99 % below {:.3g}", figures.stretch.median, figures.stretch.high)};
 }
 
 } // namespace tegument::view

@@ -44,7 +44,7 @@ PanelSize legendSize(const PanelPictures& pictures) {
 void drawLegend(const PanelPictures& pictures, const Area& area) {
     if (area.width <= 0 || area.height <= 0) return;
     placePanel(area);
-    ImGui::Begin("legend", nullptr, kFixedPanel);
+    ImGui::Begin("legend", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
     for (const std::string& line : pictures.figures)
         ImGui::TextUnformatted(line.c_str());
     const float line = ImGui::GetTextLineHeight();

@@ -40,15 +40,6 @@ def keep(picture, name):
     return picture
 
 
-def end(view):
-    view.screen.press("q")
-    ended = view.process.wait(base.PATIENCE)
-    said = view.said()
-    view.end()
-    shutil.rmtree(view.folder)
-    assert ended == 0 and "validation:" not in said, said
-
-
 class Panels(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -60,7 +51,12 @@ class Panels(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        end(cls.view)
+        cls.view.screen.press("q")
+        ended = cls.view.process.wait(base.PATIENCE)
+        said = cls.view.said()
+        cls.view.end()
+        shutil.rmtree(cls.view.folder)
+        assert ended == 0 and "validation:" not in said, said
 
     def press(self, key, unlike, name):
         self.view.screen.press(key)
@@ -77,13 +73,12 @@ class Panels(unittest.TestCase):
 
     def test_g_shows_times_as_bars_and_what_was_not_drawn_is_dim(self):
         times = self.press("g", self.start, "key_g")
-        bars = self.coloured(times)
-        self.assertGreater(bars, self.coloured(self.start) + 300)
-        self.view.screen.drag((100, 160), (140, 150), button=3)
-        light = keep(self.view.still(unlike=times), "key_g_light")
+        self.view.screen.press("F5")  # all is drawn
+        anew = keep(self.view.still(unlike=times), "key_g_anew")
+        self.assertGreater(self.coloured(anew), self.coloured(self.start) + 300)
         self.view.screen.drag((100, 160), (140, 150))
-        camera = keep(self.view.still(unlike=light), "key_g_camera")
-        self.assertLess(self.coloured(camera), self.coloured(light), "the rows of passes that the camera does not touch")
+        camera = keep(self.view.still(unlike=anew), "key_g_camera")
+        self.assertLess(self.coloured(camera), self.coloured(anew), "the rows of passes that the camera does not touch")
         self.press("k", camera, "key_g_two_sides")
         self.view.screen.press("k")
         self.view.still()
@@ -120,6 +115,7 @@ class Panels(unittest.TestCase):
 class Levels(unittest.TestCase):
     def test_l_goes_through_the_mip_levels_and_back(self):
         view = base.View(("stripes.fx",), (("stripes.fx", STRIPES),))
+        self.addCleanup(view.end)
         view.title("stripes.fx Stripes")
         view.screen.press("i")
         view.still()
@@ -127,7 +123,8 @@ class Levels(unittest.TestCase):
         view.title("target gStripesMap")
         first = keep(view.still(), "level_0")
         greys = lambda p: set(p.pixels[(p.height // 2 * p.width + 16) * 3:(p.height // 2 * p.width + base.SIZE - 16) * 3])
-        self.assertEqual(greys(first), {0, 255}, "columns")
+        self.assertEqual(len(greys(first)), 2, "columns")
+        self.assertGreater(max(greys(first)) - min(greys(first)), 200)
         view.screen.press("l")
         second = keep(view.still(unlike=first), "level_1")
         self.assertEqual(len(greys(second)), 1, "one grey")
@@ -135,7 +132,7 @@ class Levels(unittest.TestCase):
         for _ in range(5):  # 32 texels have six levels
             view.screen.press("l")
         self.assertEqual(view.still(unlike=second), first)
-        end(view)
+        self.assertNotIn("validation:", view.said())
 
 
 if __name__ == "__main__":

@@ -61,8 +61,14 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
     const bool mirrored = drawsMirrored(builder, step);
     const PipelineKey key{step.pass, formats, depth, samples, mirrored};
     if (const auto found = builder.resources.kit.pipelines.find(key); found != builder.resources.kit.pipelines.end())
-        return static_cast<const gpu::Pipeline*>(&found->second);
+        return static_cast<const gpu::Pipeline*>(found->second.get());
     const PassProgram& program = *builder.prepared.programs.at(step.pass);
+    const PipelineSource source{builder.prepared.programs.at(step.pass), maskUnwritten(*step.pass, program, mirrored), formats, depth,
+                                samples};
+    const auto keep = [&](const std::shared_ptr<const gpu::Pipeline>& pipeline) {
+        return static_cast<const gpu::Pipeline*>(builder.resources.kit.pipelines.emplace(key, pipeline).first->second.get());
+    };
+    if (const auto shared = builder.resources.store.shared.find(source)) return keep(shared);
     auto pipeline = builder.resources.device.createPipeline({.name = step.pass->name,
                                                              .vertex = codeOf(program.vertex),
                                                              .pixel = program.pixel ? codeOf(*program.pixel) : gpu::ShaderCode{},
@@ -73,9 +79,11 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
                                                              .colorFormats = std::move(formats),
                                                              .depthFormat = depth,
                                                              .samples = samples,
-                                                             .state = maskUnwritten(*step.pass, program, mirrored)});
+                                                             .state = source.state});
     if (!pipeline) return pipeline.error();
-    return static_cast<const gpu::Pipeline*>(&builder.resources.kit.pipelines.emplace(key, std::move(*pipeline)).first->second);
+    const auto made = std::make_shared<const gpu::Pipeline>(std::move(*pipeline));
+    builder.resources.store.shared.add(source, made);
+    return keep(made);
 }
 
 gpu::Targets targetsOf(Builder& builder, const DrawStep& step) {
@@ -128,7 +136,7 @@ Result<void> bindStage(Builder& builder, const DrawStep& step, const Shader& sha
         if (!resource.used) continue;
         gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = {}};
         if (resource.kind == ResourceKind::Sampler || resource.kind == ResourceKind::CompareSampler)
-            bound.resource = static_cast<const gpu::Sampler*>(&builder.resources.kit.samplers.at(resource.name));
+            bound.resource = builder.resources.kit.samplers.at(resource.name).get();
         else if (resource.kind == ResourceKind::StorageImage)
             bound.resource = storedBy(builder, resource.name);
         else if (const auto copy = step.copies.find(resource.name); copy != step.copies.end())
@@ -189,11 +197,16 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
 
 Result<const gpu::Pipeline*> computePipelineFor(Builder& builder, const Pass& pass, const PassProgram& program) {
     auto& known = builder.resources.kit.computes;
-    if (const auto found = known.find(&pass); found != known.end()) return static_cast<const gpu::Pipeline*>(&found->second);
+    if (const auto found = known.find(&pass); found != known.end()) return static_cast<const gpu::Pipeline*>(found->second.get());
+    const PipelineSource source{.program = builder.prepared.programs.at(&pass)};
+    if (auto shared = builder.resources.store.shared.find(source))
+        return static_cast<const gpu::Pipeline*>(known.emplace(&pass, std::move(shared)).first->second.get());
     auto pipeline = builder.resources.device.createPipeline(
         gpu::ComputePipelineDesc{.name = pass.name, .shader = codeOf(*program.compute), .bindings = program.bindings});
     if (!pipeline) return pipeline.error();
-    return static_cast<const gpu::Pipeline*>(&known.emplace(&pass, std::move(*pipeline)).first->second);
+    auto made = std::make_shared<const gpu::Pipeline>(std::move(*pipeline));
+    builder.resources.store.shared.add(source, made);
+    return static_cast<const gpu::Pipeline*>(known.emplace(&pass, std::move(made)).first->second.get());
 }
 
 /// VIEWPORTPIXELSIZE is the size of the target that Viewport names (nothing: the picture), else Threads, else of what is written.

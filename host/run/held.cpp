@@ -48,12 +48,18 @@ private:
 struct Follower {
     const Contents& held;
     const std::unordered_map<std::string, Content>& known;
-    std::unordered_map<std::string, Content> next;
+    std::unordered_map<std::string, Content>& nodes;
     Content& made;
-    Contents now; // of what the frame has drawn so far
-    std::vector<HeldItem> items;
+    std::unordered_map<std::string, Content> next{};
+    Contents now{}; // of what the frame has drawn so far
+    std::vector<HeldItem> items{};
 
-    Content numberOf(const HeldKey& key) {
+    Content numberOf(const HeldKey& key, bool ofNode) {
+        if (ofNode) {
+            Content& number = nodes[key.bytes()];
+            if (number == 0) number = ++made;
+            return number;
+        }
         if (const auto found = known.find(key.bytes()); found != known.end()) return next[key.bytes()] = found->second;
         Content& number = next[key.bytes()];
         if (number == 0) number = ++made;
@@ -85,7 +91,7 @@ struct Follower {
             HeldKey of = key;
             of.add(i);
             of.addShape(targets[i]->desc());
-            now[targets[i]->identity()] = numberOf(of);
+            now[targets[i]->identity()] = numberOf(of, item.node);
             item.writes.push_back(targets[i]->identity());
         }
         items.push_back(std::move(item));
@@ -189,8 +195,8 @@ std::set<std::uint64_t> dueTargets(const Follower& follower) {
 } // namespace
 
 void Held::choose(Frame& frame, std::size_t items) {
-    if (held_.size() > kMostTextures) forget();
-    Follower follower{.held = held_, .known = known_, .next = {}, .made = made_, .now = {}, .items = {}};
+    if (held_.size() > kMostTextures || nodes_.size() > kMostTextures) forget();
+    Follower follower{.held = held_, .known = known_, .nodes = nodes_, .made = made_};
     for (const FrameNode& node : frame.before)
         for (const FrameItem& item : node.items)
             follow(item, true, follower);
@@ -220,6 +226,7 @@ void Held::choose(Frame& frame, std::size_t items) {
 void Held::forget() {
     held_.clear();
     known_.clear();
+    nodes_.clear();
 }
 
 } // namespace tegument::run

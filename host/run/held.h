@@ -28,6 +28,7 @@ private:
 
     std::map<std::uint64_t, Content> held_;          // by the texture's identity
     std::unordered_map<std::string, Content> known_; // by what it follows from; of the last frame
+    std::unordered_map<std::string, Content> nodes_; // likewise, of what other effects drew, once for many frames
     Content made_ = 0;
 };
 

@@ -49,6 +49,7 @@ struct Prepared {
     std::map<std::string, TargetDesc> targets; // kPicture and kPictureDepth among them
     std::map<std::string, TextureData> textures;
     std::map<std::string, ProducerSource> products; // textures that other effects draw (host/run/products.h)
+    std::map<std::string, std::string> origins;     // of both: "file skin.png", for people
     std::set<std::string> reads; // numeric parameters that make a difference: to shaders, scripts, and effects that draw textures for it
     std::vector<Diagnostic> warnings;
     bool drawsMesh = false;

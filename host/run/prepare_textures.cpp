@@ -111,6 +111,21 @@ std::string keyOf(const TextureSource& source, const Parameter& parameter, bool 
     return fmt::format("{} srgb {} mips {}", from, isSrgb(parameter), mips);
 }
 
+/// For people.
+std::string originOf(const TextureSource& source) {
+    if (const auto* file = std::get_if<FileSource>(&source)) {
+        const std::string word = file->namedBy.ends_with("Generator") ? "made from the mesh, kept in" : "file";
+        return fmt::format("{} {}", word, file->path.string());
+    }
+    if (const auto* embedded = std::get_if<const EmbeddedTexture*>(&source))
+        return fmt::format("in the mesh's file, as {}", (*embedded)->role);
+    if (const auto* producer = std::get_if<ProducerSource>(&source))
+        return fmt::format("baked by {}: {}", producer->effect.filename().string(), producer->target);
+    if (const auto* constant = std::get_if<ConstantSource>(&source)) return fmt::format("constant {:.3g}", fmt::join(*constant, " "));
+    const auto* procedure = std::get_if<ProcedureSource>(&source);
+    return procedure ? "plain picture " + procedure->name : "none";
+}
+
 /// Another host's effect names a file of a kind that only that host reads.
 Diagnostic notLoaded(const Parameter& parameter, const Error& error, const std::string& standIn) {
     const std::string why = error.diagnostics.empty() ? std::string("it cannot be read") : error.diagnostics.front().text;
@@ -194,6 +209,7 @@ Result<TextureData> load(const RunInput& input, const Parameter& parameter, cons
 Result<void> find(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
     const auto source = sourceOf(input, parameter, prepared.warnings);
     if (!source) return source.error();
+    prepared.origins[parameter.name] = originOf(*source);
     const auto* producer = std::get_if<ProducerSource>(&*source);
     if (isCube(parameter) && (producer || std::holds_alternative<const EmbeddedTexture*>(*source)))
         return inputError(4038, parameter.at, fmt::format("{} is a TextureCube, and what would fill it is no cube map", parameter.name),

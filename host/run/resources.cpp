@@ -95,9 +95,14 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
                               didYouMean(name, declared));
         SamplerState state = sampler->state;
         if (diesOfAnisotropy(resources.device, prepared)) state.maxAnisotropy = 1;
-        auto made = resources.device.createSampler(state);
-        if (!made) return made.error();
-        resources.kit.samplers.emplace(name, std::move(*made));
+        auto shared = resources.store.shared.find(state);
+        if (!shared) {
+            auto made = resources.device.createSampler(state);
+            if (!made) return made.error();
+            shared = std::make_shared<const gpu::Sampler>(std::move(*made));
+            resources.store.shared.add(state, shared);
+        }
+        resources.kit.samplers.emplace(name, std::move(shared));
     }
     return {};
 }
@@ -119,7 +124,7 @@ Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resou
     if (!resources.store.quad) {
         auto quad = uploadGeometry(resources.device, fullScreenQuad());
         if (!quad) return quad.error();
-        resources.store.quad = std::move(*quad);
+        resources.store.quad = std::make_shared<const Geometry>(std::move(*quad));
     }
     if (!prepared.drawsMesh || resources.store.meshes.contains(input.mesh)) return {};
     auto mesh = uploadGeometry(resources.device, *input.mesh);

@@ -4,6 +4,7 @@
 #include "host/gpu/gpu.h"
 #include "host/run/geometry.h"
 #include "host/run/prepare.h"
+#include "host/run/shared_pipelines.h"
 
 #include <map>
 #include <memory>
@@ -31,15 +32,16 @@ struct Store {
     std::map<std::string, gpu::Texture*> products;                 // likewise; targets of the effects that draw them
     std::set<std::string> uploaded;                                // keys of `textures`
     std::map<const Mesh*, std::shared_ptr<Geometry>> meshes;
-    std::optional<Geometry> quad;
+    std::shared_ptr<const Geometry> quad;
+    SharedPipelines shared;
 };
 
 /// What the frames of one effect share, whatever their targets are.
 struct Kit {
     Programs programs;
-    std::map<std::string, gpu::Sampler> samplers;
-    std::map<const Pass*, gpu::Pipeline> computes;
-    std::map<PipelineKey, gpu::Pipeline> pipelines; // nodes stay where they are: draws point at them; made by buildFrame
+    std::map<std::string, std::shared_ptr<const gpu::Sampler>> samplers;
+    std::map<const Pass*, std::shared_ptr<const gpu::Pipeline>> computes;
+    std::map<PipelineKey, std::shared_ptr<const gpu::Pipeline>> pipelines; // draws point at them; made by buildFrame
 };
 
 struct Resources {

@@ -83,6 +83,18 @@ void readTimes(std::vector<double> times, const run::Frame& staged, SessionFrame
     }
 }
 
+void noteTextures(const run::Stage& stage, SessionFrame& frame) {
+    for (const auto& [name, sampled] : stage.sampled()) {
+        const gpu::TextureDesc& desc = sampled.texture->desc();
+        frame.textures.push_back({.name = name,
+                                  .source = sampled.origin,
+                                  .width = static_cast<int>(desc.width),
+                                  .height = static_cast<int>(desc.height),
+                                  .format = std::string(gpu::name(desc.format)),
+                                  .cube = desc.cube});
+    }
+}
+
 constexpr int kMixedSamples = 4039;
 
 bool needsOneSample(const Error& error, const RunOptions& options) {
@@ -99,6 +111,10 @@ struct EffectSession::State {
 
 EffectSession::EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene, const EffectSession* before)
     : state_(new State{.device = device, .effect = effect, .stage = {device, effect, scene, before ? &before->state_->stage : nullptr}}) {}
+void EffectSession::follow(EffectSession& before) {
+    state_->stage.follow(before.state_->stage);
+}
+
 EffectSession::EffectSession(EffectSession&&) noexcept = default;
 EffectSession& EffectSession::operator=(EffectSession&&) noexcept = default;
 EffectSession::~EffectSession() = default;
@@ -112,6 +128,7 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
     }
     if (!staged) return staged.error();
     SessionFrame frame = run::describe(staged->runs, staged->frame, state_->device.info());
+    noteTextures(state_->stage, frame);
     if (const auto named = targetsToDump(state_->effect, frame, options.dump); !named) return named.error();
     const std::size_t items = itemsUpTo(staged->frame, passes);
     std::vector<Sections> timed;
@@ -128,8 +145,9 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
 gpu::Texture* EffectSession::target(const std::string& name) {
     run::Resources& resources = state_->stage.resources();
     if (name.empty()) return resources.picture();
-    const auto found = resources.targets.find(name);
-    return found == resources.targets.end() ? nullptr : &found->second;
+    if (const auto found = resources.targets.find(name); found != resources.targets.end()) return &found->second;
+    const auto sampled = state_->stage.sampled().find(name);
+    return sampled == state_->stage.sampled().end() ? nullptr : sampled->second.texture;
 }
 
 const std::map<std::string, gpu::Texture>& EffectSession::targets() const {

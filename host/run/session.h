@@ -17,6 +17,9 @@ class EffectSession {
 public:
     /// `before`: a session of the same scene, as it was before an edit; textures and meshes that it has on the device are taken over.
     EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene, const EffectSession* before = nullptr);
+    /// `before` goes once this one has drawn, and lives until then: its targets come over as well, so that with
+    /// RunOptions::keepUnchanged only what an edit changes is drawn. It gets them back where nothing was drawn.
+    void follow(EffectSession& before);
     EffectSession(EffectSession&&) noexcept;
     EffectSession& operator=(EffectSession&&) noexcept;
     ~EffectSession();
@@ -26,7 +29,8 @@ public:
     /// in `options.dump` that is no target of the frame.
     [[nodiscard]] Result<SessionFrame> draw(const Workspace& workspace, const RunOptions& options, std::size_t passes = kAllPasses);
 
-    /// The caller's colour target (empty name) or a target of the last frame as its last pass left it; null when there is none.
+    /// The caller's colour target (empty name), a target of the last frame as its last pass left it, or a texture that it sampled; null
+    /// when there is none.
     [[nodiscard]] gpu::Texture* target(const std::string& name);
     /// All that the last frame allocated as targets, the caller's among them, by name.
     [[nodiscard]] const std::map<std::string, gpu::Texture>& targets() const;

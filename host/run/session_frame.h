@@ -23,6 +23,16 @@ struct SessionPass {
     bool kept = false;                // not drawn: its targets hold what it would draw (RunOptions::keepUnchanged)
 };
 
+/// A texture that the frame samples and does not draw.
+struct SessionTexture {
+    std::string name;   // of its parameter
+    std::string source; // "Stretch.fx draws gStretchMap", "file head.png", ...
+    int width = 0;
+    int height = 0;
+    std::string format;
+    bool cube = false;
+};
+
 struct SessionFrame {
     std::string technique;
     std::vector<SessionPass> passes;           // of the whole frame, in order
@@ -30,6 +40,7 @@ struct SessionFrame {
     std::optional<double> resolveMilliseconds; // where a pixel of the caller's targets has several samples
     std::vector<std::string>
         produced; // effect files that had to draw a texture for this frame, in order; none where nothing they read changed
+    std::vector<SessionTexture> textures;        // of the effect's parameters, by name
     std::vector<std::string> targets;            // of the effect, that the frame uses
     std::vector<std::string> parameters;         // of the effect, numeric, that make a difference to the frame; sorted
     std::map<std::string, std::string> metadata; // as a picture of it carries

@@ -18,6 +18,47 @@ Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene, cons
     store_.textures = before->store_.textures;
     store_.meshes = before->store_.meshes;
     store_.uploaded = before->store_.uploaded;
+    store_.quad = before->store_.quad;
+    store_.shared = before->store_.shared;
+}
+
+Stage::~Stage() {
+    giveTargetsBack();
+}
+
+void Stage::follow(Stage& before) {
+    before_ = &before;
+    held_ = before.held_;
+}
+
+/// Of several objects the first's.
+void Stage::noteSampled(const std::deque<Prepared>& prepared) {
+    sampled_.clear();
+    for (const Prepared& object : prepared)
+        for (const auto& [name, origin] : object.origins)
+            if (gpu::Texture* texture = resources_.texture(object, name)) sampled_.emplace(name, Sampled{texture, origin});
+}
+
+void Stage::takeTargets() {
+    if (!before_) return;
+    for (auto& [name, wanted] : allocated_) {
+        const auto there = before_->allocated_.find(name);
+        if (there == before_->allocated_.end() || !serves(there->second, wanted) || resources_.targets.contains(name)) continue;
+        if (auto node = before_->resources_.targets.extract(name)) {
+            resources_.targets.insert(std::move(node));
+            wanted.stored = there->second.stored;
+            taken_.push_back(name);
+        }
+    }
+}
+
+void Stage::giveTargetsBack() {
+    if (!before_) return;
+    for (const std::string& name : taken_)
+        if (auto node = resources_.targets.extract(name)) before_->resources_.targets.insert(std::move(node));
+    if (!taken_.empty()) before_->held_.forget();
+    before_ = nullptr;
+    taken_.clear();
 }
 
 void Stage::setScene(SessionScene scene) {
@@ -91,10 +132,12 @@ Result<StagedFrame> Stage::prepare(const Workspace& workspace, const RunOptions&
         staged.runs.push_back({input, staged.prepared.back()});
     }
     dropTargets(staged.prepared);
+    takeTargets();
     products_.begin();
     std::vector<FrameNode> before;
     for (std::size_t i = 0; i < staged.inputs.size(); ++i)
         if (const auto equipped = equip(staged.inputs[i], staged.prepared[i], before); !equipped) return equipped.error();
+    noteSampled(staged.prepared);
     auto frame = buildFrame(staged.runs, resources_);
     if (!frame) return frame.error();
     staged.frame = std::move(*frame);
@@ -113,6 +156,8 @@ Result<std::vector<gpu::TimedSection>> Stage::draw(StagedFrame& staged, std::siz
         held_.forget();
         return sections;
     }
+    before_ = nullptr;
+    taken_.clear();
     staged.frame.before.clear();
     products_.finish();
     return sections;

@@ -23,6 +23,10 @@ public:
     /// Device, effect and scene must outlive it. Textures and meshes that `before` has on the device are taken over: it draws the same
     /// scene, and need not live on.
     Stage(gpu::Device& device, const Effect& effect, SessionScene scene, const Stage* before = nullptr);
+    ~Stage();
+    /// `before` goes once this one has drawn: its targets come over, with what they hold. Until then it must live; it gets them back where
+    /// nothing was drawn.
+    void follow(Stage& before);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
@@ -35,6 +39,13 @@ public:
     /// draw for it only the first time. Times of the passes, in order, then of the resolve.
     [[nodiscard]] Result<std::vector<gpu::TimedSection>> draw(StagedFrame& staged, std::size_t items);
 
+    /// What the last frame that was prepared samples besides its targets, with where it comes from; until the next one is.
+    struct Sampled {
+        gpu::Texture* texture = nullptr;
+        std::string origin;
+    };
+    [[nodiscard]] const std::map<std::string, Sampled>& sampled() const { return sampled_; }
+
     [[nodiscard]] Resources& resources() { return resources_; }
     [[nodiscard]] const Resources& resources() const { return resources_; }
 
@@ -43,6 +54,9 @@ private:
     [[nodiscard]] StagedFrame inputsOf(const Workspace& workspace, const RunOptions& options);
     /// Targets of the last frame that this one does not have, or has in another size, make room.
     void dropTargets(const std::deque<Prepared>& prepared);
+    void noteSampled(const std::deque<Prepared>& prepared);
+    void takeTargets();
+    void giveTargetsBack();
     [[nodiscard]] Result<void> equip(const RunInput& input, Prepared& prepared, std::vector<FrameNode>& before);
 
     gpu::Device& device_;
@@ -55,6 +69,9 @@ private:
     std::map<std::string, TargetDesc> allocated_; // as asked for
     Products products_{device_, store_};
     Held held_;
+    std::map<std::string, Sampled> sampled_;
+    Stage* before_ = nullptr;        // until this has drawn
+    std::vector<std::string> taken_; // targets that were its
 };
 
 } // namespace tegument::run

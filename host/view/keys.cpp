@@ -31,6 +31,8 @@ constexpr std::array kKeys = {
     KeyBinding{U'x', Command::Probe, "x", "values of every target under the cursor, and how they are spread"},
     KeyBinding{U'v', Command::Strip, "v", "every target as a small picture, arrows for what it is drawn from; a click opens it"},
     KeyBinding{U'g', Command::Times, "g", "GPU milliseconds of each pass, over the last frames"},
+    KeyBinding{U'u', Command::Mesh, "u", "the mesh in false colours: texels per mm, stretch, seams; then the picture again"},
+    KeyBinding{U'o', Command::Textures, "o", "textures: where each comes from, its size; a click opens it"},
     KeyBinding{U'b', Command::Bindings, "b", "what each parameter of a foreign effect got, by which rule; others to choose"},
     KeyBinding{U'k', Command::Keep, "k", "keep this picture to the left of a border; again: give it up"},
     KeyBinding{U'e', Command::Errors, "e", "error against the kept picture in false colours"},

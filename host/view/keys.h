@@ -35,6 +35,8 @@ enum class Command {
     Probe,
     Strip,
     Times,
+    Mesh,
+    Textures,
     Bindings,
     Keep,
     Errors,

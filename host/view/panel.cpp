@@ -242,6 +242,10 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
         sizes.help = bindingsSize(loaded.bindings);
     else if (!help.empty())
         sizes.help = sizeOf(help);
+    const bool textures = !sizes.help && !pictures.textures.empty();
+    if (textures) sizes.help = texturesSize(pictures.textures);
+    const bool legend = !sizes.help && !pictures.legend.empty();
+    if (legend) sizes.help = legendSize(pictures);
     if (!pictures.thumbnails.empty()) sizes.strip = stripSize(pictures);
     if (pictures.histogram) sizes.histogram = histogramSize();
     if (!pictures.times.empty()) sizes.times = timesSize(pictures.times);
@@ -257,18 +261,25 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
         drawText("problem", *areas.problem, text.problem);
         ImGui::PopStyleColor();
     }
-    if (areas.help && !bindings) drawText("help", *areas.help, help);
+    if (areas.help && legend) drawLegend(pictures, *areas.help);
+    if (areas.help && !bindings && !legend && !textures) drawText("help", *areas.help, help);
     if (areas.histogram) drawHistogram(*pictures.histogram, *areas.histogram);
     if (areas.times) drawTimes(pictures.times, *areas.times);
     PanelOutcome outcome;
     if (areas.help && bindings) outcome.bound = drawBindings(loaded.bindings, loaded.effect, state.binds, *areas.help);
     if (areas.strip) outcome.opened = drawStrip(pictures, *areas.strip);
+    if (areas.help && textures)
+        if (auto opened = drawTextures(pictures.textures, state.show == Show::Target ? state.target : std::string(), *areas.help))
+            outcome.opened = std::move(opened);
     outcome.moved = areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
     if (text.beside) {
         float bottom = height;
         for (const auto& area : {areas.strip, areas.problem})
             if (area) bottom = std::min(bottom, area->y);
-        drawBorder(state.border, *text.beside, width, bottom);
+        float right = width;
+        for (const auto& area : {areas.histogram, areas.times})
+            if (area) right = std::min(right, area->x - kPanelMargin);
+        drawBorder(state.border, *text.beside, width, right, bottom);
     }
     if (state.source) drawSource(source, {.x = width, .y = 0, .width = ImGui::GetIO().DisplaySize.x - width, .height = height});
     return outcome;

@@ -50,6 +50,9 @@ struct PanelPictures {
     std::vector<TargetArrow> arrows; // between them
     std::optional<Histogram> histogram;
     std::vector<TimesOfSide> times;
+    std::vector<LegendEntry> legend; // of a mesh in false colours
+    std::vector<std::string> figures;
+    std::vector<SessionTexture> textures;
 };
 
 /// What a parameter of another host's effect is to get: AdoptOptions::bind; an empty rule: what its own words say.
@@ -79,13 +82,20 @@ struct PanelOutcome {
 [[nodiscard]] std::optional<BindingChoice> drawBindings(const std::vector<ParameterBinding>& bindings, const Effect& effect,
                                                         const std::map<std::string, std::string>& binds, const Area& area);
 
-/// The border over the picture, the names of both sides and their error above `bottom`.
-void drawBorder(double border, const BesideText& text, float width, float bottom);
+/// The border over the picture, the names of both sides and their error above `bottom`, left of `right`.
+void drawBorder(double border, const BesideText& text, float width, float right, float bottom);
 
 [[nodiscard]] std::string nameOf(const Thumbnail& thumbnail);
 [[nodiscard]] PanelSize stripSize(const PanelPictures& pictures);
 /// The small pictures and their arrows; the name of the one that was clicked.
 [[nodiscard]] std::optional<std::string> drawStrip(const PanelPictures& pictures, const Area& area);
+
+[[nodiscard]] PanelSize legendSize(const PanelPictures& pictures);
+void drawLegend(const PanelPictures& pictures, const Area& area);
+[[nodiscard]] PanelSize texturesSize(const std::vector<SessionTexture>& textures);
+/// The name of the one that was clicked.
+[[nodiscard]] std::optional<std::string> drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown,
+                                                      const Area& area);
 
 [[nodiscard]] PanelSize timesSize(const std::vector<TimesOfSide>& sides);
 void drawTimes(const std::vector<TimesOfSide>& sides, const Area& area);

@@ -25,7 +25,7 @@ void label(const std::string& text, float x, float y, bool endsThere, float widt
 
 } // namespace
 
-void drawBorder(double border, const BesideText& text, float width, float bottom) {
+void drawBorder(double border, const BesideText& text, float width, float right, float bottom) {
     const float x = static_cast<float>(border) * width;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     label(text.error, kPanelMargin, bottom - line - kPanelMargin / 2, false, width);
@@ -35,7 +35,8 @@ void drawBorder(double border, const BesideText& text, float width, float bottom
         return;
     }
     label(text.left, x - kPanelMargin, bottom - 2 * line - kPanelMargin, true, width);
-    label(text.right, x + kPanelMargin, bottom - 2 * line - kPanelMargin, false, width);
+    const float needs = x + 2 * kPanelMargin + ImGui::CalcTextSize(text.right.c_str()).x;
+    label(text.right, x + kPanelMargin, bottom - (needs > right ? 3 : 2) * line - kPanelMargin, false, right); // above the other's name
     ImGui::GetBackgroundDrawList()->AddLine(ImVec2(x, 0), ImVec2(x, ImGui::GetIO().DisplaySize.y), kLine, 1);
 }
 

@@ -18,7 +18,7 @@ constexpr float kTimesHeight = 64; // of the bars
 constexpr float kBarRoom = 0.98F;  // of a frame's width
 constexpr ImU32 kBehindBars = IM_COL32(40, 40, 40, 200);
 constexpr ImU32 kScale = IM_COL32(200, 200, 200, 255);
-const ImVec4 kPassKept(0.6F, 0.6F, 0.6F, 1.0F);
+const ImVec4 kPassKept(0.72F, 0.72F, 0.72F, 1.0F);
 
 /// Neighbours differ by the golden section of the circle of hues.
 ImU32 colorOfPass(std::size_t index) {
@@ -87,11 +87,10 @@ void drawRow(const PassTime& pass, std::size_t index, double longest) {
 }
 
 std::string sumLine(const TimesOfSide& side) {
-    const std::string name = side.name.empty() ? std::string() : side.name + ": ";
     const double drawn = side.times->drawn();
     const double all = side.times->all();
-    if (std::abs(all - drawn) < 1e-9) return fmt::format("{}{:.2f} ms", name, all);
-    return fmt::format("{}{:.2f} ms, {:.2f} with what was kept", name, drawn, all);
+    if (std::abs(all - drawn) < 1e-9) return fmt::format("{:.2f} ms", all);
+    return fmt::format("{:.2f} ms, {:.2f} with what was kept", drawn, all);
 }
 
 } // namespace
@@ -100,7 +99,8 @@ PanelSize timesSize(const std::vector<TimesOfSide>& sides) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float height = 2 * style.WindowPadding.y;
     for (const TimesOfSide& side : sides)
-        height += kTimesHeight + (static_cast<float>(side.times->passes().size()) + 1) * ImGui::GetTextLineHeightWithSpacing() +
+        height += kTimesHeight +
+                  (static_cast<float>(side.times->passes().size()) + (side.name.empty() ? 1 : 2)) * ImGui::GetTextLineHeightWithSpacing() +
                   2 * style.ItemSpacing.y;
     return {.width = kTimesWidth, .height = [height](float) { return height; }};
 }
@@ -117,6 +117,7 @@ void drawTimes(const std::vector<TimesOfSide>& sides, const Area& area) {
             longestPass = std::max(longestPass, pass.milliseconds);
     }
     for (const TimesOfSide& side : sides) {
+        if (!side.name.empty()) ImGui::TextUnformatted(side.name.c_str());
         ImGui::TextUnformatted(sumLine(side).c_str());
         drawFrames(*side.times, longestOfAll);
         for (std::size_t i = 0; i < side.times->passes().size(); ++i)

@@ -24,11 +24,20 @@ FrameTimes timesOf(const SessionFrame& frame) {
         times.passes.back().kept &= pass.kept;
         times.milliseconds.back() += pass.milliseconds;
     }
-    if (frame.resolveMilliseconds) {
-        times.passes.push_back({.name = "resolve", .kept = *frame.resolveMilliseconds == 0});
-        times.milliseconds.push_back(*frame.resolveMilliseconds);
-    }
     return times;
+}
+
+constexpr const char* kResolveRow = "resolve";
+
+bool hasResolve(const std::vector<PassTime>& passes) {
+    return !passes.empty() && passes.back().name == kResolveRow;
+}
+
+/// While something moves, a pixel has one sample and nothing is resolved: the row stays.
+void addResolve(const std::optional<double>& milliseconds, bool known, FrameTimes& times) {
+    if (!milliseconds && !known) return;
+    times.passes.push_back({.name = kResolveRow, .kept = milliseconds.value_or(0) == 0});
+    times.milliseconds.push_back(milliseconds.value_or(0));
 }
 
 bool samePasses(const std::vector<PassTime>& a, const std::vector<PassTime>& b) {
@@ -39,6 +48,13 @@ bool samePasses(const std::vector<PassTime>& a, const std::vector<PassTime>& b) 
 
 void PassTimes::note(const SessionFrame& frame) {
     FrameTimes times = timesOf(frame);
+    const bool known = hasResolve(passes_);
+    addResolve(frame.resolveMilliseconds, known, times);
+    if (!known && hasResolve(times.passes) && samePasses(passes_, {times.passes.begin(), times.passes.end() - 1})) {
+        passes_.push_back(times.passes.back());
+        for (auto& earlier : frames_)
+            earlier.push_back(0);
+    }
     if (!samePasses(passes_, times.passes)) {
         passes_ = times.passes;
         frames_.clear();

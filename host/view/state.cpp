@@ -106,6 +106,12 @@ Request zoomIn(ViewState& state) {
     return Request::Levels;
 }
 
+Request stepMesh(ViewState& state) {
+    constexpr int kKinds = 4;
+    state.mesh = static_cast<MeshShow>((static_cast<int>(state.mesh) + 1) % kKinds);
+    return Request::Levels;
+}
+
 Request brighten(ViewState& state, double stops) {
     state.stops = stops == 0 ? 0 : state.stops + stops;
     return Request::Levels;
@@ -142,6 +148,8 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::Probe: return toggle(state.probe);
     case Command::Strip: return toggle(state.strip);
     case Command::Times: return toggle(state.times);
+    case Command::Textures: return toggle(state.textures);
+    case Command::Mesh: return stepMesh(state);
     case Command::Bindings: return toggle(state.bindings);
     case Command::Keep: return Request::Keep;
     case Command::Errors: return toggle(state.errors);
@@ -157,7 +165,8 @@ glm::dvec2 placeSeenAt(const ViewState& state, glm::dvec2 seen) {
 
 Request showTarget(ViewState& state, const std::string& name) {
     if (name.empty()) return showPicture(state);
-    if (!indexOf(state.targets, name)) return Request::None;
+    if (!indexOf(state.targets, name) && !indexOf(state.sampled, name)) return Request::None;
+    state.mesh = MeshShow::None;
     state.target = name;
     state.show = Show::Target;
     showAnew(state);
@@ -193,11 +202,15 @@ void adopt(ViewState& state, const SessionFrame& frame) {
     state.technique = frame.technique;
     state.targets = frame.targets;
     state.read = frame.parameters;
+    state.sampled.clear();
+    for (const SessionTexture& texture : frame.textures)
+        if (!texture.cube) state.sampled.push_back(texture.name); // the window shows no faces
     state.passes.clear();
     for (const SessionPass& pass : frame.passes)
         state.passes.push_back(pass.name);
     if (state.show == Show::Pass && state.pass >= state.passes.size()) state.show = Show::Picture;
-    if (state.show == Show::Target && !indexOf(state.targets, state.target)) state.show = Show::Picture;
+    if (state.show == Show::Target && !indexOf(state.targets, state.target) && !indexOf(state.sampled, state.target))
+        state.show = Show::Picture;
 }
 
 void adopt(ViewState& state, const Effect& effect) {
@@ -222,7 +235,7 @@ std::string shownTarget(const ViewState& state, const SessionFrame& frame) {
 }
 
 std::string shownText(const ViewState& state, const SessionFrame& frame) {
-    if (state.show == Show::Target) return fmt::format("target {}", state.target);
+    if (state.show == Show::Target) return fmt::format("{} {}", indexOf(state.sampled, state.target) ? "texture" : "target", state.target);
     if (state.show == Show::Picture) return "picture";
     const std::string target = shownTarget(state, frame);
     return fmt::format("pass {} of {}, {} into {}", state.pass + 1, state.passes.size(), state.passes[state.pass],

@@ -7,6 +7,7 @@
 #include "host/scene/presets.h"
 #include "host/view/input.h"
 #include "host/view/keys.h"
+#include "host/view/mesh_figures.h"
 
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct ViewState {
     std::string target;
     std::vector<std::string> passes; // of the last frame
     std::vector<std::string> targets;
+    std::vector<std::string> sampled; // textures that are no targets
     double stops = 0;
     int channel = 0; // 0: as the target has them
     int level = 0;   // of the mip chain
@@ -47,6 +49,8 @@ struct ViewState {
     bool probe = false;
     bool strip = false;
     bool times = false;
+    bool textures = false;
+    MeshShow mesh = MeshShow::None;
     bool bindings = false;
     bool errors = false; // against what is beside, in false colours
     bool source = false; // text beside the picture

@@ -221,6 +221,7 @@ Result<void> Viewer::load(bool anew) {
     if (!effect) return report(nullptr, effect.error());
     const double sharpness = std::exchange(sharpness_, anew ? 1 : costs_.share(Moving::Rest));
     auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, anew ? nullptr : loaded_.get());
+    if (!anew) loaded->session.follow(loaded_->session);
     const ViewState before = state_;
     adopt(state_, loaded->effect);
     auto frame = drawWith(*loaded);
@@ -268,6 +269,8 @@ Result<void> Viewer::open(const fs::path& file) {
     }
     loaded_ = std::move(loaded);
     dropDraft();
+    meshCanvas_.reset();
+    meshes_.clear();
     levelled_.clear();
     targets_.forgetAll();
     readPresets();
@@ -344,6 +347,9 @@ Result<void> Viewer::paint() {
     if (const auto made = makePicture(picture_, "picture in the window"); !made) return made;
     settling_ = kSettlingFrames;
     if (const auto painted = paintBeside(); !painted) return painted;
+    if (state_.mesh != MeshShow::None && (request_.scene.mesh || !request_.scene.objects.empty())) return paintMesh();
+    meshCanvas_.reset();
+    meshes_.clear();
     gpu::Texture& texture = *session().target(shownTarget(state_, frame_));
     return canvas_->show(picture_, texture, shownLevels(), fitOf(texture));
 }

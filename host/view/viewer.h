@@ -5,6 +5,7 @@
 #include "host/view/beside.h"
 #include "host/view/canvas.h"
 #include "host/view/loaded.h"
+#include "host/view/mesh_canvas.h"
 #include "host/view/overlay.h"
 #include "host/view/panel.h"
 #include "host/view/sharpness.h"
@@ -65,6 +66,13 @@ private:
     /// A target of the picture's size.
     [[nodiscard]] Result<void> makePicture(gpu::Texture& picture, const char* name);
     [[nodiscard]] Levels shownLevels() const;
+
+    // viewer_mesh.cpp
+    /// The mesh in false colours instead of the picture.
+    [[nodiscard]] Result<void> paintMesh();
+    /// Texels along each side of the largest map that does not follow the picture's size.
+    [[nodiscard]] std::uint32_t mapSide();
+    void describeMesh(PanelPictures& pictures);
 
     // viewer_moving.cpp
     [[nodiscard]] Result<void> draw();
@@ -148,6 +156,9 @@ private:
     SessionFrame frame_;   // the last good one
     ShownTargets targets_; // of the last good one
     PassTimes times_;
+    std::vector<ColoredMesh> meshes_; // while they are shown
+    std::unique_ptr<MeshCanvas> meshCanvas_;
+    MeshShow meshShown_ = MeshShow::None;
     glm::dvec2 cursor_{-1};   // share of the window
     gpu::Texture picture_;    // as it is shown, without text
     gpu::Texture composed_;   // with text, of the window's size

@@ -14,16 +14,6 @@ constexpr double kSlowMaps = 100;                // milliseconds: what a smaller
 constexpr std::uint32_t kFewer = 4;              // texels along each side, in a draft
 constexpr std::uint32_t kLeastSide = 256;        // of a map that has fewer in a draft
 
-/// Texels along the largest side of the targets that do not follow the picture's size.
-std::uint32_t largestSide(EffectSession& session, const SessionFrame& frame, PixelSize picture) {
-    std::uint32_t largest = 0;
-    for (const std::string& name : frame.targets)
-        if (const gpu::Texture* target = session.target(name))
-            if (const PixelSize size{target->desc().width, target->desc().height}; size != picture)
-                largest = std::max({largest, size.width, size.height});
-    return largest;
-}
-
 /// TEGUMENT_SHADOW_SIZE follows it where nothing is said.
 void divideSizes(std::vector<std::pair<std::string, std::string>>& defines, std::uint32_t side) {
     std::erase_if(defines, [](const auto& define) { return define.first == "TEGUMENT_MAP_SIZE"; });
@@ -52,7 +42,7 @@ Result<void> Viewer::drawMoving(Moving what) {
 bool Viewer::haveDraft() {
     if (draftTried_) return draft_ != nullptr;
     draftTried_ = true;
-    const std::uint32_t side = largestSide(loaded_->session, frame_, drawnPixels());
+    const std::uint32_t side = mapSide();
     if (side < kLeastSide) return false;
     LoadOptions load = request_.load;
     divideSizes(load.defines, side);
@@ -60,7 +50,10 @@ bool Viewer::haveDraft() {
     if (!effect) return false; // the whole picture has said why, or will
     auto draft = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, loaded_.get());
     const auto frame = drawWith(*draft);
-    if (!frame || largestSide(draft->session, *frame, drawnPixels()) >= side) return false;
+    const bool fewer = frame && std::ranges::any_of(frame->targets, [&](const std::string& name) {
+                           return draft->session.target(name)->desc().width == side / kFewer;
+                       });
+    if (!fewer) return false;
     draft_ = std::move(draft);
     draftCosts_ = costs_;
     draftCosts_.anything /= kFewer * kFewer;

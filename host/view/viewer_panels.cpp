@@ -33,6 +33,8 @@ Result<PanelPictures> Viewer::panelPictures() {
         if (both) pictures.times.push_back({.name = beside_->name, .times = &beside_->times});
         pictures.times.push_back({.name = both ? sideName() : std::string(), .times = &times_});
     }
+    if (state_.mesh != MeshShow::None) describeMesh(pictures);
+    if (state_.textures) pictures.textures = frame_.textures;
     if (!state_.strip) return pictures;
     pictures.arrows = arrowsOf(frame_);
     for (const std::string& name : inOrderOfFlow(frame_)) {

@@ -107,6 +107,36 @@ TEST_F(Held, a_frame_that_draws_all_is_no_ground_to_keep_anything) {
     EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
 }
 
+TEST_F(Held, an_edit_draws_the_passes_that_it_changes) {
+    load(kFixtures / "held.fx");
+    (void)drawn({}, chain({}));
+    auto edited = std::make_unique<Effect>(*loadEffect(kFixtures / "held.fx", {.defines = {{"HELD_SHOWN", "3.0"}}, .includeFolders = {}}));
+    auto before = std::move(session_);
+    session_ = std::make_unique<EffectSession>(*device_, *edited, SessionScene{.mesh = &mesh_, .objects = {}}, before.get());
+    session_->follow(*before);
+    EXPECT_EQ(drawn({}, chain({})), HeldNames{"Shown"});
+    before.reset();
+    effect_.swap(edited);
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
+    EXPECT_EQ(drawn({}, chain({})), HeldNames{});
+    session_.reset();
+}
+
+TEST_F(Held, an_edit_that_cannot_be_drawn_leaves_the_session_before_as_it_was) {
+    load(kFixtures / "held.fx");
+    (void)drawn({}, chain({}));
+    {
+        EffectSession next(*device_, *effect_, SessionScene{.mesh = &mesh_, .objects = {}}, session_.get());
+        next.follow(*session_);
+        RunOptions wrong = chain({});
+        wrong.dump = {"gNoMap"};
+        EXPECT_EQ(code(next.draw({}, wrong)), 4029);
+    }
+    ASSERT_NE(session_->target("gLeftMap"), nullptr);
+    EXPECT_EQ(drawn({}, chain({})).size(), 4U) << "nothing is known of targets that were away";
+    EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
+}
+
 /// A change that a viewer makes, at random.
 struct HeldChange {
     Workspace workspace = closeUp();

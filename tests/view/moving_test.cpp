@@ -61,6 +61,25 @@ TEST(WhileItMoves, one_slow_picture_that_compiled_does_not_blur_the_rest) {
     EXPECT_EQ(last.share, 1);
 }
 
+TEST(WhileItMoves, maps_that_the_camera_leaves_alone_do_not_make_its_picture_smaller) {
+    MovingCosts costs;
+    EXPECT_EQ(costs.share(Moving::Camera), 1) << "nothing is known";
+    costs.note({.pixels = 40, .others = 1000}, 0, 1, Moving::Rest); // the first picture
+    EXPECT_EQ(costs.share(Moving::Camera), 1);
+    EXPECT_LT(costs.share(Moving::Rest), 1);
+    costs.note({.pixels = 40, .others = 300}, 345, 1, Moving::Camera); // of a technique whose maps follow the camera
+    EXPECT_LT(costs.share(Moving::Camera), 1);
+}
+
+TEST(WhileItMoves, a_picture_that_drew_nothing_says_nothing) {
+    MovingCosts costs;
+    costs.note({.pixels = 400, .others = 0}, 0, 1, Moving::Rest);
+    const double share = costs.share(Moving::Camera);
+    EXPECT_LT(share, 1);
+    costs.note({.pixels = 0, .others = 0}, 0, 1, std::nullopt); // all was kept
+    EXPECT_EQ(costs.share(Moving::Camera), share);
+}
+
 TEST(Zoom, keeps_what_is_under_the_cursor_and_ends_at_32) {
     ViewState state;
     const ViewState start = state;

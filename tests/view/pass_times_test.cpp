@@ -55,6 +55,19 @@ TEST(TimesOfPasses, what_was_kept_has_its_last_time_and_none_in_the_frame) {
     EXPECT_EQ(times.all(), 13);
 }
 
+TEST(TimesOfPasses, a_frame_without_resolve_keeps_what_was_known) {
+    PassTimes times;
+    times.note(timed({{"Final", 4}}));
+    times.note(timed({{"Final", 4}}, 2));
+    times.note(timed({{"Final", 4}}));
+    ASSERT_EQ(times.passes().size(), 2U);
+    EXPECT_EQ(times.frames().size(), 3U);
+    EXPECT_TRUE(times.passes()[1].kept);
+    EXPECT_EQ(times.passes()[1].milliseconds, 2);
+    for (const auto& frame : times.frames())
+        EXPECT_EQ(frame.size(), 2U);
+}
+
 TEST(TimesOfPasses, other_passes_begin_anew_and_the_history_has_an_end) {
     PassTimes times;
     for (std::size_t i = 0; i < PassTimes::kMostFrames + 10; ++i)

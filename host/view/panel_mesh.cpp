@@ -1,0 +1,89 @@
+// What the false colours of a mesh mean, and where textures come from.
+
+#include "host/view/panel.h"
+#include "host/view/panel_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tegument::view {
+
+namespace {
+
+const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
+const ImVec4 kOpened(0.45F, 0.75F, 1.0F, 1.0F);
+constexpr const char* kBakeAgain = "F5 reads files and bakes again";
+
+float widestOf(const std::vector<std::string>& lines) {
+    float widest = 0;
+    for (const std::string& line : lines)
+        widest = std::max(widest, ImGui::CalcTextSize(line.c_str()).x);
+    return widest;
+}
+
+PanelSize sizeOfLines(float widest, std::size_t lines) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float height = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() + 2 * style.WindowPadding.y;
+    return {.width = widest + 2 * style.WindowPadding.x + style.ScrollbarSize, .height = [height](float) { return height; }};
+}
+
+std::string sizeText(const SessionTexture& texture) {
+    return fmt::format("{} x {} {}{}", texture.width, texture.height, texture.format, texture.cube ? " cube" : "");
+}
+
+} // namespace
+
+PanelSize legendSize(const PanelPictures& pictures) {
+    std::vector<std::string> labels = pictures.figures;
+    for (const LegendEntry& entry : pictures.legend)
+        labels.push_back("    " + entry.label);
+    return sizeOfLines(widestOf(labels), labels.size());
+}
+
+void drawLegend(const PanelPictures& pictures, const Area& area) {
+    if (area.width <= 0 || area.height <= 0) return;
+    placePanel(area);
+    ImGui::Begin("legend", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
+    for (const std::string& line : pictures.figures)
+        ImGui::TextUnformatted(line.c_str());
+    const float line = ImGui::GetTextLineHeight();
+    for (const LegendEntry& entry : pictures.legend) {
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const ImU32 color = ImGui::ColorConvertFloat4ToU32(ImVec4(entry.color[0], entry.color[1], entry.color[2], 1));
+        ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(corner.x, corner.y + 1), ImVec2(corner.x + 1.6F * line, corner.y + line - 1),
+                                                  color);
+        ImGui::Dummy(ImVec2(1.6F * line, line));
+        ImGui::SameLine();
+        ImGui::TextUnformatted(entry.label.c_str());
+    }
+    ImGui::End();
+}
+
+PanelSize texturesSize(const std::vector<SessionTexture>& textures) {
+    std::vector<std::string> lines{kBakeAgain};
+    for (const SessionTexture& texture : textures) {
+        lines.push_back(texture.name + "  " + sizeText(texture));
+        lines.push_back("    " + texture.source);
+    }
+    return sizeOfLines(widestOf(lines), lines.size());
+}
+
+std::optional<std::string> drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown, const Area& area) {
+    std::optional<std::string> opened;
+    if (area.width <= 0 || area.height <= 0) return opened;
+    placePanel(area);
+    ImGui::Begin("textures", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
+    for (const SessionTexture& texture : textures) {
+        const std::string label = fmt::format("{}  {}##{}", texture.name, sizeText(texture), texture.name);
+        if (texture.name == shown) ImGui::PushStyleColor(ImGuiCol_Text, kOpened);
+        if (ImGui::Selectable(label.c_str(), texture.name == shown)) opened = texture.name;
+        if (texture.name == shown) ImGui::PopStyleColor();
+        ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
+    }
+    ImGui::TextUnformatted(kBakeAgain);
+    ImGui::End();
+    return opened;
+}
+
+} // namespace tegument::view

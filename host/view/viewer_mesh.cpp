@@ -1,0 +1,46 @@
+// The mesh in false colours: made when it is first shown, gone when it is not.
+
+#include "host/view/viewer.h"
+
+#include "host/run/scene_bounds.h"
+
+#include <algorithm>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr std::uint32_t kUsualSide = 1024; // of maps, where the technique has none
+
+} // namespace
+
+std::uint32_t Viewer::mapSide() {
+    std::uint32_t largest = 0;
+    for (const std::string& name : frame_.targets)
+        if (const gpu::Texture* target = session().target(name))
+            if (const PixelSize size{target->desc().width, target->desc().height}; size != drawnPixels())
+                largest = std::max({largest, size.width, size.height});
+    return largest;
+}
+
+Result<void> Viewer::paintMesh() {
+    if (meshes_.empty()) meshes_ = coloredMeshes(request_.scene);
+    if (!meshCanvas_ || meshShown_ != state_.mesh) {
+        auto made = MeshCanvas::create(device_, request_.run.compiler, meshes_, state_.mesh);
+        if (!made) return made.error();
+        meshCanvas_ = std::move(*made);
+        meshShown_ = state_.mesh;
+    }
+    const PlacedScene placed = placeScene(state_.workspace, run::boundsOf(request_.scene));
+    return meshCanvas_->draw(picture_, cameraMatrices(placed.camera, static_cast<double>(size_.width) / size_.height));
+}
+
+void Viewer::describeMesh(PanelPictures& pictures) {
+    if (meshes_.empty()) return;
+    const std::uint32_t side = mapSide() > 0 ? mapSide() : kUsualSide;
+    pictures.legend = legendOf(state_.mesh, meshes_.front().figures, side);
+    pictures.figures = linesOf(state_.mesh, meshes_.front().figures, side);
+    if (meshes_.size() > 1) pictures.figures.push_back("figures of the first of several meshes");
+}
+
+} // namespace tegument::view

@@ -1,0 +1,103 @@
+// How a mesh lies on its texture: figures by hand.
+
+#include "host/view/mesh_figures.h"
+
+#include "tests/run/fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr double kNear = 1e-6; // of floats
+
+/// 20 x 20 mm, over the whole texture.
+Mesh plainSquare() {
+    return test::square();
+}
+
+/// Its two triangles with vertices of their own.
+Mesh splitSquare() {
+    Mesh mesh = plainSquare();
+    mesh.positions = {mesh.positions[0], mesh.positions[1], mesh.positions[2], mesh.positions[2], mesh.positions[1], mesh.positions[3]};
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 0}, {0, 1}, {1, 1}};
+    mesh.normals.assign(6, {0, 0, 1});
+    mesh.indices = {0, 1, 2, 3, 4, 5};
+    return mesh;
+}
+
+} // namespace
+
+TEST(MeshInFigures, texels_per_mm_and_stretch_are_those_of_the_map) {
+    Mesh mesh = plainSquare();
+    const MeshFigures even = examineMesh(mesh);
+    EXPECT_NEAR(1000 * even.scale.median, 50, 50 * kNear) << "1000 texels over 20 mm";
+    EXPECT_NEAR(even.stretch.median, 1, kNear);
+    for (glm::vec2& uv : mesh.uvs)
+        uv.x = 0.25F * uv.x + 0.5F * uv.y; // sheared, too: the singular values of ((1/4, 1/2), (0, 1)) / 20
+    const MeshFigures sheared = examineMesh(mesh);
+    EXPECT_NEAR(1000 * sheared.scale.median, 25, 25 * kNear);
+    const double sum = 0.5 * (1.0 / 16 + 1.0 / 4 + 1);
+    const double root = std::sqrt(sum * sum - 1.0 / 16);
+    EXPECT_NEAR(sheared.stretch.median, std::sqrt((sum + root) / (sum - root)), 10 * kNear);
+}
+
+TEST(MeshInFigures, borders_and_seams_are_as_long_as_they_are) {
+    Mesh mesh = splitSquare();
+    MeshFigures figures = examineMesh(mesh);
+    EXPECT_NEAR(figures.borderLength, 80, 80 * kNear);
+    EXPECT_EQ(figures.seamLength, 0) << "vertices of one place and one place on the texture";
+    EXPECT_EQ(figures.components, 1U);
+    for (std::size_t i = 3; i < 6; ++i)
+        mesh.uvs[i] *= 0.5F;
+    figures = examineMesh(mesh);
+    EXPECT_NEAR(figures.seamLength, std::sqrt(800.0), 30 * kNear) << "the diagonal";
+    std::size_t marked = 0;
+    for (const MeshTriangle& triangle : figures.triangles)
+        for (const bool seam : triangle.seam)
+            marked += seam ? 1 : 0;
+    EXPECT_EQ(marked, 2U) << "on both sides";
+    for (std::size_t i = 3; i < 6; ++i)
+        mesh.positions[i].x += 100;
+    EXPECT_EQ(examineMesh(mesh).components, 2U);
+}
+
+TEST(MeshInFigures, what_is_flat_or_mirrored_on_the_texture_is_counted_and_shown) {
+    Mesh mesh = splitSquare();
+    EXPECT_EQ(examineMesh(mesh).mirrored, 0U);
+    for (std::size_t i = 0; i < 3; ++i)
+        mesh.uvs[i].x = -mesh.uvs[i].x;
+    mesh.uvs[3] = mesh.uvs[4] = mesh.uvs[5];
+    const MeshFigures figures = examineMesh(mesh);
+    EXPECT_EQ(figures.mirrored, 1U);
+    EXPECT_EQ(figures.flat, 1U);
+    const std::array<float, 3> magenta{1, 0, 1};
+    EXPECT_EQ(colorOf(MeshShow::Texels, figures.triangles[1], figures), magenta);
+    EXPECT_NE(colorOf(MeshShow::Texels, figures.triangles[0], figures), magenta);
+    EXPECT_EQ(legendOf(MeshShow::Texels, figures, 1024).back().color, magenta);
+}
+
+TEST(MeshInFigures, the_legend_s_colours_are_those_of_triangles_with_its_values) {
+    const MeshFigures figures = examineMesh(plainSquare());
+    const auto legend = legendOf(MeshShow::Texels, figures, 200); // 10 texels per mm
+    ASSERT_EQ(legend.size(), 5U);
+    EXPECT_EQ(legend[3].label, "20 texels per mm");
+    MeshTriangle twice = figures.triangles.front();
+    twice.scale *= 2;
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(colorOf(MeshShow::Texels, twice, figures).at(c), legend[3].color.at(c), kNear);
+}
+
+TEST(MeshInFigures, a_mesh_without_texture_coordinates_and_one_of_ribbons_are_no_errors) {
+    Mesh mesh = plainSquare();
+    mesh.uvs.clear();
+    EXPECT_EQ(examineMesh(mesh).flat, 2U);
+    mesh.parts.front().name = kStrandsPart;
+    EXPECT_EQ(examineMesh(mesh).triangles.size(), 0U);
+    EXPECT_EQ(linesOf(MeshShow::Seams, examineMesh(mesh), 64).size(), 6U);
+}
+
+} // namespace tegument::view

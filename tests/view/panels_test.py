@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Panels of times, of the mesh and of textures, and a target's mip levels, in tegument view. By real input events under Xvfb.
+
+usage: panels_test.py PROGRAM REPOSITORY [PICTURES]      with PICTURES the screen of every step is kept there
+Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draws to windows.
+"""
+
+import shutil
+import sys
+import unittest
+
+import screen as screens
+import window_test as base
+
+WIDE, HIGH = 2 * base.SIZE, base.SIZE
+
+# Columns of 0 and 1, one texel wide: on every other level all texels are 1/2.
+STRIPES = """#include "hlsl/platform.fxh"
+Texture2D gStripesMap : RENDERCOLORTARGET < int Width = 32; int Height = 32; int MipLevels = 0; string Format = "A32B32G32R32F"; >;
+TG_SAMPLER2D(gStripes, POINT, CLAMP);
+struct In { float3 position : POSITION; float2 uv : TEXCOORD0; };
+struct Out { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+Out QuadVS(In input) { Out output; output.position = float4(input.position, 1.0); output.uv = input.uv; return output; }
+float4 StripesPS(Out input) : SV_Target0 { float odd = fmod(floor(input.position.x), 2.0); return float4(odd, odd, odd, 1.0); }
+float4 ShowPS(Out input) : SV_Target0 { return gStripesMap.SampleLevel(gStripes, input.uv, 1.0); }
+#ifdef FX_TECHNIQUES
+technique Stripes < string Script = "RenderColorTarget0=gStripesMap; Pass=Draw; RenderColorTarget0=; Pass=Show;"; >
+{
+    pass Draw < string Script = "Draw=Buffer;"; > { VertexShader = compile TG_VS_MODEL QuadVS(); PixelShader = compile TG_PS_MODEL StripesPS(); TG_STATE_BUFFER; }
+    pass Show < string Script = "Draw=Buffer;"; > { VertexShader = compile TG_VS_MODEL QuadVS(); PixelShader = compile TG_PS_MODEL ShowPS(); TG_STATE_BUFFER; }
+}
+#endif
+"""
+
+
+def keep(picture, name):
+    if base.PICTURES:
+        base.PICTURES.mkdir(parents=True, exist_ok=True)
+        picture.save(base.PICTURES / f"{name}.png")
+    return picture
+
+
+class Panels(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.view = base.View()
+        cls.view.title("Main.fx DEonLuebke [corrected] picture")
+        cls.view.screen.resize(WIDE, HIGH)
+        cls.view.screen.press("i")  # the text holds times, which differ from frame to frame
+        cls.start = cls.view.still()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.view.screen.press("q")
+        ended = cls.view.process.wait(base.PATIENCE)
+        said = cls.view.said()
+        cls.view.end()
+        shutil.rmtree(cls.view.folder)
+        assert ended == 0 and "validation:" not in said, said
+
+    def press(self, key, unlike, name):
+        self.view.screen.press(key)
+        return keep(self.view.still(unlike=unlike), name)
+
+    def coloured(self, picture):
+        """Pixels of strong colours in the right half: bars."""
+        count = 0
+        for y in range(picture.height):
+            for x in range(picture.width // 2, picture.width):
+                texel = picture.pixels[(y * picture.width + x) * 3:(y * picture.width + x) * 3 + 3]
+                count += max(texel) > 150 and max(texel) - min(texel) > 80
+        return count
+
+    def test_g_shows_times_as_bars_and_what_was_not_drawn_is_dim(self):
+        times = self.press("g", self.start, "key_g")
+        self.view.screen.press("F5")  # all is drawn
+        anew = keep(self.view.still(unlike=times), "key_g_anew")
+        self.assertGreater(self.coloured(anew), self.coloured(self.start) + 300)
+        self.view.screen.drag((100, 160), (140, 150))
+        camera = keep(self.view.still(unlike=anew), "key_g_camera")
+        self.assertLess(self.coloured(camera), self.coloured(anew), "the rows of passes that the camera does not touch")
+        self.press("k", camera, "key_g_two_sides")
+        self.view.screen.press("k")
+        self.view.still()
+        self.view.screen.press("r")
+        self.view.still()
+        self.view.screen.press("g")
+        self.assertEqual(self.view.still(), self.start)
+
+    def test_u_shows_the_mesh_in_false_colours_that_turn_with_the_camera(self):
+        last = self.start
+        for name in ("texels", "stretch", "seams"):
+            picture = self.press("u", last, f"key_u_{name}")
+            self.assertGreater(picture.share_apart(self.start), 0.1)
+            last = picture
+        amber = lambda p: sum(p.pixels[i] > 220 and 90 < p.pixels[i + 1] < 140 and p.pixels[i + 2] < 60 for i in range(0, len(p.pixels), 3))
+        self.view.screen.drag((420, 160), (560, 160))  # the ball's two charts meet at its side
+        turned = keep(self.view.still(unlike=last), "key_u_seams_turned")
+        self.assertGreater(amber(turned), 150, "the seam")
+        self.view.screen.press("r")
+        self.view.still(unlike=turned)
+        self.view.screen.press("u")
+        self.assertEqual(self.view.still(unlike=last), self.start)
+
+    def test_o_tells_where_textures_come_from_and_a_click_opens_one(self):
+        listed = self.press("o", self.start, "key_o")
+        self.view.screen.drag((60, 22), (60, 22))
+        self.view.title("texture gEnergyAttenuationMap")
+        opened = keep(self.view.still(unlike=listed), "key_o_opened")
+        self.assertGreater(opened.share_apart(listed), 0.1)
+        self.view.screen.press("o")
+        self.assertEqual(self.view.start_again(), self.start)
+
+
+class Levels(unittest.TestCase):
+    def test_l_goes_through_the_mip_levels_and_back(self):
+        view = base.View(("stripes.fx",), (("stripes.fx", STRIPES),))
+        self.addCleanup(view.end)
+        view.title("stripes.fx Stripes")
+        view.screen.press("i")
+        view.still()
+        view.screen.press("Down")
+        view.title("target gStripesMap")
+        first = keep(view.still(), "level_0")
+        greys = lambda p: set(p.pixels[(p.height // 2 * p.width + 16) * 3:(p.height // 2 * p.width + base.SIZE - 16) * 3])
+        self.assertEqual(len(greys(first)), 2, "columns")
+        self.assertGreater(max(greys(first)) - min(greys(first)), 200)
+        view.screen.press("l")
+        second = keep(view.still(unlike=first), "level_1")
+        self.assertEqual(len(greys(second)), 1, "one grey")
+        self.assertTrue(100 < max(greys(second)) < 200, f"half of the light, or of the spread: {greys(second)}")
+        for _ in range(5):  # 32 texels have six levels
+            view.screen.press("l")
+        self.assertEqual(view.still(unlike=second), first)
+        self.assertNotIn("validation:", view.said())
+
+
+if __name__ == "__main__":
+    if screens.missing():
+        print("skipped: " + screens.missing())
+        sys.exit(base.SKIPPED)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

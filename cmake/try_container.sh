@@ -29,7 +29,8 @@ images inspect "$base" >/dev/null 2>&1 || images pull -q "$base" 2>"$folder/pull
 images build --isolation chroot --pull=never "${certificates[@]}" "$@" -f docs/samples/container/Containerfile -t tegument .
 
 container="$(images from --pull-never tegument)"
-read -ra program <<<"$(images inspect --format '{{join .OCIv1.Config.Entrypoint " "}}' "$container")"
+entry="$(images inspect --format '{{range .OCIv1.Config.Entrypoint}}{{.}} {{end}}' "$container")"
+read -ra program <<<"$entry"
 tegument() {
     echo "+ tegument $*"
     images run --isolation chroot "${certificates[@]}" --volume "$folder/work:/work" --volume "$folder/cache:/var/cache/tegument" "$container" -- "${program[@]}" "$@"

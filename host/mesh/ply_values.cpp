@@ -114,12 +114,12 @@ double PlyValues::parseWord(std::size_t end, bool wholeWanted) {
 }
 
 double PlyValues::nextBinary(PlyType type) {
-    const std::size_t size = byteSize(type);
+    std::array<char, 8> raw{};
+    const std::size_t size = std::min(byteSize(type), raw.size()); // always the former; GCC 12 for arm64 warns where it does not see that
     if (size > source_.bytes.size() - offset_) {
         fail(truncated(source_.atByte(source_.bytes.size()), "more values are announced in its header"));
         return 0;
     }
-    std::array<char, 8> raw{};
     std::memcpy(raw.data(), source_.bytes.data() + offset_, size);
     offset_ += size;
     const bool swap = (format_ == PlyFormat::BigEndian) != (std::endian::native == std::endian::big);

@@ -168,7 +168,7 @@ Mesh striped(Mesh mesh, std::size_t stripes) {
     return mesh;
 }
 
-double areaOf(const Mesh& mesh, std::span<const std::uint32_t> indices) {
+double areaOfTriangles(const Mesh& mesh, std::span<const std::uint32_t> indices) {
     double area = 0;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         const glm::dvec3 a(mesh.positions[indices[i]]), b(mesh.positions[indices[i + 1]]), c(mesh.positions[indices[i + 2]]);
@@ -192,7 +192,7 @@ TEST_F(Prepare, levels_of_parts_that_share_vertices_are_as_near_as_if_they_were_
         ASSERT_EQ(level.mesh.parts.size(), mesh.parts.size());
         for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
             const auto of = [&](const std::vector<std::uint32_t>& all, const MeshPart& part) {
-                return areaOf(mesh, std::span(all).subspan(part.firstIndex, part.indexCount));
+                return areaOfTriangles(mesh, std::span(all).subspan(part.firstIndex, part.indexCount));
             };
             const double before = of(mesh.indices, mesh.parts[i]);
             EXPECT_NEAR(of(level.mesh.indices, level.mesh.parts[i]), before, before / 2) << "stripe " << i;

@@ -184,9 +184,9 @@ std::vector<LegendEntry> legendOf(MeshShow show, const MeshFigures& figures, dou
 }
 
 std::vector<std::string> linesOf(MeshShow show, const MeshFigures& figures, double texels) {
-    const char* title = show == MeshShow::Texels    ? "texels per mm"
-                        : show == MeshShow::Stretch ? "stretch on the texture"
-                                                    : "seams and borders";
+    const std::string title = show == MeshShow::Texels    ? fmt::format("texels per mm, maps of {:.0f}", texels)
+                              : show == MeshShow::Stretch ? "stretch on the texture"
+                                                          : "seams and borders";
     const Spread& s = figures.scale;
     return {title,
             fmt::format("{} vertices, {} triangles, {} component{}", figures.vertices, figures.triangles.size(), figures.components,

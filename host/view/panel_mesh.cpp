@@ -12,7 +12,6 @@ namespace tegument::view {
 namespace {
 
 const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
-const ImVec4 kOpened(0.45F, 0.75F, 1.0F, 1.0F);
 constexpr const char* kBakeAgain = "F5 reads files and bakes again";
 
 float widestOf(const std::vector<std::string>& lines) {
@@ -76,9 +75,7 @@ std::optional<std::string> drawTextures(const std::vector<SessionTexture>& textu
     ImGui::Begin("textures", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
     for (const SessionTexture& texture : textures) {
         const std::string label = fmt::format("{}  {}##{}", texture.name, sizeText(texture), texture.name);
-        if (texture.name == shown) ImGui::PushStyleColor(ImGuiCol_Text, kOpened);
         if (ImGui::Selectable(label.c_str(), texture.name == shown)) opened = texture.name;
-        if (texture.name == shown) ImGui::PopStyleColor();
         ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
     }
     ImGui::TextUnformatted(kBakeAgain);

@@ -35,6 +35,7 @@ void showAnew(ViewState& state) {
     state.channel = 0;
     state.level = 0;
     state.zoom = 1;
+    state.mesh = MeshShow::None;
 }
 
 Request stepTechnique(ViewState& state, int step) {
@@ -166,7 +167,6 @@ glm::dvec2 placeSeenAt(const ViewState& state, glm::dvec2 seen) {
 Request showTarget(ViewState& state, const std::string& name) {
     if (name.empty()) return showPicture(state);
     if (!indexOf(state.targets, name) && !indexOf(state.sampled, name)) return Request::None;
-    state.mesh = MeshShow::None;
     state.target = name;
     state.show = Show::Target;
     showAnew(state);

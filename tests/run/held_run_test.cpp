@@ -88,6 +88,18 @@ TEST_F(Held, a_target_that_is_sampled_half_way_is_drawn_from_its_first_pass_on) 
     EXPECT_TRUE(isAsDrawnAnew({}, chain({{"gSecond", {2}}, {"gThird", {3}}})));
 }
 
+TEST_F(Held, what_a_pass_needs_half_way_is_drawn_again_though_its_end_is_there) {
+    load(kFixtures / "held.fx");
+    RunOptions options = chain({});
+    options.technique = "HalfWay";
+    (void)drawn({}, options);
+    options.parameters = {{"gSecond", {2}}};
+    EXPECT_EQ(drawn({}, options), (HeldNames{"First", "Second", "Other", "Shown"}));
+    EXPECT_TRUE(isAsDrawnAnew({}, options));
+    options.parameters["gShown"] = {2};
+    EXPECT_EQ(drawn({}, options), HeldNames{"Shown"});
+}
+
 TEST_F(Held, parts_of_a_frame_draw_what_the_part_before_has_not) {
     load(kFixtures / "held.fx");
     (void)drawn({}, chain({}));

@@ -12,6 +12,10 @@ target_compile_options(tegument_options INTERFACE
 set(sanitizers_address -fsanitize=address,undefined -fno-sanitize-recover=all)
 # GCC 12 also finds false bounds in strings that are moved, once ThreadSanitizer's calls stand between.
 set(sanitizers_thread -fsanitize=thread "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
+if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  # Plain x86-64 has no instruction that multiplies and adds with one rounding; elsewhere compilers use it, and bytes would differ.
+  target_compile_options(tegument_options INTERFACE "$<BUILD_INTERFACE:-ffp-contract=off>")
+endif()
 if(TEGUMENT_QUICK)
   # Sources compiled together hide each other's names, and classes have fields of types without a name outside. Other builds look for both.
   target_compile_options(tegument_options INTERFACE "$<BUILD_INTERFACE:-Wno-shadow;$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>>")

@@ -180,7 +180,7 @@ private:
                 std::ranges::transform(std::span(coarse).subspan(3 * std::size_t{triangle}, 3), t.begin(),
                                        [&](std::uint32_t corner) { return number[corner]; });
                 const auto first = std::ranges::find(t, part, [&](std::uint32_t corner) { return part_[corner]; });
-                if (first != t.end()) std::ranges::rotate(t, first);
+                if (first != t.end()) std::rotate(t.begin(), first, t.end());
                 out.insert(out.end(), t.begin(), t.end());
             }
         }
@@ -281,9 +281,9 @@ public:
         std::vector<Made> made(all.size());
         const std::size_t likeliest = std::min(kLikeliest, all.size());
         for (const auto& [first, last] : {std::pair(std::size_t{0}, likeliest), std::pair(likeliest, all.size())}) {
-            forEachInParallel(last - first, [&](std::size_t i) {
-                const Way& way = all[first + i];
-                made[first + i] = judged(way.make(), way.simplifier);
+            forEachInParallel(last - first, [&, begin = first](std::size_t i) {
+                const Way& way = all[begin + i];
+                made[begin + i] = judged(way.make(), way.simplifier);
             });
             std::stable_sort(made.begin(), made.begin() + static_cast<std::ptrdiff_t>(last),
                              [](const Made& a, const Made& b) { return a.apart.greatest < b.apart.greatest; });

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder="$(realpath -m "$1")" base=docker.io/library/debian:12-slim certificates=()
 shift
-mkdir -p "$folder"/{work,cache}
+mkdir -p "$folder"/{files,cache}
 
 images() { buildah --root "$folder/images" --runroot "$folder/run" --storage-driver vfs "$@"; }
 
@@ -33,13 +33,13 @@ entry="$(images inspect --format '{{range .OCIv1.Config.Entrypoint}}{{.}} {{end}
 read -ra program <<<"$entry"
 tegument() {
     echo "+ tegument $*"
-    images run --isolation chroot "${certificates[@]}" --volume "$folder/work:/work" --volume "$folder/cache:/var/cache/tegument" "$container" -- "${program[@]}" "$@"
+    images run --isolation chroot "${certificates[@]}" --volume "$folder/files:/work" --volume "$folder/cache:/var/cache/tegument" "$container" -- "${program[@]}" "$@"
 }
 tegument --version
 tegument flatten Specular -o mine.fx
 tegument check mine.fx --skip-missing
-printf 'v 0 0 0\nv 60 0 0\nv 0 60 0\nv 0 0 60\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$folder/work/own.obj"
+printf 'v 0 0 0\nv 60 0 0\nv 0 60 0\nv 0 0 60\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$folder/files/own.obj"
 tegument prep own.obj --unwrap -o own.glb
 tegument prep human
 tegument render Pyramid --size 256 -o head.png
-test -s "$folder/work/own.glb" && test -s "$folder/work/head.png"
+test -s "$folder/files/own.glb" && test -s "$folder/files/head.png"

@@ -12,25 +12,16 @@ std::uint64_t detail::nextIdentity() {
     return ++last;
 }
 
-std::uint64_t Texture::identity() const {
-    assert(state);
-    return state->identity;
+template <class Handle>
+std::uint64_t identityOf(const Handle& handle) {
+    assert(handle.state);
+    return handle.state->identity;
 }
 
-std::uint64_t Buffer::identity() const {
-    assert(state);
-    return state->identity;
-}
-
-std::uint64_t Sampler::identity() const {
-    assert(state);
-    return state->identity;
-}
-
-std::uint64_t Pipeline::identity() const {
-    assert(state);
-    return state->identity;
-}
+template std::uint64_t identityOf(const Texture&);
+template std::uint64_t identityOf(const Buffer&);
+template std::uint64_t identityOf(const Sampler&);
+template std::uint64_t identityOf(const Pipeline&);
 
 Device::Device(std::shared_ptr<detail::DeviceState> state) : state_(std::move(state)) {}
 Device::Device(Device&&) noexcept = default;

@@ -80,7 +80,6 @@ public:
     ~Texture();
     [[nodiscard]] const TextureDesc& desc() const; // format and mips as really allocated
     [[nodiscard]] std::uint64_t bytes() const;
-    [[nodiscard]] std::uint64_t identity() const; // that nothing else had, or will have, in this process; likewise below
     std::unique_ptr<detail::TextureState> state;
 };
 
@@ -93,7 +92,6 @@ public:
     Buffer& operator=(Buffer&&) noexcept;
     ~Buffer();
     [[nodiscard]] std::uint64_t bytes() const;
-    [[nodiscard]] std::uint64_t identity() const;
     std::unique_ptr<detail::BufferState> state;
 };
 
@@ -103,7 +101,6 @@ public:
     Sampler(Sampler&&) noexcept;
     Sampler& operator=(Sampler&&) noexcept;
     ~Sampler();
-    [[nodiscard]] std::uint64_t identity() const;
     std::unique_ptr<detail::SamplerHandle> state;
 };
 
@@ -113,9 +110,12 @@ public:
     Pipeline(Pipeline&&) noexcept;
     Pipeline& operator=(Pipeline&&) noexcept;
     ~Pipeline();
-    [[nodiscard]] std::uint64_t identity() const;
     std::unique_ptr<detail::PipelineHandle> state;
 };
+
+/// A number that no other texture, buffer, sampler or pipeline had, or will have, in this process.
+template <class Handle>
+[[nodiscard]] std::uint64_t identityOf(const Handle& handle);
 
 enum class Topology { TriangleList, TriangleStrip };
 

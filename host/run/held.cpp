@@ -68,21 +68,21 @@ struct Follower {
 
     /// What an item draws over. What the frame before left makes no difference: it is cleared, or overwritten whole (completePlan).
     [[nodiscard]] Content under(const gpu::Texture& target) const {
-        const auto found = now.find(target.identity());
+        const auto found = now.find(gpu::identityOf(target));
         return found == now.end() ? 0 : found->second;
     }
 
     void sample(const gpu::Texture& texture, HeldKey& key, HeldItem& item) const {
         for (const Contents* contents : {static_cast<const Contents*>(&now), &held})
-            if (const auto found = contents->find(texture.identity()); found != contents->end()) {
+            if (const auto found = contents->find(gpu::identityOf(texture)); found != contents->end()) {
                 key.add(1);
                 key.add(found->second);
                 key.addShape(texture.desc());
-                item.reads.emplace_back(texture.identity(), found->second);
+                item.reads.emplace_back(gpu::identityOf(texture), found->second);
                 return;
             }
         key.add(0); // a file's, which nothing draws
-        key.add(texture.identity());
+        key.add(gpu::identityOf(texture));
     }
 
     /// The item puts new content into these.
@@ -91,8 +91,8 @@ struct Follower {
             HeldKey of = key;
             of.add(i);
             of.addShape(targets[i]->desc());
-            now[targets[i]->identity()] = numberOf(of, item.node);
-            item.writes.push_back(targets[i]->identity());
+            now[gpu::identityOf(*targets[i])] = numberOf(of, item.node);
+            item.writes.push_back(gpu::identityOf(*targets[i]));
         }
         items.push_back(std::move(item));
     }
@@ -108,7 +108,7 @@ HeldKey begun(HeldKind kind) {
 
 void addGeometry(const gpu::Draw& draw, HeldKey& key) {
     for (const gpu::Buffer* buffer : {draw.vertices, draw.indices})
-        key.add(buffer ? buffer->identity() : 0);
+        key.add(buffer ? gpu::identityOf(*buffer) : 0);
     for (const std::uint32_t number : {draw.first, draw.count, draw.instances})
         key.add(number);
     key.add(draw.more.size());
@@ -123,14 +123,14 @@ void addResource(const gpu::BoundResource& bound, const Follower& follower, Held
     key.add(bound.resource.index());
     if (const auto* bytes = std::get_if<std::span<const std::byte>>(&bound.resource)) key.add(*bytes);
     if (const auto* texture = std::get_if<gpu::Texture*>(&bound.resource)) follower.sample(**texture, key, item);
-    if (const auto* sampler = std::get_if<const gpu::Sampler*>(&bound.resource)) key.add((*sampler)->identity());
-    if (const auto* buffer = std::get_if<gpu::Buffer*>(&bound.resource)) key.add((*buffer)->identity());
+    if (const auto* sampler = std::get_if<const gpu::Sampler*>(&bound.resource)) key.add(gpu::identityOf(**sampler));
+    if (const auto* buffer = std::get_if<gpu::Buffer*>(&bound.resource)) key.add(gpu::identityOf(**buffer));
     // What is stored to is one of the item's targets.
 }
 
 void followDraw(const FrameDraw& draw, Follower& follower, HeldItem item) {
     HeldKey key = begun(HeldKind::Draw);
-    key.add(draw.draw.pipeline->identity());
+    key.add(gpu::identityOf(*draw.draw.pipeline));
     for (const std::uint32_t groups : draw.groups)
         key.add(groups);
     addGeometry(draw.draw, key);

@@ -18,32 +18,7 @@ import window_test as base
 WIDE, HIGH = 2 * base.SIZE, base.SIZE
 
 
-class Beside(unittest.TestCase):
-    ARGUMENTS = ("effects/Main.fx", "-w", "ball.json", "--map-size", "64")
-
-    @classmethod
-    def setUpClass(cls):
-        cls.view = base.View(cls.ARGUMENTS)
-        cls.view.title("Main.fx DEonLuebke [corrected] picture")
-        cls.view.screen.resize(WIDE, HIGH)
-        cls.view.screen.press("i")  # the text holds times, which differ from frame to frame
-        cls.start = cls.view.still()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.view.screen.press("q")
-        ended = cls.view.process.wait(base.PATIENCE)
-        said = cls.view.said()
-        cls.view.end()
-        shutil.rmtree(cls.view.folder)
-        assert ended == 0 and "validation:" not in said, said
-
-    def keep(self, picture, name):
-        if base.PICTURES:
-            base.PICTURES.mkdir(parents=True, exist_ok=True)
-            picture.save(base.PICTURES / f"{name}.png")
-        return picture
-
+class Beside(base.WideWindow):
     def half(self, picture, left, right, top=0, bottom=HIGH // 2):
         """Above the labels, without the border."""
         return b"".join(picture.pixels[(y * picture.width + left) * 3:(y * picture.width + right) * 3] for y in range(top, bottom))
@@ -53,30 +28,30 @@ class Beside(unittest.TestCase):
         return self.view.still(unlike=unlike)
 
     def test_a_kept_side_stands_left_of_a_border_that_moves(self):
-        same = self.keep(self.press("k", self.start), "beside_1_kept")
+        same = base.keep(self.press("k", self.start), "beside_1_kept")
         middle = WIDE // 2
         self.assertEqual(self.half(same, 0, middle - 8), self.half(self.start, 0, middle - 8))
         self.assertEqual(self.half(same, middle + 8, WIDE), self.half(self.start, middle + 8, WIDE))
         split = same
         while "Lambert [" not in self.view.screen.title():
             split = self.press("t", split)
-        split = self.keep(self.view.still(), "beside_2_lambert_to_the_right")
+        split = base.keep(self.view.still(), "beside_2_lambert_to_the_right")
         self.assertEqual(self.half(split, 0, middle - 8), self.half(self.start, 0, middle - 8), "the kept side has changed")
         self.assertNotEqual(self.half(split, middle + 8, WIDE), self.half(self.start, middle + 8, WIDE))
         self.view.screen.drag((middle, 40), (middle + 80, 40))
-        moved = self.keep(self.view.still(unlike=split), "beside_3_border_moved")
+        moved = base.keep(self.view.still(unlike=split), "beside_3_border_moved")
         self.assertEqual(self.half(moved, 0, middle + 70), self.half(self.start, 0, middle + 70), "the border, not the camera")
         self.view.screen.drag((middle + 80, 40), (middle, 40))
         back = self.view.still(unlike=moved)
         self.view.screen.drag((200, 200), (260, 180))
-        turned = self.keep(self.view.still(unlike=back), "beside_4_both_turn")
+        turned = base.keep(self.view.still(unlike=back), "beside_4_both_turn")
         self.assertNotEqual(self.half(turned, 0, middle - 8), self.half(self.start, 0, middle - 8), "the kept side follows the camera")
-        errors = self.keep(self.press("e", turned), "beside_5_errors")
+        errors = base.keep(self.press("e", turned), "beside_5_errors")
         self.assertGreater(errors.share_apart(turned), 0.02)
         self.press("e", errors)
         self.view.screen.move(WIDE // 2 + 30, 120)
         self.view.screen.press("i")
-        values = self.keep(self.press("x", turned), "beside_6_values")
+        values = base.keep(self.press("x", turned), "beside_6_values")
         self.assertGreater(values.share_apart(turned), 0.02)
         self.view.screen.press("x")
         self.view.screen.press("i")
@@ -93,7 +68,7 @@ class Beside(unittest.TestCase):
         include = self.view.folder / "effects" / "passes" / "final.fxh"
         text = include.read_text()
         include.write_text(text.replace("float4(lerp(", "float4(0.25 * lerp("))
-        split = self.keep(self.view.still(unlike=kept), "beside_edit")
+        split = base.keep(self.view.still(unlike=kept), "beside_edit")
         middle = WIDE // 2
         self.assertEqual(self.half(split, 0, middle - 8), self.half(self.start, 0, middle - 8))
         self.assertLess(sum(self.half(split, middle + 8, WIDE)), 0.8 * sum(self.half(self.start, middle + 8, WIDE)))
@@ -103,14 +78,14 @@ class Beside(unittest.TestCase):
         self.assertEqual(self.view.still(), self.start)
 
     def test_the_text_stands_beside_the_picture_with_its_errors_and_is_written_by_control_s(self):
-        text = self.keep(self.press("f", self.start), "text_1")
+        text = base.keep(self.press("f", self.start), "text_1")
         letters = sum(value > 150 for value in self.half(text, WIDE // 2, WIDE))
         self.assertGreater(letters, 5000)
         include = self.view.folder / "effects" / "passes" / "final.fxh"
         right = include.read_text()
         include.write_text(right.replace("FinalPS", "FinalPS(broken", 1))
         self.view.title("error TG")
-        broken = self.keep(self.view.still(unlike=text), "text_2_error_in_its_line")
+        broken = base.keep(self.view.still(unlike=text), "text_2_error_in_its_line")
         red = [i for i in range(0, len(broken.pixels), 3) if broken.pixels[i] > 110 and broken.pixels[i + 1] < 60 and broken.pixels[i + 2] < 60]
         marked = {i // 3 // broken.width for i in red if i // 3 % broken.width > WIDE // 2}
         self.assertTrue(10 <= len(marked) <= 16, f"one line of text is marked: {sorted(marked)}")
@@ -122,11 +97,11 @@ class Beside(unittest.TestCase):
         self.view.screen.press("End", "Control_L")
         for key in ("slash", "slash", "a"):
             self.view.screen.press(key)
-        typed = self.keep(self.view.still(unlike=mended), "text_3_typed")
+        typed = base.keep(self.view.still(unlike=mended), "text_3_typed")
         self.assertEqual(include.read_text(), right)
         for _ in range(3):
             self.view.screen.press("z", "Control_L", seconds=0.2)
-        undone = self.keep(self.view.still(unlike=typed), "text_3_undone")
+        undone = base.keep(self.view.still(unlike=typed), "text_3_undone")
         self.assertLess(undone.share_apart(mended), typed.share_apart(mended))
         for key in ("slash", "slash", "a"):
             self.view.screen.press(key)
@@ -134,7 +109,7 @@ class Beside(unittest.TestCase):
         self.view.screen.press("s", "Control_L")
         self.view.wait("the file", lambda: include.read_text() != right)
         self.assertEqual(include.read_text().count("//a"), right.count("//a") + 1)
-        self.keep(self.view.still(unlike=typed), "text_4_written")
+        base.keep(self.view.still(unlike=typed), "text_4_written")
         self.view.screen.drag((60, 300), (60, 300))  # back to the picture
         include.write_text(right)
         self.view.still()

@@ -37,9 +37,6 @@ technique T { pass { VertexShader = compile vs_2_0 VS(); PixelShader = compile p
 class BoundByHand(unittest.TestCase):
     def test_a_value_and_a_picture_are_chosen_from_a_list_and_render_draws_the_same(self):
         view = base.View(("unbound.fx",), (("unbound.fx", UNBOUND),))
-        keep = lambda picture, name: (picture.save(base.PICTURES / f"{name}.png") if base.PICTURES else None, picture)[1]
-        if base.PICTURES:
-            base.PICTURES.mkdir(parents=True, exist_ok=True)
         try:
             view.title("unbound.fx T [")
             view.screen.press("i")
@@ -47,15 +44,15 @@ class BoundByHand(unittest.TestCase):
             middle = (base.SIZE // 2 * black.width + base.SIZE // 2) * 3
             self.assertEqual(tuple(black.pixels[middle:middle + 3]), (0, 0, 0), "nothing is known of 'strange'")
             view.screen.press("b")
-            table = keep(view.still(unlike=black), "bind_1_table")
+            table = base.keep(view.still(unlike=black), "bind_1_table")
             view.screen.drag((150, 65), (150, 65))  # the second row
-            listed = keep(view.still(unlike=table), "bind_2_list")
+            listed = base.keep(view.still(unlike=table), "bind_2_list")
             view.screen.drag((120, 191), (120, 191))  # COLOR
-            squares = keep(view.still(unlike=listed), "bind_3_checker")
+            squares = base.keep(view.still(unlike=listed), "bind_3_checker")
             view.screen.drag((150, 88), (150, 88))
             listed = view.still(unlike=squares)
             view.screen.drag((120, 146), (120, 146))  # white
-            white = keep(view.still(unlike=listed), "bind_4_white")
+            white = base.keep(view.still(unlike=listed), "bind_4_white")
             view.screen.press("c")
             view.wait("the line", lambda: "copied: " in view.said())
             line = view.screen.clipboard()
@@ -100,8 +97,7 @@ class ForeignWindow(unittest.TestCase):
     def test_b_tells_what_each_parameter_got(self):
         self.view.screen.press("b")
         over = self.view.still(unlike=self.first)
-        if base.PICTURES:
-            over.save(base.PICTURES / "key_b.png")
+        base.keep(over, "key_b")
         self.view.screen.press("b")
         self.assertEqual(self.view.still(unlike=over), self.first)
 

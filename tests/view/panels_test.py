@@ -33,34 +33,10 @@ technique Stripes < string Script = "RenderColorTarget0=gStripesMap; Pass=Draw; 
 """
 
 
-def keep(picture, name):
-    if base.PICTURES:
-        base.PICTURES.mkdir(parents=True, exist_ok=True)
-        picture.save(base.PICTURES / f"{name}.png")
-    return picture
-
-
-class Panels(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.view = base.View()
-        cls.view.title("Main.fx DEonLuebke [corrected] picture")
-        cls.view.screen.resize(WIDE, HIGH)
-        cls.view.screen.press("i")  # the text holds times, which differ from frame to frame
-        cls.start = cls.view.still()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.view.screen.press("q")
-        ended = cls.view.process.wait(base.PATIENCE)
-        said = cls.view.said()
-        cls.view.end()
-        shutil.rmtree(cls.view.folder)
-        assert ended == 0 and "validation:" not in said, said
-
+class Panels(base.WideWindow):
     def press(self, key, unlike, name):
         self.view.screen.press(key)
-        return keep(self.view.still(unlike=unlike), name)
+        return base.keep(self.view.still(unlike=unlike), name)
 
     def coloured(self, picture):
         """Pixels of strong colours in the right half: bars."""
@@ -74,10 +50,10 @@ class Panels(unittest.TestCase):
     def test_g_shows_times_as_bars_and_what_was_not_drawn_is_dim(self):
         times = self.press("g", self.start, "key_g")
         self.view.screen.press("F5")  # all is drawn
-        anew = keep(self.view.still(unlike=times), "key_g_anew")
+        anew = base.keep(self.view.still(unlike=times), "key_g_anew")
         self.assertGreater(self.coloured(anew), self.coloured(self.start) + 300)
         self.view.screen.drag((100, 160), (140, 150))
-        camera = keep(self.view.still(unlike=anew), "key_g_camera")
+        camera = base.keep(self.view.still(unlike=anew), "key_g_camera")
         self.assertLess(self.coloured(camera), self.coloured(anew), "the rows of passes that the camera does not touch")
         self.press("k", camera, "key_g_two_sides")
         self.view.screen.press("k")
@@ -95,7 +71,7 @@ class Panels(unittest.TestCase):
             last = picture
         amber = lambda p: sum(p.pixels[i] > 220 and 90 < p.pixels[i + 1] < 140 and p.pixels[i + 2] < 60 for i in range(0, len(p.pixels), 3))
         self.view.screen.drag((420, 160), (560, 160))  # the ball's two charts meet at its side
-        turned = keep(self.view.still(unlike=last), "key_u_seams_turned")
+        turned = base.keep(self.view.still(unlike=last), "key_u_seams_turned")
         self.assertGreater(amber(turned), 150, "the seam")
         self.view.screen.press("r")
         self.view.still(unlike=turned)
@@ -106,7 +82,7 @@ class Panels(unittest.TestCase):
         listed = self.press("o", self.start, "key_o")
         self.view.screen.drag((60, 22), (60, 22))
         self.view.title("texture gEnergyAttenuationMap")
-        opened = keep(self.view.still(unlike=listed), "key_o_opened")
+        opened = base.keep(self.view.still(unlike=listed), "key_o_opened")
         self.assertGreater(opened.share_apart(listed), 0.1)
         self.view.screen.press("o")
         self.assertEqual(self.view.start_again(), self.start)
@@ -121,12 +97,12 @@ class Levels(unittest.TestCase):
         view.still()
         view.screen.press("Down")
         view.title("target gStripesMap")
-        first = keep(view.still(), "level_0")
+        first = base.keep(view.still(), "level_0")
         greys = lambda p: set(p.pixels[(p.height // 2 * p.width + 16) * 3:(p.height // 2 * p.width + base.SIZE - 16) * 3])
         self.assertEqual(len(greys(first)), 2, "columns")
         self.assertGreater(max(greys(first)) - min(greys(first)), 200)
         view.screen.press("l")
-        second = keep(view.still(unlike=first), "level_1")
+        second = base.keep(view.still(unlike=first), "level_1")
         self.assertEqual(len(greys(second)), 1, "one grey")
         self.assertTrue(100 < max(greys(second)) < 200, f"half of the light, or of the spread: {greys(second)}")
         for _ in range(5):  # 32 texels have six levels

@@ -127,6 +127,36 @@ class View:
         self.screen.close()
 
 
+def keep(picture, name):
+    if PICTURES:
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        picture.save(PICTURES / f"{name}.png")
+    return picture
+
+
+class WideWindow(unittest.TestCase):
+    """Twice as wide as high, for what stands beside or over the picture; it must end well, with no message of validation."""
+
+    ARGUMENTS = ("effects/Main.fx", "-w", "ball.json", "--map-size", "64")
+
+    @classmethod
+    def setUpClass(cls):
+        cls.view = View(cls.ARGUMENTS)
+        cls.view.title("Main.fx DEonLuebke [corrected] picture")
+        cls.view.screen.resize(2 * SIZE, SIZE)
+        cls.view.screen.press("i")  # the text holds times, which differ from frame to frame
+        cls.start = cls.view.still()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.view.screen.press("q")
+        ended = cls.view.process.wait(PATIENCE)
+        said = cls.view.said()
+        cls.view.end()
+        shutil.rmtree(cls.view.folder)
+        assert ended == 0 and "validation:" not in said, said
+
+
 class Window(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -144,10 +174,7 @@ class Window(unittest.TestCase):
         self.start = self.view.start_again()
 
     def keep(self, picture, name=None):
-        if PICTURES:
-            PICTURES.mkdir(parents=True, exist_ok=True)
-            picture.save(PICTURES / f"{name or self.id().split('.')[-1]}.png")
-        return picture
+        return keep(picture, name or self.id().split(".")[-1])
 
     def test_the_ball_is_lit(self):
         self.keep(self.start)

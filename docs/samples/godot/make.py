@@ -3,7 +3,6 @@
 shows how they are used. godot4/ holds the same texts for Godot 4, untried. Functions are those of hlsl/, compiled; it needs DXC."""
 
 import argparse
-import importlib.util
 import json
 import pathlib
 import re
@@ -13,10 +12,9 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-SPEC = importlib.util.spec_from_file_location("web", HERE.parent / "web" / "make.py")
-web = importlib.util.module_from_spec(SPEC)
 sys.dont_write_bytecode = True
-SPEC.loader.exec_module(web)
+sys.path.insert(0, str(HERE.parent / "web"))
+import make as web  # its make.py
 
 WORDS = {
     3: {"VERSION": "For Godot 3.", "COLOR_HINT": "hint_albedo", "VALUE_HINT": "hint_color", "NORMAL_MAP": "NORMALMAP", "ALBEDO": " * ALBEDO", "VIEW_MATRIX": "INV_CAMERA_MATRIX"},

@@ -4,7 +4,6 @@ folder, and a server: python3 -m http.server. The default head and the Bunny are
 `tegument prep bunny`); --ball: a sphere in the Bunny's stead. It needs DXC."""
 
 import argparse
-import importlib.util
 import json
 import pathlib
 import shutil
@@ -13,10 +12,9 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-SPEC = importlib.util.spec_from_file_location("web", HERE.parent / "web" / "make.py")
-web = importlib.util.module_from_spec(SPEC)
 sys.dont_write_bytecode = True
-SPEC.loader.exec_module(web)
+sys.path.insert(0, str(HERE.parent / "web"))
+import make as web  # its make.py
 
 EFFECTS = {
     "Separable": ("peers/Separable.fx", "Separable11"),

@@ -3,6 +3,7 @@
 #include "host/spirv/scan.h"
 #include "host/support/file.h"
 
+#include <algorithm>
 #include <cctype>
 #include <system_error>
 
@@ -45,10 +46,10 @@ SourcePosition readPlace(std::string_view place, const Job& job) {
     if (open == std::string_view::npos || !place.ends_with(')')) return at;
     const std::string_view inside = place.substr(open + 1, place.size() - open - 2);
     const std::size_t comma = std::min(inside.find(','), inside.size());
-    at.line = wholeNumber(inside.substr(0, comma)).value_or(0);
+    at.line = std::max(0, wholeNumber(inside.substr(0, comma)).value_or(0));
     if (comma < inside.size()) {
         const std::string_view columns = inside.substr(comma + 1);
-        at.column = wholeNumber(columns.substr(0, columns.find('-'))).value_or(0);
+        at.column = std::max(0, wholeNumber(columns.substr(0, columns.find('-'))).value_or(0));
     }
     at.file = namedLike(job, place.substr(0, open));
     return at;

@@ -24,10 +24,18 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
     return words;
 }
 
+/// No register of shader model 3 has a number near it: what is beyond it is no listing of that compiler, which dies now and then.
+constexpr int kMostRegisters = 65536;
+
+std::optional<int> countOf(std::string_view word) {
+    const auto number = wholeNumber(word);
+    return number && *number >= 0 && *number <= kMostRegisters ? number : std::nullopt;
+}
+
 /// 12 for "v12.xy" and file 'v'.
 std::optional<int> registerOf(std::string_view word, char file) {
     if (word.empty() || word.front() != file) return {};
-    return wholeNumber(word.substr(1, word.find('.') - 1));
+    return countOf(word.substr(1, word.find('.') - 1));
 }
 
 class Listing {
@@ -58,8 +66,8 @@ public:
 private:
     /// The table of constants ("//   gWorld  c4  3") and "// approximately 12 instruction slots used".
     void comment(const std::vector<std::string_view>& words) {
-        if (words.size() > 2 && words[1] == "approximately") usage.instructionSlots = wholeNumber(words[2]).value_or(0);
-        if (words.size() == 4) constants(registerOf(words[2], 'c'), wholeNumber(words[3]).value_or(0));
+        if (words.size() > 2 && words[1] == "approximately") usage.instructionSlots = countOf(words[2]).value_or(0);
+        if (words.size() == 4) constants(registerOf(words[2], 'c'), countOf(words[3]).value_or(0));
     }
 
     void constants(std::optional<int> first, int count) {
@@ -79,13 +87,14 @@ private:
     /// "texcoord3_pp" and "v2.xyz".
     void varying(std::string_view usage_, std::string_view name) {
         std::string semantic(usage_.substr(0, usage_.find('_')));
+        if (semantic.empty()) return;
         std::ranges::transform(semantic, semantic.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
         if (std::isdigit(static_cast<unsigned char>(semantic.back())) == 0) semantic += '0';
         const std::size_t dot = name.find('.');
         const std::string_view mask = dot == std::string_view::npos ? "xyzw" : name.substr(dot + 1);
         int& components = usage.varyings[semantic];
         for (const char letter : mask)
-            components = std::max(components, letter == 'w' ? 4 : letter - 'x' + 1);
+            components = std::max(components, static_cast<int>(std::string_view("xyzw").find(letter) + 1)); // another letter: 0
     }
 
     bool vertex_ = false;

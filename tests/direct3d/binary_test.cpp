@@ -147,5 +147,16 @@ TEST(Sm3, other_listings_are_not_read) {
     EXPECT_FALSE(readSm3Listing(""));
 }
 
+TEST(Sm3, what_the_compiler_said_as_it_died_is_no_use_of_registers) {
+    const auto usage =
+        readSm3Listing("//   gWorld       c2147483647       4\n//   gView       c3       2147483647\n//   gTsm         c-9       1\n"
+                       "// approximately -86 instruction slots used\n"
+                       "    ps_3_0\n    dcl_ v0\n    dcl__pp v1\n    dcl_texcoord v2.x{\n");
+    ASSERT_TRUE(usage);
+    EXPECT_EQ(usage->instructionSlots, 0);
+    EXPECT_EQ(usage->constants, 3);
+    EXPECT_EQ(usage->varyings, (std::map<std::string, int>{{"TEXCOORD0", 1}}));
+}
+
 } // namespace
 } // namespace tegument::test

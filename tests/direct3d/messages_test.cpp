@@ -21,6 +21,13 @@ TEST(MicrosoftMessages, an_included_file_is_named_beside_the_source) {
     EXPECT_EQ(messages.errors[0].at.column, 21);
 }
 
+TEST(MicrosoftMessages, a_place_before_the_file_s_first_line_is_none) {
+    const Messages messages = readMicrosoftMessages("x.fx(-639,-2): error X3000: syntax error\n", "x.fx");
+    ASSERT_EQ(messages.errors.size(), 1U);
+    EXPECT_EQ(messages.errors[0].at.line, 0);
+    EXPECT_EQ(messages.errors[0].at.column, 0);
+}
+
 TEST(MicrosoftMessages, the_warning_that_comes_with_every_effect_is_left_out) {
     const Messages messages = readMicrosoftMessages(
         "warning X4717: Effects deprecated for D3DCompiler_47\nx.fx(2,3): warning X3206: implicit truncation\n", "x.fx");

@@ -1,9 +1,12 @@
 #include "meshprep/order/piece.h"
 
+#include "host/support/file.h"
+
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace tegument::order {
 
@@ -11,8 +14,6 @@ namespace {
 
 /// Components below this size are gathered: a soup of a million triangles is not a million runs of every order.
 constexpr std::size_t kSmallPiece = 1024;
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Each face's vertices, each once.
 template <class Visit>
@@ -25,31 +26,17 @@ void forVerticesOf(std::span<const std::uint32_t> corners, std::size_t face, Vis
 
 /// In meshes of more faces a component that has more than half of them is cut in two, which are ordered at the same time. The first is
 /// round, so that they have few vertices in common: on average of three orders of the file 0.4 % more misses on the Bunny, 0.2 % fewer on a
-/// scan of twice its size. In smaller ones the cut weighs more, 1.6 % in 15,000 faces, but where nearly all vertices have six faces and
-/// strips run along it: 0.2 % in 16,000.
-constexpr std::size_t kHalvedFaces = 40'000;
-constexpr std::size_t kHalvedRegularFaces = 12'000;
-constexpr double kRegular = 0.95;
+/// scan of twice its size. In smaller ones the cut weighs more, 0.2 to 1.6 % in 15,000 faces; below this, quality comes first.
+constexpr std::size_t kHalvedFaces = 8'000;
 constexpr std::size_t kLeastOfOther = 4; // a smaller share of the first piece in the second is not worth the cut
 
 /// A search in breadth over the faces; what it reaches is numbered in the order of reaching, anew in each piece.
 class Search {
 public:
     Search(std::span<const std::uint32_t> indices, std::size_t vertexCount, std::vector<std::uint32_t>& reached)
-        : indices_(indices), around_(facesOfVertices(indices, vertexCount)), number_(vertexCount, kNone), taken_(indices.size() / 3, 0),
+        : indices_(indices), around_(facesOfVertices(indices, vertexCount)), number_(vertexCount, 0), taken_(indices.size() / 3, 0),
           reached_(reached) {
         reached.reserve(vertexCount);
-    }
-
-    /// Whether nearly all vertices that lie on no border have six faces.
-    [[nodiscard]] bool regular() const {
-        std::size_t six = 0;
-        std::size_t inside = 0;
-        for (std::uint32_t v = 0; v < number_.size(); ++v) {
-            six += around_.count(v) == 6;
-            inside += around_.count(v) > 3;
-        }
-        return static_cast<double>(six) > kRegular * static_cast<double>(inside);
     }
 
     /// All vertices, those of the fewest faces first: what is cut is searched from one of them, a corner of a border or the pole of what is
@@ -88,7 +75,7 @@ public:
     /// Forgets all that was reached since.
     void giveBack(std::size_t reachedThen) {
         for (const std::uint32_t vertex : std::span(reached_).subspan(reachedThen)) {
-            number_[vertex] = kNone;
+            number_[vertex] = 0;
             for (const std::uint32_t face : around_.of(vertex))
                 taken_[face] = 0;
         }
@@ -103,16 +90,16 @@ private:
     }
 
     std::uint32_t numberOf(std::uint32_t vertex, std::size_t base) {
-        if (number_[vertex] == kNone || number_[vertex] < base) { // or reached by a piece before
-            number_[vertex] = static_cast<std::uint32_t>(reached_.size());
+        if (number_[vertex] <= base) { // not reached yet, or by a piece before
             reached_.push_back(vertex);
+            number_[vertex] = static_cast<std::uint32_t>(reached_.size());
         }
-        return static_cast<std::uint32_t>(number_[vertex] - base);
+        return static_cast<std::uint32_t>(number_[vertex] - 1 - base);
     }
 
     std::span<const std::uint32_t> indices_;
     VertexFaces around_;
-    std::vector<std::uint32_t> number_;
+    std::vector<std::uint32_t> number_; // one more than where in `reached_`
     std::vector<std::uint8_t> taken_;
     std::vector<std::uint32_t>& reached_;
 };
@@ -138,7 +125,7 @@ Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, 
     Search search(indices, vertexCount, original_);
     corners_.reserve(indices.size());
     const std::size_t all = indices.size() / 3;
-    const bool halved = cut == Cut::Components && (all > kHalvedFaces || (all > kHalvedRegularFaces && search.regular()));
+    const bool halved = cut == Cut::Components && all >= kHalvedFaces;
     const auto gather = [&](std::size_t face) {
         if (search.taken(face)) return;
         const Start before = {.face = corners_.size() / 3, .vertex = original_.size()};
@@ -165,9 +152,22 @@ Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, 
 }
 
 Piece Pieces::piece(std::size_t i) const {
-    const auto corners = std::span(corners_).subspan(3 * pieces_[i].face, 3 * (end(i).face - pieces_[i].face));
+    const auto corners = cornersOf(i);
     const std::size_t vertices = end(i).vertex - pieces_[i].vertex;
     return {.corners = corners, .vertexCount = static_cast<std::uint32_t>(vertices), .around = facesOfVertices(corners, vertices)};
+}
+
+std::vector<std::vector<std::size_t>> Pieces::equals() const {
+    std::vector<std::vector<std::size_t>> groups;
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const auto corners = cornersOf(i);
+        const std::string_view bytes(reinterpret_cast<const char*>(corners.data()), corners.size_bytes());
+        const std::size_t group = known.try_emplace(contentHash(bytes), groups.size()).first->second;
+        if (group == groups.size()) groups.emplace_back();
+        groups[group].push_back(i);
+    }
+    return groups;
 }
 
 void Pieces::restore(std::size_t i, std::span<const std::uint32_t> corners, std::span<std::uint32_t> out) const {

@@ -92,7 +92,7 @@ constexpr std::uint32_t kCheapFaces = 50'000;
 /// and small meshes where the first try leaves much: a nut of 1,046 faces has 5 % fewer misses by that.
 constexpr std::uint32_t kTriedTwice = 100'000;
 constexpr unsigned kLargeCache = 17;
-constexpr std::uint32_t kSmallTriedTwice = 12'000;
+constexpr std::uint32_t kSmallTriedTwice = 8'000;
 constexpr double kLeavesMuch = 1.24; // runs per vertex
 
 /// `faces`: of all pieces.
@@ -130,16 +130,18 @@ constexpr std::uint32_t kPatchFaces = 5'000; // in so few, regular or not, Lin &
 constexpr double kMostSix = 0.8;
 constexpr double kAboutSix = 0.8;
 
-/// Above so many faces strips won nothing for a FIFO cache of 16, 24 or 32 entries where fewer vertices have six faces than this, on any
-/// piece of a machine, a figure or a scan, in three orders of the file; for LRU caches they did. A grid with diagonals drawn by lot is the
-/// exception, by 0.6 %: no count of faces tells it from a scan.
-constexpr std::uint32_t kLargePiece = 10'000;
+/// Where fewer vertices have six faces than these, strips won nothing for a FIFO cache of 16, 24 or 32 entries on any piece of a machine, a
+/// figure or a scan of more faces than `kFewFaces`, in three orders of the file; for LRU caches they did. A grid with diagonals drawn by
+/// lot is the exception, by 0.6 %: no count of faces tells it from a scan.
+constexpr std::uint32_t kSmallForStrips = 2'500;
+constexpr double kSixForSmallStrips = 0.7;
 constexpr double kSixForStrips = 0.88;
 
 bool stripsMayWin(const Piece& piece, const Regularity& share, const CacheModel& cache) {
     if (share.nearSix < kAboutSix) return false;
     const bool keepsAll = cache.replacement == Replacement::Fifo && !cache.batched();
-    return !keepsAll || piece.faceCount() <= kLargePiece || share.six >= kSixForStrips;
+    if (!keepsAll || piece.faceCount() <= kFewFaces) return true;
+    return share.six >= (piece.faceCount() <= kSmallForStrips ? kSixForSmallStrips : kSixForStrips);
 }
 
 Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
@@ -303,8 +305,13 @@ private:
         std::call_once(cutUp_, [this] {
             if (!components_) components_.emplace(indices_, vertexCount_);
         });
+        const std::vector<std::vector<std::size_t>> equals = components_->equals();
         Corners out(indices_.size());
-        forEachInParallel(components_->size(), [&](std::size_t i) { components_->restore(i, order(components_->piece(i)), out); });
+        forEachInParallel(equals.size(), [&](std::size_t group) {
+            const Corners own = order(components_->piece(equals[group].front()));
+            for (const std::size_t i : equals[group])
+                components_->restore(i, own, out);
+        });
         return out;
     }
 

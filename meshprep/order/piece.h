@@ -46,11 +46,13 @@ public:
     /// Where the piece's first face lies among all faces.
     [[nodiscard]] std::size_t firstFace(std::size_t i) const { return pieces_[i].face; }
 
-private:
+    /// Of a piece, in the lists of all.
     struct Start {
         std::size_t face = 0;
         std::size_t vertex = 0;
     };
+
+private:
     [[nodiscard]] std::span<const std::uint32_t> cornersOf(std::size_t i) const {
         return std::span(corners_).subspan(3 * pieces_[i].face, 3 * (end(i).face - pieces_[i].face));
     }

@@ -96,7 +96,7 @@ constexpr unsigned kLargeCache = 17;
 constexpr std::uint32_t kSmallTriedTwice = 8'000;
 constexpr double kLeavesMuch = 1.24; // runs per vertex
 
-/// `faces`: of all pieces.
+/// `faces`: of all pieces and parts.
 void addLinYu(Choice& choice, unsigned entries, std::size_t faces) {
     const Piece& piece = choice.piece();
     choice.addFirst(linYu(piece, entries));
@@ -201,8 +201,9 @@ using Candidate = std::function<Corners()>;
 /// the first leave something to be gained. All is judged on the whole, as it is drawn.
 class BestSearch {
 public:
-    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache)
-        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)) {}
+    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::size_t triangles)
+        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)),
+          ofMesh_(std::max(triangles, indices.size() / 3)) {}
 
     BestOrder run() && {
         begin();
@@ -257,7 +258,7 @@ private:
         constexpr double kLess = 0.99;
         std::atomic<std::size_t> misses = 0;
         Corners corners = byPieces([&](const Piece& piece, std::size_t times) {
-            Counted counted = best(piece, cache_, faces());
+            Counted counted = best(piece, cache_, ofMesh_);
             misses += times * counted.misses;
             return std::move(counted.corners);
         });
@@ -377,6 +378,7 @@ private:
     std::size_t vertexCount_;
     CacheModel cache_;
     unsigned entries_;
+    std::size_t ofMesh_; // faces, of other parts as well
     Corners best_;
     std::size_t fewest_ = 0;
     std::size_t named_ = 0; // vertices, each of which must run once
@@ -387,8 +389,8 @@ private:
 
 } // namespace
 
-BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache) {
-    return BestSearch(indices, vertexCount, cache).run();
+BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::size_t triangles) {
+    return BestSearch(indices, vertexCount, cache, triangles).run();
 }
 
 Corners betterSorted(Corners best, std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,

@@ -430,28 +430,76 @@ std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, cons
     return levels;
 }
 
-std::vector<MeshLevel> allLevels(const Mesh& mesh, const std::vector<std::size_t>& targets, LevelMethod method, std::size_t& leftOver) {
-    std::vector<MeshLevel> levels(targets.size());
-    if (method == LevelMethod::OpenMesh) {
-        ByHalfEdges simplifier(mesh);
-        leftOver = simplifier.leftOver();
-        for (std::size_t i = 0; i < targets.size(); ++i)
-            levels[i] = simplifier.simplified(targets[i]);
-        return levels;
-    }
-    const WholeMesh whole(mesh);
-    if (const std::size_t tries = triesFor(mesh.indices.size() / 3); tries > 1) return bestLevels(mesh, whole, targets, tries);
-    // Each of the one before: a third of the time, and on scans of a million triangles as near to the full surface.
+/// Each level of the one before: a third of the time, and on scans of a million triangles as near to the full surface. `meanwhile`: what is
+/// done while level i is made, and after the last one; it knows the levels before. Whoever makes a level helps with that afterwards, so
+/// that it is begun by this thread, which could not, but for the first level, which takes longest.
+std::vector<MeshLevel> chainedLevels(const WholeMesh& whole, const std::vector<std::size_t>& targets,
+                                     const std::function<void(std::size_t i, const std::vector<MeshLevel>& levels)>& meanwhile) {
     // The newer one before the newest: nearer than meshoptimizer 1.3 at every level of the Dragon, the newest not at the first.
     const auto newer = std::ranges::find(simplifiers(), Simplifier::Version::Newer, &Simplifier::version);
     const Simplifier& simplifier = newer == simplifiers().end() ? simplifiers()[0] : *newer;
+    std::vector<MeshLevel> levels;
     Indices last = whole.full();
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        last = whole.simplified(last, targets[i], simplifier);
-        levels[i] = whole.level(last);
+        Indices next;
+        forEachInParallel(2, [&](std::size_t item) {
+            if ((item == 0) == (i == 0))
+                next = whole.simplified(last, targets[i], simplifier);
+            else
+                meanwhile(i, levels);
+        });
+        last = std::move(next);
+        levels.push_back(whole.level(last));
     }
+    meanwhile(targets.size(), levels);
     return levels;
 }
+
+std::vector<MeshLevel> levelsByHalfEdges(const Mesh& mesh, const std::vector<std::size_t>& targets, std::size_t& leftOver) {
+    std::vector<MeshLevel> levels;
+    ByHalfEdges simplifier(mesh);
+    leftOver = simplifier.leftOver();
+    for (const std::size_t target : targets)
+        levels.push_back(simplifier.simplified(target));
+    return levels;
+}
+
+/// The levels, and how far each is from the full surface.
+class LevelsAndErrors {
+public:
+    LevelsAndErrors(const Mesh& mesh, const std::vector<std::size_t>& targets, LevelMethod method) : mesh_(mesh) {
+        if (method == LevelMethod::OpenMesh)
+            besideDistance([&] { levels = levelsByHalfEdges(mesh, targets, leftOver); });
+        else
+            byMeshoptimizer(WholeMesh(mesh), targets);
+    }
+
+    std::vector<MeshLevel> levels;
+    std::vector<SurfaceDistance> errors; // of each level
+    std::size_t leftOver = 0;
+
+private:
+    void byMeshoptimizer(const WholeMesh& whole, const std::vector<std::size_t>& targets) {
+        const std::size_t tries = triesFor(mesh_.indices.size() / 3);
+        if (tries > 1) return besideDistance([&] { levels = bestLevels(mesh_, whole, targets, tries); });
+        levels = chainedLevels(whole, targets, [&](std::size_t i, const std::vector<MeshLevel>& before) {
+            if (i == 0) distance_.emplace(mesh_.positions, mesh_.indices);
+            if (i > 0) errors.push_back(distance_->to(before[i - 1].indices));
+        });
+    }
+
+    void besideDistance(const std::function<void()>& make) {
+        forEachInParallel(2, [&](std::size_t item) {
+            if (item == 0) make();
+            if (item == 1) distance_.emplace(mesh_.positions, mesh_.indices);
+        });
+        errors.resize(levels.size());
+        forEachInParallel(levels.size(), [&](std::size_t i) { errors[i] = distance_->to(levels[i].indices); });
+    }
+
+    const Mesh& mesh_;
+    std::optional<DistanceFrom> distance_;
+};
 
 } // namespace
 
@@ -464,12 +512,9 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
     if (static_cast<int>(targets.size()) + 1 < count)
         result.whyEarly = fmt::format("another would have fewer than {} triangles", kLeastTriangles);
     if (targets.empty()) return result;
-    std::vector<MeshLevel> levels;
-    std::optional<DistanceFrom> distance;
-    forEachInParallel(2, [&](std::size_t i) {
-        if (i == 0) levels = allLevels(mesh, targets, method, result.leftOver);
-        if (i == 1) distance.emplace(mesh.positions, mesh.indices);
-    });
+    LevelsAndErrors made(mesh, targets, method);
+    std::vector<MeshLevel>& levels = made.levels;
+    result.leftOver = made.leftOver;
     std::size_t last = mesh.indices.size();
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::size_t size = levels[i].indices.size();
@@ -484,12 +529,10 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
         }
         last = size;
     }
-    result.levels.resize(levels.size());
-    forEachInParallel(levels.size(), [&](std::size_t i) {
-        const SurfaceDistance error = distance->to(levels[i].indices);
-        levels[i].errorMm = error.greatest;
-        result.levels[i] = {.mesh = std::move(levels[i]), .error = error};
-    });
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        levels[i].errorMm = made.errors[i].greatest;
+        result.levels.push_back({.mesh = std::move(levels[i]), .error = made.errors[i]});
+    }
     return result;
 }
 

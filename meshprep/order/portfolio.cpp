@@ -256,8 +256,9 @@ private:
         sortedToo_ = true;
     }
 
-    /// What the pieces miss each by itself is what they miss together, but for the vertices that halves have in common: a hundredth less than
-    /// what came in misses is less. So all need not be played once more, by one thread, except where it is close or other orders follow.
+    /// What the pieces miss each by itself is what they miss together, but for the vertices that halves have in common: a hundredth less
+    /// than what came in misses is less. So all need not be played once more, by one thread, except where it is close or other orders
+    /// follow.
     void tryBestPieces() {
         constexpr double kLess = 0.99;
         std::atomic<std::size_t> misses = 0;

@@ -22,12 +22,20 @@ constexpr std::array<std::pair<std::string_view, Method>, 5> kMethods = {{{"lin-
                                                                           {"meshopt", Method::Meshopt},
                                                                           {"best", Method::Best}}};
 
+/// No branch in between: this goes over the list several indices at once.
+std::size_t largest(std::span<const std::uint32_t> indices) {
+    std::uint32_t largest = 0;
+    for (const std::uint32_t index : indices)
+        largest = std::max(largest, index);
+    return largest;
+}
+
 std::optional<Error> refuse(std::span<const std::uint32_t> indices, std::size_t vertexCount) {
     if (indices.size() % 3 != 0) return inputError(7042, {}, fmt::format("{} indices are no list of triangles", indices.size()));
     if (indices.size() / 3 > kMostFaces)
         return machineError(7043, fmt::format("{} triangles are too many to order", indices.size() / 3), "cut the mesh into parts");
+    if (indices.empty() || largest(indices) < vertexCount) return std::nullopt;
     const auto bad = std::ranges::find_if(indices, [&](std::uint32_t index) { return index >= vertexCount; });
-    if (bad == indices.end()) return std::nullopt;
     return inputError(7042, {}, fmt::format("triangle {} names vertex {} of {}", (bad - indices.begin()) / 3, *bad, vertexCount));
 }
 
@@ -39,8 +47,9 @@ std::vector<std::uint32_t> orderPieces(std::span<const std::uint32_t> indices, s
     return out;
 }
 
-BestOrder orderedOf(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method, const CacheModel& cache) {
-    if (method == Method::Best) return bestOrder(indices, vertexCount, cache);
+BestOrder orderedOf(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method, const CacheModel& cache,
+                    std::size_t triangles = 0) {
+    if (method == Method::Best) return bestOrder(indices, vertexCount, cache, triangles);
     return {.corners = orderPieces(indices, vertexCount, method, cache), .sortedToo = false};
 }
 
@@ -94,23 +103,21 @@ Result<std::vector<std::uint32_t>> PartsReorder::operator()(std::span<const std:
     if (auto refusal = refuse(indices, vertexCount)) return std::move(*refusal);
     const std::string key =
         fmt::format("{} {}", vertexCount, contentHash({reinterpret_cast<const char*>(indices.data()), indices.size_bytes()}));
-    std::optional<Done> done = find(key);
-    if (!done) {
-        BestOrder ordered = orderedOf(indices, vertexCount, method_, cache_);
-        done = {.corners = std::move(ordered.corners), .sortedToo = ordered.sortedToo};
-        const std::lock_guard lock(mutex_);
-        done_.emplace(key, *done);
-    }
-    if (!done->sortedToo) return std::move(done->corners);
-    return betterSorted(std::move(done->corners), indices, vertexCount, cache_, places);
+    Done& done = of(key);
+    std::call_once(done.once, [&] {
+        BestOrder ordered = orderedOf(indices, vertexCount, method_, cache_, triangles_);
+        done.corners = std::move(ordered.corners);
+        done.sortedToo = ordered.sortedToo;
+    });
+    if (!done.sortedToo) return done.corners;
+    return betterSorted(done.corners, indices, vertexCount, cache_, places);
 } catch (const std::bad_alloc&) {
     return noMemory(indices);
 }
 
-std::optional<PartsReorder::Done> PartsReorder::find(const std::string& key) {
+PartsReorder::Done& PartsReorder::of(const std::string& key) {
     const std::lock_guard lock(mutex_);
-    const auto found = done_.find(key);
-    return found == done_.end() ? std::nullopt : std::optional(found->second);
+    return done_[key];
 }
 
 bool samePermutation(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {

@@ -36,21 +36,26 @@ enum class Method {
 /// and where sorting by place may help that is tried for each. May be called from several threads.
 class PartsReorder {
 public:
-    PartsReorder(Method method, const CacheModel& cache) : method_(method), cache_(cache) {}
+    /// `triangles`: of the whole mesh. Where these are many, chance evens out over the parts and second tries are not worth their time.
+    PartsReorder(Method method, const CacheModel& cache, std::size_t triangles = 0)
+        : method_(method), cache_(cache), triangles_(triangles) {}
 
     [[nodiscard]] Result<std::vector<std::uint32_t>> operator()(std::span<const std::uint32_t> indices, std::size_t vertexCount,
                                                                 std::span<const float> places = {});
 
 private:
+    /// Of equal lists that come at the same time one is ordered, the others wait.
     struct Done {
+        std::once_flag once;
         std::vector<std::uint32_t> corners;
         bool sortedToo = false; // places may make a better one
     };
 
-    std::optional<Done> find(const std::string& key);
+    Done& of(const std::string& key);
 
     Method method_;
     CacheModel cache_;
+    std::size_t triangles_;
     std::mutex mutex_;
     std::map<std::string, Done> done_; // by the list's hash
 };

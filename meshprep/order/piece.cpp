@@ -1,9 +1,12 @@
 #include "meshprep/order/piece.h"
 
+#include "host/support/file.h"
+
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace tegument::order {
 
@@ -11,8 +14,6 @@ namespace {
 
 /// Components below this size are gathered: a soup of a million triangles is not a million runs of every order.
 constexpr std::size_t kSmallPiece = 1024;
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Each face's vertices, each once.
 template <class Visit>
@@ -25,32 +26,18 @@ void forVerticesOf(std::span<const std::uint32_t> corners, std::size_t face, Vis
 
 /// In meshes of more faces a component that has more than half of them is cut in two, which are ordered at the same time. The first is
 /// round, so that they have few vertices in common: on average of three orders of the file 0.4 % more misses on the Bunny, 0.2 % fewer on a
-/// scan of twice its size. In smaller ones the cut weighs more, 1.6 % in 15,000 faces, but where nearly all vertices have six faces and
-/// strips run along it: 0.2 % in 16,000.
-constexpr std::size_t kHalvedFaces = 40'000;
-constexpr std::size_t kHalvedRegularFaces = 12'000;
-constexpr double kRegular = 0.95;
+/// scan of twice its size. In smaller ones the cut weighs more, 0.2 to 1.6 % in 15,000 faces; below this, quality comes first.
+constexpr std::size_t kHalvedFaces = 8'000;
 constexpr std::size_t kLeastOfOther = 4; // a smaller share of the first piece in the second is not worth the cut
 
 /// A search in breadth over the faces; what it reaches is numbered in the order of reaching, anew in each piece.
 class Search {
 public:
-    Search(std::span<const std::uint32_t> indices, std::size_t vertexCount, std::vector<std::uint32_t>& reached)
-        : indices_(indices), around_(facesOfVertices(indices, vertexCount)), number_(vertexCount, kNone), taken_(indices.size() / 3, 0),
-          reached_(reached) {
-        reached.reserve(vertexCount);
-    }
-
-    /// Whether nearly all vertices that lie on no border have six faces.
-    [[nodiscard]] bool regular() const {
-        std::size_t six = 0;
-        std::size_t inside = 0;
-        for (std::uint32_t v = 0; v < number_.size(); ++v) {
-            six += around_.count(v) == 6;
-            inside += around_.count(v) > 3;
-        }
-        return static_cast<double>(six) > kRegular * static_cast<double>(inside);
-    }
+    /// What is taken is written from the beginning of these on, which have room for all.
+    Search(std::span<const std::uint32_t> indices, std::size_t vertexCount, std::span<std::uint32_t> corners,
+           std::span<std::uint32_t> reached)
+        : indices_(indices), around_(facesOfVertices(indices, vertexCount)), number_(vertexCount, 0), taken_(indices.size() / 3, 0),
+          corners_(corners.data()), reached_(reached.data()) {}
 
     /// All vertices, those of the fewest faces first: what is cut is searched from one of them, a corner of a border or the pole of what is
     /// regular elsewhere. So the halves do not depend on which face comes first in the file, and a rectangle is cut across.
@@ -67,54 +54,72 @@ public:
             sorted[first[std::min(around_.count(v), kMany)]++] = v;
         return sorted;
     }
-    [[nodiscard]] std::span<const std::uint32_t> facesOf(std::uint32_t vertex) const { return around_.of(vertex); }
+    /// Whose other faces are in the same component.
+    [[nodiscard]] std::optional<std::size_t> someFaceOf(std::uint32_t vertex) const {
+        return around_.count(vertex) > 0 ? std::optional<std::size_t>(around_.of(vertex).front()) : std::nullopt;
+    }
 
     [[nodiscard]] bool taken(std::size_t face) const { return taken_[face] != 0; }
+    [[nodiscard]] bool done() const { return faces_ == taken_.size(); }
+    [[nodiscard]] Pieces::Start position() const { return {.face = faces_, .vertex = vertices_}; }
 
-    /// Takes the faces that hang together with this one until `out` has so many corners; it gets theirs, numbered from `base` on. Gives the
-    /// first face that is left.
-    std::optional<std::size_t> spread(std::size_t face, std::size_t base, std::size_t most, std::vector<std::uint32_t>& out) {
-        std::size_t next = reached_.size();
-        take(face, base, out);
-        for (; next < reached_.size(); ++next)
-            for (const std::uint32_t f : around_.of(reached_[next])) {
-                if (taken(f)) continue;
-                if (out.size() >= most) return f;
-                take(f, base, out);
+    /// Takes the faces that hang together with this one until there are `most` of all; vertices are numbered from `base` on. Gives the
+    /// first face that is left. Plain pointers: this goes before all else, and bytes may alias whatever a vector holds.
+    std::optional<std::size_t> spread(std::size_t face, std::size_t base, std::size_t most) {
+        const std::uint32_t* const first = around_.first.data();
+        const std::uint32_t* const faces = around_.faces.data();
+        std::size_t next = vertices_;
+        take(face, base);
+        for (; next < vertices_; ++next) {
+            const std::uint32_t vertex = reached_[next];
+            for (std::uint32_t i = first[vertex], end = first[vertex + 1]; i < end; ++i) {
+                const std::uint32_t f = faces[i];
+                if (taken_[f]) continue;
+                if (faces_ >= most) return f;
+                take(f, base);
             }
+        }
         return std::nullopt;
     }
 
-    /// Forgets all that was reached since.
-    void giveBack(std::size_t reachedThen) {
-        for (const std::uint32_t vertex : std::span(reached_).subspan(reachedThen)) {
-            number_[vertex] = kNone;
-            for (const std::uint32_t face : around_.of(vertex))
+    /// Forgets all that was taken since.
+    void giveBack(const Pieces::Start& then) {
+        for (std::size_t i = then.vertex; i < vertices_; ++i) {
+            number_[reached_[i]] = 0;
+            for (const std::uint32_t face : around_.of(reached_[i]))
                 taken_[face] = 0;
         }
-        reached_.resize(reachedThen);
+        faces_ = then.face;
+        vertices_ = then.vertex;
     }
 
 private:
-    void take(std::size_t face, std::size_t base, std::vector<std::uint32_t>& out) {
+    void take(std::size_t face, std::size_t base) {
         taken_[face] = 1;
-        for (const std::uint32_t vertex : indices_.subspan(3 * face, 3))
-            out.push_back(numberOf(vertex, base));
+        const std::uint32_t* const in = &indices_[3 * face];
+        std::uint32_t* const out = corners_ + 3 * faces_++;
+        out[0] = numberOf(in[0], base);
+        out[1] = numberOf(in[1], base);
+        out[2] = numberOf(in[2], base);
     }
 
     std::uint32_t numberOf(std::uint32_t vertex, std::size_t base) {
-        if (number_[vertex] == kNone || number_[vertex] < base) { // or reached by a piece before
-            number_[vertex] = static_cast<std::uint32_t>(reached_.size());
-            reached_.push_back(vertex);
+        std::uint32_t& number = number_[vertex];
+        if (number <= base) { // not reached yet, or by a piece before
+            reached_[vertices_++] = vertex;
+            number = static_cast<std::uint32_t>(vertices_);
         }
-        return static_cast<std::uint32_t>(number_[vertex] - base);
+        return static_cast<std::uint32_t>(number - 1 - base);
     }
 
     std::span<const std::uint32_t> indices_;
     VertexFaces around_;
-    std::vector<std::uint32_t> number_;
+    std::vector<std::uint32_t> number_; // one more than where in `reached_`
     std::vector<std::uint8_t> taken_;
-    std::vector<std::uint32_t>& reached_;
+    std::uint32_t* corners_;
+    std::uint32_t* reached_;
+    std::size_t faces_ = 0;    // taken
+    std::size_t vertices_ = 0; // reached
 };
 
 } // namespace
@@ -134,40 +139,55 @@ VertexFaces facesOfVertices(std::span<const std::uint32_t> corners, std::size_t 
     return around;
 }
 
-Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Cut cut) {
-    Search search(indices, vertexCount, original_);
-    corners_.reserve(indices.size());
+Pieces::Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Cut cut) : corners_(indices.size()) {
     const std::size_t all = indices.size() / 3;
-    const bool halved = cut == Cut::Components && (all > kHalvedFaces || (all > kHalvedRegularFaces && search.regular()));
+    const bool halved = cut == Cut::Components && all >= kHalvedFaces;
+    original_.resize(halved ? 2 * vertexCount : vertexCount); // what one half shares with the rest is there twice
+    Search search(indices, vertexCount, corners_, original_);
     const auto gather = [&](std::size_t face) {
         if (search.taken(face)) return;
-        const Start before = {.face = corners_.size() / 3, .vertex = original_.size()};
+        const Start before = search.position();
         const bool full = cut == Cut::Components && !pieces_.empty() && before.face - pieces_.back().face >= kSmallPiece;
         if (pieces_.empty() || full) pieces_.push_back(before);
         const Start own = pieces_.back();
         const std::size_t most = halved ? (all + 1) / 2 : all;
-        const std::optional<std::size_t> left = search.spread(face, own.vertex, 3 * (own.face + most), corners_);
+        const std::optional<std::size_t> left = search.spread(face, own.vertex, own.face + most);
         if (!left) return;
-        pieces_.push_back({.face = corners_.size() / 3, .vertex = original_.size()});
-        search.spread(*left, original_.size(), indices.size(), corners_);
-        if (kLeastOfOther * (corners_.size() / 3 - pieces_.back().face) >= most) return;
+        const Start other = search.position();
+        pieces_.push_back(other);
+        search.spread(*left, other.vertex, all);
+        if (kLeastOfOther * (search.position().face - other.face) >= most) return;
         pieces_.pop_back();
-        corners_.resize(3 * before.face);
-        search.giveBack(before.vertex);
-        search.spread(face, own.vertex, indices.size(), corners_);
+        search.giveBack(before);
+        search.spread(face, own.vertex, all);
     };
     if (halved)
-        for (const std::uint32_t vertex : search.beginnings())
-            for (const std::uint32_t face : search.facesOf(vertex))
-                gather(face);
-    for (std::size_t face = 0; face < all; ++face)
+        for (const std::uint32_t vertex : search.beginnings()) {
+            if (search.done()) break;
+            if (const auto face = search.someFaceOf(vertex)) gather(*face);
+        }
+    for (std::size_t face = 0; face < all && !search.done(); ++face)
         gather(face);
+    original_.resize(search.position().vertex);
 }
 
 Piece Pieces::piece(std::size_t i) const {
-    const auto corners = std::span(corners_).subspan(3 * pieces_[i].face, 3 * (end(i).face - pieces_[i].face));
+    const auto corners = cornersOf(i);
     const std::size_t vertices = end(i).vertex - pieces_[i].vertex;
     return {.corners = corners, .vertexCount = static_cast<std::uint32_t>(vertices), .around = facesOfVertices(corners, vertices)};
+}
+
+std::vector<std::vector<std::size_t>> Pieces::equals() const {
+    std::vector<std::vector<std::size_t>> groups;
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const auto corners = cornersOf(i);
+        const std::string_view bytes(reinterpret_cast<const char*>(corners.data()), corners.size_bytes());
+        const std::size_t group = known.try_emplace(contentHash(bytes), groups.size()).first->second;
+        if (group == groups.size()) groups.emplace_back();
+        groups[group].push_back(i);
+    }
+    return groups;
 }
 
 void Pieces::restore(std::size_t i, std::span<const std::uint32_t> corners, std::span<std::uint32_t> out) const {

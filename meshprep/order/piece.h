@@ -39,16 +39,23 @@ public:
 
     [[nodiscard]] std::size_t size() const { return pieces_.size(); }
     [[nodiscard]] Piece piece(std::size_t i) const;
+    /// The pieces, those together that have the same corners, as the patches of a regular body and its screws do.
+    [[nodiscard]] std::vector<std::vector<std::size_t>> equals() const;
     /// Writes a list of corners of piece i, with the vertices' own numbers.
     void restore(std::size_t i, std::span<const std::uint32_t> corners, std::span<std::uint32_t> out) const;
     /// Where the piece's first face lies among all faces.
     [[nodiscard]] std::size_t firstFace(std::size_t i) const { return pieces_[i].face; }
 
-private:
+    /// Of a piece, in the lists of all.
     struct Start {
         std::size_t face = 0;
         std::size_t vertex = 0;
     };
+
+private:
+    [[nodiscard]] std::span<const std::uint32_t> cornersOf(std::size_t i) const {
+        return std::span(corners_).subspan(3 * pieces_[i].face, 3 * (end(i).face - pieces_[i].face));
+    }
     [[nodiscard]] Start end(std::size_t i) const {
         return i + 1 < pieces_.size() ? pieces_[i + 1] : Start{corners_.size() / 3, original_.size()};
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -92,10 +93,10 @@ constexpr std::uint32_t kCheapFaces = 50'000;
 /// and small meshes where the first try leaves much: a nut of 1,046 faces has 5 % fewer misses by that.
 constexpr std::uint32_t kTriedTwice = 100'000;
 constexpr unsigned kLargeCache = 17;
-constexpr std::uint32_t kSmallTriedTwice = 12'000;
+constexpr std::uint32_t kSmallTriedTwice = 8'000;
 constexpr double kLeavesMuch = 1.24; // runs per vertex
 
-/// `faces`: of all pieces.
+/// `faces`: of all pieces and parts.
 void addLinYu(Choice& choice, unsigned entries, std::size_t faces) {
     const Piece& piece = choice.piece();
     choice.addFirst(linYu(piece, entries));
@@ -130,26 +131,39 @@ constexpr std::uint32_t kPatchFaces = 5'000; // in so few, regular or not, Lin &
 constexpr double kMostSix = 0.8;
 constexpr double kAboutSix = 0.8;
 
-/// Above so many faces strips won nothing for a FIFO cache of 16, 24 or 32 entries where fewer vertices have six faces than this, on any
-/// piece of a machine, a figure or a scan, in three orders of the file; for LRU caches they did. A grid with diagonals drawn by lot is the
-/// exception, by 0.6 %: no count of faces tells it from a scan.
-constexpr std::uint32_t kLargePiece = 10'000;
+/// Where fewer vertices have six faces than these, strips won nothing for a FIFO cache of 16, 24 or 32 entries on any piece of a machine, a
+/// figure or a scan of more faces than `kFewFaces`, in three orders of the file; for LRU caches they did. Grids with diagonals drawn by lot
+/// are the exception, by 0.6 %: 3/8 of their vertices have six faces, 7/8 five to seven. Small pieces that look so are tried.
+constexpr std::uint32_t kSmallForStrips = 2'500;
+constexpr double kSixForSmallStrips = 0.7;
 constexpr double kSixForStrips = 0.88;
+constexpr std::uint32_t kLargeGrid = 10'000;
+constexpr double kSixByLot = 0.5;
+constexpr double kNearSixByLot = 0.85;
 
 bool stripsMayWin(const Piece& piece, const Regularity& share, const CacheModel& cache) {
     if (share.nearSix < kAboutSix) return false;
     const bool keepsAll = cache.replacement == Replacement::Fifo && !cache.batched();
-    return !keepsAll || piece.faceCount() <= kLargePiece || share.six >= kSixForStrips;
+    if (!keepsAll || piece.faceCount() <= kFewFaces) return true;
+    if (share.six < kSixByLot && share.nearSix >= kNearSixByLot && piece.faceCount() <= kLargeGrid) return true;
+    return share.six >= (piece.faceCount() <= kSmallForStrips ? kSixForSmallStrips : kSixForStrips);
 }
 
-Corners best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
+/// The order and its misses, where they are counted from an empty cache.
+struct Counted {
+    Corners corners;
+    std::size_t misses = 0;
+};
+
+Counted best(const Piece& piece, const CacheModel& cache, std::size_t faces) {
     Choice choice(piece, cache);
     const unsigned entries = fifoEntries(cache);
     const bool cheap = piece.faceCount() < kCheapFaces;
     const Regularity share = regularity(piece);
     if (piece.faceCount() <= kPatchFaces || share.six <= (cheap ? kAllSix : kMostSix)) addLinYu(choice, entries, faces);
     if (stripsMayWin(piece, share, cache)) addHoppe(choice, entries, share.six > kAllSix);
-    return choice.take();
+    const std::size_t misses = choice.fewest();
+    return {.corners = choice.take(), .misses = misses};
 }
 
 Corners bestHoppe(const Piece& piece, const CacheModel& cache) {
@@ -191,8 +205,9 @@ using Candidate = std::function<Corners()>;
 /// the first leave something to be gained. All is judged on the whole, as it is drawn.
 class BestSearch {
 public:
-    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache)
-        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)) {}
+    BestSearch(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::size_t triangles)
+        : indices_(indices), vertexCount_(vertexCount), cache_(cache), entries_(fifoEntries(cache)),
+          ofMesh_(std::max(triangles, indices.size() / 3)) {}
 
     BestOrder run() && {
         begin();
@@ -228,7 +243,7 @@ private:
     }
 
     void runCached() {
-        tryAll({[this] { return byPieces([this](const Piece& piece) { return best(piece, cache_, faces()); }); }});
+        tryBestPieces();
         if (fewest_ == named_) return;
         const bool lru = cache_.replacement == Replacement::Lru;
         if (lru) tryAll({meshoptAsItCame()});
@@ -236,14 +251,36 @@ private:
         if (faces() > kManyFaces || fewest_ == named_) return;
         if (lru) tryAll({inOne([this](const Piece& p) { return meshopt(p, entries_); }), byMethod(Method::LinYu), byMethod(Method::Hoppe)});
         if (faces() > kFewFaces ? !unusual() : farAhead()) return;
+        if (!best_.empty()) fewest_ = countMisses(cache_, best_, vertexCount_);
         tryAll(others());
         sortedToo_ = true;
     }
 
-    /// Of one of meshoptimizer's orders, by more than they differ among themselves.
+    /// What the pieces miss each by itself is what they miss together, but for the vertices that halves have in common: a hundredth less
+    /// than what came in misses is less. So all need not be played once more, by one thread, except where it is close or other orders
+    /// follow.
+    void tryBestPieces() {
+        constexpr double kLess = 0.99;
+        std::atomic<std::size_t> misses = 0;
+        Corners corners = byPieces([&](const Piece& piece, std::size_t times) {
+            Counted counted = best(piece, cache_, ofMesh_);
+            misses += times * counted.misses;
+            return std::move(counted.corners);
+        });
+        const bool close = static_cast<double>(misses) >= kLess * static_cast<double>(fewest_);
+        if (close || faces() <= kFewFaces || cache_.replacement == Replacement::Lru) misses = countMisses(cache_, corners, vertexCount_);
+        if (misses > fewest_) return;
+        fewest_ = misses;
+        best_ = std::move(corners);
+    }
+
+    /// Of one of meshoptimizer's orders, by more than they differ among themselves; of a large mesh's small parts, which have little to
+    /// say, not behind it.
     [[nodiscard]] bool farAhead() {
+        constexpr std::size_t kLargeMesh = 8'000;
+        const double among = ofMesh_ >= kLargeMesh ? 1 : kAmongSmall;
         const std::size_t first = fewest_;
-        return static_cast<double>(first) * kAmongSmall < static_cast<double>(tryAll({meshoptAsItCame()})[0]);
+        return static_cast<double>(first) * among <= static_cast<double>(tryAll({meshoptAsItCame()})[0]);
     }
 
     /// Where the first orders are further from one run per vertex than they were on any mesh on which another was better.
@@ -291,20 +328,25 @@ private:
     }
 
     [[nodiscard]] Candidate byMethod(Method method) const {
-        return [this, method] { return byPieces([&](const Piece& piece) { return orderPiece(piece, method, cache_); }); };
+        return [this, method] { return byPieces([&](const Piece& piece, std::size_t) { return orderPiece(piece, method, cache_); }); };
     }
 
     [[nodiscard]] Candidate meshoptAsItCame() const {
         return [this] { return meshopt(asItCame(indices_, vertexCount_), entries_); };
     }
 
-    /// The pieces one by one, on all processors.
-    [[nodiscard]] Corners byPieces(const std::function<Corners(const Piece&)>& order) const {
+    /// The pieces one by one, on all processors; those that are equal once, which the order hears how many there are.
+    [[nodiscard]] Corners byPieces(const std::function<Corners(const Piece&, std::size_t)>& order) const {
         std::call_once(cutUp_, [this] {
             if (!components_) components_.emplace(indices_, vertexCount_);
         });
+        const std::vector<std::vector<std::size_t>> equals = components_->equals();
         Corners out(indices_.size());
-        forEachInParallel(components_->size(), [&](std::size_t i) { components_->restore(i, order(components_->piece(i)), out); });
+        forEachInParallel(equals.size(), [&](std::size_t group) {
+            const Corners own = order(components_->piece(equals[group].front()), equals[group].size());
+            for (const std::size_t i : equals[group])
+                components_->restore(i, own, out);
+        });
         return out;
     }
 
@@ -344,6 +386,7 @@ private:
     std::size_t vertexCount_;
     CacheModel cache_;
     unsigned entries_;
+    std::size_t ofMesh_; // faces, of other parts as well
     Corners best_;
     std::size_t fewest_ = 0;
     std::size_t named_ = 0; // vertices, each of which must run once
@@ -354,8 +397,8 @@ private:
 
 } // namespace
 
-BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache) {
-    return BestSearch(indices, vertexCount, cache).run();
+BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache, std::size_t triangles) {
+    return BestSearch(indices, vertexCount, cache, triangles).run();
 }
 
 Corners betterSorted(Corners best, std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,

@@ -15,7 +15,9 @@ struct BestOrder {
 };
 
 /// All triangles in the order with the fewest misses in `cache` of those that suit it, judged on the whole: what came in is one of them.
-[[nodiscard]] BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache);
+/// `triangles`: of the mesh that they are a part of, if so.
+[[nodiscard]] BestOrder bestOrder(std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,
+                                  std::size_t triangles = 0);
 
 /// Of an order and meshoptimizer's of what is sorted by place the one with fewer misses.
 [[nodiscard]] Corners betterSorted(Corners best, std::span<const std::uint32_t> indices, std::size_t vertexCount, const CacheModel& cache,

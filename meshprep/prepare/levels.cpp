@@ -7,6 +7,7 @@
 #include "meshprep/prepare/manifold_levels.h"
 #include "meshprep/prepare/simplify.h"
 #include "meshprep/prepare/unit_size.h"
+#include "meshprep/prepare/whole_mesh.h"
 
 #include <fmt/format.h>
 
@@ -26,175 +27,9 @@ constexpr double kLeastReduction = 0.75; // a level that keeps more of the one b
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr std::size_t kMostMatched = 4'000'000; // parts times triangles: 16 MB
-
 bool tooNear(std::size_t indices, std::size_t ofTheOneBefore) {
     return static_cast<double>(indices) > kLeastReduction * static_cast<double>(ofTheOneBefore);
 }
-
-/// Where each part's triangles end in a list that has lost some and kept their order: so that as many corners as can be are vertices of
-/// their part.
-std::vector<std::size_t> endsOfParts(const Mesh& mesh, const Indices& coarse) {
-    const std::size_t count = coarse.size() / 3;
-    std::vector<Indices> begins;                     // of each part, by where it ends: where it begins at best
-    std::vector<std::int64_t> corners(count + 1, 0); // that are right of so many triangles, at best
-    std::vector<std::uint8_t> has(mesh.positions.size());
-    for (const MeshPart& part : mesh.parts) {
-        std::ranges::fill(has, 0);
-        for (const std::uint32_t index : std::span(mesh.indices).subspan(part.firstIndex, part.indexCount))
-            has[index] = 1;
-        Indices& begin = begins.emplace_back(count + 1, 0);
-        std::int64_t own = 0; // of the part's, from the first triangle on
-        std::int64_t best = 0;
-        for (std::uint32_t end = 1; end <= count; ++end) {
-            const std::uint32_t* t = &coarse[3 * std::size_t{end - 1}];
-            own += has[t[0]] + has[t[1]] + has[t[2]];
-            begin[end] = begin[end - 1];
-            if (begins.size() > 1 && corners[end] - own > best) { // the first part begins at the first triangle
-                best = corners[end] - own;
-                begin[end] = end;
-            }
-            corners[end] = best + own;
-        }
-    }
-    std::vector<std::size_t> ends(mesh.parts.size(), count);
-    for (std::size_t part = ends.size() - 1; part > 0; --part)
-        ends[part - 1] = begins[part][ends[part]];
-    return ends;
-}
-
-/// Every part's vertices are its own for the simplifier: where parts meet it sees a seam, moves both sides at once and opens no gap. So all
-/// parts are simplified together, and each loses what it can spare.
-class WholeMesh {
-public:
-    explicit WholeMesh(const Mesh& mesh) : mesh_(mesh) {
-        const std::vector<glm::vec3> unit = atUnitSize(mesh.positions);
-        LocalVertices local(mesh.positions.size());
-        for (std::uint32_t part = 0; part < mesh.parts.size(); ++part) {
-            const auto own = std::span(mesh.indices).subspan(mesh.parts[part].firstIndex, mesh.parts[part].indexCount);
-            const auto first = static_cast<std::uint32_t>(original_.size());
-            for (const std::uint32_t index : local.enter(own))
-                indices_.push_back(first + index);
-            original_.insert(original_.end(), local.global().begin(), local.global().end());
-            part_.resize(original_.size(), part);
-        }
-        for (const std::uint32_t vertex : original_) {
-            positions_.push_back(unit[vertex]);
-            if (!mesh.normals.empty()) attributes_.push_back(attributesOf(vertex));
-        }
-        std::vector<std::uint8_t> seen(mesh.positions.size(), 0);
-        for (const std::uint32_t vertex : original_)
-            shares_ = shares_ || seen[vertex]++ != 0;
-    }
-
-    /// Whether parts have vertices in common, and few enough triangles would be left to find theirs again.
-    [[nodiscard]] bool mayBeOne(std::size_t triangles) const { return shares_ && mesh_.parts.size() * triangles <= kMostMatched; }
-
-    /// In the vertices' own numbers, as what follows.
-    [[nodiscard]] const Indices& full() const { return indices_; }
-
-    [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
-
-    [[nodiscard]] Indices simplified(std::span<const std::uint32_t> from, std::size_t triangles, Simplifier simplifier = {},
-                                     std::set<std::uint32_t> locked = {}) const {
-        return simplify({.from = from,
-                         .positions = positions_,
-                         .attributes = attributes_,
-                         .counted = mesh_.uvs.empty() ? 3u : 5u,
-                         .triangles = triangles,
-                         .locked = std::move(locked)},
-                        simplifier);
-    }
-
-    /// As users of the library have it who do not know of parts: a vertex of several is one, and borders of parts hold nothing. What is
-    /// left is in the order in which it came, so that the parts are found again.
-    [[nodiscard]] Indices simplifiedAsOne(std::size_t triangles, Simplifier simplifier) const {
-        const std::vector<glm::vec3> unit = atUnitSize(mesh_.positions);
-        std::vector<SimplifiedAttributes> attributes;
-        for (std::uint32_t vertex = 0; vertex < mesh_.normals.size(); ++vertex)
-            attributes.push_back(attributesOf(vertex));
-        const Indices coarse = simplify({.from = mesh_.indices,
-                                         .positions = unit,
-                                         .attributes = attributes,
-                                         .counted = mesh_.uvs.empty() ? 3u : 5u,
-                                         .triangles = triangles},
-                                        simplifier);
-        return toParts(coarse);
-    }
-
-    /// Each part loses the same share, and keeps its borders.
-    [[nodiscard]] Indices partByPart(std::size_t triangles) const {
-        Indices coarse;
-        std::size_t first = 0;
-        for (const MeshPart& part : mesh_.parts) {
-            const auto own = std::span(indices_).subspan(first, part.indexCount);
-            first += part.indexCount;
-            const std::size_t target = part.indexCount / 3 * triangles / (indices_.size() / 3);
-            const Indices simple = simplify({.from = own, .positions = positions_, .triangles = target, .keepBorders = true});
-            coarse.insert(coarse.end(), simple.begin(), simple.end());
-        }
-        return coarse;
-    }
-
-    [[nodiscard]] MeshLevel level(const Indices& coarse) const {
-        std::vector<Indices> ofPart(mesh_.parts.size());
-        for (std::size_t i = 0; i < coarse.size(); i += 3)
-            for (std::size_t k = i; k < i + 3; ++k)
-                ofPart[part_[coarse[i]]].push_back(original_[coarse[k]]);
-        MeshLevel level;
-        for (std::size_t part = 0; part < ofPart.size(); ++part)
-            addPart(level, mesh_.parts[part], ofPart[part]);
-        return level;
-    }
-
-    static void addPart(MeshLevel& level, const MeshPart& from, const Indices& own) {
-        if (own.empty()) return;
-        level.parts.push_back({.name = from.name,
-                               .firstIndex = static_cast<std::uint32_t>(level.indices.size()),
-                               .indexCount = static_cast<std::uint32_t>(own.size()),
-                               .material = from.material});
-        level.indices.insert(level.indices.end(), own.begin(), own.end());
-    }
-
-private:
-    [[nodiscard]] SimplifiedAttributes attributesOf(std::uint32_t vertex) const {
-        const glm::vec3& n = mesh_.normals[vertex];
-        const glm::vec2 uv = mesh_.uvs.empty() ? glm::vec2(0) : mesh_.uvs[vertex];
-        return {n.x, n.y, n.z, uv.x, uv.y};
-    }
-
-    /// Own numbers of triangles in the mesh's, which are in the order of its parts: a triangle's first corner is one of its part, and those
-    /// that its part does not have are another one's.
-    [[nodiscard]] Indices toParts(const Indices& coarse) const {
-        const std::vector<std::size_t> ends = endsOfParts(mesh_, coarse);
-        std::vector<std::uint32_t> number(mesh_.positions.size(), 0);
-        for (std::uint32_t own = 0; own < original_.size(); ++own)
-            number[original_[own]] = own;
-        Indices out;
-        std::uint32_t own = 0;
-        for (std::uint32_t part = 0, triangle = 0; part < ends.size(); ++part) {
-            for (; own < original_.size() && part_[own] == part; ++own)
-                number[original_[own]] = own;
-            for (; triangle < ends[part]; ++triangle) {
-                std::array<std::uint32_t, 3> t{};
-                std::ranges::transform(std::span(coarse).subspan(3 * std::size_t{triangle}, 3), t.begin(),
-                                       [&](std::uint32_t corner) { return number[corner]; });
-                const auto first = std::ranges::find(t, part, [&](std::uint32_t corner) { return part_[corner]; });
-                if (first != t.end()) std::rotate(t.begin(), first, t.end());
-                out.insert(out.end(), t.begin(), t.end());
-            }
-        }
-        return out;
-    }
-
-    const Mesh& mesh_;
-    Indices indices_;
-    bool shares_ = false;
-    std::vector<std::uint32_t> original_; // vertex of the mesh
-    std::vector<std::uint32_t> part_;     // of each vertex
-    std::vector<glm::vec3> positions_;
-    std::vector<SimplifiedAttributes> attributes_;
-};
 
 /// Part by part on half-edges, which know the full surface from level to level; parts that are no manifold go to meshoptimizer.
 class ByHalfEdges {
@@ -430,28 +265,76 @@ std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, cons
     return levels;
 }
 
-std::vector<MeshLevel> allLevels(const Mesh& mesh, const std::vector<std::size_t>& targets, LevelMethod method, std::size_t& leftOver) {
-    std::vector<MeshLevel> levels(targets.size());
-    if (method == LevelMethod::OpenMesh) {
-        ByHalfEdges simplifier(mesh);
-        leftOver = simplifier.leftOver();
-        for (std::size_t i = 0; i < targets.size(); ++i)
-            levels[i] = simplifier.simplified(targets[i]);
-        return levels;
-    }
-    const WholeMesh whole(mesh);
-    if (const std::size_t tries = triesFor(mesh.indices.size() / 3); tries > 1) return bestLevels(mesh, whole, targets, tries);
-    // Each of the one before: a third of the time, and on scans of a million triangles as near to the full surface.
+/// Each level of the one before: a third of the time, and on scans of a million triangles as near to the full surface. `meanwhile`: what is
+/// done while level i is made, and after the last one; it knows the levels before. Whoever makes a level helps with that afterwards, so
+/// that it is begun by this thread, which could not, but for the first level, which takes longest.
+std::vector<MeshLevel> chainedLevels(const WholeMesh& whole, const std::vector<std::size_t>& targets,
+                                     const std::function<void(std::size_t i, const std::vector<MeshLevel>& levels)>& meanwhile) {
     // The newer one before the newest: nearer than meshoptimizer 1.3 at every level of the Dragon, the newest not at the first.
     const auto newer = std::ranges::find(simplifiers(), Simplifier::Version::Newer, &Simplifier::version);
     const Simplifier& simplifier = newer == simplifiers().end() ? simplifiers()[0] : *newer;
+    std::vector<MeshLevel> levels;
     Indices last = whole.full();
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        last = whole.simplified(last, targets[i], simplifier);
-        levels[i] = whole.level(last);
+        Indices next;
+        forEachInParallel(2, [&](std::size_t item) {
+            if ((item == 0) == (i == 0))
+                next = whole.simplified(last, targets[i], simplifier);
+            else
+                meanwhile(i, levels);
+        });
+        last = std::move(next);
+        levels.push_back(whole.level(last));
     }
+    meanwhile(targets.size(), levels);
     return levels;
 }
+
+std::vector<MeshLevel> levelsByHalfEdges(const Mesh& mesh, const std::vector<std::size_t>& targets, std::size_t& leftOver) {
+    std::vector<MeshLevel> levels;
+    ByHalfEdges simplifier(mesh);
+    leftOver = simplifier.leftOver();
+    for (const std::size_t target : targets)
+        levels.push_back(simplifier.simplified(target));
+    return levels;
+}
+
+/// The levels, and how far each is from the full surface.
+class LevelsAndErrors {
+public:
+    LevelsAndErrors(const Mesh& mesh, const std::vector<std::size_t>& targets, LevelMethod method) : mesh_(mesh) {
+        if (method == LevelMethod::OpenMesh)
+            besideDistance([&] { levels = levelsByHalfEdges(mesh, targets, leftOver); });
+        else
+            byMeshoptimizer(WholeMesh(mesh), targets);
+    }
+
+    std::vector<MeshLevel> levels;
+    std::vector<SurfaceDistance> errors; // of each level
+    std::size_t leftOver = 0;
+
+private:
+    void byMeshoptimizer(const WholeMesh& whole, const std::vector<std::size_t>& targets) {
+        const std::size_t tries = triesFor(mesh_.indices.size() / 3);
+        if (tries > 1) return besideDistance([&] { levels = bestLevels(mesh_, whole, targets, tries); });
+        levels = chainedLevels(whole, targets, [&](std::size_t i, const std::vector<MeshLevel>& before) {
+            if (i == 0) distance_.emplace(mesh_.positions, mesh_.indices);
+            if (i > 0) errors.push_back(distance_->to(before[i - 1].indices));
+        });
+    }
+
+    void besideDistance(const std::function<void()>& make) {
+        forEachInParallel(2, [&](std::size_t item) {
+            if (item == 0) make();
+            if (item == 1) distance_.emplace(mesh_.positions, mesh_.indices);
+        });
+        errors.resize(levels.size());
+        forEachInParallel(levels.size(), [&](std::size_t i) { errors[i] = distance_->to(levels[i].indices); });
+    }
+
+    const Mesh& mesh_;
+    std::optional<DistanceFrom> distance_;
+};
 
 } // namespace
 
@@ -464,12 +347,9 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
     if (static_cast<int>(targets.size()) + 1 < count)
         result.whyEarly = fmt::format("another would have fewer than {} triangles", kLeastTriangles);
     if (targets.empty()) return result;
-    std::vector<MeshLevel> levels;
-    std::optional<DistanceFrom> distance;
-    forEachInParallel(2, [&](std::size_t i) {
-        if (i == 0) levels = allLevels(mesh, targets, method, result.leftOver);
-        if (i == 1) distance.emplace(mesh.positions, mesh.indices);
-    });
+    LevelsAndErrors made(mesh, targets, method);
+    std::vector<MeshLevel>& levels = made.levels;
+    result.leftOver = made.leftOver;
     std::size_t last = mesh.indices.size();
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::size_t size = levels[i].indices.size();
@@ -484,12 +364,10 @@ Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
         }
         last = size;
     }
-    result.levels.resize(levels.size());
-    forEachInParallel(levels.size(), [&](std::size_t i) {
-        const SurfaceDistance error = distance->to(levels[i].indices);
-        levels[i].errorMm = error.greatest;
-        result.levels[i] = {.mesh = std::move(levels[i]), .error = error};
-    });
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        levels[i].errorMm = made.errors[i].greatest;
+        result.levels.push_back({.mesh = std::move(levels[i]), .error = made.errors[i]});
+    }
     return result;
 }
 

@@ -262,7 +262,7 @@ private:
 
     /// Parts are drawn one by one, so each is ordered by itself.
     std::optional<Error> reorderParts(std::vector<std::uint32_t>& indices, const std::vector<MeshPart>& parts) const {
-        order::PartsReorder reorder(*options_.order, options_.cache);
+        order::PartsReorder reorder(*options_.order, options_.cache, indices.size() / 3);
         std::mutex mutex;
         std::vector<LocalVertices> idle; // as many as work at once: each has a number for every vertex
         const auto done = tryEachInParallel(parts.size(), [&](std::size_t i) -> Result<void> {

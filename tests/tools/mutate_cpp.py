@@ -30,7 +30,7 @@ from reproducible import copied
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("host/lab/reference", "meshprep/order", "meshprep/prepare", "host/run")
 PROGRAMS = {"reference_tests": "tests/lab/reference", "order_tests": "tests/order", "prepare_tests": "tests/meshprep/prepare", "run_tests": "tests/run",
-            "verify_tests": "tests/lab/verify"}
+            "verify_tests": "tests/lab/verify", "hlsl_tests": "tests/hlsl"}
 LEFT_OUT = {"verify_tests": "-Full*:ErrataMeasured*"}  # minutes each
 OPERATORS = {"+": "Add", "-": "Subtract", "*": "Multiply", "/": "Divide", "<": "Less", ">": "Greater", "<=": "AtMost", ">=": "AtLeast", "==": "Equal", "!=": "Unequal"}
 FUNCTIONS = {"min": "max", "max": "min", "sqrt": "", "abs": "", "sin": "cos", "cos": "sin", "exp": "exp2"}
@@ -41,6 +41,7 @@ CONSTANT = re.compile(r"\bconst(?:expr|eval|init)\b|\bstatic_assert\b|^\s*(?:cas
                       r"|\bconst (?:int|unsigned|std::u?int\d*_t|std::size_t|bool) k?\w+ = [^(]*$|= 0;\s*$|std::get<|std::array<")
 MOST, SAME, REACHED = 4095, 1, 2  # as in mutants.h
 LEAST_SECONDS, TIMES_LONGER = 10, 8  # a mutant that runs on is dead
+SHARED = ("tools", "data", "human", "spirv")  # of the cache: what no mutant makes. A wrong reference that is kept would be judged by later
 
 
 def blanked(text):
@@ -150,6 +151,7 @@ class Asked:
         self.mutants = [json.loads(line) for line in (folder / "mutants.jsonl").read_text(encoding="utf-8").splitlines()]
         self.temporary = pathlib.Path(tempfile.mkdtemp(prefix="tegument-mutants-"))
         self.seconds, self.reached, self.none, self.red = {}, {}, set(), []
+        self.users = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache")) + "/tegument")
 
     def close(self):
         shutil.rmtree(self.temporary, ignore_errors=True)
@@ -170,14 +172,19 @@ class Asked:
     def ask(self, case, limit, **environment):
         """Whether the case passes; and how long it takes."""
         began = time.monotonic()
+        own = pathlib.Path(tempfile.mkdtemp(prefix="cache-", dir=self.temporary))
+        for name in SHARED:
+            if (self.users / name).exists():
+                (own / name).symlink_to(self.users / name)
         process = subprocess.Popen([case[0], f"--gtest_filter={case[1]}", "--gtest_brief=1"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                   env={**os.environ, "TMPDIR": str(self.temporary), **environment}, start_new_session=True)
+                                   env={**os.environ, "TMPDIR": str(self.temporary), "TEGUMENT_CACHE": str(own), **environment}, start_new_session=True)
         try:
             code = process.wait(limit)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, 9)
             process.wait()
             code = -1
+        shutil.rmtree(own, ignore_errors=True)
         return code in (0, 77), time.monotonic() - began
 
     def reach(self, case):
@@ -187,23 +194,40 @@ class Asked:
         return case, passed, seconds, {n for n, what in enumerate(found) if what == REACHED}, {n for n, what in enumerate(found) if what == SAME}
 
     def look(self, jobs):
-        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            for case, passed, seconds, reached, none in pool.map(self.reach, list(self.cases())):
-                if not passed:
-                    self.red.append(case[1])
-                    continue
-                self.none |= none
-                self.seconds[case] = seconds
-                for number in reached:
-                    self.reached.setdefault(number, []).append(case)
+        """What was seen of a program stays in FOLDER/reached.jsonl until it is built again."""
+        kept = self.folder / "reached.jsonl"
+        known = {(*entry["case"], entry["built"]): entry for entry in map(json.loads, kept.read_text().splitlines())} if kept.exists() else {}
+        cases = [(*case, case[0].stat().st_mtime_ns) for case in self.cases()]
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool, kept.open("a", encoding="utf-8") as file:
+            asked = [pool.submit(self.reach, case[:2]) for case in cases if (str(case[0]), *case[1:]) not in known]
+            for done in concurrent.futures.as_completed(asked):
+                case, passed, seconds, reached, none = done.result()
+                entry = {"case": [str(case[0]), case[1]], "built": case[0].stat().st_mtime_ns, "passed": passed, "seconds": seconds, "reached": sorted(reached),
+                         "none": sorted(none)}
+                file.write(json.dumps(entry) + "\n")
+                file.flush()
+                known[(*entry["case"], entry["built"])] = entry
+        for case in cases:
+            self.take(case[:2], known[(str(case[0]), *case[1:])])
         self.none -= set(self.reached)
+
+    def take(self, case, entry):
+        if not entry["passed"]:
+            self.red.append(case[1])
+            return
+        self.none |= set(entry["none"])
+        self.seconds[case] = entry["seconds"]
+        for number in entry["reached"]:
+            self.reached.setdefault(number, []).append(case)
 
     def kill(self, number, until):
         """Program and case that turned red; two empty texts: none; nothing where the time was over."""
         for case in sorted(self.reached.get(number, []), key=self.seconds.get):
-            if time.monotonic() > until:
+            left = until - time.monotonic()
+            limit = max(LEAST_SECONDS, TIMES_LONGER * self.seconds[case])
+            passed, seconds = self.ask(case, min(limit, left), TEGUMENT_MUTANT=str(number)) if left > 0 else (False, 0)
+            if not passed and seconds >= left:
                 return None
-            passed, _ = self.ask(case, max(LEAST_SECONDS, TIMES_LONGER * self.seconds[case]), TEGUMENT_MUTANT=str(number))
             if not passed:
                 return case[0].name, case[1]
         return "", "" if number in self.reached else "not reached"

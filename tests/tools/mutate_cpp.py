@@ -37,7 +37,7 @@ FUNCTIONS = {"min": "max", "max": "min", "sqrt": "", "abs": "", "sin": "cos", "c
 TOKEN = re.compile(r"(?P<number>(?<![\w.'])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfFzZlL]*(?![\w'.]))|(?P<op>(?<= )(?:[-+*/<>]|[<>=!]=)(?=[ \n]))"
                    r"|std::(?P<call>min|max|sqrt|abs|sin|cos|exp)(?=\([^{])|\bif \((?P<condition>)")
 # Lines whose numbers the compiler wants, and declarations of operators.
-CONSTANT = re.compile(r"\bconst(?:expr|eval|init)\b|\bstatic_assert\b|^\s*(?:case|template|enum|using|#|\[\[)|\boperator\b|\brequires\b"
+CONSTANT = re.compile(r"\bconst(?:expr|eval|init)\b|\bstatic_assert\b|^\s*(?:case|template|enum|using|#|\[\[)|\boperator\b|\brequires\b|\bassert\("
                       r"|\bconst (?:int|unsigned|std::u?int\d*_t|std::size_t|bool) k?\w+ = [^(]*$|= 0;\s*$|std::get<|std::array<")
 MOST, SAME, REACHED = 4095, 1, 2  # as in mutants.h
 LEAST_SECONDS, TIMES_LONGER = 10, 8  # a mutant that runs on is dead
@@ -49,6 +49,7 @@ def blanked(text):
         return re.sub(r"[^\n]", " ", match.group())
     text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
     text = re.sub(r'"(?:\\.|[^"\\\n])*"|(?<![\w])\'(?:\\.|[^\'\\\n])+\'', blank, text)
+    text = re.sub(r"^\s*(?:inline |static )?constexpr [^;({]*= \{.*?\};", blank, text, flags=re.S | re.M)
     return "\n".join(" " * len(line) if CONSTANT.search(line) else line for line in text.split("\n"))
 
 
@@ -220,9 +221,12 @@ class Asked:
         for number in entry["reached"]:
             self.reached.setdefault(number, []).append(case)
 
-    def kill(self, number, until):
-        """Program and case that turned red; two empty texts: none; nothing where the time was over."""
-        for case in sorted(self.reached.get(number, []), key=self.seconds.get):
+    def kill(self, number, until, longest):
+        """Program and case that turned red; two empty texts: none; nothing where the time was over, or cases were left out."""
+        cases = sorted(self.reached.get(number, []), key=self.seconds.get)
+        for case in cases:
+            if self.seconds[case] > longest:
+                return None
             left = until - time.monotonic()
             limit = max(LEAST_SECONDS, TIMES_LONGER * self.seconds[case])
             passed, seconds = self.ask(case, min(limit, left), TEGUMENT_MUTANT=str(number)) if left > 0 else (False, 0)
@@ -236,7 +240,9 @@ class Asked:
 def run(arguments):
     until = time.monotonic() + 60 * arguments.minutes
     results = arguments.folder / "results.jsonl"
-    known = {entry["number"] for entry in map(json.loads, results.read_text().splitlines())} if results.exists() else set()
+    known = {entry["number"]: entry["stage"] for entry in map(json.loads, results.read_text().splitlines())} if results.exists() else {}
+    if arguments.retry:
+        known = {number: stage for number, stage in known.items() if stage}
     asked = Asked(arguments.folder, arguments.program)
     try:
         asked.look(arguments.jobs)
@@ -245,7 +251,7 @@ def run(arguments):
         todo = [mutant for mutant in asked.mutants if mutant["number"] not in known]
         print(f"{len(asked.seconds)} cases; {len(todo)} mutants to try", flush=True)
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, results.open("a", encoding="utf-8") as file:
-            jobs = {pool.submit(asked.kill, mutant["number"], until): mutant for mutant in todo if mutant["number"] not in asked.none}
+            jobs = {pool.submit(asked.kill, mutant["number"], until, arguments.longest): mutant for mutant in todo if mutant["number"] not in asked.none}
             for mutant in todo:
                 if mutant["number"] in asked.none:
                     file.write(json.dumps({**mutant, "stage": "none", "test": ""}) + "\n")
@@ -288,6 +294,8 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--minutes", type=float, default=600)
+    parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
+    parser.add_argument("--longest", type=float, default=1e9, metavar="SECONDS", help="cases that take longer are not asked: such mutants stay to be tried")
     parser.add_argument("--program", action="append", choices=list(PROGRAMS), help="with the tests that are asked; default: all of these")
     parser.add_argument("-D", "--define", action="append", default=[], metavar="NAME=VALUE")
     arguments = parser.parse_args()

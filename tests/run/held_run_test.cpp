@@ -72,6 +72,18 @@ TEST_F(Held, nothing_is_drawn_where_nothing_has_changed) {
     EXPECT_TRUE(isAsDrawnAnew({}, chain({})));
 }
 
+TEST_F(Held, a_picture_of_several_samples_is_kept_with_its_mean) {
+    load(kFixtures / "mesh.fx");
+    RunOptions options{.technique = "Front", .width = 16, .height = 16, .samples = 4, .compiler = defaultCompiler()};
+    EXPECT_EQ(drawn(closeUp(), options).size(), 1U);
+    EXPECT_EQ(drawn(closeUp(), options), HeldNames{});
+    EXPECT_TRUE(isAsDrawnAnew(closeUp(), options));
+    Workspace aside = closeUp();
+    aside.camera.position = {1, 0, 5};
+    EXPECT_EQ(drawn(aside, options).size(), 1U);
+    EXPECT_TRUE(isAsDrawnAnew(aside, options));
+}
+
 TEST_F(Held, what_only_the_last_pass_reads_draws_that_one) {
     load(kFixtures / "held.fx");
     (void)drawn({}, chain({}));

@@ -1,5 +1,6 @@
 // Meshes on their way to the shader: stream, unwrap, winding, instances.
 
+#include "host/run/geometry.h"
 #include "tests/run/fixture.h"
 
 namespace tegument::test {
@@ -18,6 +19,12 @@ TEST_F(Meshes, an_unwrapped_mesh_has_v_zero_in_the_top_row) {
     ASSERT_TRUE(succeeded(result));
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.5F / 16, 0.5F / 16, 0, 1}, 1e-6F)); // interpolation in float
     EXPECT_TRUE(pixelIs(result->image, 15, 0, {15.5F / 16, 0.5F / 16, 0, 1}, 1e-6F));
+}
+
+TEST(VertexStream, holds_zeros_for_what_a_mesh_lacks_and_any_tangent_of_length_one) {
+    Mesh mesh;
+    mesh.positions = {{1, 2, 3}, {4, 5, 6}};
+    EXPECT_EQ(run::interleave(mesh), (std::vector<float>{1, 2, 3, 0, 0, 0, 1, 0, 0, 1, 0, 0, 4, 5, 6, 0, 0, 0, 1, 0, 0, 1, 0, 0}));
 }
 
 TEST_F(Meshes, normals_arrive) {

@@ -89,6 +89,21 @@ struct Random {
     }
 };
 
+TEST(PartClusters, beyond_any_side_of_the_picture_are_left_out_as_soon_as_they_do_not_reach_into_it) {
+    constexpr double kAngle = 0.5, kAspect = 1.5, kFar = 300, kReach = 2;
+    const glm::dmat4 toClip =
+        glm::perspective(kAngle, kAspect, 1.0, 1000.0) * glm::lookAt(glm::dvec3(0, 0, kFar), glm::dvec3(0), glm::dvec3(0, 1, 0));
+    run::PartView view = run::partView(toClip, {0, 0, kFar}, kReach);
+    view.hidden = -2;
+    for (const glm::dvec3 side : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0)}) {
+        // The picture's edge is a plane through the eye: what lies a reach beyond it is further out by the reach over its cosine.
+        const double slope = std::tan(kAngle / 2) * (side.x != 0 ? kAspect : 1), edge = kFar * slope,
+                     beyond = kReach * std::hypot(1, slope);
+        EXPECT_TRUE(run::canBeSeen((edge + 0.99 * beyond) * side, {0, 0, 1}, view)) << side.x << ' ' << side.y;
+        EXPECT_FALSE(run::canBeSeen((edge + 1.01 * beyond) * side, {0, 0, 1}, view)) << side.x << ' ' << side.y;
+    }
+}
+
 TEST(PartClusters, that_show_anything_are_never_left_out) {
     const glm::dmat4 toClip =
         glm::perspective(0.5, 1.5, 1.0, 1000.0) * glm::lookAt(glm::dvec3(0, 0, 300), glm::dvec3(0), glm::dvec3(0, 1, 0));

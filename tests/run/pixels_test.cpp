@@ -27,6 +27,13 @@ TEST(Pixels, grey_is_spread_and_alpha_filled) {
     EXPECT_TRUE(test::pixelIs(imageFrom(bytes, 1, 1, gpu::Format::RGBA32F), 0, 0, {0.5F, 0.5F, 0.5F, 1}));
 }
 
+TEST(Pixels, two_channels_stay_two_in_every_pixel) {
+    const Image image{.width = 3, .height = 1, .channels = 2, .pixels = {0.25F, 1, 0.5F, 2, 0.75F, 3}};
+    const auto bytes = texels(image, gpu::Format::RG32F, false);
+    ASSERT_EQ(bytes.size(), 6 * sizeof(float));
+    EXPECT_EQ(std::memcmp(bytes.data(), image.pixels.data(), bytes.size()), 0);
+}
+
 TEST(Pixels, decoding_leaves_alpha_alone) {
     const auto bytes = texels(onePixel({0.5F, 0.5F, 0.5F, 0.5F}, 16), gpu::Format::RGBA32F, true);
     const Image image = imageFrom(bytes, 1, 1, gpu::Format::RGBA32F);

@@ -280,7 +280,7 @@ TEST_P(Refused, with_one_clear_message) {
 INSTANTIATE_TEST_SUITE_P(Kinds, Refused,
                          testing::Values(std::pair("NoVertexShader", 4002), std::pair("Arguments", 4003), std::pair("Coloured", 4042),
                                          std::pair("Volume", 4032), std::pair("CubeTarget", 4023), std::pair("Unclear", 4033),
-                                         std::pair("Hidden", 4005)),
+                                         std::pair("Hidden", 4005), std::pair("HiddenMap", 4005)),
                          [](const auto& entry) { return std::string(entry.param.first); });
 
 TEST_F(Scripts, an_effect_without_techniques_is_refused) {

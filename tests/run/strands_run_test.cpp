@@ -259,6 +259,23 @@ TEST_P(StrandsOfAPass, hold_every_one_that_a_shader_draws_and_few_that_it_does_n
 
 INSTANTIATE_TEST_SUITE_P(Clusters, StrandsOfAPass, testing::Values(0, 100));
 
+/// A strand of width w at its root is w (1 - t^taper) at t; a pixel is as wide as the distance times `pixel`.
+TEST(ThinStrands, end_where_they_are_narrower_than_the_share_asks) {
+    const StrandShare share{.pixel = 1e-3, .widest = 0.1, .least = 0.5, .taper = 2};
+    for (const double distance : {1.0, 50.0, 150.0, 190.0, 199.0}) {
+        const double least = 0.5 * 1e-3 * distance; // mm
+        const double place = thinFrom(share, distance, 0);
+        EXPECT_NEAR(0.1 * (1 - place * place), least, 0.01 * least) << distance; // never too soon, by the tolerance of shares
+    }
+    for (const double distance : {210.0, 300.0, 399.0, 500.0, 1e6})
+        EXPECT_EQ(thinFrom(share, distance, 0), 0) << "all of it is too narrow from " << distance;
+    StrandShare even = share;
+    even.taper = 0;
+    EXPECT_EQ(thinFrom(even, 190, 0), 1) << "as wide everywhere";
+    EXPECT_EQ(thinFrom(even, 210, 0), 0);
+    EXPECT_EQ(thinFrom(even, 210, 20), 1) << "what may come nearer";
+}
+
 TEST(StrandsOfAPassThatShowsAll, are_drawn_from_the_mesh_itself) {
     const Mesh mesh = furryBall(100);
     EXPECT_FALSE(listStrands(mesh, mesh.parts[0], nullptr, {0, 0, 300}, {.count = 4}));

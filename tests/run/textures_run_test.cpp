@@ -70,6 +70,18 @@ TEST_F(Textures, float_colour_maps_are_linear_already) {
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {0.73F, 0.73F, 0.73F, 1}, 1e-6F));
 }
 
+TEST_F(Textures, the_caller_s_plain_skin_is_said_where_no_file_gives_a_colour) {
+    const Mesh mesh = square();
+    const auto result =
+        run("objects.fx",
+            {.technique = "Lit", .width = 8, .height = 8, .compiler = defaultCompiler(), .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}},
+            &mesh, closeUp());
+    ASSERT_TRUE(succeeded(result));
+    ASSERT_EQ(result->warnings.size(), 1U);
+    EXPECT_EQ(result->warnings[0].code, 4056);
+    EXPECT_NE(result->warnings[0].text.find("(0.8, 0.6, 0.5)"), std::string::npos) << result->warnings[0].text;
+}
+
 /// What a look-up compares need not be comparable in another format than a depth (VUID-vkCmdDrawIndexed-None-06479).
 TEST_F(Textures, what_is_compared_is_a_depth_texture_and_nothing_else_is) {
     const auto effect = loadEffect(kFixtures / "compared.fx");

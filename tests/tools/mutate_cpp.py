@@ -30,17 +30,18 @@ from reproducible import copied
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("host/lab/reference", "meshprep/order", "meshprep/prepare", "host/run")
 PROGRAMS = {"reference_tests": "tests/lab/reference", "order_tests": "tests/order", "prepare_tests": "tests/meshprep/prepare", "run_tests": "tests/run",
-            "verify_tests": "tests/lab/verify"}
+            "verify_tests": "tests/lab/verify", "hlsl_tests": "tests/hlsl"}
 LEFT_OUT = {"verify_tests": "-Full*:ErrataMeasured*"}  # minutes each
 OPERATORS = {"+": "Add", "-": "Subtract", "*": "Multiply", "/": "Divide", "<": "Less", ">": "Greater", "<=": "AtMost", ">=": "AtLeast", "==": "Equal", "!=": "Unequal"}
 FUNCTIONS = {"min": "max", "max": "min", "sqrt": "", "abs": "", "sin": "cos", "cos": "sin", "exp": "exp2"}
 TOKEN = re.compile(r"(?P<number>(?<![\w.'])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfFzZlL]*(?![\w'.]))|(?P<op>(?<= )(?:[-+*/<>]|[<>=!]=)(?=[ \n]))"
                    r"|std::(?P<call>min|max|sqrt|abs|sin|cos|exp)(?=\([^{])|\bif \((?P<condition>)")
 # Lines whose numbers the compiler wants, and declarations of operators.
-CONSTANT = re.compile(r"\bconst(?:expr|eval|init)\b|\bstatic_assert\b|^\s*(?:case|template|enum|using|#|\[\[)|\boperator\b|\brequires\b"
+CONSTANT = re.compile(r"\bconst(?:expr|eval|init)\b|\bstatic_assert\b|^\s*(?:case|template|enum|using|#|\[\[)|\boperator\b|\brequires\b|\bassert\("
                       r"|\bconst (?:int|unsigned|std::u?int\d*_t|std::size_t|bool) k?\w+ = [^(]*$|= 0;\s*$|std::get<|std::array<")
 MOST, SAME, REACHED = 4095, 1, 2  # as in mutants.h
 LEAST_SECONDS, TIMES_LONGER = 10, 8  # a mutant that runs on is dead
+SHARED = ("tools", "data", "human", "spirv")  # of the cache: what no mutant makes. A wrong reference that is kept would be judged by later
 
 
 def blanked(text):
@@ -48,6 +49,7 @@ def blanked(text):
         return re.sub(r"[^\n]", " ", match.group())
     text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
     text = re.sub(r'"(?:\\.|[^"\\\n])*"|(?<![\w])\'(?:\\.|[^\'\\\n])+\'', blank, text)
+    text = re.sub(r"^\s*(?:inline |static )?constexpr [^;({]*= \{.*?\};", blank, text, flags=re.S | re.M)
     return "\n".join(" " * len(line) if CONSTANT.search(line) else line for line in text.split("\n"))
 
 
@@ -150,6 +152,7 @@ class Asked:
         self.mutants = [json.loads(line) for line in (folder / "mutants.jsonl").read_text(encoding="utf-8").splitlines()]
         self.temporary = pathlib.Path(tempfile.mkdtemp(prefix="tegument-mutants-"))
         self.seconds, self.reached, self.none, self.red = {}, {}, set(), []
+        self.users = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache")) + "/tegument")
 
     def close(self):
         shutil.rmtree(self.temporary, ignore_errors=True)
@@ -170,14 +173,19 @@ class Asked:
     def ask(self, case, limit, **environment):
         """Whether the case passes; and how long it takes."""
         began = time.monotonic()
+        own = pathlib.Path(tempfile.mkdtemp(prefix="cache-", dir=self.temporary))
+        for name in SHARED:
+            if (self.users / name).exists():
+                (own / name).symlink_to(self.users / name)
         process = subprocess.Popen([case[0], f"--gtest_filter={case[1]}", "--gtest_brief=1"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                   env={**os.environ, "TMPDIR": str(self.temporary), **environment}, start_new_session=True)
+                                   env={**os.environ, "TMPDIR": str(self.temporary), "TEGUMENT_CACHE": str(own), **environment}, start_new_session=True)
         try:
             code = process.wait(limit)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, 9)
             process.wait()
             code = -1
+        shutil.rmtree(own, ignore_errors=True)
         return code in (0, 77), time.monotonic() - began
 
     def reach(self, case):
@@ -187,23 +195,43 @@ class Asked:
         return case, passed, seconds, {n for n, what in enumerate(found) if what == REACHED}, {n for n, what in enumerate(found) if what == SAME}
 
     def look(self, jobs):
-        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            for case, passed, seconds, reached, none in pool.map(self.reach, list(self.cases())):
-                if not passed:
-                    self.red.append(case[1])
-                    continue
-                self.none |= none
-                self.seconds[case] = seconds
-                for number in reached:
-                    self.reached.setdefault(number, []).append(case)
+        """What was seen of a program stays in FOLDER/reached.jsonl until it is built again."""
+        kept = self.folder / "reached.jsonl"
+        known = {(*entry["case"], entry["built"]): entry for entry in map(json.loads, kept.read_text().splitlines())} if kept.exists() else {}
+        cases = [(*case, case[0].stat().st_mtime_ns) for case in self.cases()]
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool, kept.open("a", encoding="utf-8") as file:
+            asked = [pool.submit(self.reach, case[:2]) for case in cases if (str(case[0]), *case[1:]) not in known]
+            for done in concurrent.futures.as_completed(asked):
+                case, passed, seconds, reached, none = done.result()
+                entry = {"case": [str(case[0]), case[1]], "built": case[0].stat().st_mtime_ns, "passed": passed, "seconds": seconds, "reached": sorted(reached),
+                         "none": sorted(none)}
+                file.write(json.dumps(entry) + "\n")
+                file.flush()
+                known[(*entry["case"], entry["built"])] = entry
+        for case in cases:
+            self.take(case[:2], known[(str(case[0]), *case[1:])])
         self.none -= set(self.reached)
 
-    def kill(self, number, until):
-        """Program and case that turned red; two empty texts: none; nothing where the time was over."""
-        for case in sorted(self.reached.get(number, []), key=self.seconds.get):
-            if time.monotonic() > until:
+    def take(self, case, entry):
+        if not entry["passed"]:
+            self.red.append(case[1])
+            return
+        self.none |= set(entry["none"])
+        self.seconds[case] = entry["seconds"]
+        for number in entry["reached"]:
+            self.reached.setdefault(number, []).append(case)
+
+    def kill(self, number, until, longest):
+        """Program and case that turned red; two empty texts: none; nothing where the time was over, or cases were left out."""
+        cases = sorted(self.reached.get(number, []), key=self.seconds.get)
+        for case in cases:
+            if self.seconds[case] > longest:
                 return None
-            passed, _ = self.ask(case, max(LEAST_SECONDS, TIMES_LONGER * self.seconds[case]), TEGUMENT_MUTANT=str(number))
+            left = until - time.monotonic()
+            limit = max(LEAST_SECONDS, TIMES_LONGER * self.seconds[case])
+            passed, seconds = self.ask(case, min(limit, left), TEGUMENT_MUTANT=str(number)) if left > 0 else (False, 0)
+            if not passed and seconds >= left:
+                return None
             if not passed:
                 return case[0].name, case[1]
         return "", "" if number in self.reached else "not reached"
@@ -212,7 +240,9 @@ class Asked:
 def run(arguments):
     until = time.monotonic() + 60 * arguments.minutes
     results = arguments.folder / "results.jsonl"
-    known = {entry["number"] for entry in map(json.loads, results.read_text().splitlines())} if results.exists() else set()
+    known = {entry["number"]: entry["stage"] for entry in map(json.loads, results.read_text().splitlines())} if results.exists() else {}
+    if arguments.retry:
+        known = {number: stage for number, stage in known.items() if stage}
     asked = Asked(arguments.folder, arguments.program)
     try:
         asked.look(arguments.jobs)
@@ -221,7 +251,7 @@ def run(arguments):
         todo = [mutant for mutant in asked.mutants if mutant["number"] not in known]
         print(f"{len(asked.seconds)} cases; {len(todo)} mutants to try", flush=True)
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, results.open("a", encoding="utf-8") as file:
-            jobs = {pool.submit(asked.kill, mutant["number"], until): mutant for mutant in todo if mutant["number"] not in asked.none}
+            jobs = {pool.submit(asked.kill, mutant["number"], until, arguments.longest): mutant for mutant in todo if mutant["number"] not in asked.none}
             for mutant in todo:
                 if mutant["number"] in asked.none:
                     file.write(json.dumps({**mutant, "stage": "none", "test": ""}) + "\n")
@@ -264,6 +294,8 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--minutes", type=float, default=600)
+    parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
+    parser.add_argument("--longest", type=float, default=1e9, metavar="SECONDS", help="cases that take longer are not asked: such mutants stay to be tried")
     parser.add_argument("--program", action="append", choices=list(PROGRAMS), help="with the tests that are asked; default: all of these")
     parser.add_argument("-D", "--define", action="append", default=[], metavar="NAME=VALUE")
     arguments = parser.parse_args()

@@ -35,6 +35,41 @@ TEST(MoreLight, of_an_even_sky_is_its_radiance_whatever_way_a_surface_faces) {
         EXPECT_NEAR(irradianceOf(beamsAt(more, more.diffuseSky, glm::dvec3(0), normal, kAll), normal), 0.7, 0.7 * 0.006);
 }
 
+TEST(MoreLight, of_an_even_sky_is_in_pieces_of_the_same_solid_angle) {
+    const std::vector<SkyPiece> pieces = skyPieces(evenPanorama(1), 4);
+    ASSERT_EQ(pieces.size(), 32U);
+    for (const SkyPiece& piece : pieces) // 4 pi / 32 / pi; a row of texels that is cut counts whole: 64 rows, 16 in a piece
+        EXPECT_NEAR(piece.light.x, 0.125, 0.02);
+}
+
+/// Light from one texel comes from its centre, in its colour: radiance times its solid angle / pi.
+TEST(MoreLight, of_one_bright_texel_of_the_sky_comes_from_there_in_its_colour) {
+    constexpr int kWidth = 128, kHeight = 64;
+    for (const auto& [x, y] : {std::pair(5, 3), std::pair(64, 40), std::pair(100, 63)})
+        for (int channel = 0; channel < 3; ++channel) {
+            Image panorama = evenPanorama(0);
+            panorama.at(x, y, channel) = 2;
+            const std::vector<SkyPiece> pieces = skyPieces(panorama, 6);
+            ASSERT_EQ(pieces.size(), 1U);
+            const double down = std::numbers::pi * (y + 0.5) / kHeight;
+            const double right = 2 * std::numbers::pi * ((x + 0.5) / kWidth - 0.5); // of -z, the middle column
+            const glm::dvec3 towards(std::sin(right) * std::sin(down), std::cos(down), -std::cos(right) * std::sin(down));
+            EXPECT_LT(glm::distance(pieces[0].direction, towards), 1e-12);
+            const double angle = 2 * std::numbers::pi / kWidth * std::numbers::pi / kHeight * std::sin(down);
+            for (int other = 0; other < 3; ++other)
+                EXPECT_NEAR(pieces[0].light[other], other == channel ? 2 * angle / std::numbers::pi : 0, 1e-3 * angle);
+        }
+}
+
+TEST(MoreLight, of_a_sphere_has_as_many_directions_as_are_asked_for) {
+    MoreLight more;
+    more.lamps = {{.place = {0, 100, 0, 1}, .colour = {1, 1, 1, 0}, .axis = {0, -1, 0, 30}}};
+    for (const int side : {1, 2, 3}) {
+        more.lampSide = side;
+        EXPECT_EQ(beamsAt(more, {}, glm::dvec3(0), kUp, kAll).size(), static_cast<std::size_t>(side * side));
+    }
+}
+
 TEST(MoreLight, of_points_and_spots_is_that_of_the_inverse_square_within_their_cone) {
     MoreLight more;
     more.lamps = {{.place = {0, 300, 0, 1}, .colour = {2, 1, 0.5, 150}, .axis = {0, -1, 0, 0}, .spot = {0.9, 0.8, 1, 1}}};

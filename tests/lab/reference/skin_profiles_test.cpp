@@ -69,6 +69,37 @@ TEST(SkinProfiles, the_burley_nearest_to_the_six_gaussians_misses_their_edge_by_
     expectNear(error.halfPlane, {.029, .044, .059}, 1e-3);
 }
 
+/// The tables once more, in the order of the document that prints them: variance, red, green, blue. Three digits: others that round to the
+/// same are as good.
+TEST(SkinProfiles, hold_what_is_printed) {
+    using Rows = std::vector<std::array<double, 4>>;
+    const auto expectPrinted = [](const Profile& profile, const Rows& rows) {
+        ASSERT_EQ(profile.size(), rows.size());
+        glm::dvec3 sum(0);
+        for (const auto& [variance, red, green, blue] : rows)
+            sum += glm::dvec3(red, green, blue);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_NEAR(profile[i].variance, rows[i][0], 1e-12);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(profile[i].weight[c], rows[i][static_cast<std::size_t>(c) + 1] / sum[c], 1e-12) << i;
+        }
+    };
+    expectPrinted(refittedProfile(2), {{.0178, .418, .917, .994}, {1.8439, .582, .083, .006}});
+    expectPrinted(refittedProfile(3), {{.0088, .249, .589, .833}, {.1231, .263, .404, .167}, {2.3929, .488, .007, 0}});
+    expectPrinted(refittedProfile(4), {{.0073, .251, .496, .743}, {.0746, .142, .449, .257}, {.6649, .296, .054, 0}, {3.5484, .310, 0, 0}});
+    expectPrinted(refittedProfile(5), {{.0064, .237, .455, .654},
+                                       {.0496, .091, .353, .338},
+                                       {.2115, .170, .188, .005},
+                                       {1.5963, .386, .003, .002},
+                                       {6.1879, .116, .001, 0}});
+    expectPrinted(physicalProfile(), {{.0003, .058, .084, .119},
+                                      {.0048, .129, .182, .240},
+                                      {.0421, .242, .357, .437},
+                                      {.2429, .269, .303, .204},
+                                      {5.0122, .137, .068, 0},
+                                      {70.33, .164, .006, 0}});
+}
+
 TEST(SkinProfiles, every_table_is_white) {
     for (const Profile* profile :
          {&refittedProfile(2), &refittedProfile(3), &refittedProfile(4), &refittedProfile(5), &conferenceProfile(), &physicalProfile()}) {

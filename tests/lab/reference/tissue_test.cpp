@@ -86,6 +86,33 @@ TEST(Photons, do_not_notice_an_interface_between_equal_layers) {
     EXPECT_NEAR(one.transmitted, two.transmitted, kSigmas * std::hypot(one.transmittedError, two.transmittedError));
 }
 
+/// A thin sheet of air over clear glass: light that the cosine law spreads goes down through the glass by Snell's angle, is mirrored at its
+/// underside, and leaves after k turns 2 k tan(angle) glasses aside.
+TEST(Photons, are_bent_at_an_interface_as_snell_says) {
+    constexpr double kGlass = 1.5, kThick = 2;
+    double energy = 0, moment = 0;
+    for (const Node& node : gaussLegendre(400, 0, 1)) { // sine^2 above: even by the cosine law
+        const double sine = std::sqrt(node.x), cosine = std::sqrt(1 - node.x), below = sine / kGlass, bent = std::sqrt(1 - below * below);
+        const double s = (cosine - kGlass * bent) / (cosine + kGlass * bent), p = (kGlass * cosine - bent) / (kGlass * cosine + bent);
+        const double mirrored = (s * s + p * p) / 2;
+        double light = node.weight * (1 - mirrored) * mirrored;
+        for (int turns = 1; turns < 40; ++turns, light *= mirrored * mirrored) {
+            energy += light * (1 - mirrored);
+            moment += light * (1 - mirrored) * 2 * turns * kThick * below / bent;
+        }
+    }
+    const Photons found = follow({{0, 0, 1e-7, 1}, {0, 0, kThick, kGlass}}, Launch::Diffuse, 400'000);
+    double seen = 0, reach = 0;
+    for (std::size_t ring = 0; ring < RingHistogram::kRings; ++ring) {
+        const double radius = (RingHistogram::edge(ring) + RingHistogram::edge(ring + 1)) / 2;
+        if (radius < 1e-2) continue; // mirrored by the glass itself
+        seen += found.rings.energy(ring);
+        reach += found.rings.energy(ring) * radius;
+    }
+    EXPECT_NEAR(seen, energy, 0.02 * energy); // 400,000 photons, of which the interface mirrors some 9 %
+    EXPECT_NEAR(reach / seen, moment / energy, 0.01 * moment / energy) << "rings are 2 % wide";
+}
+
 TEST(Photons, of_a_thousandth_of_the_absorption_and_scattering_spread_a_thousand_times_as_far) {
     const Photons near = follow({{0.2, 1.5, kEndless, 1.4}}, Launch::Diffuse);
     const Photons far = follow({{0.0002, 0.0015, kEndless, 1.4}}, Launch::Diffuse);

@@ -308,6 +308,22 @@ TEST_F(Prepare, a_sphere_looked_up_by_equal_area_is_even) {
     }
 }
 
+TEST_F(Prepare, a_sphere_map_keeps_the_areas_of_a_cap) { // sin(angle / 2) from the middle, as Lambert's projection; its rim is behind
+    Mesh mesh = makeShape(Shape::Sphere, 20), cap = mesh;
+    cap.indices.clear();
+    for (glm::vec3& p : cap.positions)
+        p = glm::normalize(p);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        if (cap.positions[mesh.indices[i]].z > 0.2f)
+            cap.indices.insert(cap.indices.end(), {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
+    cap.parts = {{.name = "cap", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(cap.indices.size())}};
+    const Prepared prepared = prepare(cap, {.centre = CentreMode::None, .levels = 1, .mappingReport = true});
+    const auto found = std::ranges::find(prepared.report.mapping, "position, sphere map", &MappingFigures::name);
+    ASSERT_NE(found, prepared.report.mapping.end());
+    EXPECT_NEAR(found->cvFace, 0, 0.02) << "chords in place of arcs";
+    EXPECT_NEAR(found->density1, 1, 0.02);
+}
+
 TEST_F(Prepare, a_square_of_texture_coordinates_has_the_figures_of_its_affine_map) {
     Mesh mesh = makeShape(Shape::Terrain, 8);
     for (glm::vec3& p : mesh.positions)
@@ -322,6 +338,27 @@ TEST_F(Prepare, a_square_of_texture_coordinates_has_the_figures_of_its_affine_ma
     EXPECT_NEAR(m.anisotropy95, 2, 1e-4);
     EXPECT_EQ(m.seamLength, 0);
     EXPECT_EQ(m.mirrored, 0);
+}
+
+TEST_F(Prepare, seams_are_as_long_as_the_edges_that_they_follow) {
+    // A strip of ten squares, 10 x 1, whose coordinates jump after the seventh: one edge of length 1, over the root of the area.
+    for (const float size : {1.0f, 0.001f}) {
+        Mesh mesh;
+        for (std::uint32_t square = 0; square < 10; ++square) {
+            for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+                mesh.positions.emplace_back(size * static_cast<float>(square + static_cast<std::uint32_t>(x)), size * static_cast<float>(y),
+                                            0);
+                mesh.uvs.emplace_back(0.05f * static_cast<float>(square + static_cast<std::uint32_t>(x)),
+                                      (square > 6 ? 0.5f : 0.0f) + 0.05f * static_cast<float>(y));
+            }
+            for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+                mesh.indices.push_back(4 * square + corner);
+        }
+        mesh.parts = {{.name = "strip", .firstIndex = 0, .indexCount = 60}};
+        const Prepared prepared = prepare(mesh, {.levels = 1, .mappingReport = true});
+        EXPECT_NEAR(prepared.report.mapping.front().seamLength, 1 / std::sqrt(10.0), 1e-6) << size;
+        EXPECT_NEAR(*prepared.report.mapping.front().seamJumpTexels, 512, 1e-2) << size;
+    }
 }
 
 TEST_F(Prepare, contradicting_weld_options_are_refused) {

@@ -1,6 +1,7 @@
 // Each step by itself, on meshes whose answer is known.
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/nearest.h"
+#include "meshprep/prepare/vertex_format.h"
 #include "meshprep/prepare/vertices.h"
 #include "tests/meshprep/prepare/meshes.h"
 
@@ -85,6 +86,18 @@ TEST(Weld, joins_what_is_equal_in_all_that_is_kept) {
     EXPECT_EQ(surface.mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
+TEST(Weld, keeps_vertices_that_differ_in_one_number_of_their_normals_or_texture_coordinates) {
+    for (int number = 0; number < 5; ++number) {
+        Surface surface = surfaceOf(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {0, 1, 2, 3, 4, 5}));
+        surface.mesh.normals.assign(6, {0.6f, 0.48f, 0.64f});
+        surface.mesh.uvs.assign(6, {0.25f, 0.5f});
+        Surface same = surface;
+        EXPECT_EQ(weldVertices(same), 2u);
+        (number < 3 ? surface.mesh.normals[3][number] : surface.mesh.uvs[3][number - 3]) += 0.125f;
+        EXPECT_EQ(weldVertices(surface), 1u) << "number " << number;
+    }
+}
+
 TEST(Duplicates, with_other_texture_coordinates_are_none) {
     Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 5, 3, 4});
     Surface plain = surfaceOf(mesh);
@@ -100,6 +113,37 @@ TEST(VertexOrder, is_that_of_first_use) {
     EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
     EXPECT_EQ(mesh.positions[0].x, 3);
     EXPECT_EQ(mesh.positions[3].x, 2);
+    EXPECT_EQ(orderVertices(mesh), 0u) << "it is in that order now";
+}
+
+TEST(VertexBytes, are_those_of_each_kind_of_number_in_multiples_of_four) {
+    const auto bytes = [](const Mesh& mesh) {
+        return std::array{vertexBytes(mesh, VertexPrecision::Float), vertexBytes(mesh, VertexPrecision::Half),
+                          vertexBytes(mesh, VertexPrecision::Unorm16)};
+    };
+    using Bytes = std::array<std::size_t, 3>;
+    Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2});
+    EXPECT_EQ(bytes(mesh), (Bytes{12, 8, 8}));
+    mesh.normals.assign(3, {0, 0, 1});
+    EXPECT_EQ(bytes(mesh), (Bytes{24, 16, 16}));
+    mesh.uvs.assign(3, {0, 1});
+    EXPECT_EQ(bytes(mesh), (Bytes{32, 20, 20}));
+    mesh.uvs[1] = {1.5f, 0};
+    EXPECT_EQ(bytes(mesh), (Bytes{32, 20, 24})) << "shorts hold 0 to 1 alone";
+    mesh.tangents.assign(3, {1, 0, 0, 1});
+    EXPECT_EQ(bytes(mesh), (Bytes{48, 28, 32}));
+}
+
+TEST(HalfFloats, hold_coordinates_up_to_65504_of_either_sign) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float sign : {1.0f, -1.0f}) {
+            Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2});
+            mesh.positions[1][axis] = sign * 65504;
+            EXPECT_TRUE(reducePrecision(mesh, VertexPrecision::Half)) << axis;
+            EXPECT_EQ(mesh.positions[1][axis], sign * 65504);
+            mesh.positions[1][axis] = sign * 66000;
+            EXPECT_FALSE(reducePrecision(mesh, VertexPrecision::Half)) << axis;
+        }
 }
 
 TEST(TopologyOf, a_torus_has_no_boundary_and_one_component) {

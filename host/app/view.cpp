@@ -9,6 +9,7 @@
 #include "host/app/output.h"
 #include "host/app/replay.h"
 #include "host/view/keys.h"
+#include "meshprep/prepare/levels.h"
 
 #include <fmt/format.h>
 
@@ -83,7 +84,8 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .renderArguments = renderArguments(options.job),
             .keeps = job,
             .keepView = false,
-            .open = {}};
+            .open = {},
+            .fewer = prep::quickLevel};
 }
 
 /// The request with a way to open what is dropped next.

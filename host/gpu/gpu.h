@@ -135,7 +135,7 @@ struct PipelineDesc {
     std::vector<Format> colorFormats;
     std::optional<Format> depthFormat;
     std::uint32_t samples = 1; // of every target; the pixel shader runs once for those of one pixel that a triangle covers
-    /// depthBias counts smallest steps of the depth format, as in Direct3D 10 and 11. A scissor rectangle is never set: scissorTest passes.
+    /// depthBias counts smallest steps of the depth format, as in Direct3D 10 and 11. scissorTest passes within Draw::rows.
     PipelineState state;
 };
 
@@ -170,6 +170,12 @@ struct DrawRange {
     std::uint32_t instances = 0;     // 0: as many as the draw
 };
 
+/// Rows of the targets, from the top.
+struct RowRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
 /// Clockwise or counter-clockwise as Direct3D sees it: the viewport is y-up like Direct3D's, depth 0..1.
 struct Draw {
     const Pipeline* pipeline = nullptr;
@@ -180,6 +186,7 @@ struct Draw {
     std::uint32_t count = 0;
     std::vector<DrawRange> more; // drawn after that, in order
     std::uint32_t instances = 1;
+    std::optional<RowRange> rows; // nothing is drawn outside of them; none: of all
 };
 
 /// Records one frame. Barriers and layouts are tracked here. A texture that is both a target and a bound resource of one draw is TG6xxx.

@@ -45,6 +45,14 @@ void useResources(RecorderState& recorder, std::span<const BoundResource* const>
     }
 }
 
+void setRows(RecorderState& recorder, const Scope& scope, const std::optional<RowRange>& rows) {
+    const TextureDesc& target = (scope.colors.empty() ? scope.depth : scope.colors.front())->desc;
+    const RowRange all{.first = 0, .count = target.height};
+    const RowRange drawn = rows.value_or(all);
+    recorder.commands.setScissor(0,
+                                 vk::Rect2D{.offset = {0, static_cast<std::int32_t>(drawn.first)}, .extent = {target.width, drawn.count}});
+}
+
 void recordDraw(RecorderState& recorder, const PipelineHandle& pipeline, const Draw& draw) {
     const vk::raii::CommandBuffer& commands = recorder.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.pipeline);
@@ -75,7 +83,9 @@ Result<void> drawChecked(RecorderState& recorder, const Targets& targets, const 
     if (draw.vertices) use(recorder, *draw.vertices->state, kVertexInput);
     if (draw.indices) use(recorder, *draw.indices->state, kIndexInput);
     openScope(recorder, *scope);
+    if (draw.rows) setRows(recorder, *scope, draw.rows);
     recordDraw(recorder, pipeline, draw);
+    if (draw.rows) setRows(recorder, *scope, std::nullopt);
     return {};
 }
 

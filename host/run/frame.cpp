@@ -168,6 +168,20 @@ Extent extentOf(const gpu::Targets& targets) {
     return {desc.width, desc.height};
 }
 
+/// Where the draw is of all of a mesh.
+void useCoarser(const Builder& builder, const Extent& viewport, gpu::Draw& draw) {
+    const RunOptions& options = builder.input.options;
+    const Extent picture{static_cast<std::uint32_t>(options.width), static_cast<std::uint32_t>(options.height)};
+    if (!options.coarser.triangles || !(options.coarser.everywhere || viewport == picture)) return;
+    const Store& store = builder.resources.store;
+    const Geometry& geometry = *store.meshes.at(builder.input.mesh);
+    const auto coarse = store.coarse.find(builder.input.mesh);
+    const bool whole = draw.indices == &geometry.indices && draw.first == 0 && draw.count == geometry.indexCount && draw.more.empty();
+    if (coarse == store.coarse.end() || !whole) return;
+    draw.indices = &coarse->second->indices;
+    draw.count = coarse->second->indexCount;
+}
+
 Result<void> addDraw(Builder& builder, const DrawStep& step) {
     const auto instances = instancesOf(builder, step);
     if (!instances) return instances.error();
@@ -186,6 +200,7 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     if (step.kind != DrawKind::Buffer) {
         const PartRequest request{builder.input, builder.prepared, *step.pass, viewport, builder.resources.device};
         if (const auto chosen = chooseTriangles(request, builder.frame.lists, item.draw); !chosen) return chosen;
+        useCoarser(builder, viewport, item.draw);
     }
     const PassProgram& program = *builder.prepared.programs.at(step.pass);
     if (const auto bound = bindStage(builder, step, program.vertex, viewport, item); !bound) return bound;
@@ -262,15 +277,6 @@ Result<void> recordClear(const FrameClear& item, gpu::Recorder& recorder) {
     return recorder.clearDepthStencil(target, std::nullopt, item.step.stencil);
 }
 
-Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder) {
-    if (const auto* draw = std::get_if<FrameDraw>(&item))
-        return draw->computes() ? recorder.dispatch(*draw->draw.pipeline, draw->draw.resources, draw->groups)
-                                : recorder.draw(draw->targets, draw->draw);
-    if (const auto* clear = std::get_if<FrameClear>(&item)) return recordClear(*clear, recorder);
-    if (const auto* copy = std::get_if<FrameCopy>(&item)) return recorder.copy(*copy->from, *copy->to);
-    return recorder.generateMips(*std::get<FrameMips>(item).target);
-}
-
 void recordClears(gpu::Recorder& recorder) {
     recorder.beginTimer(kClears);
     recorder.clearNow();
@@ -286,13 +292,6 @@ Result<void> recordTimed(const FrameItem& item, gpu::Recorder& recorder, bool cl
     auto drawn = recordItem(item, recorder);
     recorder.endTimer();
     return drawn;
-}
-
-Result<void> recordResolve(const FrameResolve& item, gpu::Recorder& recorder) {
-    recorder.beginTimer(kResolve);
-    auto resolved = recorder.resolve(*item.from, *item.to);
-    recorder.endTimer();
-    return resolved;
 }
 
 } // namespace
@@ -320,10 +319,37 @@ Result<Frame> buildFrame(std::span<const ObjectRun> objects, Resources& resource
     return frame;
 }
 
+Result<void> recordDrawIn(const FrameDraw& draw, const std::optional<gpu::RowRange>& rows, gpu::Recorder& recorder) {
+    if (draw.computes()) return recorder.dispatch(*draw.draw.pipeline, draw.draw.resources, draw.groups);
+    if (!rows) return recorder.draw(draw.targets, draw.draw);
+    gpu::Draw part = draw.draw;
+    part.rows = rows;
+    return recorder.draw(draw.targets, part);
+}
+
+Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder) {
+    if (const auto* draw = std::get_if<FrameDraw>(&item)) return recordDrawIn(*draw, std::nullopt, recorder);
+    if (const auto* clear = std::get_if<FrameClear>(&item)) return recordClear(*clear, recorder);
+    if (const auto* copy = std::get_if<FrameCopy>(&item)) return recorder.copy(*copy->from, *copy->to);
+    return recorder.generateMips(*std::get<FrameMips>(item).target);
+}
+
+Result<void> recordNode(const FrameNode& node, gpu::Recorder& recorder) {
+    for (const FrameItem& item : node.items)
+        if (auto done = recordItem(item, recorder); !done) return done;
+    return {};
+}
+
+Result<void> recordResolve(const FrameResolve& item, gpu::Recorder& recorder) {
+    recorder.beginTimer(kResolve);
+    auto resolved = recorder.resolve(*item.from, *item.to);
+    recorder.endTimer();
+    return resolved;
+}
+
 Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items) {
     for (const FrameNode& node : frame.before)
-        for (const FrameItem& item : node.items)
-            if (auto done = recordItem(item, recorder); !done) return done;
+        if (auto done = recordNode(node, recorder); !done) return done;
     bool cleared = false;
     for (std::size_t i = 0; i < std::min(items, frame.items.size()); ++i) {
         if (!frame.kept.empty() && frame.kept[i]) continue;

@@ -84,4 +84,12 @@ struct Frame {
 /// it.
 [[nodiscard]] Result<void> record(const Frame& frame, gpu::Recorder& recorder, std::size_t items = std::numeric_limits<std::size_t>::max());
 
+// Its parts, for whoever draws it in pieces.
+[[nodiscard]] Result<void> recordNode(const FrameNode& node, gpu::Recorder& recorder);
+[[nodiscard]] Result<void> recordItem(const FrameItem& item, gpu::Recorder& recorder);
+/// `rows`: of its targets; none: all.
+[[nodiscard]] Result<void> recordDrawIn(const FrameDraw& draw, const std::optional<gpu::RowRange>& rows, gpu::Recorder& recorder);
+/// A timed section.
+[[nodiscard]] Result<void> recordResolve(const FrameResolve& item, gpu::Recorder& recorder);
+
 } // namespace tegument::run

@@ -128,6 +128,17 @@ void addResource(const gpu::BoundResource& bound, const Follower& follower, Held
     // What is stored to is one of the item's targets.
 }
 
+std::vector<gpu::Texture*> writtenBy(const FrameItem& item) {
+    if (const auto* clear = std::get_if<FrameClear>(&item)) return {clear->target};
+    if (const auto* mips = std::get_if<FrameMips>(&item)) return {mips->target};
+    if (const auto* copy = std::get_if<FrameCopy>(&item)) return {copy->to};
+    const FrameDraw& draw = std::get<FrameDraw>(item);
+    std::vector<gpu::Texture*> targets = draw.targets.colors;
+    targets.insert(targets.end(), draw.stored.begin(), draw.stored.end());
+    if (draw.targets.depth) targets.push_back(draw.targets.depth);
+    return targets;
+}
+
 void followDraw(const FrameDraw& draw, Follower& follower, HeldItem item) {
     HeldKey key = begun(HeldKind::Draw);
     key.add(gpu::identityOf(*draw.draw.pipeline));
@@ -218,13 +229,37 @@ void Held::choose(Frame& frame, std::size_t items) {
     for (std::size_t i = 0; i < count; ++i)
         frame.kept[i] = isKept(follower.items[nodes + i]);
     frame.resolveKept = frame.resolve && isKept(follower.items.back());
+    before_ = held_;
     for (const auto& [target, content] : follower.now)
         held_[target] = content;
     known_ = std::move(follower.next);
 }
 
+void Held::giveUp(const Frame& frame, std::size_t items, std::size_t begun, std::size_t done) {
+    struct Touched {
+        bool any = false;
+        bool all = true;
+    };
+    std::map<std::uint64_t, Touched> touched;
+    for (std::size_t i = 0; i < std::min(items, frame.items.size()); ++i) {
+        if (frame.kept[i]) continue;
+        for (const gpu::Texture* target : writtenBy(frame.items[i])) {
+            Touched& of = touched[gpu::identityOf(*target)];
+            of.any = of.any || i < begun;
+            of.all = of.all && i < done;
+        }
+    }
+    if (frame.resolve) touched[gpu::identityOf(*frame.resolve->to)] = {.any = false, .all = false};
+    for (const auto& [target, of] : touched) {
+        if (of.all) continue;
+        held_.erase(target);
+        if (const auto was = before_.find(target); !of.any && was != before_.end()) held_.insert(*was);
+    }
+}
+
 void Held::forget() {
     held_.clear();
+    before_.clear();
     known_.clear();
     nodes_.clear();
 }

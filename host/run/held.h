@@ -20,6 +20,8 @@ public:
     /// Marks in `frame` what need not be drawn of its first `items`; the targets then hold what these leave, once they have been drawn.
     /// Textures that other effects draw are drawn whenever the frame brings their nodes.
     void choose(Frame& frame, std::size_t items);
+    /// The frame that was chosen last was given up: of its items the first `done` were drawn, and what is behind the first `begun` was not.
+    void giveUp(const Frame& frame, std::size_t items, std::size_t begun, std::size_t done);
     /// The targets hold anything.
     void forget();
 
@@ -27,6 +29,7 @@ private:
     using Content = std::uint64_t;
 
     std::map<std::uint64_t, Content> held_;          // by the texture's identity
+    std::map<std::uint64_t, Content> before_;        // likewise, before the frame that was chosen last
     std::unordered_map<std::string, Content> known_; // by what it follows from; of the last frame
     std::unordered_map<std::string, Content> nodes_; // likewise, of what other effects drew, once for many frames
     Content made_ = 0;

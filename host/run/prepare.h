@@ -7,6 +7,7 @@
 #include "host/run/program.h"
 #include "host/run/run_options.h"
 #include "host/run/semantics.h"
+#include "host/run/session_frame.h"
 #include "host/run/target_desc.h"
 #include "host/run/texture_source.h"
 #include "host/run/values.h"
@@ -50,6 +51,7 @@ struct Prepared {
     std::map<std::string, TextureData> textures;
     std::map<std::string, ProducerSource> products; // textures that other effects draw (host/run/products.h)
     std::map<std::string, std::string> origins;     // of both: "file skin.png", for people
+    std::map<std::string, Bake> bakes;              // of textures that are made from the mesh
     std::set<std::string> reads; // numeric parameters that make a difference: to shaders, scripts, and effects that draw textures for it
     std::vector<Diagnostic> warnings;
     bool drawsMesh = false;

@@ -9,12 +9,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace tegument::run {
 
 namespace {
 
-constexpr double kByte = 1.0 / 255; // a map of 8 bits may be rounded up, and no more
+constexpr std::chrono::milliseconds kClockStep(20); // of the clock that dates files
+constexpr double kByte = 1.0 / 255;                 // a map of 8 bits may be rounded up, and no more
 
 /// Mip chains are made for textures that a sampler of this effect reads with a linear mip filter.
 bool wantsMips(const Effect& effect, const std::string& texture) {
@@ -159,10 +161,16 @@ Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& 
 }
 
 /// What is made from the mesh is a file from here on; a file that somebody named must have been made from this mesh.
-Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter, TextureSource source) {
+Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter, TextureSource source, Prepared& prepared) {
     if (const auto* made = std::get_if<GeneratorSource>(&source)) {
+        const auto begin = std::chrono::steady_clock::now();
+        const auto written = std::filesystem::file_time_type::clock::now();
         auto file = input.options.meshTextures.make(made->generator, *input.mesh);
         if (!file) return namedBy("its annotation Generator", parameter, file.error());
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        std::error_code unknown;
+        const bool old = std::filesystem::last_write_time(*file, unknown) < written - kClockStep;
+        prepared.bakes[parameter.name] = {.milliseconds = took.count(), .fromCache = !unknown && old, .file = *file};
         return TextureSource(FileSource{*file, "its annotation Generator"});
     }
     const auto generator = parameter.annotations.string("Generator");
@@ -188,11 +196,11 @@ void paint(const RunInput& input, const Parameter& parameter, TextureSource& sou
          .sourceLine = {}});
 }
 
-Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, std::vector<Diagnostic>& warnings) {
+Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
     auto source = findTexture(parameter, input.effect, input.options, input.workspace, input.mesh);
     if (!source) return source;
-    paint(input, parameter, *source, warnings);
-    return madeFor(input, parameter, std::move(*source));
+    paint(input, parameter, *source, prepared.warnings);
+    return madeFor(input, parameter, std::move(*source), prepared);
 }
 
 Result<TextureData> load(const RunInput& input, const Parameter& parameter, const TextureSource& source, bool compared,
@@ -207,7 +215,7 @@ Result<TextureData> load(const RunInput& input, const Parameter& parameter, cons
 }
 
 Result<void> find(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
-    const auto source = sourceOf(input, parameter, prepared.warnings);
+    const auto source = sourceOf(input, parameter, prepared);
     if (!source) return source.error();
     prepared.origins[parameter.name] = originOf(*source);
     const auto* producer = std::get_if<ProducerSource>(&*source);

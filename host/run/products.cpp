@@ -141,6 +141,14 @@ void Products::finish() {
     }
 }
 
+void Products::dropDrawn(const gpu::Texture* texture) {
+    std::erase_if(nodes_, [&](Node& node) {
+        const bool draws = std::ranges::any_of(node.resources.targets, [&](const auto& target) { return &target.second == texture; });
+        if (draws) drop(node);
+        return draws;
+    });
+}
+
 void Products::dropNodes() {
     for (Node& node : nodes_)
         drop(node);

@@ -28,6 +28,9 @@ public:
     /// The frame is drawn: nodes that it did not use go, the others keep the textures that somebody samples, and no other target.
     void finish();
 
+    /// The node that this texture is a target of goes: the next frame that wants it draws it.
+    void dropDrawn(const gpu::Texture* texture);
+
     /// Other meshes or textures: every node goes, compiled passes and pipelines stay.
     void dropNodes();
     /// Another compiler: everything goes.

@@ -120,13 +120,30 @@ Result<Geometry> uploadGeometry(gpu::Device& device, const Mesh& mesh) {
     return Geometry{std::move(*vertices), std::move(*indices), static_cast<std::uint32_t>(mesh.indices.size())};
 }
 
+Result<void> uploadCoarser(const RunInput& input, Resources& resources) {
+    const std::shared_ptr<const FewerTriangles>& asked = input.options.coarser.triangles;
+    if (!asked) return {};
+    Store& store = resources.store;
+    if (store.coarser != asked) store.coarse.clear();
+    store.coarser = asked;
+    const auto triangles = asked->find(input.mesh);
+    if (triangles == asked->end() || store.coarse.contains(input.mesh)) return {};
+    auto indices = resources.device.createBuffer(gpu::BufferUsage::Index, bytesOf(triangles->second));
+    if (!indices) return indices.error();
+    store.coarse.emplace(input.mesh,
+                         std::make_shared<FewerIndices>(std::move(*indices), static_cast<std::uint32_t>(triangles->second.size())));
+    return {};
+}
+
 Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resources& resources) {
     if (!resources.store.quad) {
         auto quad = uploadGeometry(resources.device, fullScreenQuad());
         if (!quad) return quad.error();
         resources.store.quad = std::make_shared<const Geometry>(std::move(*quad));
     }
-    if (!prepared.drawsMesh || resources.store.meshes.contains(input.mesh)) return {};
+    if (!prepared.drawsMesh) return {};
+    if (const auto coarse = uploadCoarser(input, resources); !coarse) return coarse;
+    if (resources.store.meshes.contains(input.mesh)) return {};
     auto mesh = uploadGeometry(resources.device, *input.mesh);
     if (!mesh) return mesh.error();
     resources.store.meshes.emplace(input.mesh, std::make_shared<Geometry>(std::move(*mesh)));

@@ -26,12 +26,20 @@ struct Geometry {
     std::uint32_t indexCount = 0;
 };
 
+/// Over a mesh's vertices.
+struct FewerIndices {
+    gpu::Buffer indices;
+    std::uint32_t indexCount = 0;
+};
+
 /// What all effects of a session share, and the next session of the same scene may take over.
 struct Store {
     std::map<std::string, std::shared_ptr<gpu::Texture>> textures; // by TextureData::key
     std::map<std::string, gpu::Texture*> products;                 // likewise; targets of the effects that draw them
     std::set<std::string> uploaded;                                // keys of `textures`
     std::map<const Mesh*, std::shared_ptr<Geometry>> meshes;
+    std::shared_ptr<const FewerTriangles> coarser;               // RunOptions::coarser, that these are of
+    std::map<const Mesh*, std::shared_ptr<FewerIndices>> coarse; // of those meshes that a frame has drawn so
     std::shared_ptr<const Geometry> quad;
     SharedPipelines shared;
 };

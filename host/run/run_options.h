@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,21 @@ struct MeshTextures {
     std::function<Result<std::filesystem::path>(const std::string& generator, const Mesh& mesh)> make;
     /// Refuses a file that was made for another mesh.
     std::function<Result<void>(const std::string& generator, const std::filesystem::path& file, const Mesh& mesh)> check;
+};
+
+/// Triangles of meshes over the same vertices, fewer than they have.
+using FewerTriangles = std::map<const Mesh*, std::vector<std::uint32_t>>;
+
+/// For a picture that is drawn while something moves: where a pass would draw all of a mesh that is listed here, these are drawn.
+struct Coarser {
+    std::shared_ptr<const FewerTriangles> triangles; // none: every mesh as it is
+    bool everywhere = false;                         // otherwise into targets of the picture's size only
+};
+
+/// For a frame that may be given up: it is drawn pass by pass.
+struct DrawnInPieces {
+    std::function<bool()> goOn;                 // asked between two pieces; none: the frame is drawn in one
+    std::map<std::string, std::uint32_t> bands; // by the pass's name: in how many bands it is drawn; others in one
 };
 
 struct RunOptions {
@@ -46,6 +62,8 @@ struct RunOptions {
     /// What the last frame of a session left in its targets is not drawn again where it would be the same, bit for bit. Of one frame
     /// without others to warm up.
     bool keepUnchanged = false;
+    Coarser coarser;
+    DrawnInPieces pieces; // with `keepUnchanged`, of one frame
     int warmUpFrames = 0;
     int frames = 1; // pass times are medians over these
 };

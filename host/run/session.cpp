@@ -91,7 +91,8 @@ void noteTextures(const run::Stage& stage, SessionFrame& frame) {
                                   .width = static_cast<int>(desc.width),
                                   .height = static_cast<int>(desc.height),
                                   .format = std::string(gpu::name(desc.format)),
-                                  .cube = desc.cube});
+                                  .cube = desc.cube,
+                                  .bake = stage.bakeOf(name)});
     }
 }
 
@@ -128,7 +129,6 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
     }
     if (!staged) return staged.error();
     SessionFrame frame = run::describe(staged->runs, staged->frame, state_->device.info());
-    noteTextures(state_->stage, frame);
     if (const auto named = targetsToDump(state_->effect, frame, options.dump); !named) return named.error();
     const std::size_t items = itemsUpTo(staged->frame, passes);
     std::vector<Sections> timed;
@@ -136,10 +136,19 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
     for (int i = 0; i < options.warmUpFrames + measured; ++i) {
         auto sections = state_->stage.draw(*staged, items);
         if (!sections) return sections.error();
+        if (staged->givenUp) {
+            frame.givenUp = true;
+            return frame;
+        }
         if (i >= options.warmUpFrames) timed.push_back(clearsLast(*sections));
     }
     readTimes(medians(timed), staged->frame, frame);
+    noteTextures(state_->stage, frame);
     return frame;
+}
+
+void EffectSession::bakeAgain(const std::string& name) {
+    state_->stage.bakeAgain(name);
 }
 
 gpu::Texture* EffectSession::target(const std::string& name) {

@@ -29,6 +29,9 @@ public:
     /// in `options.dump` that is no target of the frame.
     [[nodiscard]] Result<SessionFrame> draw(const Workspace& workspace, const RunOptions& options, std::size_t passes = kAllPasses);
 
+    /// The next frame bakes this texture anew, whatever it has or the cache has. Until then there is none of that name.
+    void bakeAgain(const std::string& name);
+
     /// The caller's colour target (empty name), a target of the last frame as its last pass left it, or a texture that it sampled; null
     /// when there is none.
     [[nodiscard]] gpu::Texture* target(const std::string& name);

@@ -3,6 +3,7 @@
 
 #include "host/support/result.h"
 
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -23,6 +24,13 @@ struct SessionPass {
     bool kept = false;                // not drawn: its targets hold what it would draw (RunOptions::keepUnchanged)
 };
 
+/// How a texture came to be that another effect draws, or that is made from the mesh.
+struct Bake {
+    double milliseconds = 0;      // for drawing it, or for making its file; for finding that where it was there
+    bool fromCache = false;       // its file was there
+    std::filesystem::path file{}; // of what is made from the mesh
+};
+
 /// A texture that the frame samples and does not draw.
 struct SessionTexture {
     std::string name;   // of its parameter
@@ -31,6 +39,7 @@ struct SessionTexture {
     int height = 0;
     std::string format;
     bool cube = false;
+    std::optional<Bake> bake{}; // the last one; of what is baked
 };
 
 struct SessionFrame {
@@ -45,6 +54,7 @@ struct SessionFrame {
     std::vector<std::string> parameters;         // of the effect, numeric, that make a difference to the frame; sorted
     std::map<std::string, std::string> metadata; // as a picture of it carries
     std::vector<Diagnostic> warnings;
+    bool givenUp = false; // RunOptions::pieces: parts of it are drawn; targets hold what they held, or are drawn anew next time
 };
 
 } // namespace tegument

@@ -1,5 +1,10 @@
 #include "host/run/stage.h"
 
+#include "host/run/pieces.h"
+
+#include <chrono>
+#include <filesystem>
+
 namespace tegument::run {
 
 namespace {
@@ -36,7 +41,50 @@ void Stage::noteSampled(const std::deque<Prepared>& prepared) {
     sampled_.clear();
     for (const Prepared& object : prepared)
         for (const auto& [name, origin] : object.origins)
-            if (gpu::Texture* texture = resources_.texture(object, name)) sampled_.emplace(name, Sampled{texture, origin});
+            if (gpu::Texture* texture = resources_.texture(object, name))
+                sampled_.emplace(name, Sampled{texture, origin, object.textures.at(name).key});
+}
+
+/// Frames after the first find what that made.
+void Stage::noteBakes(const std::deque<Prepared>& prepared) {
+    for (const Prepared& object : prepared)
+        for (const auto& [name, bake] : object.bakes)
+            if (!bake.fromCache || !bakes_.contains(name)) bakes_[name] = bake;
+}
+
+Result<void> Stage::drawNodes(StagedFrame& staged) {
+    std::map<std::filesystem::path, double> took;
+    for (const FrameNode& node : staged.frame.before) {
+        const auto begin = std::chrono::steady_clock::now();
+        const auto drawn = device_.run([&](gpu::Recorder& recorder) { return recordNode(node, recorder); });
+        if (!drawn) return drawn.error();
+        const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+        took[std::filesystem::weakly_canonical(node.effect)] += time.count();
+    }
+    for (const Prepared& object : staged.prepared)
+        for (const auto& [name, source] : object.products)
+            if (const auto found = took.find(std::filesystem::weakly_canonical(source.effect)); found != took.end())
+                bakes_[name] = {.milliseconds = found->second};
+    staged.frame.before.clear();
+    return {};
+}
+
+std::optional<Bake> Stage::bakeOf(const std::string& name) const {
+    const auto found = bakes_.find(name);
+    return found == bakes_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Stage::bakeAgain(const std::string& name) {
+    const auto sampled = sampled_.find(name);
+    const auto bake = bakes_.find(name);
+    if (sampled == sampled_.end() || bake == bakes_.end()) return;
+    std::error_code gone;
+    if (!bake->second.file.empty()) std::filesystem::remove(bake->second.file, gone); // a file of the cache: whoever misses it makes it
+    products_.dropDrawn(sampled->second.texture);
+    store_.textures.erase(sampled->second.key);
+    store_.uploaded.erase(sampled->second.key);
+    bakes_.erase(bake);
+    sampled_.erase(sampled);
 }
 
 void Stage::takeTargets() {
@@ -138,6 +186,7 @@ Result<StagedFrame> Stage::prepare(const Workspace& workspace, const RunOptions&
     for (std::size_t i = 0; i < staged.inputs.size(); ++i)
         if (const auto equipped = equip(staged.inputs[i], staged.prepared[i], before); !equipped) return equipped.error();
     noteSampled(staged.prepared);
+    noteBakes(staged.prepared);
     auto frame = buildFrame(staged.runs, resources_);
     if (!frame) return frame.error();
     staged.frame = std::move(*frame);
@@ -146,12 +195,28 @@ Result<StagedFrame> Stage::prepare(const Workspace& workspace, const RunOptions&
     return staged;
 }
 
+Result<std::vector<gpu::TimedSection>> Stage::drawPieces(StagedFrame& staged, std::size_t items) {
+    auto drawn = drawInPieces(device_, staged.frame, items, staged.inputs.front().options.pieces);
+    if (!drawn) return drawn.error();
+    staged.givenUp = drawn->givenUp;
+    if (drawn->givenUp) held_.giveUp(staged.frame, items, drawn->begun, drawn->done);
+    return std::move(drawn->sections);
+}
+
 Result<std::vector<gpu::TimedSection>> Stage::draw(StagedFrame& staged, std::size_t items) {
-    if (staged.inputs.front().options.keepUnchanged)
+    const RunOptions& options = staged.inputs.front().options;
+    if (options.keepUnchanged)
         held_.choose(staged.frame, items);
     else
         held_.forget();
-    auto sections = device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
+    if (options.keepUnchanged)
+        if (const auto nodes = drawNodes(staged); !nodes) {
+            held_.forget();
+            return nodes.error();
+        }
+    auto sections = options.keepUnchanged && options.pieces.goOn
+                        ? drawPieces(staged, items)
+                        : device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
     if (!sections) {
         held_.forget();
         return sections;

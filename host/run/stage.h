@@ -16,6 +16,7 @@ struct StagedFrame {
     std::deque<Prepared> prepared;
     std::vector<ObjectRun> runs;
     Frame frame;
+    bool givenUp = false; // RunOptions::pieces
 };
 
 class Stage {
@@ -43,8 +44,14 @@ public:
     struct Sampled {
         gpu::Texture* texture = nullptr;
         std::string origin;
+        std::string key; // in the store
     };
     [[nodiscard]] const std::map<std::string, Sampled>& sampled() const { return sampled_; }
+
+    /// The last bake of a texture that is sampled; none of what is not baked.
+    [[nodiscard]] std::optional<Bake> bakeOf(const std::string& name) const;
+    /// See EffectSession.
+    void bakeAgain(const std::string& name);
 
     [[nodiscard]] Resources& resources() { return resources_; }
     [[nodiscard]] const Resources& resources() const { return resources_; }
@@ -55,8 +62,12 @@ private:
     /// Targets of the last frame that this one does not have, or has in another size, make room.
     void dropTargets(const std::deque<Prepared>& prepared);
     void noteSampled(const std::deque<Prepared>& prepared);
+    void noteBakes(const std::deque<Prepared>& prepared);
+    /// Each in a run of its own, with its time.
+    [[nodiscard]] Result<void> drawNodes(StagedFrame& staged);
     void takeTargets();
     void giveTargetsBack();
+    [[nodiscard]] Result<std::vector<gpu::TimedSection>> drawPieces(StagedFrame& staged, std::size_t items);
     [[nodiscard]] Result<void> equip(const RunInput& input, Prepared& prepared, std::vector<FrameNode>& before);
 
     gpu::Device& device_;
@@ -70,8 +81,9 @@ private:
     Products products_{device_, store_};
     Held held_;
     std::map<std::string, Sampled> sampled_;
-    Stage* before_ = nullptr;        // until this has drawn
-    std::vector<std::string> taken_; // targets that were its
+    std::map<std::string, Bake> bakes_; // by the texture's name
+    Stage* before_ = nullptr;           // until this has drawn
+    std::vector<std::string> taken_;    // targets that were its
 };
 
 } // namespace tegument::run

@@ -8,8 +8,11 @@ namespace tegument::view {
 
 namespace {
 
-constexpr double kQuick = 70; // milliseconds: with what a window adds, below the 100 that feel like at once
-constexpr double kWorth = 4;  // pixels that take a quarter of the rest are not worth being fewer
+constexpr double kQuick = 70;      // milliseconds: with what a window adds, below the 100 that feel like at once
+constexpr double kLongPiece = 60;  // milliseconds
+constexpr double kShortPiece = 20; // so that twice as long is still no long one
+constexpr std::uint32_t kMostBands = 16;
+constexpr double kWorth = 4;                                         // pixels that take a quarter of the rest are not worth being fewer
 constexpr std::array kShares = {1.0, 0.75, 0.5, 0.375, 0.25, 0.125}; // few: each other size allocates targets anew
 
 /// Which pixels, as a share of all, fit: those cost `whole` less `rest`.
@@ -44,6 +47,15 @@ double MovingCosts::share(Moving moving) const {
     QuickPicture last = quick;
     if (last.milliseconds > 0) last.milliseconds += rest;
     return quickShare(pixels + rest, last);
+}
+
+void PieceTimes::note(const std::string& pass, double milliseconds) {
+    const auto found = bands_.try_emplace(pass, 1).first;
+    std::uint32_t& bands = found->second;
+    const double each = milliseconds / bands;
+    // Each band takes all triangles again: twice as many bands are not half as long each. So they are not found by a division.
+    if (each > kLongPiece) bands = std::min(kMostBands, (each > 4 * kLongPiece ? 4 : 2) * bands);
+    if (each < kShortPiece && bands > 1) bands /= 2;
 }
 
 } // namespace tegument::view

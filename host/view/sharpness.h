@@ -1,7 +1,10 @@
 #pragma once
 // How large a picture is drawn while something moves, where a whole one takes too long. Needs no GPU.
 
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace tegument::view {
 
@@ -34,6 +37,18 @@ struct MovingCosts {
     /// Of a picture of this share of each side. `took`: all of it; a picture that nothing moved for says nothing of the other passes.
     void note(const PassCosts& passes, double took, double share, std::optional<Moving> moving);
     [[nodiscard]] double share(Moving moving) const;
+};
+
+/// Into how many bands passes are cut, so that a picture in pieces can be left soon; learnt from what they took.
+class PieceTimes {
+public:
+    /// A pass that took so long in the bands of now.
+    void note(const std::string& pass, double milliseconds);
+    [[nodiscard]] const std::map<std::string, std::uint32_t>& bands() const { return bands_; }
+    void forget() { bands_.clear(); }
+
+private:
+    std::map<std::string, std::uint32_t> bands_;
 };
 
 } // namespace tegument::view

@@ -29,6 +29,9 @@ struct ViewRequest {
     bool keepView = false;             // of one that `open` made: camera, light and parameters stay where they are
     /// The request with a file that was dropped on the window: an effect, a mesh, a workspace or a texture of `shown`.
     std::function<Result<ViewRequest>(const std::filesystem::path& dropped, const Effect& shown)> open;
+    /// A mesh in about so many triangles, over its own vertices, for pictures of what moves; called from another thread. None: every mesh
+    /// is drawn as it is.
+    std::function<std::vector<std::uint32_t>(const Mesh& mesh, std::size_t triangles)> fewer;
 };
 
 /// Until the window is closed. Errors in the effect's source are shown, told to `say` and mended by the next edit; only what happens before

@@ -144,9 +144,13 @@ Result<void> Viewer::step(const Input& input) {
         if (const auto loaded = load(); !loaded) return loaded;
     }
     if (const auto resized = resize(); !resized) return resized;
+    if (torn_)
+        if (const auto drawn = drawAs(sharpness_); !drawn) return drawn;
     if (const auto sharpened = sharpen(); !sharpened) return sharpened;
-    if (!input.any && !isDraft()) // once nothing moves
+    if (!input.any && !isDraft()) { // once nothing moves
         if (const auto measured = measureBeside(); !measured) return measured;
+        if (const auto prepared = prepareToMove(); !prepared) return prepared;
+    }
     return seen && settling_ > 0 ? show() : Result<void>();
 }
 
@@ -219,7 +223,7 @@ glm::dvec2 Viewer::cursorOnPicture() const {
 Result<void> Viewer::load(bool anew) {
     auto effect = readEffect();
     if (!effect) return report(nullptr, effect.error());
-    const double sharpness = std::exchange(sharpness_, anew ? 1 : costs_.share(Moving::Rest));
+    const Sharpness sharpness = std::exchange(sharpness_, {.share = anew ? 1 : costs_.share(Moving::Rest)});
     auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, anew ? nullptr : loaded_.get());
     if (!anew) loaded->session.follow(loaded_->session);
     const ViewState before = state_;
@@ -246,7 +250,7 @@ Result<void> Viewer::open(const fs::path& file) {
     if (!request_.open) return {};
     auto next = request_.open(file, loaded_->effect);
     if (!next) return report(nullptr, next.error());
-    const double sharpness = std::exchange(sharpness_, 1);
+    const Sharpness sharpness = std::exchange(sharpness_, {});
     const ViewRequest before = std::exchange(request_, std::move(*next));
     const ViewState state = state_;
     request_.pictures = before.pictures;
@@ -269,6 +273,7 @@ Result<void> Viewer::open(const fs::path& file) {
     }
     loaded_ = std::move(loaded);
     dropDraft();
+    dropFewer();
     meshCanvas_.reset();
     meshes_.clear();
     levelled_.clear();
@@ -294,6 +299,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     if (frame.technique != frame_.technique) {
         targets_.forgetAll();
         costs_ = draftCosts_ = {};
+        pieces_.forget();
     }
     frame_ = std::move(frame);
     times_.note(frame_);
@@ -329,8 +335,9 @@ Result<void> Viewer::findLevels(gpu::Texture& texture, const std::string& name) 
 }
 
 Result<void> Viewer::makePicture(gpu::Texture& picture, const char* name) {
-    if (picture.state && PixelSize{picture.desc().width, picture.desc().height} == size_) return {};
-    auto made = makeTarget(device_, name, size_);
+    const PixelSize pixels = paintedPixels();
+    if (picture.state && PixelSize{picture.desc().width, picture.desc().height} == pixels) return {};
+    auto made = makeTarget(device_, name, pixels);
     if (!made) return made.error();
     picture = std::move(*made);
     return {};
@@ -393,7 +400,7 @@ void Viewer::notice(std::string text) {
     say_(notice_);
 }
 
-RunOptions Viewer::runOptions() const {
+RunOptions Viewer::runOptions() {
     RunOptions options = request_.run;
     options.technique = state_.technique;
     options.parameters = state_.parameters;
@@ -401,6 +408,8 @@ RunOptions Viewer::runOptions() const {
     options.height = static_cast<int>(drawnPixels().height);
     options.keepUnchanged = true;
     if (isDraft()) options.samples = 1;
+    if (sharpness_.coarse) options.coarser = {.triangles = fewer_, .everywhere = sharpness_.drafting};
+    if (inPieces_) options.pieces = {.goOn = [this] { return mayGoOn(); }, .bands = pieces_.bands()};
     return options;
 }
 

@@ -16,12 +16,22 @@
 #include "host/view/watch.h"
 
 #include <chrono>
+#include <future>
 #include <set>
 
 namespace tegument::view {
 
 /// While the text settles.
 inline constexpr int kSettlingFrames = 3;
+
+/// How the picture is drawn: as it is to be, or so that it is there soon.
+struct Sharpness {
+    double share = 1;      // of each side of the picture
+    bool drafting = false; // by the session with fewer texels in its maps
+    bool coarse = false;   // with fewer triangles
+
+    [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse; }
+};
 
 class Viewer {
 public:
@@ -33,6 +43,8 @@ public:
     [[nodiscard]] std::vector<std::string> validationMessages() const { return device_.validationMessages(); }
 
 private:
+    /// Until what a move needs is there.
+    [[nodiscard]] Result<void> awaitReady(std::vector<Reaction>& reactions);
     /// Until a small picture is whole, which is a step of its own kind.
     [[nodiscard]] Result<void> awaitSharp(std::vector<Reaction>& reactions);
 
@@ -76,26 +88,40 @@ private:
 
     // viewer_moving.cpp
     [[nodiscard]] Result<void> draw();
-    /// Small where a whole picture takes too long. `what` moves: each has passes of its own that must be drawn.
+    /// Small and coarse where a whole picture takes too long. `what` moves: each has passes of its own that must be drawn.
     [[nodiscard]] Result<void> drawMoving(Moving what);
-    [[nodiscard]] Result<void> drawAt(double share);
-    /// With fewer texels in the maps that do not follow the picture's size; made when it is first needed. False: the effect has no such
-    /// maps, or does not ask how many (TEGUMENT_MAP_SIZE).
-    [[nodiscard]] bool haveDraft();
-    void dropDraft();
-    /// Whether the picture is smaller, or its maps are, than they will be once nothing moves.
-    [[nodiscard]] bool isDraft() const { return sharpness_ < 1 || drafting_; }
+    [[nodiscard]] Result<void> drawAs(const Sharpness& how);
+    [[nodiscard]] bool isDraft() const { return !sharpness_.whole(); }
     /// Of what is shown.
-    [[nodiscard]] EffectSession& session() { return (drafting_ ? draft_ : loaded_)->session; }
+    [[nodiscard]] EffectSession& session() { return (sharpness_.drafting ? draft_ : loaded_)->session; }
     /// Of a whole picture.
     void noteCosts();
     /// What the last frame's passes took.
     [[nodiscard]] PassCosts passCosts();
-    /// Draws the whole picture once nothing moves.
+    /// Draws the whole picture once nothing moves, piece by piece; given up where something moves again.
     [[nodiscard]] Result<void> sharpen();
+    /// The window's or the replay's: whether a picture in pieces is to be finished.
+    [[nodiscard]] bool mayGoOn();
+    void notePiece();
     [[nodiscard]] PixelSize drawnPixels() const;
+    /// Of the picture as the canvas has it before it stands in the window.
+    [[nodiscard]] PixelSize paintedPixels() const;
     [[nodiscard]] Canvas::Fit fitOf(const gpu::Texture& texture) const;
     [[nodiscard]] Closer closer() const;
+
+    // viewer_draft.cpp
+    /// Once the window rests: what a move will need. A little at a time.
+    [[nodiscard]] Result<void> prepareToMove();
+    [[nodiscard]] bool preparing() const { return making_.valid(); }
+    /// Meshes in fewer triangles, made by another thread; takes them once they are there.
+    void takeFewer();
+    /// The effect with fewer texels in the maps that do not follow the picture's size. None: it has no such maps, or does not ask how many
+    /// (TEGUMENT_MAP_SIZE).
+    [[nodiscard]] std::unique_ptr<Loaded> loadDraft();
+    /// A session of that has drawn a frame. In pieces: it may take several calls.
+    [[nodiscard]] bool haveDraft(bool inPieces);
+    void dropDraft();
+    void dropFewer();
 
     // viewer_beside.cpp
     [[nodiscard]] Result<void> keep();
@@ -128,7 +154,7 @@ private:
     void notice(std::string text);
     [[nodiscard]] Result<void> bind(const BindingChoice& choice);
 
-    [[nodiscard]] RunOptions runOptions() const;
+    [[nodiscard]] RunOptions runOptions();
     /// What the panels show of the targets: read back and made small only while it is asked for.
     [[nodiscard]] Result<PanelPictures> panelPictures();
     [[nodiscard]] std::vector<std::string> probed();
@@ -172,12 +198,20 @@ private:
     std::string workspaceText_;
     std::string title_;
     std::size_t answers_ = 0; // frames and errors so far
-    double sharpness_ = 1;    // share of each side of the picture that is drawn
+    Sharpness sharpness_;     // of what is shown
     MovingCosts costs_;
     std::unique_ptr<Loaded> draft_;
     MovingCosts draftCosts_;
-    bool draftTried_ = false;
-    bool drafting_ = false;                       // what is shown is the draft's
+    bool draftTried_ = false; // there is one, or none can be
+    bool draftDrawn_ = false;
+    std::shared_ptr<const FewerTriangles> fewer_;
+    std::future<FewerTriangles> making_;
+    bool fewerAsked_ = false;
+    PieceTimes pieces_;
+    bool inPieces_ = false; // what is drawn now
+    std::chrono::steady_clock::time_point pieceBegan_;
+    double longestPiece_ = 0;                     // milliseconds; of the last picture in pieces
+    bool torn_ = false;                           // targets of what is shown hold parts of a picture that was given up
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;

@@ -143,10 +143,9 @@ Result<void> Viewer::compose() {
     if (beside && state_.errors)
         if (const auto found = findErrors(); !found) return found;
     const bool errors = beside && state_.errors && beside_->haveErrors;
-    if (const auto shown =
-            canvas_->show(composed_, errors ? beside_->errors : picture_, {}, {.share = share, .closer = errors ? closer() : Closer{}});
-        !shown)
-        return shown;
+    const bool small = !errors && PixelSize{picture_.desc().width, picture_.desc().height} != size_;
+    const Canvas::Fit fit{.share = share, .fill = small, .closer = errors ? closer() : Closer{}};
+    if (const auto shown = canvas_->show(composed_, errors ? beside_->errors : picture_, {}, fit); !shown) return shown;
     if (!beside || errors) return {};
     const auto right = static_cast<float>(2 * share - 1);
     const std::array<CanvasVertex, kCorners> quad = {CanvasVertex{-1, 1, 0, 0}, CanvasVertex{right, 1, 1, 0}, CanvasVertex{right, -1, 1, 1},

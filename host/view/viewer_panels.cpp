@@ -89,8 +89,9 @@ PanelText Viewer::panelText() {
         text.lines.push_back(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
     if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
     if (isDraft())
-        text.lines.push_back(fmt::format("drawn at {} x {}{} while it moves", drawnPixels().width, drawnPixels().height,
-                                         drafting_ ? ", maps at a quarter of each side," : ""));
+        text.lines.push_back(fmt::format("drawn at {} x {},{}{} while it moves", drawnPixels().width, drawnPixels().height,
+                                         sharpness_.drafting ? " maps at a quarter of each side," : "",
+                                         sharpness_.coarse ? " in fewer triangles," : ""));
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
     if (state_.probe) {

@@ -31,13 +31,28 @@ Result<void> Viewer::awaitSharp(std::vector<Reaction>& reactions) {
         if (const auto stepped = step(wait()); !stepped) return stepped;
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     reactions.push_back({.kind = "sharp after a move", .milliseconds = took.count()});
+    reactions.push_back({.kind = "its longest piece", .milliseconds = longestPiece_});
+    return {};
+}
+
+Result<void> Viewer::awaitReady(std::vector<Reaction>& reactions) {
+    const auto begin = std::chrono::steady_clock::now();
+    double longest = 0;
+    for (int still = 0; still < kSettlingFrames; still = preparing() ? 0 : still + 1) {
+        const Input nothing = wait();
+        const auto one = std::chrono::steady_clock::now();
+        if (const auto stepped = step(nothing); !stepped) return stepped;
+        longest = std::max(longest, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - one).count());
+    }
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    reactions.push_back({.kind = "ready to move", .milliseconds = took.count()});
+    reactions.push_back({.kind = "its longest part", .milliseconds = longest});
     return {};
 }
 
 Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& steps) {
     std::vector<Reaction> reactions;
-    for (int settled = 0; settled < kSettlingFrames; ++settled)
-        if (const auto stepped = step(wait()); !stepped) return stepped.error();
+    if (const auto ready = awaitReady(reactions); !ready) return ready.error();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const ReplayStep& next = steps[i];
         const std::size_t before = answers_;

@@ -164,7 +164,7 @@ gpu::WindowSurface Window::surface() const {
 Input Window::wait(double seconds, bool overlay, std::optional<double> border) {
     state_->overlay = overlay;
     state_->border = border;
-    if (seconds > 0)
+    if (seconds > 0 && !state_->input.any) // hears() may have taken what would wake it
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
@@ -174,6 +174,14 @@ Input Window::wait(double seconds, bool overlay, std::optional<double> border) {
     state_->input.cursor = state_->mouse / glm::dvec2(std::max(1, width), std::max(1, height));
     state_->input.closed = glfwWindowShouldClose(state_->window) == GLFW_TRUE;
     return std::exchange(state_->input, Input{});
+}
+
+bool Window::hears() {
+    glfwPollEvents();
+    const Input& input = state_->input;
+    const auto moved = [](const glm::dvec2& by) { return by.x != 0 || by.y != 0; };
+    return !input.keys.empty() || moved(input.camera) || moved(input.pan) || moved(input.light) || input.border || input.wheel != 0 ||
+           input.lightWheel != 0 || !input.dropped.empty() || glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 
 PixelSize Window::pixels() const {

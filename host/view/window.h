@@ -33,6 +33,8 @@ public:
     /// Waits for input at most so long. `overlay`: the mouse belongs to it, not to camera and light. `border`: share of the width where one
     /// stands that the mouse can take.
     [[nodiscard]] Input wait(double seconds, bool overlay, std::optional<double> border);
+    /// Whether something has happened since that wait() will tell, other than the cursor's moving.
+    [[nodiscard]] bool hears();
     /// In pixels; 0 x 0 while it is minimised.
     [[nodiscard]] PixelSize pixels() const;
     void setTitle(const std::string& title);

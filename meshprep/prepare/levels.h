@@ -28,4 +28,8 @@ struct Levels {
 inline constexpr std::size_t kLeastTriangles = 32;
 [[nodiscard]] Levels makeLevels(const Mesh& mesh, int count, LevelMethod method = LevelMethod::Meshoptimizer);
 
+/// Of the full mesh in one step, as near to `triangles` as meshoptimizer comes: corners over the same vertices. A tenth of a second for
+/// 100,000 triangles, and no figures of how far it is off: for what is seen for a moment.
+[[nodiscard]] std::vector<std::uint32_t> quickLevel(const Mesh& mesh, std::size_t triangles);
+
 } // namespace tegument::prep

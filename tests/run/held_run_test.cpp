@@ -1,11 +1,13 @@
 // RunOptions::keepUnchanged: the same bits in every target as a session has that draws all of it, and what is drawn is no more than must
 // be.
 
+#include "host/run/pieces.h"
 #include "host/run/read_back.h"
 #include "host/run/session.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <random>
@@ -216,6 +218,115 @@ TEST_F(Held, the_camera_alone_leaves_the_skin_s_maps_as_they_are) {
     workspace.light.position = {1, 1, 5};
     EXPECT_EQ(drawn(workspace, options).size(), 13U);
     EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+}
+
+/// Pieces that stop after so many of them; all passes are cut.
+RunOptions inPieces(RunOptions options, int most, const SessionFrame& whole) {
+    options.pieces.goOn = [left = std::make_shared<int>(most)] { return --*left > 0; };
+    for (const SessionPass& pass : whole.passes)
+        options.pieces.bands[pass.name] = 3;
+    return options;
+}
+
+TEST_F(Held, a_frame_in_pieces_has_the_same_bits) {
+    constexpr int kAll = 1000;
+    for (const int samples : {1, 4}) {
+        load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "256"}}, .includeFolders = {}});
+        Workspace workspace = closeUp();
+        RunOptions options{.technique = "DEonLuebke",
+                           .width = 200,
+                           .height = 200,
+                           .samples = samples,
+                           .compiler = defaultCompiler(),
+                           .keepUnchanged = true};
+        const auto whole = session_->draw(workspace, options);
+        ASSERT_TRUE(succeeded(whole));
+        workspace.light.position = {1, 1, 5};
+        const auto pieces = session_->draw(workspace, inPieces(options, kAll, *whole));
+        ASSERT_TRUE(succeeded(pieces));
+        EXPECT_FALSE(pieces->givenUp);
+        EXPECT_TRUE(isAsDrawnAnew(workspace, options)) << samples << " samples";
+    }
+}
+
+TEST_F(Held, what_was_given_up_anywhere_is_drawn_right_the_next_time) {
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
+    const RunOptions options{.technique = "DEonLuebke", .width = 72, .height = 72, .compiler = defaultCompiler(), .keepUnchanged = true};
+    Workspace workspace = closeUp();
+    const auto whole = session_->draw(workspace, options);
+    ASSERT_TRUE(succeeded(whole));
+    std::mt19937 random(11);
+    std::size_t givenUp = 0;
+    for (int most = 1; most < 30; most += 2) {
+        Workspace other = workspace; // either is drawn next: what was left, or what was there before
+        other.light.position = {0.1F * static_cast<float>(most), 1, 5};
+        const auto pieces = session_->draw(other, inPieces(options, most, *whole));
+        ASSERT_TRUE(succeeded(pieces));
+        givenUp += pieces->givenUp ? 1 : 0;
+        if (random() % 2 == 0) workspace = other;
+        ASSERT_TRUE(succeeded(session_->draw(workspace, options)));
+        EXPECT_TRUE(isAsDrawnAnew(workspace, options)) << "after " << most << " pieces";
+    }
+    EXPECT_GT(givenUp, 8U);
+}
+
+TEST_F(Held, what_was_given_up_keeps_what_it_did_not_touch_and_what_it_finished) {
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    const RunOptions options{.technique = "DEonLuebke", .width = 136, .height = 136, .compiler = defaultCompiler(), .keepUnchanged = true};
+    Workspace workspace = closeUp();
+    const auto whole = session_->draw(workspace, options);
+    ASSERT_TRUE(succeeded(whole));
+    workspace.camera.position = {1, 0.5F, 5};
+    const auto pieces = session_->draw(workspace, inPieces(options, 1, *whole));
+    ASSERT_TRUE(succeeded(pieces));
+    ASSERT_TRUE(pieces->givenUp) << "a band of Final";
+    EXPECT_EQ(drawn(workspace, options), HeldNames{"Final"}) << "the maps are there";
+    workspace.light.position = {1, 1, 5};
+    ASSERT_TRUE(succeeded(session_->draw(workspace, inPieces(options, 3, *whole))));
+    const HeldNames names = drawn(workspace, options);
+    EXPECT_TRUE(std::ranges::find(names, "TSM") == names.end()) << "the first pass was finished";
+    EXPECT_EQ(names.size(), 12U) << "Irradiance's target is drawn into later, too";
+    EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+}
+
+/// Every other ring of the sphere.
+std::vector<std::uint32_t> halfOf(const Mesh& mesh) {
+    return {mesh.indices.begin(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(mesh.indices.size() / 6 * 3)};
+}
+
+TEST_F(Held, fewer_triangles_change_the_picture_alone_or_everything_as_asked) {
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler()};
+    const Workspace workspace = closeUp();
+    (void)drawn(workspace, options);
+    RunOptions coarse = options;
+    coarse.coarser.triangles = std::make_shared<FewerTriangles>(FewerTriangles{{&mesh_, halfOf(mesh_)}});
+    EXPECT_EQ(drawn(workspace, coarse), HeldNames{"Final"});
+    EXPECT_TRUE(isAsDrawnAnew(workspace, coarse));
+    EXPECT_FALSE(isAsDrawnAnew(workspace, options)) << "half of the ball is missing";
+    EXPECT_EQ(drawn(workspace, options), HeldNames{"Final"}) << "the maps were left";
+    EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+    coarse.coarser.everywhere = true;
+    EXPECT_EQ(drawn(workspace, coarse).size(), 13U);
+    EXPECT_TRUE(isAsDrawnAnew(workspace, coarse));
+    EXPECT_EQ(drawn(workspace, options).size(), 13U);
+    EXPECT_TRUE(isAsDrawnAnew(workspace, options));
+}
+
+TEST(Pieces, bands_are_whole_tiles_and_cover_every_row_once) {
+    for (const std::uint32_t height : {1U, 63U, 64U, 65U, 135U, 1024U, 1080U})
+        for (const std::uint32_t bands : {1U, 2U, 3U, 16U, 100U}) {
+            std::uint32_t next = 0;
+            const auto rows = run::bandsOf(height, bands);
+            for (const gpu::RowRange& range : rows) {
+                EXPECT_EQ(range.first, next);
+                EXPECT_EQ(range.first % 64, 0U);
+                next += range.count;
+            }
+            EXPECT_EQ(next, height);
+            EXPECT_LE(rows.size(), bands);
+        }
+    EXPECT_EQ(run::bandsOf(1080, 8).size(), 6U) << "17 tiles: three each";
 }
 
 } // namespace

@@ -80,6 +80,24 @@ TEST(WhileItMoves, a_picture_that_drew_nothing_says_nothing) {
     EXPECT_EQ(costs.share(Moving::Camera), share);
 }
 
+TEST(WhileItMoves, a_pass_is_cut_until_no_band_is_long_and_joined_again_once_it_is_quick) {
+    PieceTimes pieces;
+    const auto take = [&](double triangles, double pixels) { // milliseconds, the triangles' in each band
+        for (int i = 0; i < 12; ++i) {
+            const auto found = pieces.bands().find("Final");
+            const double bands = found == pieces.bands().end() ? 1 : found->second;
+            pieces.note("Final", bands * triangles + pixels);
+        }
+        return pieces.bands().at("Final");
+    };
+    EXPECT_EQ(take(5, 40), 1U);
+    const double bands = take(30, 420);
+    EXPECT_LE(30 + 420 / bands, 60) << "what sharpness.cpp calls long";
+    EXPECT_LE(bands, 16);
+    EXPECT_EQ(take(100, 400), 16U) << "where no number of bands would do, there is an end";
+    EXPECT_LE(take(1, 10), 2U);
+}
+
 TEST(Zoom, keeps_what_is_under_the_cursor_and_ends_at_32) {
     ViewState state;
     const ViewState start = state;

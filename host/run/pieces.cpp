@@ -1,0 +1,110 @@
+#include "host/run/pieces.h"
+
+#include <algorithm>
+
+namespace tegument::run {
+
+namespace {
+
+constexpr std::uint32_t kTile = 64;
+
+using TimedSections = std::vector<gpu::TimedSection>;
+
+/// At work on one frame.
+struct PieceWork {
+    gpu::Device& device;
+    const Frame& frame;
+    const DrawnInPieces& pieces;
+    PiecesDrawn drawn{};
+    std::vector<const FrameItem*> waiting{}; // what stands in front of the next draw
+    bool first = true;
+
+    /// Whether the next piece is to be drawn.
+    bool goesOn() {
+        if (!first && !drawn.givenUp) drawn.givenUp = !pieces.goOn();
+        first = false;
+        return !drawn.givenUp;
+    }
+
+    Result<TimedSections> run(const std::function<Result<void>(gpu::Recorder&)>& record) { return device.run(record); }
+};
+
+Result<void> asVoidOf(const Result<TimedSections>& sections) {
+    return sections ? Result<void>() : Result<void>(sections.error());
+}
+
+/// None: the draw is not cut.
+std::vector<std::optional<gpu::RowRange>> bandsFor(const FrameDraw& draw, const DrawnInPieces& pieces) {
+    const auto bands = pieces.bands.find(draw.described.name);
+    const gpu::Texture* target = draw.targets.colors.empty() ? draw.targets.depth : draw.targets.colors.front();
+    if (draw.computes() || !target || bands == pieces.bands.end() || bands->second < 2) return {std::nullopt};
+    const std::vector<gpu::RowRange> rows = bandsOf(target->desc().height, bands->second);
+    return {rows.begin(), rows.end()};
+}
+
+Result<void> recordWaiting(PieceWork& work, gpu::Recorder& recorder) {
+    for (const FrameItem* item : work.waiting)
+        if (auto done = recordItem(*item, recorder); !done) return done;
+    work.waiting.clear();
+    return {};
+}
+
+/// One section, whatever the number of bands.
+Result<void> drawBands(PieceWork& work, const FrameDraw& draw) {
+    gpu::TimedSection whole{.name = draw.described.name, .milliseconds = 0};
+    for (const std::optional<gpu::RowRange>& rows : bandsFor(draw, work.pieces)) {
+        if (!work.goesOn()) return {};
+        const auto sections = work.run([&](gpu::Recorder& recorder) -> Result<void> {
+            if (auto before = recordWaiting(work, recorder); !before) return before;
+            recorder.beginTimer(draw.described.name);
+            auto done = recordDrawIn(draw, rows, recorder);
+            recorder.endTimer();
+            return done;
+        });
+        if (!sections) return sections.error();
+        whole.milliseconds += sections->back().milliseconds;
+    }
+    work.drawn.sections.push_back(std::move(whole));
+    return {};
+}
+
+Result<void> drawItems(PieceWork& work, std::size_t items) {
+    PiecesDrawn& drawn = work.drawn;
+    for (std::size_t i = 0; i < std::min(items, work.frame.items.size()); ++i) {
+        if (!work.frame.kept.empty() && work.frame.kept[i]) continue;
+        const FrameItem& item = work.frame.items[i];
+        const auto* draw = std::get_if<FrameDraw>(&item);
+        if (!draw) {
+            work.waiting.push_back(&item);
+            continue;
+        }
+        drawn.begun = i + 1;
+        if (const auto done = drawBands(work, *draw); !done || drawn.givenUp) return done;
+        drawn.done = i + 1;
+    }
+    if (work.waiting.empty()) return {};
+    return asVoidOf(work.run([&](gpu::Recorder& recorder) { return recordWaiting(work, recorder); }));
+}
+
+} // namespace
+
+std::vector<gpu::RowRange> bandsOf(std::uint32_t height, std::uint32_t bands) {
+    const std::uint32_t tiles = (height + kTile - 1) / kTile;
+    const std::uint32_t each = kTile * ((tiles + std::max(1U, bands) - 1) / std::max(1U, bands));
+    std::vector<gpu::RowRange> rows;
+    for (std::uint32_t first = 0; first < height; first += each)
+        rows.push_back({.first = first, .count = std::min(each, height - first)});
+    return rows;
+}
+
+Result<PiecesDrawn> drawInPieces(gpu::Device& device, const Frame& frame, std::size_t items, const DrawnInPieces& pieces) {
+    PieceWork work{.device = device, .frame = frame, .pieces = pieces};
+    if (const auto drawn = drawItems(work, items); !drawn) return drawn.error();
+    if (!frame.resolve || frame.resolveKept || !work.goesOn()) return std::move(work.drawn);
+    const auto resolved = work.run([&](gpu::Recorder& recorder) { return recordResolve(*frame.resolve, recorder); });
+    if (!resolved) return resolved.error();
+    work.drawn.sections.push_back(resolved->back());
+    return std::move(work.drawn);
+}
+
+} // namespace tegument::run

@@ -1,0 +1,24 @@
+#pragma once
+// A frame drawn piece by piece, so that whoever waits for it can stop it between two (RunOptions::pieces).
+
+#include "host/run/frame.h"
+#include "host/run/run_options.h"
+
+namespace tegument::run {
+
+struct PiecesDrawn {
+    std::vector<gpu::TimedSection> sections; // as of a frame in one, of what was drawn
+    std::size_t begun = 0;                   // of the frame's items
+    std::size_t done = 0;                    // wholly
+    bool givenUp = false;
+};
+
+/// Without the nodes before it. Each draw is a piece, with the clears and copies in front of it, or each band of it; and the resolve. The
+/// first piece is always drawn.
+[[nodiscard]] Result<PiecesDrawn> drawInPieces(gpu::Device& device, const Frame& frame, std::size_t items, const DrawnInPieces& pieces);
+
+/// Rows of a target of that height, in at most so many bands: each begins at a multiple of 64, which is how software devices tile, and
+/// pixels whose derivatives are taken together stay together.
+[[nodiscard]] std::vector<gpu::RowRange> bandsOf(std::uint32_t height, std::uint32_t bands);
+
+} // namespace tegument::run

@@ -1,0 +1,110 @@
+// What a move needs, made while nothing moves: meshes of fewer triangles, and a session with fewer texels in its maps.
+
+#include "host/view/viewer.h"
+
+#include <algorithm>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr double kSlowPicture = 70;            // milliseconds: whoever is quicker needs nothing
+constexpr double kSlowMaps = 100;              // likewise: what a smaller picture does not mend
+constexpr std::uint32_t kFewerTexels = 4;      // along each side
+constexpr std::uint32_t kLeastSide = 256;      // of a map that has fewer in a draft
+constexpr std::size_t kDraftTriangles = 12000; // of a mesh while it moves: five milliseconds of a processor for each pass
+constexpr std::size_t kManyTriangles = 3 * kDraftTriangles;
+
+/// TEGUMENT_SHADOW_SIZE follows it where nothing is said.
+void divideSizes(std::vector<std::pair<std::string, std::string>>& defines, std::uint32_t side) {
+    std::erase_if(defines, [](const auto& define) { return define.first == "TEGUMENT_MAP_SIZE"; });
+    defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(side / kFewerTexels));
+    for (auto& [name, value] : defines)
+        if (name == "TEGUMENT_SHADOW_SIZE") value = std::to_string(side / kFewerTexels);
+}
+
+/// Those with many triangles. Ribbons of fur are drawn by passes that choose among them themselves.
+std::set<const Mesh*> largeMeshes(const SessionScene& scene) {
+    std::set<const Mesh*> meshes;
+    if (scene.mesh) meshes.insert(scene.mesh);
+    for (const RunObject& object : scene.objects)
+        meshes.insert(object.mesh);
+    std::erase_if(
+        meshes, [](const Mesh* mesh) { return mesh->indices.size() / 3 < kManyTriangles || std::ranges::any_of(mesh->parts, isRibbons); });
+    return meshes;
+}
+
+} // namespace
+
+Result<void> Viewer::prepareToMove() {
+    if (costs_.pixels + costs_.anything <= kSlowPicture) return {};
+    takeFewer();
+    if (!making_.valid() && costs_.anything > kSlowMaps) (void)haveDraft(true);
+    return {};
+}
+
+void Viewer::takeFewer() {
+    if (!fewerAsked_ && request_.fewer) {
+        fewerAsked_ = true;
+        making_ = std::async(std::launch::async, [meshes = largeMeshes(request_.scene), make = request_.fewer, keeps = request_.keeps] {
+            FewerTriangles fewer;
+            for (const Mesh* mesh : meshes)
+                fewer.emplace(mesh, make(*mesh, kDraftTriangles));
+            return fewer;
+        });
+    }
+    if (making_.valid() && making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        fewer_ = std::make_shared<const FewerTriangles>(making_.get());
+}
+
+std::unique_ptr<Loaded> Viewer::loadDraft() {
+    const std::uint32_t side = mapSide();
+    if (side < kLeastSide) return nullptr;
+    LoadOptions load = request_.load;
+    divideSizes(load.defines, side);
+    auto effect = readEffect(std::move(load));
+    if (!effect) return nullptr; // the whole picture has said why, or will
+    return std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, loaded_.get());
+}
+
+bool Viewer::haveDraft(bool inPieces) {
+    if (draftDrawn_) return true;
+    if (draftTried_ && !draft_) return false;
+    const std::uint32_t side = mapSide();
+    if (!draftTried_) draft_ = loadDraft();
+    draftTried_ = true;
+    if (!draft_) return false;
+    draftCosts_ = costs_;
+    draftCosts_.anything /= kFewerTexels * kFewerTexels;
+    draftCosts_.camera = draftCosts_.anything;
+    const Sharpness shown =
+        std::exchange(sharpness_, {.share = costs_.share(Moving::Camera), .drafting = true, .coarse = fewer_ != nullptr});
+    const double milliseconds = milliseconds_;
+    inPieces_ = inPieces;
+    const auto frame = drawWith(*draft_);
+    inPieces_ = false;
+    sharpness_ = shown;
+    milliseconds_ = milliseconds;
+    if (frame && frame->givenUp) return false;
+    draftDrawn_ = frame && std::ranges::any_of(frame->targets, [&](const std::string& name) {
+                      return draft_->session.target(name)->desc().width == side / kFewerTexels;
+                  });
+    if (!draftDrawn_) draft_.reset();
+    return draftDrawn_;
+}
+
+/// Another scene.
+void Viewer::dropFewer() {
+    if (making_.valid()) making_.wait();
+    making_ = {};
+    fewer_ = nullptr;
+    fewerAsked_ = false;
+}
+
+void Viewer::dropDraft() {
+    draft_.reset();
+    draftTried_ = draftDrawn_ = false;
+    sharpness_.drafting = false;
+}
+
+} // namespace tegument::view

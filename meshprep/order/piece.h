@@ -35,8 +35,9 @@ struct Piece {
 class Pieces {
 public:
     enum class Cut {
-        Components,
-        Finely, // halves of smaller ones, too: costs up to 2 % of the order
+        Components, // and halves of large ones
+        Finely,     // of smaller ones, too: costs up to 2 % of the order
+        Whole,      // components, none halved
         Nowhere
     };
     Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Cut cut = Cut::Components);

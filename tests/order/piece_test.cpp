@@ -39,7 +39,8 @@ TEST(Pieces, are_halves_of_what_is_large) {
           std::tuple(Cut::Components, 80u, 1u, std::size_t{1}), std::tuple(Cut::Components, 140u, 1u, std::size_t{1}),
           std::tuple(Cut::Components, 144u, 1u, std::size_t{2}), std::tuple(Cut::Finely, 63u, 0u, std::size_t{1}),
           std::tuple(Cut::Finely, 64u, 0u, std::size_t{2}), std::tuple(Cut::Finely, 63u, 1u, std::size_t{1}),
-          std::tuple(Cut::Finely, 64u, 1u, std::size_t{2}), std::tuple(Cut::Nowhere, 144u, 0u, std::size_t{1})}) {
+          std::tuple(Cut::Finely, 64u, 1u, std::size_t{2}), std::tuple(Cut::Whole, 144u, 0u, std::size_t{1}),
+          std::tuple(Cut::Nowhere, 144u, 0u, std::size_t{1})}) {
         std::vector<std::uint32_t> mesh;
         std::uint32_t vertices = 0;
         addGrid(mesh, side, vertices, seed);

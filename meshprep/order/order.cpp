@@ -42,7 +42,7 @@ std::optional<Error> refuse(std::span<const std::uint32_t> indices, std::size_t 
 std::vector<std::uint32_t> orderPieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Method method,
                                        const CacheModel& cache) {
     std::vector<std::uint32_t> out(indices.size());
-    const Pieces pieces(indices, vertexCount);
+    const Pieces pieces(indices, vertexCount, Pieces::Cut::Whole); // who names an order wants it as it is
     forEachInParallel(pieces.size(), [&](std::size_t i) { pieces.restore(i, orderPiece(pieces.piece(i), method, cache), out); });
     return out;
 }

@@ -34,7 +34,12 @@ struct Piece {
 /// gathered.
 class Pieces {
 public:
-    enum class Cut { Components, Nowhere };
+    enum class Cut {
+        Components, // and halves of large ones
+        Finely,     // of smaller ones, too: costs up to 2 % of the order
+        Whole,      // components, none halved
+        Nowhere
+    };
     Pieces(std::span<const std::uint32_t> indices, std::size_t vertexCount, Cut cut = Cut::Components);
 
     [[nodiscard]] std::size_t size() const { return pieces_.size(); }

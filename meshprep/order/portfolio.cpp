@@ -131,13 +131,14 @@ constexpr std::uint32_t kPatchFaces = 5'000; // in so few, regular or not, Lin &
 constexpr double kMostSix = 0.8;
 constexpr double kAboutSix = 0.8;
 
-/// Where fewer vertices have six faces than these, strips won nothing for a FIFO cache of 16, 24 or 32 entries on any piece of a machine, a
-/// figure or a scan of more faces than `kFewFaces`, in three orders of the file; for LRU caches they did. Grids with diagonals drawn by lot
-/// are the exception, by 0.6 %: 3/8 of their vertices have six faces, 7/8 five to seven. Small pieces that look so are tried.
+/// Where fewer vertices have six faces than these, strips won nothing for a FIFO cache of 16 entries on any piece of a machine, a figure or
+/// a scan of more faces than `kFewFaces`, in three orders of the file; for LRU caches they did. Grids with diagonals drawn by lot are the
+/// exception, by 0.6 %: 3/8 of their vertices have six faces, 7/8 five to seven. Pieces that look so are tried, and all for larger caches,
+/// but large ones.
 constexpr std::uint32_t kSmallForStrips = 2'500;
 constexpr double kSixForSmallStrips = 0.7;
 constexpr double kSixForStrips = 0.88;
-constexpr std::uint32_t kLargeGrid = 10'000;
+constexpr std::uint32_t kLargePiece = 10'000;
 constexpr double kSixByLot = 0.5;
 constexpr double kNearSixByLot = 0.85;
 
@@ -145,7 +146,8 @@ bool stripsMayWin(const Piece& piece, const Regularity& share, const CacheModel&
     if (share.nearSix < kAboutSix) return false;
     const bool keepsAll = cache.replacement == Replacement::Fifo && !cache.batched();
     if (!keepsAll || piece.faceCount() <= kFewFaces) return true;
-    if (share.six < kSixByLot && share.nearSix >= kNearSixByLot && piece.faceCount() <= kLargeGrid) return true;
+    const bool byLot = share.six < kSixByLot && share.nearSix >= kNearSixByLot;
+    if (piece.faceCount() <= kLargePiece && (byLot || cache.entries >= kLargeCache)) return true;
     return share.six >= (piece.faceCount() <= kSmallForStrips ? kSixForSmallStrips : kSixForStrips);
 }
 
@@ -224,6 +226,12 @@ public:
 private:
     [[nodiscard]] std::size_t faces() const { return indices_.size() / 3; }
 
+    /// For larger caches the cut of a small mesh costs more than 2 %, for LRU caches all that an order is ahead.
+    [[nodiscard]] Pieces::Cut cut() const {
+        const bool small = cache_.replacement == Replacement::Fifo && cache_.entries < kLargeCache;
+        return small ? Pieces::Cut::Finely : Pieces::Cut::Components;
+    }
+
     /// What came in is judged while it is cut up.
     void begin() {
         forEachInParallel(
@@ -236,7 +244,7 @@ private:
                 } else if (cache_.batched()) {
                     (void)whole();
                 } else {
-                    components_.emplace(indices_, vertexCount_);
+                    components_.emplace(indices_, vertexCount_, cut());
                 }
             },
             {}, faces() > kFewFaces ? 0 : 1);
@@ -338,7 +346,7 @@ private:
     /// The pieces one by one, on all processors; those that are equal once, which the order hears how many there are.
     [[nodiscard]] Corners byPieces(const std::function<Corners(const Piece&, std::size_t)>& order) const {
         std::call_once(cutUp_, [this] {
-            if (!components_) components_.emplace(indices_, vertexCount_);
+            if (!components_) components_.emplace(indices_, vertexCount_, cut());
         });
         const std::vector<std::vector<std::size_t>> equals = components_->equals();
         Corners out(indices_.size());

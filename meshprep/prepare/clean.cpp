@@ -34,6 +34,40 @@ std::vector<std::uint32_t> cornerKinds(const Surface& surface) {
     });
 }
 
+/// A triangle as its smallest point sees it.
+struct Side {
+    std::uint32_t second = 0, third = 0; // after the smallest point
+    std::uint32_t triangle = 0;
+
+    bool operator<(const Side& other) const {
+        return std::tie(second, third, triangle) < std::tie(other.second, other.third, other.triangle);
+    }
+};
+
+/// Visits those of each smallest point together, sorted, on all processors. `turnedAt`: a triangle's points, the smallest first.
+template <class TurnedAt, class Visit>
+void forSidesAtPoints(std::size_t triangles, std::size_t points, TurnedAt turnedAt, Visit visit) {
+    const auto count = static_cast<std::uint32_t>(triangles);
+    std::vector<std::uint32_t> last(points + 1, 0); // of the sides at each smallest point
+    for (std::uint32_t i = 0; i < count; ++i)
+        ++last[turnedAt(i)[0] + 1];
+    for (std::size_t point = 1; point < last.size(); ++point)
+        last[point] += last[point - 1];
+    std::vector<Side> sides(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Triple t = turnedAt(i);
+        sides[last[t[0]]++] = {.second = t[1], .third = t[2], .triangle = i};
+    }
+    inChunks(points, 0, [&](std::size_t first, std::size_t end, std::size_t) {
+        for (std::size_t point = first; point < end; ++point) {
+            const std::uint32_t begin = point == 0 ? 0 : last[point - 1];
+            const auto here = std::span(sides).subspan(begin, last[point] - begin);
+            std::sort(here.begin(), here.end());
+            visit(std::span<const Side>(here));
+        }
+    });
+}
+
 } // namespace
 
 std::size_t dropCollapsed(Surface& surface) {
@@ -45,13 +79,16 @@ std::size_t dropCollapsed(Surface& surface) {
 
 std::size_t dropDuplicates(Surface& surface) {
     const std::vector<std::uint32_t> kind = cornerKinds(surface);
-    const auto keyOf = [&](std::uint32_t triangle) {
-        const std::uint32_t* t = &surface.mesh.indices[3 * std::size_t{triangle}];
+    const auto turnedAt = [&](std::size_t triangle) {
+        const std::uint32_t* t = &surface.mesh.indices[3 * triangle];
         return turned({kind[t[0]], kind[t[1]], kind[t[2]]});
     };
-    const std::vector<std::uint32_t> first = firstEqual(surface.triangles(), keyOf);
-    return keepTriangles(surface.mesh,
-                         [&](std::span<const std::uint32_t, 3>, std::size_t triangle) { return first[triangle] == triangle; });
+    std::vector<std::uint8_t> again(surface.triangles(), 0);
+    forSidesAtPoints(surface.triangles(), surface.mesh.positions.size(), turnedAt, [&](std::span<const Side> here) {
+        for (std::size_t i = 1; i < here.size(); ++i)
+            again[here[i].triangle] = static_cast<std::uint8_t>(here[i].second == here[i - 1].second && here[i].third == here[i - 1].third);
+    });
+    return keepTriangles(surface.mesh, [&](std::span<const std::uint32_t, 3>, std::size_t triangle) { return again[triangle] == 0; });
 }
 
 std::size_t dropUnreferenced(Surface& surface) {
@@ -72,36 +109,13 @@ std::size_t dropUnreferenced(Surface& surface) {
 }
 
 std::vector<std::uint32_t> backToBack(const Surface& surface) {
-    struct Side {
-        std::uint32_t second = 0, third = 0; // after the smallest point
-        std::uint32_t triangle = 0;
-
-        bool operator<(const Side& other) const {
-            return std::tie(second, third, triangle) < std::tie(other.second, other.third, other.triangle);
-        }
-    };
-    const auto count = static_cast<std::uint32_t>(surface.triangles());
-    std::vector<std::uint32_t> last(std::size_t{surface.pointCount} + 1, 0); // of the sides at each smallest point
-    for (std::uint32_t i = 0; i < count; ++i)
-        ++last[turned(pointsOf(surface, i))[0] + 1];
-    for (std::size_t point = 1; point < last.size(); ++point)
-        last[point] += last[point - 1];
-    std::vector<Side> sides(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Triple t = turned(pointsOf(surface, i));
-        sides[last[t[0]]++] = {.second = t[1], .third = t[2], .triangle = i};
-    }
-    std::vector<std::uint32_t> other(count);
-    inChunks(surface.pointCount, 0, [&](std::size_t first, std::size_t end, std::size_t) {
-        for (std::size_t point = first; point < end; ++point) {
-            const auto here = std::span(sides).subspan(point == 0 ? 0 : last[point - 1], last[point] - (point == 0 ? 0 : last[point - 1]));
-            std::sort(here.begin(), here.end());
-            for (const Side& side : here) {
-                const auto back =
-                    std::lower_bound(here.begin(), here.end(), Side{.second = side.third, .third = side.second, .triangle = 0});
-                const bool found = back != here.end() && back->second == side.third && back->third == side.second;
-                other[side.triangle] = found ? back->triangle : side.triangle;
-            }
+    std::vector<std::uint32_t> other(surface.triangles());
+    const auto turnedAt = [&](std::size_t triangle) { return turned(pointsOf(surface, triangle)); };
+    forSidesAtPoints(surface.triangles(), surface.pointCount, turnedAt, [&](std::span<const Side> here) {
+        for (const Side& side : here) {
+            const auto back = std::lower_bound(here.begin(), here.end(), Side{.second = side.third, .third = side.second, .triangle = 0});
+            const bool found = back != here.end() && back->second == side.third && back->third == side.second;
+            other[side.triangle] = found ? back->triangle : side.triangle;
         }
     });
     return other;

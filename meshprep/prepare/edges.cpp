@@ -1,5 +1,7 @@
 #include "meshprep/prepare/edges.h"
 
+#include "host/support/parallel.h"
+
 namespace tegument::prep {
 
 EdgeTable::EdgeTable(const Surface& surface) : firstOfLow_(std::size_t{surface.pointCount} + 1, 0) {
@@ -14,9 +16,11 @@ EdgeTable::EdgeTable(const Surface& surface) : firstOfLow_(std::size_t{surface.p
     for (std::uint32_t corner = 0; corner < count; ++corner)
         if (const auto [a, b] = ends(corner); a != b)
             halfEdges_[next[std::min(a, b)]++] = {.high = std::max(a, b), .corner = corner, .forwards = a < b};
-    for (std::size_t low = 0; low < surface.pointCount; ++low)
-        std::sort(halfEdges_.begin() + firstOfLow_[low], halfEdges_.begin() + firstOfLow_[low + 1],
-                  [](const HalfEdge& a, const HalfEdge& b) { return std::pair(a.high, a.corner) < std::pair(b.high, b.corner); });
+    inChunks(surface.pointCount, 0, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t low = first; low < last; ++low)
+            std::sort(halfEdges_.begin() + firstOfLow_[low], halfEdges_.begin() + firstOfLow_[low + 1],
+                      [](const HalfEdge& a, const HalfEdge& b) { return std::pair(a.high, a.corner) < std::pair(b.high, b.corner); });
+    });
 }
 
 } // namespace tegument::prep

@@ -265,28 +265,29 @@ std::vector<MeshLevel> bestLevels(const Mesh& mesh, const WholeMesh& whole, cons
     return levels;
 }
 
-/// Each level of the one before: a third of the time, and on scans of a million triangles as near to the full surface. `meanwhile`: what is
-/// done while level i is made, and after the last one; it knows the levels before. Whoever makes a level helps with that afterwards, so
-/// that it is begun by this thread, which could not, but for the first level, which takes longest.
+/// Each level of the one before: a third of the time, and on scans of a million triangles as near to the full surface. The first takes
+/// longest: `besideFirst` is done at the same time, and `besideOthers`, which may look at it, beside the others. Whoever makes those helps
+/// with that afterwards, so that it is begun by this thread, which could not.
 std::vector<MeshLevel> chainedLevels(const WholeMesh& whole, const std::vector<std::size_t>& targets,
-                                     const std::function<void(std::size_t i, const std::vector<MeshLevel>& levels)>& meanwhile) {
+                                     const std::function<void()>& besideFirst, const std::function<void(const MeshLevel&)>& besideOthers) {
     // The newer one before the newest: nearer than meshoptimizer 1.3 at every level of the Dragon, the newest not at the first.
     const auto newer = std::ranges::find(simplifiers(), Simplifier::Version::Newer, &Simplifier::version);
     const Simplifier& simplifier = newer == simplifiers().end() ? simplifiers()[0] : *newer;
-    std::vector<MeshLevel> levels;
-    Indices last = whole.full();
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        Indices next;
-        forEachInParallel(2, [&](std::size_t item) {
-            if ((item == 0) == (i == 0))
-                next = whole.simplified(last, targets[i], simplifier);
-            else
-                meanwhile(i, levels);
-        });
-        last = std::move(next);
-        levels.push_back(whole.level(last));
-    }
-    meanwhile(targets.size(), levels);
+    std::vector<MeshLevel> levels(targets.size());
+    Indices last;
+    const auto make = [&](std::size_t i, const Indices& from) {
+        last = whole.simplified(from, targets[i], simplifier);
+        levels[i] = whole.level(last);
+    };
+    forEachInParallel(2, [&](std::size_t item) {
+        if (item == 0) make(0, whole.full());
+        if (item == 1) besideFirst();
+    });
+    forEachInParallel(2, [&](std::size_t item) {
+        if (item == 0) besideOthers(levels[0]);
+        for (std::size_t i = 1; item == 1 && i < targets.size(); ++i)
+            make(i, Indices(last));
+    });
     return levels;
 }
 
@@ -317,10 +318,17 @@ private:
     void byMeshoptimizer(const WholeMesh& whole, const std::vector<std::size_t>& targets) {
         const std::size_t tries = triesFor(mesh_.indices.size() / 3);
         if (tries > 1) return besideDistance([&] { levels = bestLevels(mesh_, whole, targets, tries); });
-        levels = chainedLevels(whole, targets, [&](std::size_t i, const std::vector<MeshLevel>& before) {
-            if (i == 0) distance_.emplace(mesh_.positions, mesh_.indices);
-            if (i > 0) errors.push_back(distance_->to(before[i - 1].indices));
-        });
+        errors.resize(1);
+        levels = chainedLevels(
+            whole, targets, [&] { distance_.emplace(mesh_.positions, mesh_.indices); },
+            [&](const MeshLevel& first) { errors[0] = distance_->to(first.indices); });
+        measure(1);
+    }
+
+    /// Levels from this one on.
+    void measure(std::size_t first) {
+        errors.resize(levels.size());
+        forEachInParallel(levels.size() - first, [&](std::size_t i) { errors[first + i] = distance_->to(levels[first + i].indices); });
     }
 
     void besideDistance(const std::function<void()>& make) {
@@ -328,8 +336,7 @@ private:
             if (item == 0) make();
             if (item == 1) distance_.emplace(mesh_.positions, mesh_.indices);
         });
-        errors.resize(levels.size());
-        forEachInParallel(levels.size(), [&](std::size_t i) { errors[i] = distance_->to(levels[i].indices); });
+        measure(0);
     }
 
     const Mesh& mesh_;

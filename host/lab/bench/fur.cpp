@@ -18,7 +18,7 @@ namespace {
 constexpr double kShortest = 0.5; // as roots that are made for a mesh (host/app/fur_textures.cpp)
 
 /// The mesh with its roots: as one draws it who needs ribbons, as the others do, and as strands in space.
-struct Stage {
+struct FurStage {
     Scene plain;
     Scene furry;
     verify::FurWindow window;
@@ -71,9 +71,9 @@ void shape(verify::FurWindow& window) {
     window.shape.lean = fur.lean;
 }
 
-Result<Stage> stageOf(Scene scene, const BenchOptions& options) {
+Result<FurStage> stageOf(Scene scene, const BenchOptions& options) {
     removeRibbons(scene.mesh);
-    Stage stage{.plain = scene, .furry = scene, .window = windowOn(scene)};
+    FurStage stage{.plain = scene, .furry = scene, .window = windowOn(scene)};
     if (const auto grown = verify::growRoots(stage.window.strands, {.shortest = kShortest}); !grown) return grown.error();
     shape(stage.window);
     const std::filesystem::path folder = options.sceneFolder.empty() ? cacheFolder() / "bench" / "fur" : options.sceneFolder;
@@ -117,7 +117,7 @@ bool drawsRibbons(const Contender& contender) {
     return contender.effect.stem() == "FurCoat";
 }
 
-Row rowOf(const Stage& stage, const FurView& view, const Entry& entry, const verify::ExactPicture& exact) {
+Row rowOf(const FurStage& stage, const FurView& view, const Entry& entry, const verify::ExactPicture& exact) {
     const auto covered = static_cast<double>(std::ranges::count(exact.covered, 1));
     const int mapSize = entry.contest.mapSize;
     return {.contender = entry.contender,
@@ -139,7 +139,7 @@ Row rowOf(const Stage& stage, const FurView& view, const Entry& entry, const ver
             .failure = {}};
 }
 
-verify::ExactPicture truthOf(const Stage& stage, const FurView& view, const BenchOptions& options) {
+verify::ExactPicture truthOf(const FurStage& stage, const FurView& view, const BenchOptions& options) {
     verify::FurWindow window = stage.window;
     window.size = options.width;
     window.height = options.height;
@@ -166,7 +166,7 @@ void judge(Row& row, const Result<Drawn>& drawn, const Image& truth) {
 }
 
 /// From one view.
-Result<void> runView(gpu::Device& device, const Stage& stage, const FurView& view, const std::vector<Contender>& contenders,
+Result<void> runView(gpu::Device& device, const FurStage& stage, const FurView& view, const std::vector<Contender>& contenders,
                      const BenchOptions& options, const BenchTools& tools, std::vector<Row>& rows) {
     tools.say(fmt::format("{}{}: rays", stage.plain.name, view.name));
     const verify::ExactPicture exact = truthOf(stage, view, options);

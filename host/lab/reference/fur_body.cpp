@@ -18,7 +18,7 @@ struct ConeHit {
 };
 
 /// |X - axis|^2 = (r (1 - a / L))^2 with a = (X - root) . n, a quadratic along the ray; of its roots those with a in [0, L].
-ConeHit meetCone(const FurCone& cone, const glm::dvec3& origin, const glm::dvec3& direction, double begin) {
+ConeHit meetStraightCone(const FurCone& cone, const glm::dvec3& origin, const glm::dvec3& direction, double begin) {
     const glm::dvec3 from = origin - cone.root;
     const double a0 = glm::dot(from, cone.normal);
     const double a1 = glm::dot(direction, cone.normal);
@@ -121,7 +121,7 @@ std::optional<double> FurOnBody::meetCones(const glm::dvec3& origin, const glm::
     for (double t = part.begin; t < nearest.distance;) {
         const glm::dvec3 at = origin + t * direction;
         for (const std::uint32_t i : grid_[cell(at)]) {
-            const ConeHit hit = meetCone(strands_[i], origin, direction, part.begin);
+            const ConeHit hit = meetStraightCone(strands_[i], origin, direction, part.begin);
             if (hit.distance >= nearest.distance) continue;
             nearest = hit;
             found = true;

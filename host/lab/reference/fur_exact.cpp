@@ -13,13 +13,13 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnmet = std::numeric_limits<double>::infinity();
 
 glm::dvec3 along(const glm::dvec3& v, const glm::dvec3& normal) {
     return v - normal * glm::dot(v, normal);
 }
 
-glm::dvec3 unit(const glm::dvec3& v) {
+glm::dvec3 unitAlong(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : v;
 }
@@ -91,7 +91,7 @@ std::optional<OnSkin> nearestSkin(const RayScene& skin, const glm::dvec3& point,
         double distance = 0;
         if (const auto nearest = nearestPlace(skin, point, facing, within, distance)) {
             const SurfacePoint there = interpolate(skin.mesh(), *nearest);
-            return OnSkin{.position = there.position, .normal = unit(there.normal), .distance = distance};
+            return OnSkin{.position = there.position, .normal = unitAlong(there.normal), .distance = distance};
         }
         if (within >= radius) return std::nullopt;
     }
@@ -101,7 +101,7 @@ namespace {
 
 /// How far a strand's axis has gone aside at this height, without tufts.
 glm::dvec3 strayOf(const FurStrandShape& shape, const FurGrown& strand, const glm::dvec3& normal, double h) {
-    const glm::dvec3 side = unit(along(strand.side, normal));
+    const glm::dvec3 side = unitAlong(along(strand.side, normal));
     const glm::dvec3 across = glm::cross(normal, side);
     const double angle = shape.turns * h; // turns
     const glm::dvec3 turned = wave(angle) * side + wave(angle + 0.75) * across;
@@ -154,7 +154,7 @@ std::vector<FurJoint> axisOf(const RayScene& skin, const FurStrandShape& shape, 
 
 namespace {
 
-struct Piece {
+struct ConePiece {
     FurJoint from;
     FurJoint to;
     std::uint32_t strand = 0;
@@ -164,9 +164,9 @@ struct Piece {
     /// from it than the radius there. |e0 + t e1| = r0 + t r1, and between the ends.
     [[nodiscard]] double enter(const glm::dvec3& origin, const glm::dvec3& direction, double& part) const {
         const glm::dvec3 axis = to.position - from.position;
-        const glm::dvec3 up = round ? unit(axis) : unit(from.normal + to.normal);
+        const glm::dvec3 up = round ? unitAlong(axis) : unitAlong(from.normal + to.normal);
         const double rise = glm::dot(axis, up);
-        if (!(rise > 0)) return kFar;
+        if (!(rise > 0)) return kUnmet;
         const double s0 = glm::dot(origin - from.position, up) / rise;
         const double s1 = glm::dot(direction, up) / rise;
         const glm::dvec3 e0 = origin - from.position - s0 * axis;
@@ -177,7 +177,7 @@ struct Piece {
         const double b = glm::dot(e0, e1) - r0 * r1;
         const double c = glm::dot(e0, e0) - r0 * r0;
         const double discriminant = b * b - a * c;
-        double nearest = kFar;
+        double nearest = kUnmet;
         if (discriminant < 0 || a == 0) return nearest;
         for (const double t : {(-b - std::sqrt(discriminant)) / a, (-b + std::sqrt(discriminant)) / a}) {
             const double s = s0 + t * s1;
@@ -189,7 +189,7 @@ struct Piece {
     }
 };
 
-PieceBox boxOf(const Piece& piece) {
+PieceBox boxOf(const ConePiece& piece) {
     const double wide = std::max(piece.from.radius, piece.to.radius);
     // Somewhat wider, for boxes are in 32-bit floats.
     const glm::dvec3 margin = wide * 1.001 + 1e-5 * glm::abs(piece.from.position) + 1e-9;
@@ -202,7 +202,7 @@ PieceBox boxOf(const Piece& piece) {
 struct FurExact::State {
     const RayScene& skin;
     std::vector<FurGrown> strands;
-    std::vector<Piece> pieces;
+    std::vector<ConePiece> pieces;
     std::optional<BoxTree> tree;
 
     State(const RayScene& on, std::vector<FurGrown> all) : skin(on), strands(std::move(all)) {}
@@ -233,12 +233,12 @@ FurExact::~FurExact() = default;
 std::optional<FurExact::Hit> FurExact::meet(const glm::dvec3& origin, const glm::dvec3& direction) const {
     constexpr double kBeyond = 1 + 1e-5; // what is left of the tree is cut off by a 32-bit float
     const auto skin = state_->skin.nearest(origin, direction);
-    double nearest = kFar;
+    double nearest = kUnmet;
     if (skin) nearest = skin->distance;
     double part = 0;
-    const Piece* met = nullptr;
+    const ConePiece* met = nullptr;
     state_->tree->meetAlong(glm::vec3(origin), glm::vec3(direction), static_cast<float>(nearest * kBeyond), [&](std::uint32_t i) {
-        const Piece& piece = state_->pieces[i];
+        const ConePiece& piece = state_->pieces[i];
         double at = 0;
         if (const double t = piece.enter(origin, direction, at); t < nearest) {
             nearest = t;
@@ -251,13 +251,13 @@ std::optional<FurExact::Hit> FurExact::meet(const glm::dvec3& origin, const glm:
         const FurGrown& strand = state_->strands[met->strand];
         const double height = std::lerp(met->from.height, met->to.height, part);
         return Hit{.distance = nearest,
-                   .normal = unit(glm::mix(met->from.normal, met->to.normal, part)),
+                   .normal = unitAlong(glm::mix(met->from.normal, met->to.normal, part)),
                    .height = height,
                    .along = height / strand.length,
                    .strand = &strand};
     }
     if (!skin) return std::nullopt;
-    return Hit{.distance = skin->distance, .normal = unit(interpolate(state_->skin.mesh(), skin->place).normal)};
+    return Hit{.distance = skin->distance, .normal = unitAlong(interpolate(state_->skin.mesh(), skin->place).normal)};
 }
 
 std::vector<FurGrown> latticeOn(const RayScene& skin, const FurLattice& lattice, const std::function<bool(const glm::dvec3&)>& wanted) {

@@ -8,14 +8,14 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kSkin = 0.05;
+constexpr double kBareSkin = 0.05;
 constexpr double kRoot = 0.15;
 constexpr double kTip = 1.0;
 
 using Cone = FurStrand;
 
 /// SplitMix64 of the cell: independent of the shaders' hashes.
-std::uint64_t mixed(std::uint64_t v) {
+std::uint64_t scrambled(std::uint64_t v) {
     v += 0x9e3779b97f4a7c15U;
     v = (v ^ (v >> 30U)) * 0xbf58476d1ce4e5b9U;
     v = (v ^ (v >> 27U)) * 0x94d049bb133111ebU;
@@ -72,7 +72,7 @@ double highestInside(const FurPatch& patch, const FurRay& ray, const Cone& cone,
 
 FurStrand strandOf(const FurPatch& patch, int cellX, int cellY) {
     const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cellX)) << 32U) | static_cast<std::uint32_t>(cellY);
-    const std::uint64_t bits = mixed(mixed(key) + patch.seed);
+    const std::uint64_t bits = scrambled(scrambled(key) + patch.seed);
     return {cellX + 0.5 + patch.jitter * (2 * unit(bits) - 1), cellY + 0.5 + patch.jitter * (2 * unit(bits >> 20U) - 1),
             patch.shortest + (1 - patch.shortest) * unit(bits >> 40U)};
 }
@@ -156,7 +156,7 @@ std::vector<double> drawPatch(const FurPatch& patch, const FurView& view, const 
     int count = 0;
     rays(patch, view, [&](const FurRay& ray) {
         const double h = hitOf(patch, ray, method);
-        sum += h == kNoHit ? kSkin : kRoot + (kTip - kRoot) * h;
+        sum += h == kNoHit ? kBareSkin : kRoot + (kTip - kRoot) * h;
         if (++count < samples) return;
         picture.push_back(sum / samples);
         sum = 0;

@@ -16,7 +16,7 @@ constexpr double kFarSegment = 64;     // spacings that a segment may have where
 constexpr double kMargin = 0.02;       // doublings: whole numbers stay on one side
 constexpr double kSeen = 0.004;        // an 8-bit target would not show less
 
-glm::dvec3 unit(const glm::dvec3& v) {
+glm::dvec3 unitOf(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : v;
 }
@@ -26,13 +26,13 @@ glm::dvec3 tangential(const glm::dvec3& v, const glm::dvec3& normal) {
 }
 
 /// Between -1 and 1, period 1: from 1 at 0 to -1 at 1/2 and back by the cubic 3 t^2 - 2 t^3.
-double wave(double x) {
+double waveOfLayers(double x) {
     const double t = std::abs(2 * (x - std::floor(x)) - 1);
     return 2 * (3 * t * t - 2 * t * t * t) - 1;
 }
 
 glm::dvec3 waves(const glm::dvec3& x) {
-    return {wave(x.x), wave(x.y), wave(x.z)};
+    return {waveOfLayers(x.x), waveOfLayers(x.y), waveOfLayers(x.z)};
 }
 
 /// Share of a pixel that a strand covers at this distance from its axis; what is narrower is drawn a pixel wide, and fainter.
@@ -119,7 +119,7 @@ struct Meeting {
     }
 
     void meet(const FurStand& strand, const glm::dvec3& begin, const glm::dvec3& end, double top, double low) {
-        const glm::dvec3 side = strand.stray * unit(tangential(strand.random - 0.5, sweep.normal));
+        const glm::dvec3 side = strand.stray * unitOf(tangential(strand.random - 0.5, sweep.normal));
         const glm::dvec3 across = glm::cross(sweep.normal, side);
         const auto fromAxis = [&](const glm::dvec3& place, double h) {
             const glm::dvec2 axis = furAxis(fur, h);
@@ -147,7 +147,7 @@ double farOf(double width) {
 
 glm::dvec2 furAxis(const FurSwept& fur, double height) {
     const double turn = fur.turns * height;
-    return height * (glm::dvec2(fur.scatter * height, 0) + fur.curls * glm::dvec2(wave(turn), wave(turn + 0.75)));
+    return height * (glm::dvec2(fur.scatter * height, 0) + fur.curls * glm::dvec2(waveOfLayers(turn), waveOfLayers(turn + 0.75)));
 }
 
 glm::dvec3 furTuft(const FurSwept& fur, const glm::dvec3& place, double height, const glm::dvec3& normal) {
@@ -163,7 +163,7 @@ double furSpare(const FurSwept& fur, double across, double far) {
 FurPath furPath(const FurSwept& fur, const FurFacet& facet, const glm::dvec3& ray, const glm::dvec3& strand, double upright, double least) {
     const glm::dvec3 u = (facet.positions[1] - facet.positions[0]) / fur.spacing;
     const glm::dvec3 v = (facet.positions[2] - facet.positions[0]) / fur.spacing;
-    const glm::dvec3 plane = unit(glm::cross(u, v));
+    const glm::dvec3 plane = unitOf(glm::cross(u, v));
     // Rays along the plane are kept from going on for ever: they are taken as falling a little more steeply.
     const double fall = glm::dot(ray, plane);
     const glm::dvec3 falling = ray + plane * (least / fall);
@@ -241,7 +241,7 @@ Here hereOf(const FurSwept& fur, const FurFragment& fragment, const FurFacet& fa
         const auto corner = static_cast<std::size_t>(c);
         const glm::dvec3 way = facet.positions[corner] - eye.position;
         const double width = eye.pixel * glm::length(way) / fur.spacing;
-        const double cosine = std::clamp(-glm::dot(unit(way), unit(facet.normals[corner])), -1.0, 1.0);
+        const double cosine = std::clamp(-glm::dot(unitOf(way), unitOf(facet.normals[corner])), -1.0, 1.0);
         const double across = coatOf(fur) * std::sqrt(1 - cosine * cosine) / std::max(cosine, kLeastCosine);
         here.width += fragment.weights[c] * width;
         here.spare += fragment.weights[c] * furSpare(fur, across, farOf(width));
@@ -284,9 +284,9 @@ FurSeen sweepLayer(const FurSwept& fur, const FurStrandsAt& strands, const FurFr
     if (!seen.drawn) return seen;
 
     const double bottom = std::max(0.0, static_cast<double>(fragment.layer - stride) / fur.layers);
-    const glm::dvec3 normal = unit(fragment.normal);
+    const glm::dvec3 normal = unitOf(fragment.normal);
     const glm::dvec3 strand = coatOf(fur) * (normal + (fragment.height + bottom) * (fragment.lean + fur.lean));
-    const Sweep sweep{.path = furPath(fur, facet, unit(fragment.position - eye.position), strand, coatOf(fur), here.least),
+    const Sweep sweep{.path = furPath(fur, facet, unitOf(fragment.position - eye.position), strand, coatOf(fur), here.least),
                       .normal = normal,
                       .place = fragment.rest / fur.spacing,
                       .height = fragment.height,

@@ -9,7 +9,7 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kEndlesslyFar = std::numeric_limits<double>::infinity();
 
 double smoothStep(double share) {
     const double s = std::clamp(share, 0.0, 1.0);
@@ -26,7 +26,7 @@ std::vector<LampNode> lampNodes(const Lamp& lamp, const glm::dvec3& towards, int
     const bool near = lamp.place.w > 0.5;
     const double distance = glm::length(towards);
     const glm::dvec3 axis = towards / distance;
-    double far = kFar;
+    double far = kEndlesslyFar;
     if (near) far = distance;
     const double sine = std::min(near ? lamp.axis.w / distance : lamp.axis.w, 0.99);
     if (side == 1 || sine <= 0) return {{axis, far, 1}};
@@ -109,7 +109,8 @@ std::vector<Beam> beamsAt(const MoreLight& more, const std::vector<SkyPiece>& sk
     for (const Lamp& lamp : more.lamps)
         addLamp(lamp, more.lampSide, point, normal, visible, beams);
     for (const SkyPiece& piece : sky)
-        if (glm::dot(piece.direction, normal) > 0 && visible(piece.direction, kFar)) beams.push_back({piece.direction, piece.light, 1});
+        if (glm::dot(piece.direction, normal) > 0 && visible(piece.direction, kEndlesslyFar))
+            beams.push_back({piece.direction, piece.light, 1});
     return beams;
 }
 

@@ -11,7 +11,7 @@ namespace tegument::reference {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPeersPi = std::numbers::pi;
 
 /// Offsets from -reach to reach, equally spaced before squaring.
 std::vector<double> squaredOffsets(int samples, double reach) {
@@ -43,7 +43,7 @@ double printedArea(const std::vector<double>& offsets, std::size_t i) {
 }
 
 double gaussian(double x, double variance) {
-    return std::exp(-x * x / (2 * variance)) / std::sqrt(2 * kPi * variance);
+    return std::exp(-x * x / (2 * variance)) / std::sqrt(2 * kPeersPi * variance);
 }
 
 glm::dvec3 line(const Profile& profile, double x, double scale) {
@@ -104,7 +104,7 @@ glm::dvec3 kernelEdge(const Kernel& kernel, double unit, double x) {
 }
 
 double burleyProfile(double r, double d) {
-    return (std::exp(-r / d) + std::exp(-r / (3 * d))) / (8 * kPi * d * r);
+    return (std::exp(-r / d) + std::exp(-r / (3 * d))) / (8 * kPeersPi * d * r);
 }
 
 double burleyShare(double r, double d) {
@@ -123,10 +123,10 @@ double burleyRadius(double share, double d) {
 }
 
 double burleyEdge(double x, double d) {
-    static const std::vector<Node> kAngles = gaussLegendre(96, 0, kPi / 2);
+    static const std::vector<Node> kAngles = gaussLegendre(96, 0, kPeersPi / 2);
     double beyond = 0;
     for (const Node& angle : kAngles)
-        beyond += angle.weight / kPi * (1 - burleyShare(std::abs(x) / std::cos(angle.x), d));
+        beyond += angle.weight / kPeersPi * (1 - burleyShare(std::abs(x) / std::cos(angle.x), d));
     return x > 0 ? 1 - beyond : beyond;
 }
 
@@ -151,7 +151,7 @@ glm::dvec3 ring(const Profile& profile, double radius, double cosine) {
 glm::dvec3 ringPrinted(const Profile& profile, double radius, double cosine) {
     const double theta = std::acos(std::clamp(cosine, -1.0, 1.0));
     // Chords above 18 mm hold less than 1e-8 of the widest Gaussian.
-    const double reach = std::min(kPi / 2, 2 * std::asin(std::min(1.0, 9 / radius)));
+    const double reach = std::min(kPeersPi / 2, 2 * std::asin(std::min(1.0, 9 / radius)));
     constexpr int kPieces = 800;
     static const std::vector<Node> kNodes = gaussLegendre(4);
     glm::dvec3 sum(0);

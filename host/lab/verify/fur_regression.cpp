@@ -23,7 +23,7 @@ using reference::FurFragment;
 namespace fs = std::filesystem;
 
 /// A share of a pixel that is not seen.
-constexpr double kUnseen = 0.01;
+constexpr double kUntold = 0.01;
 constexpr double kTolerance = 0.005; // of the shadow's comparison, share of the mesh's radius
 
 /// The roots as a file for the renderer, removed in the end.
@@ -37,8 +37,8 @@ private:
     Temporary file_;
 };
 
-struct View {
-    View(const StrandsScene& strands, const VerifyOptions& options, double grid)
+struct LayersView {
+    LayersView(const StrandsScene& strands, const VerifyOptions& options, double grid)
         : scene(strands), truth(truthOf(strands.scene, options)),
           shells(strands.scene.mesh, strands.coat, truth.camera, strands.grown, grid), light{truth.light.eye, truth.skin.lightColour()},
           eye{truth.camera.eye, 2 * truth.camera.tangentX / truth.camera.width},
@@ -88,7 +88,7 @@ struct Shown {
 };
 
 /// Depth test and blending. `decided` becomes false where rounding says which layers are drawn.
-std::vector<Shown> blend(const View& view, const std::vector<FurFragment>& fragments, bool& decided) {
+std::vector<Shown> blend(const LayersView& view, const std::vector<FurFragment>& fragments, bool& decided) {
     std::vector<Shown> shown;
     double nearest = std::numeric_limits<double>::infinity();
     for (const FurFragment& fragment : fragments) {
@@ -111,7 +111,7 @@ std::vector<Shown> blend(const View& view, const std::vector<FurFragment>& fragm
 } // namespace
 
 SweptPicture drawSwept(const StrandsScene& scene, const VerifyOptions& options, double grid) {
-    const View view(scene, options, grid);
+    const LayersView view(scene, options, grid);
     const glm::dvec3 background(scene.scene.workspace.background);
     const int size = view.truth.camera.width;
     const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
@@ -130,7 +130,7 @@ SweptPicture drawSwept(const StrandsScene& scene, const VerifyOptions& options, 
                 fragment.layer == 0 ? reference::furRadiance(view.scene.coat, fragment, view.light, view.eye.position, lit)
                                     : reference::sweptRadiance(view.scene.coat, fragment, shown.met, view.light, view.eye.position, lit);
             sum += shown.weight * (radiance - background);
-            told = told && (shown.weight < kUnseen || view.shadowIsTold(fragment));
+            told = told && (shown.weight < kUntold || view.shadowIsTold(fragment));
         }
         for (int c = 0; c < 3; ++c)
             drawn.picture.at(x, y, c) = static_cast<float>(sum[c]);
@@ -167,7 +167,7 @@ Result<Image> renderStrands(const Context& context, const StrandsScene& scene, c
 
 namespace {
 
-Limits limitsOf(const Context& context, bool far) {
+Limits layersLimits(const Context& context, bool far) {
     if (far)
         return {.relativeL2 = 0.015,
                 .p99 = 0.05,
@@ -197,7 +197,7 @@ Result<void> checkPart(ModuleReport& report, const Context& context, const Stran
     const SweptPicture swept = drawSwept(scene, context.options, grid);
     const std::string subject = fmt::format("{}, {}, regression", scene.technique, scene.name);
     const auto compared =
-        compare(report, context, {subject, *rendered, swept.picture, swept.counts, swept.covered}, limitsOf(context, far));
+        compare(report, context, {subject, *rendered, swept.picture, swept.counts, swept.covered}, layersLimits(context, far));
     if (!compared) return compared;
     addMetric(report, context, subject + ": set apart", shareApart(swept.counts, swept.covered),
               mostApart(mostApartOf(context, far), context.options), kShadowApart);

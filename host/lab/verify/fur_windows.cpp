@@ -13,8 +13,8 @@ namespace tegument::verify {
 
 namespace {
 
-constexpr double kReach = 2.5; // of a root: strands stray, a step and a pixel are wide
-constexpr double kAway = 40;   // of the eye, radii of the mesh
+constexpr double kRootsReach = 2.5; // of a root: strands stray, a step and a pixel are wide
+constexpr double kAway = 40;        // of the eye, radii of the mesh
 
 /// How strands bend.
 struct Bends {
@@ -26,7 +26,7 @@ struct Bends {
 };
 
 /// What is looked at: the skin where a line from `from` towards `to` (radii of the mesh) meets it.
-struct View {
+struct WindowView {
     const char* name;
     Mesh (*mesh)();
     glm::dvec3 from{0};
@@ -106,11 +106,12 @@ constexpr Bends kNoTufts{.scatter = 0.4, .curls = 0.15, .lean = 0.25, .comb = 0.
 
 // Limits: a tenth to a seventh more than lavapipe draws with 64 or 128 pixels a side. All of it is the effect's own: one sample to a pixel
 // and edges of strands as soft as one, 0.016 to 0.037 of brightness (docs/design/fur-layers.md), which is 0.06 to 0.1 of the mean; and
-const char* const kOnPlane = "one sample to a pixel; strands bend evenly from layer to layer, and their sections where tufts draw together";
+const char* const kWindowOnPlane =
+    "one sample to a pixel; strands bend evenly from layer to layer, and their sections where tufts draw together";
 const char* const kOnBall = "one sample to a pixel; rays that cross several spacings are bent to the second order only";
 const char* const kOnTorus = "one sample to a pixel; strands are straight between the four layers that the view asks for";
-const char* const kOnRough = "one sample to a pixel; normals that differ from vertex to vertex make layers rougher than the skin";
-const char* const kFromAfar =
+const char* const kWindowOnRough = "one sample to a pixel; normals that differ from vertex to vertex make layers rougher than the skin";
+const char* const kWindowFromAfar =
     "one sample to a pixel at outlines; strands counted as independent, not as they stand (docs/design/modules/FurRoots.md)";
 
 const char* const kOnScan =
@@ -121,43 +122,44 @@ constexpr double kRim = 0.15; // of the ball's disc, which the light sees edge-o
 /// One after the other: everything that bends strands; a bent skin alone, seen so aslant that rays take several steps; both, by as few
 /// layers as the view asks for; all of it on a mesh as scanners give them; coverage to expect.
 const std::array kViews = {
-    View{.name = "plane",
-         .mesh = plane,
-         .from = {0.1, 3, 0.2},
-         .to = {0.1, 0, 0.2},
-         .tilt = 45,
-         .bends = kAll,
-         .fewest = 32,
-         .limits = {{{0.065, 0.012, kOnPlane}, {0.1, 0.012, kOnPlane}}}},
-    View{.name = "ball", .mesh = fineBall, .from = {1, 1, 2}, .tilt = 70, .limits = {{{0.165, 0.015, kOnBall}, {0.14, 0.03, kOnBall}}}},
-    View{.name = "torus",
-         .mesh = fineTorus,
-         .from = {2, 2, 2},
-         .to = {0.6, 0, 0.4},
-         .tilt = 35,
-         .bends = kNoTufts,
-         .coat = 3,
-         .limits = {{{0.15, 0.015, kOnTorus}, {0.13, 0.03, kOnTorus}}}},
-    View{.name = "rough ball",
-         .mesh = roughBall,
-         .from = {-1, 1, 2},
-         .tilt = 30,
-         .bends = kAll,
-         .fewest = 32,
-         .coat = 3,
-         .limits = {{{0.085, 0.01, kOnRough}, {0.08, 0.015, kOnRough}}}},
-    View{.name = "ball from afar",
-         .mesh = fineBall,
-         .from = {0, 0.3, 2},
-         .bends = kAll,
-         .coat = 4,
-         .spacing = 0.02,
-         .pixel = 1.5,
-         .pieces = 5,
-         .limits = {{{0.22, 0.06, kFromAfar, kRim}, {0.2, 0.06, kFromAfar, kRim}}}},
+    WindowView{.name = "plane",
+               .mesh = plane,
+               .from = {0.1, 3, 0.2},
+               .to = {0.1, 0, 0.2},
+               .tilt = 45,
+               .bends = kAll,
+               .fewest = 32,
+               .limits = {{{0.065, 0.012, kWindowOnPlane}, {0.1, 0.012, kWindowOnPlane}}}},
+    WindowView{
+        .name = "ball", .mesh = fineBall, .from = {1, 1, 2}, .tilt = 70, .limits = {{{0.165, 0.015, kOnBall}, {0.14, 0.03, kOnBall}}}},
+    WindowView{.name = "torus",
+               .mesh = fineTorus,
+               .from = {2, 2, 2},
+               .to = {0.6, 0, 0.4},
+               .tilt = 35,
+               .bends = kNoTufts,
+               .coat = 3,
+               .limits = {{{0.15, 0.015, kOnTorus}, {0.13, 0.03, kOnTorus}}}},
+    WindowView{.name = "rough ball",
+               .mesh = roughBall,
+               .from = {-1, 1, 2},
+               .tilt = 30,
+               .bends = kAll,
+               .fewest = 32,
+               .coat = 3,
+               .limits = {{{0.085, 0.01, kWindowOnRough}, {0.08, 0.015, kWindowOnRough}}}},
+    WindowView{.name = "ball from afar",
+               .mesh = fineBall,
+               .from = {0, 0.3, 2},
+               .bends = kAll,
+               .coat = 4,
+               .spacing = 0.02,
+               .pixel = 1.5,
+               .pieces = 5,
+               .limits = {{{0.22, 0.06, kWindowFromAfar, kRim}, {0.2, 0.06, kWindowFromAfar, kRim}}}},
 };
 
-void place(StrandsScene& scene, const View& view, int size) {
+void place(StrandsScene& scene, const WindowView& view, int size) {
     const reference::RayScene rays(scene.scene.mesh);
     const auto& bounds = scene.scene.mesh.bounds;
     const glm::dvec3 centre(bounds.centre);
@@ -202,7 +204,7 @@ struct InPicture {
 std::vector<std::string> windowNames(const VerifyOptions& options) {
     if (options.mesh) return {"mesh"};
     std::vector<std::string> names;
-    for (const View& view : kViews)
+    for (const WindowView& view : kViews)
         names.emplace_back(view.name);
     return names;
 }
@@ -210,9 +212,9 @@ std::vector<std::string> windowNames(const VerifyOptions& options) {
 namespace {
 
 /// As the name says, but for what is changed. A mesh of the options is looked at as the rough ball is.
-View viewOf(const std::string& name, const WindowChange& change) {
-    const auto found = std::ranges::find_if(kViews, [&](const View& view) { return name == view.name; });
-    View view = found == kViews.end() ? kViews[3] : *found;
+WindowView viewOf(const std::string& name, const WindowChange& change) {
+    const auto found = std::ranges::find_if(kViews, [&](const WindowView& view) { return name == view.name; });
+    WindowView view = found == kViews.end() ? kViews[3] : *found;
     if (found == kViews.end()) view.limits = {{{0.24, 0.03, kOnScan, 0.13}, {0.25, 0.03, kOnScan, 0.13}}};
     view.bends.scatter = change.scatter.value_or(view.bends.scatter);
     view.bends.curls = change.curls.value_or(view.bends.curls);
@@ -229,7 +231,7 @@ View viewOf(const std::string& name, const WindowChange& change) {
 
 Result<FurWindow> makeWindow(const VerifyOptions& options, const std::string& technique, const std::string& name,
                              const WindowChange& change) {
-    const View view = viewOf(name, change);
+    const WindowView view = viewOf(name, change);
     FurWindow window{.strands = {.name = name, .technique = technique}, .lattice = technique == "Cellular"};
     window.pieces = view.pieces;
     window.size = std::max(32, options.pictureSize / 2);
@@ -252,7 +254,7 @@ Result<FurWindow> makeWindow(const VerifyOptions& options, const std::string& te
                  .lean = view.bends.lean * glm::dvec3(0, -1, 0)};
     if (!window.lattice) {
         const RootOptions roots{.density = 1 / (scene.fur.spacing * scene.fur.spacing),
-                                .reach = kReach,
+                                .reach = kRootsReach,
                                 .lean = view.bends.comb,
                                 .comb = {0.6, -0.5, 0.6},
                                 .furLength = scene.coat.length};

@@ -14,7 +14,7 @@ namespace {
 /// Linear radiance of a point of the surface.
 using Radiance = std::function<glm::dvec3(const reference::SurfacePoint&)>;
 
-struct Part {
+struct MainPart {
     const char* technique;
     const char* subject;
     bool fromBehind;
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> counted(const Truth& truth, const Seen& seen) {
     return counts;
 }
 
-Result<void> comparePart(ModuleReport& report, const Context& context, const Part& part) {
+Result<void> comparePart(ModuleReport& report, const Context& context, const MainPart& part) {
     Scene scene = sceneOf(context.options);
     if (part.fromBehind) scene = backlit(std::move(scene));
     const Truth truth = truthOf(scene, context.options);
@@ -121,10 +121,10 @@ Result<ModuleReport> verifyMain(const Context& context) {
         corrected
             ? Limits{.relativeL2 = 5e-3, .p99 = 0.02, .bias = 2e-3, .apart = 0.4, .why = "look-ups of colour in 8 bits; the albedo table"}
             : pictureLimits(context, false);
-    for (const Part& part : {Part{"Lambert", "without diffusion", false, lambert, plain},
-                             Part{"DEonLuebke", "lit from in front", false, deonLuebke, pictureLimits(context, false)},
-                             Part{"DEonLuebke", "lit from behind", true, deonLuebke, pictureLimits(context, true)},
-                             Part{"Gosselin", "Gosselin", false, gosselin, gosselinLimits(context)}})
+    for (const MainPart& part : {MainPart{"Lambert", "without diffusion", false, lambert, plain},
+                                 MainPart{"DEonLuebke", "lit from in front", false, deonLuebke, pictureLimits(context, false)},
+                                 MainPart{"DEonLuebke", "lit from behind", true, deonLuebke, pictureLimits(context, true)},
+                                 MainPart{"Gosselin", "Gosselin", false, gosselin, gosselinLimits(context)}})
         if (const auto compared = comparePart(report, context, part); !compared) return compared.error();
     return report;
 }

@@ -1,0 +1,28 @@
+#!/usr/bin/env python3
+"""united_test.py SOURCE FOLDER COMPILER [-D NAME=VALUE]...: a quick build with the laboratory, whose rooms are compiled as one source each.
+
+What two sources of a room keep to themselves under one name is seen nowhere else. Nothing is made: the compiler only reads.
+"""
+
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+source, folder, compiler, *definitions = sys.argv[1:]
+configured = subprocess.run(["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER={compiler}",
+                             "-DTEGUMENT_LAB=ON", "-DTEGUMENT_TESTS=OFF", "-DTEGUMENT_QUICK=ON", *definitions], capture_output=True, text=True, check=False)
+if configured.returncode != 0:
+    sys.exit("a quick build with the laboratory does not configure\n" + configured.stdout + configured.stderr)
+units = [entry for entry in json.loads(pathlib.Path(folder, "compile_commands.json").read_text(encoding="utf-8"))
+         if "/host/lab/" in entry["file"] and "/Unity/" in entry["file"]]
+if len(units) < 6:  # app, bench, invariance, reference, stability, verify
+    sys.exit(f"only {len(units)} rooms of the laboratory are compiled as one source")
+for unit in units:
+    words = shlex.split(re.sub(r" -o \S+ -c ", " -fsyntax-only ", unit["command"]))
+    ran = subprocess.run(words, cwd=unit["directory"], capture_output=True, text=True, check=False)
+    if ran.returncode != 0:
+        sys.exit(f"{unit['file']} does not compile: name what two sources of a room keep to themselves differently\n{ran.stderr[:4000]}")
+print(f"{len(units)} rooms")

@@ -8,6 +8,7 @@
 #include "host/app/job.h"
 #include "host/app/output.h"
 #include "host/app/replay.h"
+#include "host/app/roots_on_mesh.h"
 #include "host/view/keys.h"
 #include "meshprep/prepare/levels.h"
 
@@ -85,7 +86,8 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .keeps = job,
             .keepView = false,
             .open = {},
-            .fewer = prep::quickLevel};
+            .fewer = prep::quickLevel,
+            .rootsOn = rootsOnMesh};
 }
 
 /// The request with a way to open what is dropped next.

@@ -25,6 +25,8 @@ Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene, cons
     store_.uploaded = before->store_.uploaded;
     store_.quad = before->store_.quad;
     store_.shared = before->store_.shared;
+    for (const auto& [name, bake] : before->bakes_)
+        if (!bake.file.empty()) bakes_.emplace(name, bake);
 }
 
 Stage::~Stage() {

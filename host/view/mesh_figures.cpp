@@ -104,12 +104,20 @@ void examineEdges(const Mesh& mesh, const std::vector<std::uint32_t>& places, Me
     }
 }
 
-template <class Value>
-Spread spreadOf(const std::vector<MeshTriangle>& triangles, const Value& value) {
+bool isMapped(const MeshTriangle& triangle) {
+    return triangle.scale > 0;
+}
+
+bool isFurry(const MeshTriangle& triangle) {
+    return triangle.fur > 0;
+}
+
+template <class Value, class Counts>
+Spread spreadOf(const std::vector<MeshTriangle>& triangles, const Value& value, const Counts& counts) {
     std::vector<std::pair<double, double>> values; // with areas
     double total = 0;
     for (const MeshTriangle& triangle : triangles)
-        if (triangle.scale > 0) {
+        if (counts(triangle)) {
             values.emplace_back(value(triangle), triangle.area);
             total += triangle.area;
         }
@@ -123,12 +131,50 @@ Spread spreadOf(const std::vector<MeshTriangle>& triangles, const Value& value) 
     return {.low = at(kInOneHundred), .median = at(0.5), .high = at(1 - kInOneHundred)};
 }
 
+struct RootsAbout {
+    double roots = 0;
+    double area = 0; // mm^2
+};
+
+constexpr double kRootsEnough = 30;      // a density of so many is known to a fifth
+constexpr double kTrianglesOfARound = 6; // that one round more takes in, at least
+constexpr std::size_t kMostRounds = 40;
+constexpr double kBald = 0.02; // of the greatest density: what is less has come from over the edge of the fur
+
+/// Each triangle gives a third of what it has to each corner, and gets back the mean of what its corners hold: nothing is lost, and where
+/// the density is the same everywhere it stays so.
+void spreadRoots(std::vector<RootsAbout>& about, const MeshFigures& figures, const std::vector<std::uint32_t>& places) {
+    if (figures.roots == 0) return;
+    const double wanted = kRootsEnough * static_cast<double>(about.size()) / static_cast<double>(figures.roots); // triangles
+    const std::size_t rounds = wanted <= 1 ? 0 : std::min(kMostRounds, static_cast<std::size_t>(std::ceil(wanted / kTrianglesOfARound)));
+    std::vector<double> meeting(places.size(), 0); // triangles at a corner
+    for (const MeshTriangle& triangle : figures.triangles)
+        for (const std::uint32_t corner : triangle.corners)
+            meeting[places[corner]] += 1;
+    for (std::size_t round = 0; round < rounds; ++round) {
+        std::vector<RootsAbout> corners(places.size());
+        for (std::size_t i = 0; i < about.size(); ++i)
+            for (const std::uint32_t corner : figures.triangles[i].corners) {
+                corners[places[corner]].roots += about[i].roots / 3;
+                corners[places[corner]].area += about[i].area / 3;
+            }
+        for (std::size_t i = 0; i < about.size(); ++i) {
+            about[i] = {};
+            for (const std::uint32_t corner : figures.triangles[i].corners) {
+                about[i].roots += corners[places[corner]].roots / meeting[places[corner]];
+                about[i].area += corners[places[corner]].area / meeting[places[corner]];
+            }
+        }
+    }
+}
+
 std::vector<MeshTriangle> trianglesOf(const Mesh& mesh) {
     std::vector<MeshTriangle> triangles;
     for (const MeshPart& part : mesh.parts) {
         if (isRibbons(part)) continue;
         for (std::size_t i = part.firstIndex; i + 2 < std::size_t{part.firstIndex} + part.indexCount; i += 3)
-            triangles.push_back({.corners = {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]}});
+            triangles.push_back(
+                {.corners = {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]}, .number = static_cast<std::uint32_t>(i / 3)});
     }
     return triangles;
 }
@@ -154,40 +200,88 @@ MeshFigures examineMesh(const Mesh& mesh) {
     figures.vertices = used.size();
     figures.components = roots.size();
     examineEdges(mesh, places, figures);
-    figures.scale = spreadOf(figures.triangles, [](const MeshTriangle& t) { return t.scale; });
-    figures.stretch = spreadOf(figures.triangles, [](const MeshTriangle& t) { return t.stretch; });
+    figures.scale = spreadOf(
+        figures.triangles, [](const MeshTriangle& t) { return t.scale; }, isMapped);
+    figures.stretch = spreadOf(
+        figures.triangles, [](const MeshTriangle& t) { return t.stretch; }, isMapped);
     return figures;
+}
+
+namespace {
+
+std::vector<LegendEntry> withFlat(std::vector<LegendEntry> legend, const MeshFigures& figures) {
+    if (figures.flat > 0) legend.push_back({kNoArea, "no area on the texture"});
+    return legend;
+}
+
+} // namespace
+
+void countRoots(MeshFigures& figures, const Mesh& mesh, std::span<const std::uint32_t> onto) {
+    std::map<std::uint32_t, std::size_t> at;
+    for (std::size_t i = 0; i < figures.triangles.size(); ++i)
+        at[figures.triangles[i].number] = i;
+    std::vector<RootsAbout> about;
+    for (const MeshTriangle& triangle : figures.triangles)
+        about.push_back({.roots = 0, .area = triangle.area});
+    figures.roots = figures.triangles.empty() ? 0 : onto.size();
+    for (const std::uint32_t triangle : onto)
+        if (const auto found = at.find(triangle); found != at.end()) about[found->second].roots += 1;
+    spreadRoots(about, figures, placesOf(mesh));
+    double most = 0;
+    for (std::size_t i = 0; i < about.size(); ++i) {
+        figures.triangles[i].fur = about[i].area > 0 ? about[i].roots / about[i].area : 0;
+        most = std::max(most, figures.triangles[i].fur);
+    }
+    figures.furryArea = 0;
+    for (MeshTriangle& triangle : figures.triangles) {
+        if (triangle.fur < kBald * most) triangle.fur = 0;
+        if (isFurry(triangle)) figures.furryArea += triangle.area;
+    }
+    figures.fur = spreadOf(
+        figures.triangles, [](const MeshTriangle& t) { return t.fur; }, isFurry);
 }
 
 std::array<float, 3> colorOf(MeshShow show, const MeshTriangle& triangle, const MeshFigures& figures) {
     if (show == MeshShow::Seams) return kSurface;
+    if (show == MeshShow::Fur)
+        return isFurry(triangle) ? between(kScaleColors, 0.5 + 0.5 * std::log2(triangle.fur / figures.fur.median) / kDoublings) : kSurface;
     if (triangle.scale == 0) return kNoArea;
     if (show == MeshShow::Texels) return between(kScaleColors, 0.5 + 0.5 * std::log2(triangle.scale / figures.scale.median) / kDoublings);
     return between(kStretchColors, std::log2(triangle.stretch) / kDoublings);
 }
 
 std::vector<LegendEntry> legendOf(MeshShow show, const MeshFigures& figures, double texels) {
-    const LegendEntry none{kNoArea, "no area on the texture"};
     if (show == MeshShow::Seams) return {{kSeam, "seam: the texture goes on elsewhere"}, {kBorder, "border: no triangle beyond"}};
     std::vector<LegendEntry> legend;
     if (show == MeshShow::Stretch) {
         for (std::size_t i = 0; i < kStretchColors.size(); ++i)
             legend.push_back({kStretchColors.at(i), fmt::format("{} to 1{}", 1U << i, i + 1 == kStretchColors.size() ? " and more" : "")});
-    } else
-        for (std::size_t i = 0; i < kScaleColors.size(); ++i) {
-            const double times = std::exp2(static_cast<double>(i) - kDoublings);
-            const char* end = i == 0 ? " and less" : i + 1 == kScaleColors.size() ? " and more" : i == 2 ? ", the median" : "";
-            legend.push_back({kScaleColors.at(i), fmt::format("{:.3g} texels per mm{}", texels * figures.scale.median * times, end)});
-        }
-    if (figures.flat > 0) legend.push_back(none);
-    return legend;
+        return withFlat(std::move(legend), figures);
+    }
+    const bool fur = show == MeshShow::Fur;
+    for (std::size_t i = 0; i < kScaleColors.size(); ++i) {
+        const double times = std::exp2(static_cast<double>(i) - kDoublings) * (fur ? figures.fur.median : texels * figures.scale.median);
+        const char* end = i == 0 ? " and less" : i + 1 == kScaleColors.size() ? " and more" : i == 2 ? ", the median" : "";
+        legend.push_back({kScaleColors.at(i), fmt::format("{:.3g} {}{}", times, fur ? "roots per mm2" : "texels per mm", end)});
+    }
+    if (fur) {
+        legend.push_back({kSurface, "no roots"});
+        return legend;
+    }
+    return withFlat(std::move(legend), figures);
 }
 
 std::vector<std::string> linesOf(MeshShow show, const MeshFigures& figures, double texels) {
     const std::string title = show == MeshShow::Texels    ? fmt::format("texels per mm, maps of {:.0f}", texels)
                               : show == MeshShow::Stretch ? "stretch on the texture"
+                              : show == MeshShow::Fur     ? "density of fur"
                                                           : "seams and borders";
     const Spread& s = figures.scale;
+    if (show == MeshShow::Fur)
+        return {title,
+                fmt::format("{} roots on {:.0f} mm2 with fur, {:.3g} per mm2", figures.roots, figures.furryArea,
+                            figures.furryArea > 0 ? static_cast<double>(figures.roots) / figures.furryArea : 0),
+                fmt::format("98 % of it has {:.3g} to {:.3g} per mm2", figures.fur.low, figures.fur.high)};
     return {title,
             fmt::format("{} vertices, {} triangles, {} component{}", figures.vertices, figures.triangles.size(), figures.components,
                         figures.components == 1 ? "" : "s"),

@@ -6,13 +6,14 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace tegument::view {
 
 /// In the order in which the key shows them.
-enum class MeshShow { None, Texels, Stretch, Seams };
+enum class MeshShow { None, Texels, Stretch, Seams, Fur };
 
 /// By area: one hundredth of the surface lies below `low`, one above `high`.
 struct Spread {
@@ -28,6 +29,8 @@ struct MeshTriangle {
     double stretch = 0;           // the longest of what a circle becomes on the texture over the shortest; infinite where there is no area
     std::array<bool, 3> seam{};   // of the edge from corner i to the next: the texture continues elsewhere
     std::array<bool, 3> border{}; // no triangle beyond
+    std::uint32_t number = 0;     // in the mesh
+    double fur = 0;               // roots per mm^2, there and about
 };
 
 struct MeshFigures {
@@ -40,8 +43,15 @@ struct MeshFigures {
     double borderLength = 0;
     Spread scale; // of what has an area
     Spread stretch;
+    std::size_t roots = 0; // of fur
+    double furryArea = 0;  // mm^2, of triangles with roots about
+    Spread fur;            // of those
 };
 [[nodiscard]] MeshFigures examineMesh(const Mesh& mesh);
+
+/// Counts roots of fur; `onto`: for each the triangle of the mesh that it stands on. A triangle's density is that of an area about it, by
+/// the sums of roots and of mm^2, wide enough for some thirty roots: single triangles have one or none.
+void countRoots(MeshFigures& figures, const Mesh& mesh, std::span<const std::uint32_t> onto);
 
 struct LegendEntry {
     std::array<float, 3> color{};

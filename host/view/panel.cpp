@@ -269,8 +269,7 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
     if (areas.help && bindings) outcome.bound = drawBindings(loaded.bindings, loaded.effect, state.binds, *areas.help);
     if (areas.strip) outcome.opened = drawStrip(pictures, *areas.strip);
     if (areas.help && textures)
-        if (auto opened = drawTextures(pictures.textures, state.show == Show::Target ? state.target : std::string(), *areas.help))
-            outcome.opened = std::move(opened);
+        drawTextures(pictures.textures, state.show == Show::Target ? state.target : std::string(), *areas.help, outcome);
     outcome.moved = areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
     if (text.beside) {
         float bottom = height;

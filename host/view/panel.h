@@ -66,6 +66,7 @@ struct PanelOutcome {
     bool moved = false;                // a slider, or a preset was chosen: `state.parameters` then holds the values
     std::optional<std::string> opened; // a thumbnail
     std::optional<BindingChoice> bound;
+    std::optional<std::string> baked; // a texture that is to be baked again
 };
 
 /// Of a parameter without fractions, by its type or because its range and step are whole numbers.
@@ -93,9 +94,10 @@ void drawBorder(double border, const BesideText& text, float width, float right,
 [[nodiscard]] PanelSize legendSize(const PanelPictures& pictures);
 void drawLegend(const PanelPictures& pictures, const Area& area);
 [[nodiscard]] PanelSize texturesSize(const std::vector<SessionTexture>& textures);
-/// The name of the one that was clicked.
-[[nodiscard]] std::optional<std::string> drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown,
-                                                      const Area& area);
+/// "baked in 12 ms"; empty: it is not baked.
+[[nodiscard]] std::string bakeText(const SessionTexture& texture);
+/// `outcome`: which was clicked, or is to be baked again.
+void drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown, const Area& area, PanelOutcome& outcome);
 
 [[nodiscard]] PanelSize timesSize(const std::vector<TimesOfSide>& sides);
 void drawTimes(const std::vector<TimesOfSide>& sides, const Area& area);

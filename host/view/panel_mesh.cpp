@@ -12,7 +12,9 @@ namespace tegument::view {
 namespace {
 
 const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
-constexpr const char* kBakeAgain = "F5 reads files and bakes again";
+constexpr const char* kBakeAgain = "F5 reads files, and draws what effects bake, again";
+constexpr const char* kOnceMore = "bake again";
+constexpr double kSecond = 1000; // milliseconds
 
 float widestOf(const std::vector<std::string>& lines) {
     float widest = 0;
@@ -59,28 +61,39 @@ void drawLegend(const PanelPictures& pictures, const Area& area) {
     ImGui::End();
 }
 
+std::string bakeText(const SessionTexture& texture) {
+    if (!texture.bake) return {};
+    const double milliseconds = texture.bake->milliseconds;
+    const std::string time =
+        milliseconds < kSecond ? fmt::format("{:.1f} ms", milliseconds) : fmt::format("{:.1f} s", milliseconds / kSecond);
+    return (texture.bake->fromCache ? "from the cache, found in " : "baked in ") + time;
+}
+
 PanelSize texturesSize(const std::vector<SessionTexture>& textures) {
     std::vector<std::string> lines{kBakeAgain};
     for (const SessionTexture& texture : textures) {
         lines.push_back(texture.name + "  " + sizeText(texture));
         lines.push_back("    " + texture.source);
+        if (texture.bake) lines.push_back(fmt::format("    {}  {}  ", bakeText(texture), kOnceMore));
     }
     return sizeOfLines(widestOf(lines), lines.size());
 }
 
-std::optional<std::string> drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown, const Area& area) {
-    std::optional<std::string> opened;
-    if (area.width <= 0 || area.height <= 0) return opened;
+void drawTextures(const std::vector<SessionTexture>& textures, const std::string& shown, const Area& area, PanelOutcome& outcome) {
+    if (area.width <= 0 || area.height <= 0) return;
     placePanel(area);
     ImGui::Begin("textures", nullptr, kFixedPanel | ImGuiWindowFlags_HorizontalScrollbar);
     for (const SessionTexture& texture : textures) {
         const std::string label = fmt::format("{}  {}##{}", texture.name, sizeText(texture), texture.name);
-        if (ImGui::Selectable(label.c_str(), texture.name == shown)) opened = texture.name;
+        if (ImGui::Selectable(label.c_str(), texture.name == shown)) outcome.opened = texture.name;
         ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
+        if (!texture.bake) continue;
+        ImGui::TextColored(kSourceText, "    %s", bakeText(texture).c_str());
+        ImGui::SameLine();
+        if (ImGui::SmallButton(fmt::format("{}##{}", kOnceMore, texture.name).c_str())) outcome.baked = texture.name;
     }
     ImGui::TextUnformatted(kBakeAgain);
     ImGui::End();
-    return opened;
 }
 
 } // namespace tegument::view

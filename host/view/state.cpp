@@ -108,8 +108,8 @@ Request zoomIn(ViewState& state) {
 }
 
 Request stepMesh(ViewState& state) {
-    constexpr int kKinds = 4;
-    state.mesh = static_cast<MeshShow>((static_cast<int>(state.mesh) + 1) % kKinds);
+    const int kinds = state.fur ? 5 : 4;
+    state.mesh = static_cast<MeshShow>((static_cast<int>(state.mesh) + 1) % kinds);
     return Request::Levels;
 }
 

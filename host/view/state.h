@@ -51,6 +51,7 @@ struct ViewState {
     bool times = false;
     bool textures = false;
     MeshShow mesh = MeshShow::None;
+    bool fur = false; // roots are known, whose density can be shown
     bool bindings = false;
     bool errors = false; // against what is beside, in false colours
     bool source = false; // text beside the picture

@@ -32,6 +32,9 @@ struct ViewRequest {
     /// A mesh in about so many triangles, over its own vertices, for pictures of what moves; called from another thread. None: every mesh
     /// is drawn as it is.
     std::function<std::vector<std::uint32_t>(const Mesh& mesh, std::size_t triangles)> fewer;
+    /// For each root of fur that a texture holds (annotation Generator "fur roots", "hair roots") the triangle of the mesh that it stands
+    /// on.
+    std::function<std::vector<std::uint32_t>(const Mesh& mesh, const Image& roots)> rootsOn;
 };
 
 /// Until the window is closed. Errors in the effect's source are shown, told to `say` and mended by the next edit; only what happens before

@@ -308,6 +308,8 @@ Result<void> Viewer::develop(SessionFrame frame) {
     ++answers_;
     targets_.forget();
     adopt(state_, frame_);
+    state_.fur = !rootsTexture().empty();
+    if (!state_.fur && state_.mesh == MeshShow::Fur) state_.mesh = MeshShow::None;
     for (const Diagnostic& warning : frame_.warnings)
         if (std::string text = format(warning); warned_.insert(text).second) say_(text);
     const std::string name = shownTarget(state_, frame_);
@@ -383,6 +385,7 @@ Result<void> Viewer::show() {
     if (!*shown) settling_ = kSettlingFrames;
     if (outcome.opened) return fulfil(showTarget(state_, *outcome.opened));
     if (outcome.bound) return bind(*outcome.bound);
+    if (outcome.baked) return bakeAgain(*outcome.baked);
     return outcome.moved ? drawMoving(Moving::Rest) : Result<void>();
 }
 

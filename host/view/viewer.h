@@ -85,6 +85,11 @@ private:
     /// Texels along each side of the largest map that does not follow the picture's size.
     [[nodiscard]] std::uint32_t mapSide();
     void describeMesh(PanelPictures& pictures);
+    /// The texture of roots that the frame samples; empty: none.
+    [[nodiscard]] std::string rootsTexture() const;
+    [[nodiscard]] Result<void> countFur();
+    /// What a click in the list of textures asks for.
+    [[nodiscard]] Result<void> bakeAgain(const std::string& name);
 
     // viewer_moving.cpp
     [[nodiscard]] Result<void> draw();

@@ -2,6 +2,7 @@
 
 #include "host/view/viewer.h"
 
+#include "host/run/read_back.h"
 #include "host/run/scene_bounds.h"
 
 #include <algorithm>
@@ -23,8 +24,42 @@ std::uint32_t Viewer::mapSide() {
     return largest;
 }
 
+std::string Viewer::rootsTexture() const {
+    if (!request_.rootsOn) return {};
+    for (const SessionTexture& texture : frame_.textures) {
+        const Parameter* parameter = loaded_->effect.findParameter(texture.name);
+        const std::string generator = parameter ? parameter->annotations.string("Generator").value_or("") : std::string();
+        if (generator.ends_with(" roots")) return texture.name;
+    }
+    return {};
+}
+
+/// Of several objects the first's, as the texture is.
+Result<void> Viewer::countFur() {
+    gpu::Texture* texture = session().target(rootsTexture());
+    if (!texture || meshes_.empty() || meshes_.front().figures.roots > 0) return {};
+    const auto image = run::readBack(device_, *texture);
+    if (!image) return image.error();
+    countRoots(meshes_.front().figures, *meshes_.front().mesh, request_.rootsOn(*meshes_.front().mesh, *image));
+    return {};
+}
+
+Result<void> Viewer::bakeAgain(const std::string& name) {
+    notice("baking " + name);
+    loaded_->session.bakeAgain(name);
+    dropDraft();
+    meshes_.clear(); // roots of fur are counted anew
+    meshCanvas_.reset();
+    targets_.forgetAll();
+    const auto drawn = draw();
+    if (!problem_.empty() && !session().target(shownTarget(state_, frame_))) state_.show = Show::Picture;
+    return drawn;
+}
+
 Result<void> Viewer::paintMesh() {
     if (meshes_.empty()) meshes_ = coloredMeshes(request_.scene);
+    if (state_.mesh == MeshShow::Fur)
+        if (const auto counted = countFur(); !counted) return counted;
     if (!meshCanvas_ || meshShown_ != state_.mesh) {
         auto made = MeshCanvas::create(device_, request_.run.compiler, meshes_, state_.mesh);
         if (!made) return made.error();

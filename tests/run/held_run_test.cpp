@@ -313,6 +313,32 @@ TEST_F(Held, fewer_triangles_change_the_picture_alone_or_everything_as_asked) {
     EXPECT_TRUE(isAsDrawnAnew(workspace, options));
 }
 
+TEST_F(Held, a_texture_that_another_effect_draws_is_baked_again_alone) {
+    load("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+    const RunOptions options{.technique = "DEonLuebke", .width = 48, .height = 48, .compiler = defaultCompiler(), .keepUnchanged = true};
+    const auto first = session_->draw(closeUp(), options);
+    ASSERT_TRUE(succeeded(first));
+    const auto baked = std::ranges::find_if(first->textures, [](const SessionTexture& texture) { return texture.bake.has_value(); });
+    ASSERT_NE(baked, first->textures.end());
+    EXPECT_GT(baked->bake->milliseconds, 0);
+    EXPECT_FALSE(baked->bake->fromCache);
+    const auto values = [&] {
+        gpu::Texture* texture = session_->target(baked->name);
+        const auto image = texture ? run::readBack(*device_, *texture) : Result<Image>(Image{});
+        return image ? image->pixels : std::vector<float>();
+    };
+    const std::vector<float> before = values();
+    ASSERT_FALSE(before.empty());
+    session_->bakeAgain(baked->name);
+    EXPECT_EQ(session_->target(baked->name), nullptr);
+    const auto again = session_->draw(closeUp(), options);
+    ASSERT_TRUE(succeeded(again));
+    EXPECT_TRUE(std::ranges::all_of(again->passes, &SessionPass::kept)) << "it is the same";
+    EXPECT_EQ(values(), before);
+    session_->bakeAgain("gNoMap");
+    EXPECT_TRUE(isAsDrawnAnew(closeUp(), options));
+}
+
 TEST(Pieces, bands_are_whole_tiles_and_cover_every_row_once) {
     for (const std::uint32_t height : {1U, 63U, 64U, 65U, 135U, 1024U, 1080U})
         for (const std::uint32_t bands : {1U, 2U, 3U, 16U, 100U}) {

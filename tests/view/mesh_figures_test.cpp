@@ -1,6 +1,7 @@
 // How a mesh lies on its texture: figures by hand.
 
 #include "host/view/mesh_figures.h"
+#include "host/view/panel.h"
 
 #include "tests/run/fixture.h"
 
@@ -98,6 +99,88 @@ TEST(MeshInFigures, a_mesh_without_texture_coordinates_and_one_of_ribbons_are_no
     mesh.parts.front().name = kStrandsPart;
     EXPECT_EQ(examineMesh(mesh).triangles.size(), 0U);
     EXPECT_EQ(linesOf(MeshShow::Seams, examineMesh(mesh), 64).size(), 6U);
+}
+
+namespace {
+
+/// Side by side squares of 2 mm, of two triangles each; the triangle 2 i lies in square i.
+Mesh meadow(std::uint32_t squares) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i <= squares; ++i)
+        for (const float y : {0.0F, 2.0F})
+            mesh.positions.emplace_back(2.0F * static_cast<float>(i), y, 0);
+    for (std::uint32_t i = 0; i < squares; ++i)
+        for (const std::uint32_t corner : {0U, 2U, 1U, 1U, 2U, 3U})
+            mesh.indices.push_back(2 * i + corner);
+    mesh.parts = {{.name = "meadow", .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh.indices.size())}};
+    return mesh;
+}
+
+} // namespace
+
+TEST(FurInFigures, where_roots_are_many_a_triangle_s_density_is_its_own_count_over_its_own_area) {
+    const Mesh mesh = meadow(2); // four triangles of 2 mm2
+    const std::array<std::size_t, 4> counts{50, 100, 0, 10};
+    std::vector<std::uint32_t> onto;
+    for (std::uint32_t t = 0; t < counts.size(); ++t)
+        onto.insert(onto.end(), counts.at(t), t);
+    MeshFigures figures = examineMesh(mesh);
+    countRoots(figures, mesh, onto);
+    EXPECT_EQ(figures.roots, 160U);
+    EXPECT_NEAR(figures.furryArea, 6, kNear);
+    for (std::size_t t = 0; t < counts.size(); ++t)
+        EXPECT_NEAR(figures.triangles[t].fur, static_cast<double>(counts.at(t)) / 2, kNear) << t;
+    EXPECT_NEAR(figures.fur.low, 5, kNear);
+    EXPECT_NEAR(figures.fur.high, 50, kNear);
+    const auto legend = legendOf(MeshShow::Fur, figures, 64);
+    ASSERT_EQ(legend.size(), 6U);
+    EXPECT_EQ(legend[3].label, "50 roots per mm2") << "twice the median, 25";
+    EXPECT_EQ(colorOf(MeshShow::Fur, figures.triangles[2], figures), legend.back().color) << "bald";
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(colorOf(MeshShow::Fur, figures.triangles[1], figures).at(c), legend[3].color.at(c), kNear);
+}
+
+TEST(FurInFigures, few_roots_are_taken_together_and_none_is_lost_or_invented) {
+    constexpr std::uint32_t kSquares = 200;
+    const Mesh mesh = meadow(kSquares);
+    std::vector<std::uint32_t> even; // one to each square: .25 per mm2, though half of the triangles have none
+    for (std::uint32_t i = 0; i < kSquares; ++i)
+        even.push_back(2 * i);
+    MeshFigures figures = examineMesh(mesh);
+    countRoots(figures, mesh, even);
+    for (std::size_t t = 60; t + 60 < figures.triangles.size();
+         ++t) // away from the ends, whose last triangles have half of a neighbourhood
+        EXPECT_NEAR(figures.triangles[t].fur, 0.25, 0.25 * 0.1) << t << ": a density of some thirty roots, of which one is in or out";
+    std::vector<std::uint32_t> half; // the left half has them, and twice as many
+    for (std::uint32_t i = 0; i < kSquares / 2; ++i)
+        half.insert(half.end(), 2, 2 * i);
+    countRoots(figures, mesh, half);
+    double sum = 0;
+    for (const MeshTriangle& triangle : figures.triangles)
+        sum += triangle.fur * triangle.area; // all triangles are equal, so that the areas taken together are
+    EXPECT_NEAR(sum, static_cast<double>(half.size()), 0.02 * static_cast<double>(half.size())) << "but for the ends";
+    EXPECT_NEAR(figures.triangles[80].fur, 0.5, 0.05);
+    EXPECT_EQ(figures.triangles[2 * kSquares - 1].fur, 0);
+}
+
+TEST(FurInFigures, a_mesh_without_roots_is_no_error) {
+    const Mesh mesh = meadow(3);
+    MeshFigures figures = examineMesh(mesh);
+    countRoots(figures, mesh, {});
+    EXPECT_EQ(figures.roots, 0U);
+    EXPECT_EQ(linesOf(MeshShow::Fur, figures, 64).size(), 3U);
+    EXPECT_EQ(colorOf(MeshShow::Fur, figures.triangles[0], figures), legendOf(MeshShow::Fur, figures, 64).back().color);
+}
+
+TEST(Bakes, say_how_long_they_took_and_whether_they_were_there) {
+    SessionTexture texture{.name = "gMap"};
+    EXPECT_EQ(bakeText(texture), "") << "a file";
+    texture.bake = Bake{.milliseconds = 12.34};
+    EXPECT_EQ(bakeText(texture), "baked in 12.3 ms");
+    texture.bake = Bake{.milliseconds = 2345};
+    EXPECT_EQ(bakeText(texture), "baked in 2.3 s");
+    texture.bake = Bake{.milliseconds = 0.5, .fromCache = true};
+    EXPECT_EQ(bakeText(texture), "from the cache, found in 0.5 ms");
 }
 
 } // namespace tegument::view

@@ -33,6 +33,22 @@ technique Stripes < string Script = "RenderColorTarget0=gStripesMap; Pass=Draw; 
 """
 
 
+# What has roots made for its mesh, and shows its texture coordinates.
+ROOTS = """#include "hlsl/platform.fxh"
+float4x4 gWorldViewProjection : WORLDVIEWPROJECTION;
+Texture2D gRootsMap < string Generator = "fur roots"; >;
+TG_SAMPLER2D(gRoots, POINT, CLAMP);
+struct In { float3 position : POSITION; float2 uv : TEXCOORD0; };
+struct Out { float4 position : SV_Position; float2 uv : TEXCOORD0; };
+Out RootsVS(In input) { Out output; output.position = mul(float4(input.position, 1.0), gWorldViewProjection); output.uv = input.uv; return output; }
+float4 RootsPS(Out input) : SV_Target0 { return float4(input.uv, 0.5 + 1e-9 * gRootsMap.SampleLevel(gRoots, float2(0.0, 0.0), 0.0).w, 1.0); }
+#ifdef FX_TECHNIQUES
+technique Roots
+{ pass Draw { VertexShader = compile TG_VS_MODEL RootsVS(); PixelShader = compile TG_PS_MODEL RootsPS(); TG_STATE_SOLID; } }
+#endif
+"""
+
+
 class Panels(base.WideWindow):
     def press(self, key, unlike, name):
         self.view.screen.press(key)
@@ -86,6 +102,62 @@ class Panels(base.WideWindow):
         self.assertGreater(opened.share_apart(listed), 0.1)
         self.view.screen.press("o")
         self.assertEqual(self.view.start_again(), self.start)
+
+
+class Fur(base.WideWindow):
+    ARGUMENTS = ("roots.fx", "-w", "ball.json")
+    FILES = (("roots.fx", ROOTS),)
+    TITLE = "roots.fx Roots"
+
+    def test_u_shows_the_density_of_fur_behind_the_others(self):
+        last = self.start
+        for name in ("texels", "stretch", "seams", "fur"):
+            self.view.screen.press("u")
+            last = base.keep(self.view.still(unlike=last), f"key_u_{name}_of_fur")
+        bright = sum(min(last.pixels[i:i + 3]) > 120 for i in range(0, len(last.pixels), 3))
+        self.assertGreater(bright, 2000, "the ball is grown evenly: colours about the median are light")
+        self.view.screen.press("u")
+        self.assertEqual(self.view.still(unlike=last), self.start)
+
+    def test_o_tells_where_textures_come_from_and_a_click_opens_one(self):
+        listed = self.press("o", self.start, "key_o")
+        self.view.screen.drag((60, 22), (60, 22))
+        self.view.title("texture gEnergyAttenuationMap")
+        opened = base.keep(self.view.still(unlike=listed), "key_o_opened")
+        self.assertGreater(opened.share_apart(listed), 0.1)
+        self.view.screen.press("o")
+        self.assertEqual(self.view.start_again(), self.start)
+
+
+class Fur(base.WideWindow):
+    ARGUMENTS = ("roots.fx", "-w", "ball.json")
+    FILES = (("roots.fx", ROOTS),)
+    TITLE = "roots.fx Roots"
+
+    def test_u_shows_the_density_of_fur_behind_the_others(self):
+        last = self.start
+        for name in ("texels", "stretch", "seams", "fur"):
+            self.view.screen.press("u")
+            last = base.keep(self.view.still(unlike=last), f"key_u_{name}_of_fur")
+        pale = lambda p: sum(min(p.pixels[i:i + 3]) > 120 and max(p.pixels[i:i + 3]) - min(p.pixels[i:i + 3]) < 60
+                             for i in range(3 * base.SIZE * WIDE // 3 // 3 * 3, len(p.pixels), 3))
+        self.assertGreater(pale(last), 2000, "the ball is grown evenly: colours about the median")
+        self.view.screen.press("u")
+        self.assertEqual(self.view.still(unlike=last), self.start)
+
+    def test_a_texture_made_from_the_mesh_is_made_again_by_a_click(self):
+        self.view.screen.press("o")
+        listed = base.keep(self.view.still(unlike=self.start), "key_o_roots")
+        made = self.view.said().count("made fur roots")
+        for x, y in ((x, y) for y in range(40, 150, 8) for x in (60, 130, 200, 250, 300)):
+            self.view.screen.drag((x, y), (x, y))
+            self.view.still()
+            if self.view.said().count("made fur roots") > made:
+                break
+        self.assertGreater(self.view.said().count("made fur roots"), made, "no button was found")
+        base.keep(self.view.still(unlike=listed), "key_o_roots_again")
+        self.view.screen.press("o")
+        self.assertEqual(self.view.still(), self.start)
 
 
 class Levels(unittest.TestCase):

@@ -138,11 +138,13 @@ class WideWindow(unittest.TestCase):
     """Twice as wide as high, for what stands beside or over the picture; it must end well, with no message of validation."""
 
     ARGUMENTS = ("effects/Main.fx", "-w", "ball.json", "--map-size", "64")
+    FILES = ()
+    TITLE = "Main.fx DEonLuebke [corrected] picture"
 
     @classmethod
     def setUpClass(cls):
-        cls.view = View(cls.ARGUMENTS)
-        cls.view.title("Main.fx DEonLuebke [corrected] picture")
+        cls.view = View(cls.ARGUMENTS, cls.FILES)
+        cls.view.title(cls.TITLE)
         cls.view.screen.resize(2 * SIZE, SIZE)
         cls.view.screen.press("i")  # the text holds times, which differ from frame to frame
         cls.start = cls.view.still()

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <ctime>
 #include <limits>
+#include <random>
 
 namespace tegument::order {
 namespace {
@@ -58,6 +59,39 @@ TEST(OrderTimes, of_the_best_are_at_most_four_to_five_times_meshoptimizer_s) {
         const Times random = timesFor(shuffled(*dragon, 1), model);
         EXPECT_LE(random.ours, 4 * random.meshoptimizer) << name(model) << ", shuffled";
     }
+}
+
+/// Grids with diagonals by lot, so many; all as the first one or each as it comes.
+std::vector<std::uint32_t> grids(std::uint32_t count, bool equal) {
+    constexpr std::uint32_t kSide = 32;
+    std::vector<std::uint32_t> out;
+    std::mt19937 random(22);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (equal) random.seed(22);
+        for (std::uint32_t quad = 0; quad < kSide * kSide; ++quad) {
+            const std::uint32_t a = (i * (kSide + 1) + quad / kSide) * (kSide + 1) + quad % kSide, b = a + 1, c = b + kSide, d = c + 1;
+            if (random() % 2 == 0)
+                out.insert(out.end(), {a, c, b, b, c, d});
+            else
+                out.insert(out.end(), {a, c, d, a, d, b});
+        }
+    }
+    return out;
+}
+
+/// The twenty patches of a sphere, a machine's screws: the search and the counts are for all, the order for one.
+TEST(OrderTimes, of_equal_pieces_are_half_of_those_of_as_many_others_at_most) {
+    constexpr std::uint32_t kCount = 40;
+    constexpr std::size_t kVertices = std::size_t{kCount} * 33 * 33;
+    const std::vector<std::uint32_t> equal = grids(kCount, true);
+    const std::vector<std::uint32_t> different = grids(kCount, false);
+    double ofEqual = std::numeric_limits<double>::infinity();
+    double ofDifferent = ofEqual;
+    for (int i = 0; i < 5; ++i) {
+        ofEqual = std::min(ofEqual, secondsOf([&] { EXPECT_TRUE(reorder(equal, kVertices, Method::Best, fifo(16))); }));
+        ofDifferent = std::min(ofDifferent, secondsOf([&] { EXPECT_TRUE(reorder(different, kVertices, Method::Best, fifo(16))); }));
+    }
+    EXPECT_LE(ofEqual, 0.5 * ofDifferent);
 }
 
 TEST(OrderTimes, for_a_fan_of_100000_triangles_are_at_most_a_tenth_of_a_second) {

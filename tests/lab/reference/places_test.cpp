@@ -1,5 +1,6 @@
 // Parts that references are put together from, each against a closed form of its own: places of a mesh, cameras, maps, lattices.
 
+#include "host/lab/reference/fur_body.h"
 #include "host/lab/reference/fur_exact.h"
 #include "host/lab/reference/fur_patch.h"
 #include "host/lab/reference/pinhole.h"
@@ -60,6 +61,19 @@ TEST(NearestSkin, is_the_nearest_place_of_all_triangles_off_their_middle_edges_a
             EXPECT_NEAR(found->distance, least, 1e-9);
             EXPECT_NEAR(glm::distance(found->position, point), least, 1e-9) << "the place is where the distance says";
         }
+    }
+}
+
+TEST(OnFurBody, is_the_nearest_place_of_a_tube_even_from_its_middle) {
+    const FurBody torus{.ring = 30, .radius = 10};
+    RandomPlaces random;
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 point = i == 0 ? glm::dvec3(30, 0, 0) : i == 1 ? glm::dvec3(0) : random.inCube(50);
+        const OnFurBody place = onFurBody(torus, point);
+        EXPECT_NEAR(glm::length(place.normal), 1, 1e-12) << i;
+        EXPECT_NEAR(std::hypot(std::hypot(place.skin.x, place.skin.z) - 30, place.skin.y), 10, 1e-12) << "on the tube";
+        EXPECT_NEAR(place.distance, std::hypot(std::hypot(point.x, point.z) - 30, point.y) - 10, 1e-12);
+        EXPECT_NEAR(glm::distance(place.skin, point), std::abs(place.distance), 1e-12);
     }
 }
 

@@ -139,6 +139,23 @@ TEST(PinholeView, of_a_light_holds_the_ball_and_hardly_more) {
     }
 }
 
+/// A roof of 20 mm 20 mm above the ground, light 500 mm above it: its shadow ends 10 * 500 / 480 mm aside.
+TEST(NearShadowEdge, is_what_lies_within_texels_of_it_on_the_side_that_faces_the_light) {
+    const Mesh mesh = joined(plane(60, 4), plane(10, 2, 20));
+    const Pinhole light = pinhole({0, 0, 500}, glm::dvec3(0), {0, 1, 0}, 2 * std::atan(0.128), 256, 256); // 0.5 mm a texel on the ground
+    const SkinScene scene(mesh, light, glm::dvec3(1), {});
+    const auto near = [&](double x, double up) {
+        SurfacePoint point{.place = {0, glm::dvec3(1.0 / 3)}, .position = {x, 1, 0}, .normal = {0, 0, up}};
+        return scene.nearShadowEdge(point, 2);
+    };
+    const double edge = 10 * 500.0 / 480;
+    for (const double away : {0.0, 0.8, -0.8})
+        EXPECT_TRUE(near(edge + away, 1)) << away;
+    for (const double x : {0.0, edge - 1.5, edge + 1.5, 40.0})
+        EXPECT_FALSE(near(x, 1)) << x;
+    EXPECT_FALSE(near(edge, -1)) << "looks away: its own shadow";
+}
+
 TEST(FurLattices, are_the_same_at_any_size_and_their_tints_vary_as_asked) {
     const auto grow = [](double size) {
         Mesh mesh = sphereMesh(static_cast<float>(20 * size), 3);

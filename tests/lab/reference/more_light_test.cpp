@@ -61,6 +61,24 @@ TEST(MoreLight, of_one_bright_texel_of_the_sky_comes_from_there_in_its_colour) {
         }
 }
 
+TEST(MoreLight, of_a_sphere_is_the_same_from_wherever_it_comes) {
+    MoreLight more;
+    more.lampSide = 8;
+    for (const glm::dvec3 from : {glm::dvec3(1, 1, 0), glm::dvec3(0, 1, 1), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0),
+                                  glm::dvec3(0, 0, -1), glm::dvec3(1, 2, 3)}) {
+        const glm::dvec3 towards = glm::normalize(from);
+        more.lamps = {{.place = glm::dvec4(towards, 0), .colour = {1, 1, 1, 0}, .axis = glm::dvec4(-towards, 0.3)}};
+        EXPECT_NEAR(irradianceOf(beamsAt(more, {}, glm::dvec3(0), towards, kAll), towards), 1, 1e-6) << from.x << from.y << from.z;
+    }
+}
+
+TEST(MoreLight, of_lamps_is_four_numbers_of_each_in_their_order) {
+    const auto parameters = lampParameters({{.colour = {1, 2, 3, 4}}, {.colour = {5, 6, 7, 8}}});
+    EXPECT_EQ(parameters.size(), 4U);
+    EXPECT_EQ(parameters.at("gLampColor"), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(parameters.at("gLampPlace").size(), 8U);
+}
+
 TEST(MoreLight, of_a_sphere_has_as_many_directions_as_are_asked_for) {
     MoreLight more;
     more.lamps = {{.place = {0, 100, 0, 1}, .colour = {1, 1, 1, 0}, .axis = {0, -1, 0, 30}}};
@@ -112,6 +130,7 @@ TEST(MoreLight, enters_skin_by_its_own_cosine_and_is_hidden_by_the_mesh) {
     }
     const double expected = std::pow(0.8, settings.mix) * crossing;
     EXPECT_NEAR(scene.enteringMore(middle).x, expected, expected * 0.004); // 1,152 pieces
+    EXPECT_NEAR(scene.plainMore(middle).x, 0.8, 0.8 * 0.004) << "plain material gives its colour of an even sky of radiance 1";
     // A roof of the same size close above: nothing but what comes in at its sides.
     const Mesh roofed = joined(plane(50, 4), plane(50, 4, 4));
     const SkinScene dark(roofed, view, glm::dvec3(0), settings, more);

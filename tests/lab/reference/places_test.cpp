@@ -1,5 +1,6 @@
 // Parts that references are put together from, each against a closed form of its own: places of a mesh, cameras, maps, lattices.
 
+#include "host/lab/reference/fur_body.h"
 #include "host/lab/reference/fur_exact.h"
 #include "host/lab/reference/fur_patch.h"
 #include "host/lab/reference/pinhole.h"
@@ -63,6 +64,19 @@ TEST(NearestSkin, is_the_nearest_place_of_all_triangles_off_their_middle_edges_a
     }
 }
 
+TEST(OnFurBody, is_the_nearest_place_of_a_tube_even_from_its_middle) {
+    const FurBody torus{.ring = 30, .radius = 10};
+    RandomPlaces random;
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 point = i == 0 ? glm::dvec3(30, 0, 0) : i == 1 ? glm::dvec3(0) : random.inCube(50);
+        const OnFurBody place = onFurBody(torus, point);
+        EXPECT_NEAR(glm::length(place.normal), 1, 1e-12) << i;
+        EXPECT_NEAR(std::hypot(std::hypot(place.skin.x, place.skin.z) - 30, place.skin.y), 10, 1e-12) << "on the tube";
+        EXPECT_NEAR(place.distance, std::hypot(std::hypot(point.x, point.z) - 30, point.y) - 10, 1e-12);
+        EXPECT_NEAR(glm::distance(place.skin, point), std::abs(place.distance), 1e-12);
+    }
+}
+
 TEST(OutsideFacet, lies_on_the_ball_that_normals_mean_and_stays_where_they_bend_inwards) {
     const Mesh ball = sphereMesh(10, 2);
     Mesh hollow = ball;
@@ -123,6 +137,23 @@ TEST(PinholeView, of_a_light_holds_the_ball_and_hardly_more) {
         EXPECT_LE(view.tangentX, touching * 1.01 + 0.01 * std::pow(touching, 3)) << "a thousandth more of the radius";
         EXPECT_EQ(view.tangentX, view.tangentY);
     }
+}
+
+/// A roof of 20 mm 20 mm above the ground, light 500 mm above it: its shadow ends 10 * 500 / 480 mm aside.
+TEST(NearShadowEdge, is_what_lies_within_texels_of_it_on_the_side_that_faces_the_light) {
+    const Mesh mesh = joined(plane(60, 4), plane(10, 2, 20));
+    const Pinhole light = pinhole({0, 0, 500}, glm::dvec3(0), {0, 1, 0}, 2 * std::atan(0.128), 256, 256); // 0.5 mm a texel on the ground
+    const SkinScene scene(mesh, light, glm::dvec3(1), {});
+    const auto near = [&](double x, double up) {
+        SurfacePoint point{.place = {0, glm::dvec3(1.0 / 3)}, .position = {x, 1, 0}, .normal = {0, 0, up}};
+        return scene.nearShadowEdge(point, 2);
+    };
+    const double edge = 10 * 500.0 / 480;
+    for (const double away : {0.0, 0.8, -0.8})
+        EXPECT_TRUE(near(edge + away, 1)) << away;
+    for (const double x : {0.0, edge - 1.5, edge + 1.5, 40.0})
+        EXPECT_FALSE(near(x, 1)) << x;
+    EXPECT_FALSE(near(edge, -1)) << "looks away: its own shadow";
 }
 
 TEST(FurLattices, are_the_same_at_any_size_and_their_tints_vary_as_asked) {

@@ -22,28 +22,39 @@ double pixelsThatFit(double whole, double rest) {
     return rest < kQuick ? std::max((kQuick - rest) / pixels, rest / kWorth / pixels) : rest / kWorth / pixels;
 }
 
+double fitting(double share) {
+    const auto fits = std::ranges::find_if(kShares, [&](double candidate) { return candidate <= share; });
+    return fits == kShares.end() ? kShares.back() : *fits;
+}
+
 } // namespace
 
 double quickShare(double whole, const QuickPicture& last) {
     if (whole <= kQuick) return 1;
     double rest = 0; // what a picture without pixels takes
-    if (last.milliseconds > 0 && last.share < 1) rest = whole - (whole - last.milliseconds) / (1 - last.share * last.share);
+    if (last.milliseconds <= 0) return fitting(std::sqrt(pixelsThatFit(whole, 0)));
+    if (last.share < 1) rest = whole - (whole - last.milliseconds) / (1 - last.share * last.share);
     double share = std::sqrt(pixelsThatFit(whole, std::clamp(rest, 0.0, whole)));
-    if (rest < -kQuick / 2) share = std::max(share, std::min(1.0, 2 * last.share)); // the whole picture took longer for what it compiled
-    const auto fits = std::ranges::find_if(kShares, [&](double candidate) { return candidate <= share; });
-    return fits == kShares.end() ? kShares.back() : *fits;
+    // The whole picture took longer for what it compiled, or for its samples and triangles: the quick ones tell how large they may be.
+    if (rest < -kQuick / 2 || last.share == 1)
+        share = std::max(share, std::min(1.0, last.share * std::min(2.0, std::sqrt(kQuick / last.milliseconds))));
+    return fitting(share);
 }
 
-void MovingCosts::note(const PassCosts& passes, double took, double share, std::optional<Moving> moving) {
-    if (passes.pixels > 0 && share == 1) pixels = passes.pixels;
-    if (passes.pixels > 0 && share < 1) quick = {.share = share, .milliseconds = passes.pixels};
+void MovingCosts::note(const PassCosts& passes, double took, double share, std::optional<Moving> moving, bool draft) {
+    if (passes.pixels > 0 && !draft) pixels = passes.pixels;
+    if (passes.pixels > 0 && draft) quick = {.share = share, .milliseconds = passes.pixels};
     const double rest = std::max(passes.others, took - passes.pixels);
     if (moving == Moving::Camera) camera = rest;
     if (moving == Moving::Rest) anything = rest;
 }
 
+bool MovingCosts::slow(Moving moving) const {
+    return pixels + restOf(moving) > kQuick;
+}
+
 double MovingCosts::share(Moving moving) const {
-    const double rest = moving == Moving::Camera ? camera : anything;
+    const double rest = restOf(moving);
     QuickPicture last = quick;
     if (last.milliseconds > 0) last.milliseconds += rest;
     return quickShare(pixels + rest, last);

@@ -35,7 +35,11 @@ struct MovingCosts {
     double anything = 0; // likewise, where anything else does
 
     /// Of a picture of this share of each side. `took`: all of it; a picture that nothing moved for says nothing of the other passes.
-    void note(const PassCosts& passes, double took, double share, std::optional<Moving> moving);
+    /// `draft`: with one sample a pixel, and perhaps fewer triangles.
+    void note(const PassCosts& passes, double took, double share, std::optional<Moving> moving, bool draft);
+    [[nodiscard]] double restOf(Moving moving) const { return moving == Moving::Camera ? camera : anything; }
+    /// Whether a whole picture takes longer than 70 ms.
+    [[nodiscard]] bool slow(Moving moving) const;
     [[nodiscard]] double share(Moving moving) const;
 };
 

@@ -29,8 +29,9 @@ struct Sharpness {
     double share = 1;      // of each side of the picture
     bool drafting = false; // by the session with fewer texels in its maps
     bool coarse = false;   // with fewer triangles
+    bool single = false;   // with one sample a pixel, as all that is not whole
 
-    [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse; }
+    [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse && !single; }
 };
 
 class Viewer {

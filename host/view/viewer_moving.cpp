@@ -25,18 +25,19 @@ Result<void> Viewer::drawMoving(Moving what) {
     how.drafting = how.drafting || (maps > kMapsToDraft && haveDraft(false));
     MovingCosts& costs = how.drafting ? draftCosts_ : costs_;
     how.share = costs.share(what);
-    how.coarse = fewer_ && (how.coarse || how.drafting || how.share < 1);
+    how.single = how.single || how.drafting || costs.slow(what);
+    how.coarse = fewer_ && how.single;
     const auto begin = std::chrono::steady_clock::now();
     const auto drawn = drawAs(how);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    costs.note(passCosts(), took.count(), sharpness_.share, what);
+    costs.note(passCosts(), took.count(), sharpness_.share, what, isDraft());
     return drawn;
 }
 
 void Viewer::noteCosts() {
     if (isDraft()) return;
     const bool all = std::ranges::none_of(frame_.passes, &SessionPass::kept);
-    costs_.note(passCosts(), 0, 1, all ? std::optional(Moving::Rest) : std::nullopt);
+    costs_.note(passCosts(), 0, 1, all ? std::optional(Moving::Rest) : std::nullopt, false);
     for (const SessionPass& pass : frame_.passes)
         if (!pass.kept) pieces_.note(pass.name, pass.milliseconds);
 }

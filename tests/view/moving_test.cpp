@@ -61,22 +61,36 @@ TEST(WhileItMoves, one_slow_picture_that_compiled_does_not_blur_the_rest) {
     EXPECT_EQ(last.share, 1);
 }
 
+TEST(WhileItMoves, quick_pictures_that_are_cheaper_than_their_share_do_not_bring_the_whole_one) {
+    MovingCosts costs;
+    costs.note({.pixels = 390, .others = 0}, 0, 1, Moving::Rest, false);
+    EXPECT_TRUE(costs.slow(Moving::Camera));
+    const auto quick = [](double share) { return 5 + 100 * share * share; }; // of one sample, and fewer triangles
+    for (int i = 0; i < 12; ++i) {
+        const double share = costs.share(Moving::Camera);
+        EXPECT_LE(quick(share), 70) << "step " << i << ", " << share;
+        costs.note({.pixels = quick(share), .others = 0}, quick(share), share, Moving::Camera, true);
+    }
+    EXPECT_GE(costs.share(Moving::Camera), 0.75) << "as large as it may be";
+    EXPECT_TRUE(costs.slow(Moving::Camera)) << "which the whole one still is";
+}
+
 TEST(WhileItMoves, maps_that_the_camera_leaves_alone_do_not_make_its_picture_smaller) {
     MovingCosts costs;
     EXPECT_EQ(costs.share(Moving::Camera), 1) << "nothing is known";
-    costs.note({.pixels = 40, .others = 1000}, 0, 1, Moving::Rest); // the first picture
+    costs.note({.pixels = 40, .others = 1000}, 0, 1, Moving::Rest, false); // the first picture
     EXPECT_EQ(costs.share(Moving::Camera), 1);
     EXPECT_LT(costs.share(Moving::Rest), 1);
-    costs.note({.pixels = 40, .others = 300}, 345, 1, Moving::Camera); // of a technique whose maps follow the camera
+    costs.note({.pixels = 40, .others = 300}, 345, 1, Moving::Camera, false); // of a technique whose maps follow the camera
     EXPECT_LT(costs.share(Moving::Camera), 1);
 }
 
 TEST(WhileItMoves, a_picture_that_drew_nothing_says_nothing) {
     MovingCosts costs;
-    costs.note({.pixels = 400, .others = 0}, 0, 1, Moving::Rest);
+    costs.note({.pixels = 400, .others = 0}, 0, 1, Moving::Rest, false);
     const double share = costs.share(Moving::Camera);
     EXPECT_LT(share, 1);
-    costs.note({.pixels = 0, .others = 0}, 0, 1, std::nullopt); // all was kept
+    costs.note({.pixels = 0, .others = 0}, 0, 1, std::nullopt, false); // all was kept
     EXPECT_EQ(costs.share(Moving::Camera), share);
 }
 

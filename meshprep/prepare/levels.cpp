@@ -343,21 +343,7 @@ private:
     std::optional<DistanceFrom> distance_;
 };
 
-/// Along the longest side of a mesh. Both sides of a seam may differ in their last bits, as where sin(2 pi) is not 0: rounded they are one
-/// place again, and move together.
-constexpr float kQuickSteps = 65536;
-
 } // namespace
-
-std::vector<std::uint32_t> quickLevel(const Mesh& mesh, std::size_t triangles) {
-    Mesh rounded{.positions = mesh.positions, .normals = mesh.normals, .uvs = mesh.uvs, .indices = mesh.indices, .parts = mesh.parts};
-    const glm::vec3 extent = mesh.bounds.maximum - mesh.bounds.minimum;
-    const float step = std::max({extent.x, extent.y, extent.z}) / kQuickSteps;
-    for (glm::vec3& position : rounded.positions)
-        if (step > 0) position = step * glm::round(position / step);
-    const WholeMesh whole(rounded);
-    return whole.level(whole.simplified(whole.full(), triangles, simplifiers()[0])).indices;
-}
 
 Levels makeLevels(const Mesh& mesh, int count, LevelMethod method) {
     Levels result;

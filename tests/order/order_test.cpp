@@ -1,4 +1,5 @@
 #include "meshprep/order/order.h"
+#include "meshprep/order/portfolio.h"
 
 #include <gtest/gtest.h>
 
@@ -273,6 +274,29 @@ TEST(SamePermutation, sees_a_lost_triangle_a_repeated_one_and_a_turned_winding) 
     EXPECT_FALSE(samePermutation(two, Indices{0, 1, 2}));
     EXPECT_FALSE(samePermutation(two, Indices{0, 1, 2, 0, 1, 2}));
     EXPECT_FALSE(samePermutation(two, Indices{0, 1, 2, 1, 2, 3}));
+}
+
+TEST(BetterSorted, takes_the_order_by_place_where_it_misses_less_and_only_there) {
+    constexpr std::uint32_t kSide = 40;
+    const Indices indices = grid(kSide);
+    constexpr std::size_t kVertices = std::size_t{kSide + 1} * (kSide + 1);
+    std::vector<float> places;
+    for (std::uint32_t y = 0; y <= kSide; ++y)
+        for (std::uint32_t x = 0; x <= kSide; ++x)
+            places.insert(places.end(), {static_cast<float>(x), static_cast<float>(y), 0});
+    Indices faces(indices.size() / 3), random;
+    std::iota(faces.begin(), faces.end(), 0U);
+    std::ranges::shuffle(faces, std::mt19937(5));
+    for (const std::uint32_t face : faces)
+        random.insert(random.end(), indices.begin() + 3 * face, indices.begin() + 3 * face + 3);
+    for (const CacheModel& cache : {fifo(16), lru(16)}) {
+        const Indices best = bestOrder(indices, kVertices, cache).corners;
+        EXPECT_LE(countMisses(cache, betterSorted(best, indices, kVertices, cache, places), kVertices),
+                  countMisses(cache, best, kVertices));
+        EXPECT_LT(countMisses(cache, betterSorted(random, indices, kVertices, cache, places), kVertices),
+                  countMisses(cache, random, kVertices) / 2)
+            << "a random order misses at nearly every corner";
+    }
 }
 
 } // namespace

@@ -111,6 +111,16 @@ TEST_F(Prepare, levels_have_a_quarter_of_the_triangles_and_state_their_error) {
     EXPECT_LT(last, 0.1) << "a tenth of the radius, at 500 triangles";
 }
 
+TEST_F(Prepare, levels_that_would_be_too_small_are_said_and_those_that_are_made_are_not) {
+    const auto said = [&](int levels) {
+        const Prepared prepared = prepare(makeShape(Shape::Sphere, 20), {.levels = levels});
+        const auto step = std::ranges::find(prepared.report.steps, "levels", &PrepStep::name);
+        return step == prepared.report.steps.end() ? std::string() : step->text;
+    };
+    EXPECT_NE(said(9).find("; no more: another would have fewer than"), std::string::npos) << said(9);
+    EXPECT_EQ(said(2).find("no more"), std::string::npos) << said(2);
+}
+
 TEST_F(Prepare, levels_of_a_tiny_and_of_a_huge_mesh_are_those_of_the_same_mesh) {
     for (const float size : {1e-36f, 1e30f}) {
         Mesh mesh = makeShape(Shape::Sphere, 16);

@@ -1,12 +1,10 @@
 #include "meshprep/order/piece.h"
 
-#include "host/support/file.h"
-
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
-#include <string>
+#include <string_view>
+#include <unordered_map>
 
 namespace tegument::order {
 
@@ -204,11 +202,11 @@ Piece Pieces::piece(std::size_t i) const {
 
 std::vector<std::vector<std::size_t>> Pieces::equals() const {
     std::vector<std::vector<std::size_t>> groups;
-    std::map<std::string, std::size_t> known;
+    std::unordered_map<std::string_view, std::size_t> known;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const auto corners = cornersOf(i);
         const std::string_view bytes(reinterpret_cast<const char*>(corners.data()), corners.size_bytes());
-        const std::size_t group = known.try_emplace(contentHash(bytes), groups.size()).first->second;
+        const std::size_t group = known.try_emplace(bytes, groups.size()).first->second;
         if (group == groups.size()) groups.emplace_back();
         groups[group].push_back(i);
     }

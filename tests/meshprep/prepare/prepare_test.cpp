@@ -210,6 +210,27 @@ TEST_F(Prepare, levels_of_parts_that_share_vertices_are_as_near_as_if_they_were_
     }
 }
 
+TEST_F(Prepare, levels_keep_every_triangle_in_the_part_whose_vertices_it_has) {
+    Mesh mesh = prepare(makeShape(Shape::Sphere, 16), {.levels = 1}).mesh;
+    const auto count = static_cast<std::uint32_t>(mesh.indices.size()), vertices = static_cast<std::uint32_t>(mesh.positions.size());
+    for (std::uint32_t i = 0; i < vertices; ++i) {
+        mesh.positions.push_back(0.5f * mesh.positions[i] + glm::vec3(3, 0, 0));
+        mesh.normals.push_back(mesh.normals[i]);
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+        mesh.indices.push_back(mesh.indices[i] + vertices);
+    mesh.parts = {{.name = "one", .firstIndex = 0, .indexCount = count}, {.name = "other", .firstIndex = count, .indexCount = count}};
+    for (const Level& level : makeLevels(mesh, 3).levels) {
+        ASSERT_EQ(level.mesh.parts.size(), 2u);
+        for (std::size_t part = 0; part < 2; ++part) {
+            const MeshPart& of = level.mesh.parts[part];
+            EXPECT_GT(of.indexCount, 0u);
+            for (const std::uint32_t index : std::span(level.mesh.indices).subspan(of.firstIndex, of.indexCount))
+                ASSERT_EQ(index >= vertices, part == 1) << part;
+        }
+    }
+}
+
 TEST_F(Prepare, a_written_glb_returns_the_mesh_bit_for_bit) {
     const Prepared prepared = prepare(makeShape(Shape::Torus));
     ASSERT_TRUE(writeGlb(folder_ / "out.glb", prepared.mesh, prepared.glb));

@@ -98,6 +98,19 @@ TEST(Weld, keeps_vertices_that_differ_in_one_number_of_their_normals_or_texture_
     }
 }
 
+TEST(KeptNormals, are_those_of_the_mesh_where_each_of_them_has_a_length) {
+    Surface surface = surfaceOf(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}));
+    surface.mesh.normals.assign(3, {0, 1.2f, 1.6f});
+    Surface holed = surface;
+    makeNormals(surface, {.mode = NormalMode::Keep});
+    for (const glm::vec3& normal : surface.mesh.normals)
+        EXPECT_LT(glm::distance(normal, glm::vec3(0, 0.6f, 0.8f)), 1e-6f);
+    holed.mesh.normals[1] = {0, 0, 0};
+    makeNormals(holed, {.mode = NormalMode::Keep});
+    for (const glm::vec3& normal : holed.mesh.normals)
+        EXPECT_LT(glm::distance(normal, glm::vec3(0, 0, 1)), 1e-6f) << "else the triangle's";
+}
+
 TEST(Duplicates, with_other_texture_coordinates_are_none) {
     Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 5, 3, 4});
     Surface plain = surfaceOf(mesh);

@@ -1,5 +1,7 @@
 #include "host/view/canvas.h"
 
+#include "host/view/kept_buffers.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -182,33 +184,30 @@ struct Canvas::State {
     gpu::Sampler exact; // depths cannot be filtered everywhere
     Program show;
     Program blend;
+    KeptBuffers buffers;
 };
 
 namespace {
 
 /// One draw with everything that must live until it has run.
 struct Prepared {
-    gpu::Buffer vertices;
-    gpu::Buffer indices;
     std::vector<std::byte> block;
     gpu::Draw draw;
 };
 
-Result<void> prepare(gpu::Device& device, const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh,
+Result<void> prepare(KeptBuffers& buffers, const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh,
                      const Constants& constants, Prepared& prepared) {
-    auto vertices = device.createBuffer(gpu::BufferUsage::Vertex, std::as_bytes(mesh.vertices));
+    const auto vertices = buffers.with(gpu::BufferUsage::Vertex, std::as_bytes(mesh.vertices));
     if (!vertices) return vertices.error();
-    auto indices = device.createBuffer(gpu::BufferUsage::Index, std::as_bytes(mesh.indices));
+    const auto indices = buffers.with(gpu::BufferUsage::Index, std::as_bytes(mesh.indices));
     if (!indices) return indices.error();
-    prepared.vertices = std::move(*vertices);
-    prepared.indices = std::move(*indices);
     const Reflection& reflection = program.pixel.reflection;
     assert(reflection.globals);
     prepared.block = layOut(*reflection.globals, constants);
     prepared.draw = {.pipeline = &program.pipeline,
                      .resources = {{reflection.globals->set, reflection.globals->binding, std::span<const std::byte>(prepared.block)}},
-                     .vertices = &prepared.vertices,
-                     .indices = &prepared.indices,
+                     .vertices = *vertices,
+                     .indices = *indices,
                      .count = static_cast<std::uint32_t>(mesh.indices.size())};
     for (const Resource& resource : reflection.resources) {
         gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = mesh.texture};
@@ -247,7 +246,8 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
                                                    .soft = std::move(*soft),
                                                    .exact = std::move(*exact),
                                                    .show = std::move(*show),
-                                                   .blend = std::move(*blend)}));
+                                                   .blend = std::move(*blend),
+                                                   .buffers = KeptBuffers(device)}));
 }
 
 Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
@@ -260,9 +260,10 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
     const auto quad = fittedQuad(target.desc(), texture.desc(), mode, fit);
     const Constants constants{.scale = levels.scale, .offset = levels.offset};
     const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : fit.fill ? state_->soft : state_->smooth;
+    state_->buffers.nextDraw();
     Prepared prepared;
     const auto ready =
-        prepare(state_->device, state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, prepared);
+        prepare(state_->buffers, state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, prepared);
     if (!ready) return ready;
     return asVoid(state_->device.run([&](gpu::Recorder& recorder) {
         if (auto cleared = recorder.clearColor(target, {0, 0, 0, 1}); !cleared) return cleared;
@@ -271,9 +272,10 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
 }
 
 Result<void> Canvas::blend(gpu::Texture& target, std::span<const Mesh> meshes) {
+    state_->buffers.nextDraw();
     std::deque<Prepared> draws;
     for (const Mesh& mesh : meshes) {
-        const auto ready = prepare(state_->device, state_->blend, state_->smooth, mesh, {.clip = mesh.clip}, draws.emplace_back());
+        const auto ready = prepare(state_->buffers, state_->blend, state_->smooth, mesh, {.clip = mesh.clip}, draws.emplace_back());
         if (!ready) return ready;
     }
     return asVoid(state_->device.run([&](gpu::Recorder& recorder) -> Result<void> {

@@ -1,6 +1,7 @@
 // Pictures one after another take no memory, as a viewer that stays open shows them.
 
 #include "host/view/canvas.h"
+#include "host/view/kept_buffers.h"
 
 #include "tests/gpu/with_device.h"
 
@@ -8,8 +9,10 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace tegument::view {
 
@@ -56,6 +59,32 @@ TEST_F(Canvases, pictures_in_a_row_make_no_code_and_take_no_memory) {
     showPictures(*canvas, window, picture, kMore);
     EXPECT_EQ(madeCode(), code) << "the driver compiled shaders anew";
     EXPECT_LT(mallinfo2().uordblks, bytes + kMostBytes);
+}
+
+TEST_F(Canvases, what_is_drawn_again_is_in_the_same_buffers_and_what_is_not_is_given_back) {
+    const std::uint64_t before = device_->allocatedBytes();
+    KeptBuffers buffers(*device_);
+    const std::vector<std::uint32_t> text{1, 2, 3}, other{1, 2, 4};
+    const auto asked = [&](gpu::BufferUsage usage, const std::vector<std::uint32_t>& numbers) {
+        const auto buffer = buffers.with(usage, std::as_bytes(std::span(numbers)));
+        EXPECT_TRUE(buffer);
+        return *buffer;
+    };
+    gpu::Buffer* first = asked(gpu::BufferUsage::Index, text);
+    EXPECT_NE(asked(gpu::BufferUsage::Vertex, text), first);
+    EXPECT_NE(asked(gpu::BufferUsage::Index, other), first);
+    for (int draw = 0; draw < 2 * KeptBuffers::kKept; ++draw) {
+        buffers.nextDraw();
+        EXPECT_EQ(asked(gpu::BufferUsage::Index, text), first);
+    }
+    EXPECT_EQ(buffers.count(), 1U) << "the others were not asked for";
+    const auto bytes = device_->readback(*first);
+    ASSERT_TRUE(bytes);
+    EXPECT_TRUE(std::ranges::equal(*bytes, std::as_bytes(std::span(text))));
+    for (int draw = 0; draw <= KeptBuffers::kKept; ++draw)
+        buffers.nextDraw();
+    EXPECT_EQ(buffers.count(), 0U);
+    EXPECT_EQ(device_->allocatedBytes(), before);
 }
 
 } // namespace tegument::view

@@ -4,8 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace tegument {
 
@@ -28,6 +31,23 @@ constexpr int kNameTarget = 64;
 constexpr int kComponentUint = 1;
 constexpr int kComponentInt = 2;
 
+constexpr std::int64_t kMostScalars = 4 * 4096; // a constant buffer has 4,096 registers
+
+/// nlohmann takes any number for any other, whether it fits or not.
+template <class Number>
+Number whole(const json& number, std::int64_t most = std::numeric_limits<Number>::max()) {
+    const auto value = number.get_ref<const json::number_integer_t&>();
+    if (value < 0 || value > most) throw std::out_of_range("no number of a reflection");
+    return static_cast<Number>(value);
+}
+
+std::vector<std::uint32_t> wordsOf(const json& list) {
+    std::vector<std::uint32_t> words;
+    for (const json& word : list)
+        words.push_back(whole<std::uint32_t>(word));
+    return words;
+}
+
 MemberBase baseOf(int type) {
     switch (type) {
     case kTypeBool: return MemberBase::Bool;
@@ -44,14 +64,16 @@ MemberBase componentBase(int type) {
 
 BlockMember readMember(const json& variable) {
     BlockMember member{.name = variable.at("name").get<std::string>(),
-                       .base = baseOf(variable.at("type").get<int>()),
-                       .offset = variable.at("offset").get<std::uint32_t>(),
-                       .size = variable.at("size").get<std::uint32_t>(),
-                       .rows = variable.at("rows").get<std::uint32_t>(),
-                       .columns = variable.at("columns").get<std::uint32_t>(),
-                       .elements = variable.at("elements").get<std::uint32_t>(),
+                       .base = baseOf(whole<int>(variable.at("type"))),
+                       .offset = whole<std::uint32_t>(variable.at("offset")),
+                       .size = whole<std::uint32_t>(variable.at("size")),
+                       .rows = whole<std::uint32_t>(variable.at("rows"), kMostScalars),
+                       .columns = whole<std::uint32_t>(variable.at("columns"), kMostScalars),
+                       .elements = whole<std::uint32_t>(variable.at("elements"), kMostScalars),
                        .used = variable.at("used").get<bool>()};
-    const bool byRows = variable.at("class").get<int>() == kClassMatrixRows;
+    if (std::uint64_t{member.rows} * member.columns * std::max(member.elements, 1U) > kMostScalars)
+        throw std::out_of_range("a member is larger than a buffer");
+    const bool byRows = whole<int>(variable.at("class")) == kClassMatrixRows;
     if (member.rows > 1) member.matrixStride = 16;
     member.spirvRowMajor = member.rows > 1 && !byRows; // as compile.h says of a column_major matrix
     const std::uint32_t vectors = member.rows == 1 ? 1 : byRows ? member.rows : member.columns;
@@ -84,20 +106,19 @@ std::vector<double> readDefault(const BlockMember& member, const std::vector<std
 }
 
 UniformBlock readBlock(const json& buffer, Sm5Reflection& into) {
-    UniformBlock block{.name = buffer.at("name").get<std::string>(), .size = buffer.at("size").get<std::uint32_t>(), .members = {}};
+    UniformBlock block{.name = buffer.at("name").get<std::string>(), .size = whole<std::uint32_t>(buffer.at("size")), .members = {}};
     for (const json& variable : buffer.at("members")) {
         block.members.push_back(readMember(variable));
         const json& words = variable.at("default");
-        if (words.is_array())
-            into.defaults[block.members.back().name] = readDefault(block.members.back(), words.get<std::vector<std::uint32_t>>());
+        if (words.is_array()) into.defaults[block.members.back().name] = readDefault(block.members.back(), wordsOf(words));
     }
     return block;
 }
 
 void readResource(const json& bound, Reflection& into) {
     const std::string name = bound.at("name").get<std::string>();
-    const auto slot = bound.at("slot").get<std::uint32_t>();
-    const int type = bound.at("type").get<int>();
+    const auto slot = whole<std::uint32_t>(bound.at("slot"));
+    const int type = whole<int>(bound.at("type"));
     if (type == kInputConstants) {
         if (into.globals && into.globals->name == name) into.globals->binding = slot;
         for (UniformBlock& block : into.constantBuffers)
@@ -108,28 +129,28 @@ void readResource(const json& bound, Reflection& into) {
         {2, ResourceKind::Texture1D}, {4, ResourceKind::Texture2D}, {8, ResourceKind::Texture3D}, {9, ResourceKind::TextureCube}};
     ResourceKind kind = ResourceKind::StorageBuffer;
     if (type == kInputSampler)
-        kind = (bound.at("flags").get<int>() & kFlagComparison) != 0 ? ResourceKind::CompareSampler : ResourceKind::Sampler;
+        kind = (whole<int>(bound.at("flags")) & kFlagComparison) != 0 ? ResourceKind::CompareSampler : ResourceKind::Sampler;
     if (type == kInputImage) kind = ResourceKind::StorageImage;
     for (const auto& [dimension, texture] : kTextures)
-        if (type == kInputTexture && bound.at("dimension").get<int>() == dimension) kind = texture;
+        if (type == kInputTexture && whole<int>(bound.at("dimension")) == dimension) kind = texture;
     into.resources.push_back({.name = name, .kind = kind, .binding = slot});
 }
 
 std::string semanticOf(const json& element) {
     std::string name = spirv::canonicalSemantic(element.at("semantic").get<std::string>());
     name.pop_back(); // the 0 that it put behind the name: Direct3D keeps name and index apart
-    return name + std::to_string(element.at("index").get<int>());
+    return name + std::to_string(whole<int>(element.at("index")));
 }
 
 std::vector<StageVariable> readSignature(const json& list, bool input) {
     std::vector<StageVariable> variables;
     for (const json& element : list) {
-        const int system = element.at("system").get<int>();
-        if ((system != 0 && system != kNameTarget) || (input && element.at("read").get<int>() == 0)) continue;
+        const int system = whole<int>(element.at("system"));
+        if ((system != 0 && system != kNameTarget) || (input && whole<int>(element.at("read")) == 0)) continue;
         variables.push_back({.semantic = semanticOf(element),
-                             .location = element.at("register").get<std::uint32_t>(),
-                             .components = static_cast<std::uint32_t>(std::popcount(element.at("mask").get<std::uint32_t>())),
-                             .base = componentBase(element.at("type").get<int>())});
+                             .location = whole<std::uint32_t>(element.at("register")),
+                             .components = static_cast<std::uint32_t>(std::popcount(whole<std::uint32_t>(element.at("mask")))),
+                             .base = componentBase(whole<int>(element.at("type")))});
     }
     return variables;
 }
@@ -137,10 +158,10 @@ std::vector<StageVariable> readSignature(const json& list, bool input) {
 void readOutputs(const json& list, Sm5Reflection& into) {
     into.reflection.outputs = readSignature(list, false);
     for (const json& element : list) {
-        if (element.at("system").get<int>() == kNamePosition) into.writesPosition = true;
-        const int mask = element.at("mask").get<int>();
+        if (whole<int>(element.at("system")) == kNamePosition) into.writesPosition = true;
+        const int mask = whole<int>(element.at("mask"));
         // Of an output this is the mask of what is never written.
-        if ((element.at("read").get<int>() & mask) == mask) into.unwritten.push_back(semanticOf(element));
+        if ((whole<int>(element.at("read")) & mask) == mask) into.unwritten.push_back(semanticOf(element));
     }
 }
 
@@ -150,7 +171,7 @@ Sm5Reflection read(const json& from) {
         UniformBlock block = readBlock(buffer, result);
         if (block.name == "$Globals")
             result.reflection.globals = std::move(block);
-        else if (buffer.at("kind").get<int>() == 0)
+        else if (whole<int>(buffer.at("kind")) == 0)
             result.reflection.constantBuffers.push_back(std::move(block));
     }
     for (const auto& bound : from.at("resources"))
@@ -158,8 +179,8 @@ Sm5Reflection read(const json& from) {
     result.reflection.inputs = readSignature(from.at("inputs"), true);
     readOutputs(from.at("outputs"), result);
     const auto& threads = from.at("threads");
-    for (std::size_t i = 0; i < 3 && threads.at(0).get<std::uint32_t>() != 0; ++i)
-        result.reflection.localSize[i] = threads.at(i).get<std::uint32_t>();
+    for (std::size_t i = 0; i < 3 && whole<std::uint32_t>(threads.at(0)) != 0; ++i)
+        result.reflection.localSize[i] = whole<std::uint32_t>(threads.at(i));
     return result;
 }
 
@@ -169,6 +190,8 @@ std::optional<Sm5Reflection> readSm5Reflection(const json& from) {
     try {
         return read(from);
     } catch (const json::exception&) {
+        return {};
+    } catch (const std::out_of_range&) {
         return {};
     }
 }

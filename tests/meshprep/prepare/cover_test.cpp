@@ -134,3 +134,19 @@ TEST(Cover, ends_where_three_triangles_meet) {
     EXPECT_FALSE(within({glm::dvec3(0.5, 0.45, 0), glm::dvec3(0.6, 0.45, 0), glm::dvec3(0.55, 0.56, 0)}, surface, 0.01));
     EXPECT_TRUE(within({glm::dvec3(0.1, 0.1, 0), glm::dvec3(0.4, 0.15, 0), glm::dvec3(0.2, 0.4, 0)}, surface, 1e-6));
 }
+
+/// A ridge passes over the triangle, whose corners are low: what is high lies on a side of both of the roof's triangles alone, whichever it
+/// is.
+TEST(Cover, looks_at_every_side_that_passes_over) {
+    const std::vector<glm::dvec3> points = {{0, -10, 1}, {0, 10, 1}, {10, 0, -9}, {-10, 0, -9}}; // z = 1 - |x|
+    const Triangle below = {glm::dvec3(-1, -1, 0), glm::dvec3(1, -1, 0), glm::dvec3(1, 1, 0)};
+    for (std::uint32_t turn = 0; turn < 3; ++turn) {
+        std::vector<std::uint32_t> triangles;
+        for (const std::array<std::uint32_t, 3>& side : {std::array<std::uint32_t, 3>{1, 0, 2}, std::array<std::uint32_t, 3>{0, 1, 3}})
+            for (std::uint32_t i = 0; i < 3; ++i)
+                triangles.push_back(side[(turn + i) % 3]);
+        const NearSurface roof(points, triangles);
+        EXPECT_FALSE(within(below, roof, 0.69)) << turn << ": below the ridge the roof is sqrt(1/2) away";
+        EXPECT_TRUE(within(below, roof, 1.01)) << turn << ": straight above it";
+    }
+}

@@ -217,6 +217,33 @@ TEST(Distance, is_that_of_both_ways) {
     EXPECT_NEAR(d.rms, 0.5, 1e-6) << "of the first from the second";
 }
 
+/// Two triangles over a square of small ones that has a hole: its middle is the farthest place, wherever in the two it is.
+TEST(Distance, of_a_hole_is_known_wherever_it_is) {
+    constexpr std::uint32_t kSide = 17;
+    std::vector<glm::vec3> positions;
+    for (std::uint32_t i = 0; i <= kSide * (kSide + 2); ++i)
+        positions.emplace_back(i % (kSide + 1), i / (kSide + 1), 0);
+    const auto vertex = [](std::uint32_t x, std::uint32_t y) { return y * (kSide + 1) + x; };
+    const std::vector<std::uint32_t> two = {vertex(0, 0),     vertex(kSide, 0),     vertex(0, kSide),
+                                            vertex(kSide, 0), vertex(kSide, kSide), vertex(0, kSide)};
+    for (std::uint32_t hole = 0; hole < kSide * kSide; ++hole) {
+        std::vector<std::uint32_t> small;
+        for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+            const std::uint32_t x = i % kSide, y = i / kSide;
+            if (i != hole)
+                small.insert(small.end(),
+                             {vertex(x, y), vertex(x + 1, y), vertex(x, y + 1), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+        }
+        // Half a square's side from two that are opposite; at a corner of the whole, a side from both that are left.
+        const std::uint32_t x = hole % kSide, y = hole / kSide;
+        const bool corner = (x == 0 || x == kSide - 1) && (y == 0 || y == kSide - 1);
+        const double truth = corner ? 1 : 0.5;
+        const SurfaceDistance d = distance(positions, small, two);
+        EXPECT_GE(d.greatest, truth * (1 - 1e-6)) << x << " " << y;
+        EXPECT_LE(d.greatest, 1.03 * truth) << x << " " << y;
+    }
+}
+
 /// What is near enough is told as if nothing had been said of that; what is not, as further than that and no further than it is.
 TEST(Distance, of_what_is_too_far_is_known_soon) {
     const Mesh mesh = makeShape(Shape::Terrain, 30);

@@ -329,6 +329,7 @@ TEST_F(Held, a_texture_that_another_effect_draws_is_baked_again_alone) {
     };
     const std::vector<float> before = values();
     ASSERT_FALSE(before.empty());
+    ASSERT_TRUE(succeeded(session_->draw(closeUp(), options))) << "a frame between that bakes nothing: what was baked is remembered longer";
     session_->bakeAgain(baked->name);
     EXPECT_EQ(session_->target(baked->name), nullptr);
     const auto again = session_->draw(closeUp(), options);

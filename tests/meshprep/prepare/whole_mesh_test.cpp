@@ -44,7 +44,8 @@ Halves halves() {
 } // namespace
 
 TEST(WholeMeshes, simplified_as_one_have_their_parts_again) {
-    const auto [mesh, middle, step] = halves();
+    const Halves terrain = halves();
+    const Mesh& mesh = terrain.mesh;
     const WholeMesh whole(mesh);
     ASSERT_TRUE(whole.mayBeOne(mesh.indices.size() / 6));
     const MeshLevel level = whole.level(whole.simplifiedAsOne(mesh.indices.size() / 6, {}));
@@ -54,8 +55,8 @@ TEST(WholeMeshes, simplified_as_one_have_their_parts_again) {
         EXPECT_GT(part.indexCount, level.indices.size() / 3) << part.name;
         for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
             const auto beyond = [&](std::uint32_t k) {
-                const float x = mesh.positions[level.indices[i + k]].x - middle;
-                return (part.name == "left" ? x : -x) > 0.1f * step;
+                const float x = mesh.positions[level.indices[i + k]].x - terrain.middle;
+                return (part.name == "left" ? x : -x) > 0.1f * terrain.step;
             };
             across += beyond(0) && beyond(1) && beyond(2);
         }

@@ -71,7 +71,7 @@ BlockMember readMember(const json& variable) {
                        .columns = whole<std::uint32_t>(variable.at("columns"), kMostScalars),
                        .elements = whole<std::uint32_t>(variable.at("elements"), kMostScalars),
                        .used = variable.at("used").get<bool>()};
-    if (std::uint64_t{member.rows} * member.columns * std::max(member.elements, 1U) > kMostScalars)
+    if (std::int64_t{member.rows} * member.columns * std::max(member.elements, 1U) > kMostScalars)
         throw std::out_of_range("a member is larger than a buffer");
     const bool byRows = whole<int>(variable.at("class")) == kClassMatrixRows;
     if (member.rows > 1) member.matrixStride = 16;

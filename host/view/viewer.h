@@ -208,19 +208,19 @@ private:
     MovingCosts costs_;
     std::unique_ptr<Loaded> draft_;
     MovingCosts draftCosts_;
-    bool draftTried_ = false; // there is one, or none can be
-    bool draftDrawn_ = false;
     std::shared_ptr<const FewerTriangles> fewer_;
     std::future<FewerTriangles> making_;
-    bool fewerAsked_ = false;
     PieceTimes pieces_;
-    bool inPieces_ = false; // what is drawn now
     std::chrono::steady_clock::time_point pieceBegan_;
     double longestPiece_ = 0;                     // milliseconds; of the last picture in pieces
-    bool torn_ = false;                           // targets of what is shown hold parts of a picture that was given up
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;
+    bool draftTried_ = false; // there is one, or none can be
+    bool draftDrawn_ = false;
+    bool fewerAsked_ = false;
+    bool inPieces_ = false; // what is drawn now
+    bool torn_ = false;     // targets of what is shown hold parts of a picture that was given up
     bool running_ = true;
 };
 

@@ -9,7 +9,10 @@ namespace tegument::gpu::detail {
 
 namespace {
 
-constexpr vk::DeviceSize kUniformChunk = 1u << 20; // a few thousand draws of a few hundred bytes
+constexpr vk::DeviceSize kBytesChunk = 1u << 20; // a few thousand draws of a few hundred bytes
+constexpr vk::BufferUsageFlags kBytesUsage =
+    vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eIndexBuffer;
+constexpr vk::DeviceSize kVertexAlignment = 16; // of the largest attribute
 constexpr std::uint32_t kSetsPerPool = 256;
 constexpr std::uint32_t kDescriptorsPerPool = 1024; // per kind: four per set, more than most passes bind
 constexpr std::uint32_t kQueriesPerPool = 128;
@@ -20,20 +23,19 @@ constexpr vk::DeviceSize alignUp(vk::DeviceSize value, vk::DeviceSize alignment)
 
 } // namespace
 
-void UniformArena::reset() {
+void BytesArena::reset() {
     chunk_ = 0;
     offset_ = 0;
 }
 
-UniformArena::Slice UniformArena::push(const DeviceState& device, std::span<const std::byte> bytes) {
-    offset_ = alignUp(offset_, device.limits.minUniformBufferOffsetAlignment);
+BytesArena::Slice BytesArena::push(const DeviceState& device, std::span<const std::byte> bytes) {
+    offset_ = alignUp(offset_, std::max(device.limits.minUniformBufferOffsetAlignment, kVertexAlignment));
     while (chunk_ < chunks_.size() && offset_ + bytes.size() > chunks_[chunk_].size) {
         ++chunk_;
         offset_ = 0;
     }
     if (chunk_ == chunks_.size())
-        chunks_.push_back(makeHostBuffer(device, std::max<vk::DeviceSize>(kUniformChunk, bytes.size()),
-                                         vk::BufferUsageFlagBits::eUniformBuffer, HostAccess::Write));
+        chunks_.push_back(makeHostBuffer(device, std::max<vk::DeviceSize>(kBytesChunk, bytes.size()), kBytesUsage, HostAccess::Write));
     HostBuffer& chunk = chunks_[chunk_];
     std::memcpy(chunk.data + offset_, bytes.data(), bytes.size());
     const Slice slice{*chunk.buffer, offset_};

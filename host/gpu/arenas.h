@@ -1,5 +1,6 @@
 #pragma once
-// What a frame uses up and gives back whole: uniform data, descriptor sets, timestamps. Each grows as needed and keeps its memory.
+// What a frame uses up and gives back whole: uniform data and what is drawn once, descriptor sets, timestamps. Each grows as needed and
+// keeps its memory.
 
 #include "host/gpu/memory.h"
 
@@ -12,7 +13,7 @@
 namespace tegument::gpu::detail {
 
 /// Host-visible chunks filled from the front.
-class UniformArena {
+class BytesArena {
 public:
     struct Slice {
         vk::Buffer buffer;

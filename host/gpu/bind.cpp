@@ -14,7 +14,7 @@ struct Writes {
 };
 
 vk::DescriptorBufferInfo uniformInfo(DeviceState& device, std::span<const std::byte> bytes) {
-    const UniformArena::Slice slice = device.uniforms.push(device, bytes);
+    const BytesArena::Slice slice = device.bytes.push(device, bytes);
     return {.buffer = slice.buffer, .offset = slice.offset, .range = bytes.size()};
 }
 

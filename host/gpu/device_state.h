@@ -51,7 +51,7 @@ struct DeviceState {
     DeviceInfo info;
     std::uint64_t allocatedBytes = 0; // of textures and buffers
 
-    UniformArena uniforms;
+    BytesArena bytes;
     DescriptorArena descriptors;
     TimestampArena timestamps;
     RecorderState* recording = nullptr; // the frame inside Device::run, if any

@@ -163,16 +163,21 @@ Result<void> checkStored(const PipelineHandle& pipeline, const std::vector<Bound
 
 Result<void> checkGeometry(const PipelineHandle& pipeline, const Draw& draw) {
     const auto wrong = [&](const std::string& what) { return requestError(6039, fmt::format("pipeline '{}': {}", pipeline.name, what)); };
-    if (pipeline.vertexStride > 0 && !draw.vertices) return wrong("the draw has no vertex buffer");
+    const auto twice = [](const Buffer* buffer, std::span<const std::byte> bytes) { return buffer && !bytes.empty(); };
+    if (twice(draw.vertices, draw.vertexBytes)) return wrong("the draw has a vertex buffer, and bytes of vertices");
+    if (twice(draw.indices, draw.indexBytes)) return wrong("the draw has an index buffer, and bytes of indices");
+    const std::uint64_t vertexBytes = draw.vertices ? draw.vertices->bytes() : draw.vertexBytes.size();
+    const std::uint64_t indexBytes = draw.indices ? draw.indices->bytes() : draw.indexBytes.size();
+    if (pipeline.vertexStride > 0 && vertexBytes == 0) return wrong("the draw has no vertex buffer");
     if (draw.vertices && draw.vertices->state->usage != BufferUsage::Vertex) return wrong("the vertex buffer was made for another use");
     if (draw.indices && draw.indices->state->usage != BufferUsage::Index) return wrong("the index buffer was made for another use");
     std::uint64_t end = std::uint64_t{draw.first} + draw.count;
     for (const DrawRange& range : draw.more)
         end = std::max(end, std::uint64_t{range.first} + range.count);
-    if (draw.indices && end * sizeof(std::uint32_t) > draw.indices->bytes())
-        return wrong(fmt::format("the draw needs {} indices, and the buffer has {}", end, draw.indices->bytes() / sizeof(std::uint32_t)));
-    if (!draw.indices && draw.vertices && end * pipeline.vertexStride > draw.vertices->bytes())
-        return wrong(fmt::format("the draw needs {} vertices, and the buffer has {}", end, draw.vertices->bytes() / pipeline.vertexStride));
+    if (indexBytes > 0 && end * sizeof(std::uint32_t) > indexBytes)
+        return wrong(fmt::format("the draw needs {} indices, and the buffer has {}", end, indexBytes / sizeof(std::uint32_t)));
+    if (indexBytes == 0 && vertexBytes > 0 && end * pipeline.vertexStride > vertexBytes)
+        return wrong(fmt::format("the draw needs {} vertices, and the buffer has {}", end, vertexBytes / pipeline.vertexStride));
     return {};
 }
 

@@ -182,6 +182,9 @@ struct Draw {
     std::vector<BoundResource> resources; // every binding of the pipeline exactly once
     const Buffer* vertices = nullptr;
     const Buffer* indices = nullptr; // 32-bit; null: `count` vertices
+    /// Of what is drawn once, instead of those two: copied when the draw is recorded.
+    std::span<const std::byte> vertexBytes;
+    std::span<const std::byte> indexBytes;
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     std::vector<DrawRange> more; // drawn after that, in order

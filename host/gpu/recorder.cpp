@@ -53,14 +53,21 @@ void setRows(RecorderState& recorder, const Scope& scope, const std::optional<Ro
                                  vk::Rect2D{.offset = {0, static_cast<std::int32_t>(drawn.first)}, .extent = {target.width, drawn.count}});
 }
 
+BytesArena::Slice sliceOf(RecorderState& recorder, const Buffer* buffer, std::span<const std::byte> bytes) {
+    if (buffer) return {.buffer = *buffer->state->buffer};
+    return bytes.empty() ? BytesArena::Slice{} : recorder.device.bytes.push(recorder.device, bytes);
+}
+
 void recordDraw(RecorderState& recorder, const PipelineHandle& pipeline, const Draw& draw) {
     const vk::raii::CommandBuffer& commands = recorder.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.pipeline);
-    if (draw.vertices) commands.bindVertexBuffers(0, *draw.vertices->state->buffer, vk::DeviceSize{0});
-    if (draw.indices) commands.bindIndexBuffer(*draw.indices->state->buffer, 0, vk::IndexType::eUint32);
+    const BytesArena::Slice vertices = sliceOf(recorder, draw.vertices, draw.vertexBytes);
+    const BytesArena::Slice indices = sliceOf(recorder, draw.indices, draw.indexBytes);
+    if (vertices.buffer) commands.bindVertexBuffers(0, vertices.buffer, vertices.offset);
+    if (indices.buffer) commands.bindIndexBuffer(indices.buffer, indices.offset, vk::IndexType::eUint32);
     const auto record = [&](const DrawRange& range) {
         const std::uint32_t instances = range.instances > 0 ? range.instances : draw.instances;
-        if (draw.indices)
+        if (indices.buffer)
             commands.drawIndexed(range.count, instances, range.first, 0, range.firstInstance);
         else
             commands.draw(range.count, instances, range.first, range.firstInstance);

@@ -10,7 +10,7 @@
 namespace tegument::gpu::detail {
 
 RecorderState::RecorderState(DeviceState& deviceState) : device(deviceState), commands(beginCommands(deviceState)) {
-    device.uniforms.reset();
+    device.bytes.reset();
     device.descriptors.reset();
     device.timestamps.reset();
     device.recording = this;

@@ -1,12 +1,11 @@
 #include "host/view/canvas.h"
 
-#include "host/view/kept_buffers.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <deque>
 #include <string_view>
+#include <utility>
 
 namespace tegument::view {
 
@@ -177,6 +176,20 @@ std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu
 
 } // namespace
 
+namespace {
+
+/// One draw with everything that must live until it has run.
+struct Prepared {
+    gpu::Texture* target = nullptr;
+    bool clear = false;
+    std::vector<std::byte> block;
+    std::vector<CanvasVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    gpu::Draw draw;
+};
+
+} // namespace
+
 struct Canvas::State {
     gpu::Device& device;
     gpu::Sampler smooth;
@@ -184,44 +197,34 @@ struct Canvas::State {
     gpu::Sampler exact; // depths cannot be filtered everywhere
     Program show;
     Program blend;
-    KeptBuffers buffers;
+    std::deque<Prepared> waiting; // places stay
+    bool together = false;
+
+    void add(const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh, const Constants& constants,
+             gpu::Texture& target, bool clear);
 };
 
-namespace {
-
-/// One draw with everything that must live until it has run.
-struct Prepared {
-    std::vector<std::byte> block;
-    gpu::Draw draw;
-};
-
-Result<void> prepare(KeptBuffers& buffers, const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh,
-                     const Constants& constants, Prepared& prepared) {
-    const auto vertices = buffers.with(gpu::BufferUsage::Vertex, std::as_bytes(mesh.vertices));
-    if (!vertices) return vertices.error();
-    const auto indices = buffers.with(gpu::BufferUsage::Index, std::as_bytes(mesh.indices));
-    if (!indices) return indices.error();
+void Canvas::State::add(const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh, const Constants& constants,
+                        gpu::Texture& target, bool clear) {
     const Reflection& reflection = program.pixel.reflection;
     assert(reflection.globals);
-    prepared.block = layOut(*reflection.globals, constants);
+    Prepared& prepared = waiting.emplace_back(Prepared{.target = &target,
+                                                       .clear = clear,
+                                                       .block = layOut(*reflection.globals, constants),
+                                                       .vertices = {mesh.vertices.begin(), mesh.vertices.end()},
+                                                       .indices = {mesh.indices.begin(), mesh.indices.end()},
+                                                       .draw = {}});
     prepared.draw = {.pipeline = &program.pipeline,
                      .resources = {{reflection.globals->set, reflection.globals->binding, std::span<const std::byte>(prepared.block)}},
-                     .vertices = *vertices,
-                     .indices = *indices,
-                     .count = static_cast<std::uint32_t>(mesh.indices.size())};
+                     .vertexBytes = std::as_bytes(std::span(prepared.vertices)),
+                     .indexBytes = std::as_bytes(std::span(prepared.indices)),
+                     .count = static_cast<std::uint32_t>(prepared.indices.size())};
     for (const Resource& resource : reflection.resources) {
         gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = mesh.texture};
         if (resource.kind == ResourceKind::Sampler) bound.resource = &sampler;
         prepared.draw.resources.push_back(bound);
     }
-    return {};
 }
-
-Result<void> asVoid(const Result<std::vector<gpu::TimedSection>>& run) {
-    return run ? Result<void>() : Result<void>(run.error());
-}
-
-} // namespace
 
 Canvas::Canvas(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Canvas::Canvas(Canvas&&) noexcept = default;
@@ -247,7 +250,7 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
                                                    .exact = std::move(*exact),
                                                    .show = std::move(*show),
                                                    .blend = std::move(*blend),
-                                                   .buffers = KeptBuffers(device)}));
+                                                   .waiting = {}}));
 }
 
 Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Levels& levels) {
@@ -260,29 +263,36 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
     const auto quad = fittedQuad(target.desc(), texture.desc(), mode, fit);
     const Constants constants{.scale = levels.scale, .offset = levels.offset};
     const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : fit.fill ? state_->soft : state_->smooth;
-    state_->buffers.nextDraw();
-    Prepared prepared;
-    const auto ready =
-        prepare(state_->buffers, state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, prepared);
-    if (!ready) return ready;
-    return asVoid(state_->device.run([&](gpu::Recorder& recorder) {
-        if (auto cleared = recorder.clearColor(target, {0, 0, 0, 1}); !cleared) return cleared;
-        return recorder.draw({.colors = {&target}}, prepared.draw);
-    }));
+    state_->add(state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, target, true);
+    return state_->together ? Result<void>() : draw();
 }
 
 Result<void> Canvas::blend(gpu::Texture& target, std::span<const Mesh> meshes) {
-    state_->buffers.nextDraw();
-    std::deque<Prepared> draws;
-    for (const Mesh& mesh : meshes) {
-        const auto ready = prepare(state_->buffers, state_->blend, state_->smooth, mesh, {.clip = mesh.clip}, draws.emplace_back());
-        if (!ready) return ready;
-    }
-    return asVoid(state_->device.run([&](gpu::Recorder& recorder) -> Result<void> {
-        for (const Prepared& prepared : draws)
-            if (const auto drawn = recorder.draw({.colors = {&target}}, prepared.draw); !drawn) return drawn;
+    for (const Mesh& mesh : meshes)
+        state_->add(state_->blend, state_->smooth, mesh, {.clip = mesh.clip}, target, false);
+    return state_->together ? Result<void>() : draw();
+}
+
+Result<void> Canvas::together(const std::function<Result<void>()>& what) {
+    state_->together = true;
+    const auto done = what();
+    state_->together = false;
+    if (done) return draw();
+    state_->waiting.clear();
+    return done;
+}
+
+Result<void> Canvas::draw() {
+    const std::deque<Prepared> draws = std::exchange(state_->waiting, {});
+    const auto run = state_->device.run([&](gpu::Recorder& recorder) -> Result<void> {
+        for (const Prepared& prepared : draws) {
+            if (prepared.clear)
+                if (auto cleared = recorder.clearColor(*prepared.target, {0, 0, 0, 1}); !cleared) return cleared;
+            if (auto drawn = recorder.draw({.colors = {prepared.target}}, prepared.draw); !drawn) return drawn;
+        }
         return {};
-    }));
+    });
+    return run ? Result<void>() : Result<void>(run.error());
 }
 
 } // namespace tegument::view

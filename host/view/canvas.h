@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -65,7 +66,14 @@ public:
     /// Blended over what is there.
     [[nodiscard]] Result<void> blend(gpu::Texture& target, std::span<const Mesh> meshes);
 
+    /// Does `what`, and then draws all that it showed and blended by one submission: each is waited for, a millisecond on some devices.
+    /// Nothing is drawn where it fails.
+    [[nodiscard]] Result<void> together(const std::function<Result<void>()>& what);
+
 private:
+    /// Those that wait.
+    [[nodiscard]] Result<void> draw();
+
     struct State;
     explicit Canvas(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;

@@ -3,6 +3,8 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <deque>
 #include <vector>
 
 namespace tegument::view {
@@ -34,11 +36,19 @@ std::vector<CanvasVertex> verticesOf(const ImDrawData& data, const ImDrawList& l
     return vertices;
 }
 
-std::vector<std::uint32_t> indicesOf(const ImDrawList& list, const ImDrawCmd& command) {
-    const ImDrawIdx* first = list.IdxBuffer.Data + command.IdxOffset;
-    std::vector<std::uint32_t> indices(first, first + command.ElemCount);
-    for (std::uint32_t& index : indices)
-        index += command.VtxOffset;
+struct Indices {
+    std::vector<std::uint32_t> list; // of the vertices from the first one on
+    std::size_t first = 0;
+    std::size_t count = 0; // of vertices
+};
+
+/// A command uses a part of its list's vertices.
+Indices indicesOf(const ImDrawList& list, const ImDrawCmd& command) {
+    const std::span from(list.IdxBuffer.Data + command.IdxOffset, command.ElemCount);
+    const auto [least, most] = std::ranges::minmax(from);
+    Indices indices{.list = {from.begin(), from.end()}, .first = command.VtxOffset + least, .count = std::size_t{most} - least + 1};
+    for (std::uint32_t& index : indices.list)
+        index -= least;
     return indices;
 }
 
@@ -100,18 +110,18 @@ Result<void> Overlay::draw(Canvas& canvas, gpu::Texture& target, const std::func
     content();
     ImGui::Render();
     const ImDrawData& data = *ImGui::GetDrawData();
-    std::vector<std::vector<CanvasVertex>> vertices;
-    std::vector<std::vector<std::uint32_t>> indices;
+    std::deque<std::vector<CanvasVertex>> vertices;
+    std::deque<Indices> indices;
     std::vector<Canvas::Mesh> meshes;
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         vertices.push_back(verticesOf(data, list));
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.ElemCount == 0) continue;
-            indices.push_back(indicesOf(list, command));
+            const Indices& used = indices.emplace_back(indicesOf(list, command));
             auto* texture = static_cast<gpu::Texture*>(command.GetTexID()); // of a picture; the font has none
-            meshes.push_back({.vertices = vertices.back(),
-                              .indices = indices.back(),
+            meshes.push_back({.vertices = std::span(vertices.back()).subspan(used.first, used.count),
+                              .indices = used.list,
                               .texture = texture ? texture : &state_->font,
                               .clip = clipOf(data, command)});
         }

@@ -371,13 +371,8 @@ Result<void> Viewer::show() {
         if (!composed) return composed.error();
         composed_ = std::move(*composed);
     }
-    if (const auto composed = compose(); !composed) return composed;
-    if (state_.source && source_.file.empty()) openSource(source_, request_.effect);
-    const auto pictures = panelPictures();
-    if (!pictures) return pictures.error();
     PanelOutcome outcome;
-    const auto text = [&] { outcome = drawPanel(state_, start_, *loaded_, panelText(), *pictures, source_); };
-    if (const auto drawn = overlay_->draw(*canvas_, composed_, text); !drawn) return drawn;
+    if (const auto drawn = canvas_->together([&] { return composeWithText(outcome); }); !drawn) return drawn;
     if (!window_) return {};
     if (std::string title = titleText(); title != title_) window_->setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
@@ -387,6 +382,15 @@ Result<void> Viewer::show() {
     if (outcome.bound) return bind(*outcome.bound);
     if (outcome.baked) return bakeAgain(*outcome.baked);
     return outcome.moved ? drawMoving(Moving::Rest) : Result<void>();
+}
+
+Result<void> Viewer::composeWithText(PanelOutcome& outcome) {
+    if (const auto composed = compose(); !composed) return composed;
+    if (state_.source && source_.file.empty()) openSource(source_, request_.effect);
+    const auto pictures = panelPictures();
+    if (!pictures) return pictures.error();
+    const auto text = [&] { outcome = drawPanel(state_, start_, *loaded_, panelText(), *pictures, source_); };
+    return overlay_->draw(*canvas_, composed_, text);
 }
 
 Result<void> Viewer::bind(const BindingChoice& choice) {

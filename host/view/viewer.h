@@ -153,6 +153,7 @@ private:
     [[nodiscard]] glm::dvec2 cursorOnPicture() const;
     /// Picture and text on the window.
     [[nodiscard]] Result<void> show();
+    [[nodiscard]] Result<void> composeWithText(PanelOutcome& outcome);
     void save();
     /// The file's path; none when it cannot be written, which is then said.
     std::optional<std::filesystem::path> saveWorkspace();

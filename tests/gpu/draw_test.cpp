@@ -97,6 +97,28 @@ TEST_F(Draws, first_skips_vertices) {
     EXPECT_EQ(covered(targets), (std::vector<std::array<int, 2>>{{7, 7}}));
 }
 
+TEST_F(Draws, bytes_of_vertices_and_indices_are_copied_when_the_draw_is_recorded) {
+    Texture image = target(Format::RGBA32F, 16, 16);
+    const Pipeline pipeline = must(device().createPipeline(mesh()));
+    const std::array<std::uint32_t, 6> order{0, 1, 2, 2, 1, 3};
+    const Targets targets{.colors = {&image}};
+    must(device().run([&](Recorder& recorder) -> Result<void> {
+        auto place = rectangle(2, 5, 3, 6);
+        std::array<std::uint32_t, 7> indices{9, 0, 1, 2, 2, 1, 3};
+        Draw draw{.pipeline = &pipeline, .vertexBytes = bytesOf(place), .indexBytes = bytesOf(indices), .first = 1, .count = 6};
+        must(recorder.draw(targets, draw));
+        place = rectangle(7, 7, 8, 8); // another rectangle in the same bytes
+        must(recorder.draw(targets, draw));
+        place = rectangle(0, 0, 16, 16);
+        indices.fill(0);
+        return {};
+    }));
+    EXPECT_EQ(covered(targets), (std::vector<std::array<int, 2>>{{2, 5}, {7, 7}}));
+    const Buffer vertices = must(device().createBuffer(BufferUsage::Vertex, bytesOf(rectangle(9, 9, 10, 10))));
+    must(drawOnce(targets, {.pipeline = &pipeline, .vertices = &vertices, .indexBytes = bytesOf(order), .count = 6}));
+    EXPECT_EQ(covered(targets), (std::vector<std::array<int, 2>>{{2, 5}, {7, 7}, {9, 9}}));
+}
+
 TEST_F(Draws, eight_targets_of_different_formats_each_get_their_own_value) {
     const std::vector<Format> formats = {Format::RGBA8, Format::BGRA8, Format::RGBA16,  Format::RGB10A2,
                                          Format::R16F,  Format::R32F,  Format::RGBA16F, Format::RGBA32F};

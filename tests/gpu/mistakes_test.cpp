@@ -274,6 +274,21 @@ TEST_F(DrawMistakes, geometry_that_is_missing_or_too_short) {
     EXPECT_TRUE(fails(draw(&indices, nullptr, 0, 3), 6039, {"vertex buffer"}));
     EXPECT_TRUE(fails(draw(&vertices, &vertices, 0, 3), 6039, {"index buffer"}));
     EXPECT_EQ(codeOf(draw(&vertices, &indices, 3, 3)), 0);
+
+    const std::vector<Pixel> stream(3);
+    const std::vector<std::uint32_t> order(6);
+    Draw once{.pipeline = &pipeline, .resources = {{0, 0, bytesOf(color_)}}, .vertexBytes = bytesOf(stream), .count = 4};
+    EXPECT_TRUE(fails(drawOnce({.colors = {&image_}}, once), 6039, {"4 vertices", "3"}));
+    once.indexBytes = bytesOf(order);
+    EXPECT_EQ(codeOf(drawOnce({.colors = {&image_}}, once)), 0);
+    once.count = 7;
+    EXPECT_TRUE(fails(drawOnce({.colors = {&image_}}, once), 6039, {"7 indices", "6"}));
+    once.count = 6;
+    once.indices = &indices;
+    EXPECT_TRUE(fails(drawOnce({.colors = {&image_}}, once), 6039, {"bytes of indices"}));
+    once.indices = nullptr;
+    once.vertices = &vertices;
+    EXPECT_TRUE(fails(drawOnce({.colors = {&image_}}, once), 6039, {"bytes of vertices"}));
 }
 
 TEST_F(DrawMistakes, indices_beyond_the_vertices_end_nothing) {

@@ -1,7 +1,6 @@
 // Pictures one after another take no memory, as a viewer that stays open shows them.
 
 #include "host/view/canvas.h"
-#include "host/view/kept_buffers.h"
 
 #include "tests/gpu/with_device.h"
 
@@ -61,30 +60,38 @@ TEST_F(Canvases, pictures_in_a_row_make_no_code_and_take_no_memory) {
     EXPECT_LT(mallinfo2().uordblks, bytes + kMostBytes);
 }
 
-TEST_F(Canvases, what_is_drawn_again_is_in_the_same_buffers_and_what_is_not_is_given_back) {
-    const std::uint64_t before = device_->allocatedBytes();
-    KeptBuffers buffers(*device_);
-    const std::vector<std::uint32_t> text{1, 2, 3}, other{1, 2, 4};
-    const auto asked = [&](gpu::BufferUsage usage, const std::vector<std::uint32_t>& numbers) {
-        const auto buffer = buffers.with(usage, std::as_bytes(std::span(numbers)));
-        EXPECT_TRUE(buffer);
-        return *buffer;
+TEST_F(Canvases, what_is_drawn_together_is_what_is_drawn_one_after_another) {
+    auto canvas = Canvas::create(*device_, Compiler::Dxc);
+    ASSERT_TRUE(canvas) << format(canvas.error());
+    gpu::Texture picture = target(*device_, 16);
+    ASSERT_TRUE(device_->upload(picture, std::vector<std::byte>(std::size_t{16} * 16 * 4, std::byte{90})));
+    // A small picture of the picture, that on the window, and a half transparent triangle on top: each reads what is before it.
+    const auto drawAll = [&](gpu::Texture& small, gpu::Texture& window) -> Result<void> {
+        const std::array<CanvasVertex, 3> corners{
+            {{-1, 1, 0, 0, {1, 0, 0, 0.5F}}, {1, 1, 1, 0, {0, 1, 0, 0.5F}}, {-1, -1, 0, 1, {1, 1, 1, 1}}}};
+        const std::array<std::uint32_t, 3> order{0, 1, 2};
+        const Canvas::Mesh mesh{.vertices = corners, .indices = order, .texture = &small, .clip = {0, 0, 20, 32}};
+        if (auto shown = canvas->show(small, picture, {.encode = true}); !shown) return shown;
+        if (auto shown = canvas->show(window, small, {}); !shown) return shown;
+        return canvas->blend(window, std::span(&mesh, 1));
     };
-    gpu::Buffer* first = asked(gpu::BufferUsage::Index, text);
-    EXPECT_NE(asked(gpu::BufferUsage::Vertex, text), first);
-    EXPECT_NE(asked(gpu::BufferUsage::Index, other), first);
-    for (int draw = 0; draw < 2 * KeptBuffers::kKept; ++draw) {
-        buffers.nextDraw();
-        EXPECT_EQ(asked(gpu::BufferUsage::Index, text), first);
-    }
-    EXPECT_EQ(buffers.count(), 1U) << "the others were not asked for";
-    const auto bytes = device_->readback(*first);
-    ASSERT_TRUE(bytes);
-    EXPECT_TRUE(std::ranges::equal(*bytes, std::as_bytes(std::span(text))));
-    for (int draw = 0; draw <= KeptBuffers::kKept; ++draw)
-        buffers.nextDraw();
-    EXPECT_EQ(buffers.count(), 0U);
-    EXPECT_EQ(device_->allocatedBytes(), before);
+    std::array<gpu::Texture, 2> small{target(*device_, 8), target(*device_, 8)}, window{target(*device_, 32), target(*device_, 32)};
+    ASSERT_TRUE(drawAll(small[0], window[0]));
+    ASSERT_TRUE(canvas->together([&] { return drawAll(small[1], window[1]); }));
+    const auto apart = device_->readback(window[0]);
+    const auto together = device_->readback(window[1]);
+    ASSERT_TRUE(apart && together);
+    EXPECT_EQ(*apart, *together);
+    EXPECT_GT(std::ranges::count_if(*apart, [](std::byte value) { return value != std::byte{0}; }), 32 * 32) << "there is a picture";
+
+    ASSERT_FALSE(canvas->together([&]() -> Result<void> {
+        if (auto shown = canvas->show(window[1], picture, {}); !shown) return shown;
+        return inputError(4029, {}, "no");
+    }));
+    ASSERT_TRUE(canvas->show(small[1], picture, {}));
+    const auto still = device_->readback(window[1]);
+    ASSERT_TRUE(still);
+    EXPECT_EQ(*still, *together) << "what failed was drawn later";
 }
 
 } // namespace tegument::view

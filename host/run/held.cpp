@@ -109,6 +109,8 @@ HeldKey begun(HeldKind kind) {
 void addGeometry(const gpu::Draw& draw, HeldKey& key) {
     for (const gpu::Buffer* buffer : {draw.vertices, draw.indices})
         key.add(buffer ? gpu::identityOf(*buffer) : 0);
+    for (const std::span<const std::byte> bytes : {draw.vertexBytes, draw.indexBytes})
+        key.add(bytes);
     for (const std::uint32_t number : {draw.first, draw.count, draw.instances})
         key.add(number);
     key.add(draw.more.size());

@@ -24,6 +24,11 @@ namespace {
 std::recursive_mutex heardMutex;
 tegument::test::LayerBelow heardBelow;
 std::map<VkInstance, VkDebugUtilsMessengerEXT> ears;
+// The layers below serve every instance and device by the same functions; an instance or a device that they were asked of may be gone.
+PFN_vkGetPhysicalDeviceProperties belowProperties = nullptr;
+PFN_vkQueueSubmit belowSubmit = nullptr;
+PFN_vkQueueSubmit2 belowSubmit2 = nullptr;
+PFN_vkCmdPipelineBarrier2 belowBarrier = nullptr;
 std::atomic<std::int64_t> submissions = 0;
 std::atomic<std::int64_t> barriers = 0;
 
@@ -92,6 +97,7 @@ VKAPI_ATTR VkResult VKAPI_CALL listenToInstance(const VkInstanceCreateInfo* info
     heard.ppEnabledExtensionNames = names.data();
     const VkResult result = heardBelow.createInstance(&heard, allocator, instance);
     if (result != VK_SUCCESS) return result;
+    belowProperties = heardBelow.ofInstance<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties");
     const auto create = heardBelow.ofInstance<PFN_vkCreateDebugUtilsMessengerEXT>("vkCreateDebugUtilsMessengerEXT");
     const VkDebugUtilsMessengerCreateInfoEXT messenger = wanted();
     if (create == nullptr || create(*instance, &messenger, nullptr, &ears[*instance]) != VK_SUCCESS) note("deaf", "no messenger");
@@ -125,27 +131,31 @@ bool isValidated() {
 
 VKAPI_ATTR VkResult VKAPI_CALL listenToDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkDevice* device) {
+    const std::scoped_lock lock(heardMutex);
     const VkResult result = heardBelow.createDevice(physical, info, allocator, device);
     if (result != VK_SUCCESS) return result;
+    belowSubmit = heardBelow.ofDevice<PFN_vkQueueSubmit>("vkQueueSubmit");
+    belowSubmit2 = heardBelow.ofDevice<PFN_vkQueueSubmit2>("vkQueueSubmit2");
+    belowBarrier = heardBelow.ofDevice<PFN_vkCmdPipelineBarrier2>("vkCmdPipelineBarrier2");
     VkPhysicalDeviceProperties properties{};
-    heardBelow.ofInstance<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(physical, &properties);
+    belowProperties(physical, &properties);
     note(isValidated() ? "device" : "unseen", properties.deviceName);
     return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL countSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
     ++submissions;
-    return heardBelow.ofDevice<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
+    return belowSubmit(queue, count, infos, fence);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL countSubmit2(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
     ++submissions;
-    return heardBelow.ofDevice<PFN_vkQueueSubmit2>("vkQueueSubmit2")(queue, count, infos, fence);
+    return belowSubmit2(queue, count, infos, fence);
 }
 
 VKAPI_ATTR void VKAPI_CALL countBarrier(VkCommandBuffer commands, const VkDependencyInfo* info) {
     ++barriers;
-    heardBelow.ofDevice<PFN_vkCmdPipelineBarrier2>("vkCmdPipelineBarrier2")(commands, info);
+    belowBarrier(commands, info);
 }
 
 PFN_vkVoidFunction listening(std::string_view name) {

@@ -3,6 +3,7 @@
 #include "host/gpu/device_state.h"
 #include "host/gpu/error.h"
 #include "host/gpu/format.h"
+#include "host/gpu/outputs.h"
 #include "host/gpu/pipeline_check.h"
 #include "host/gpu/pipeline_layout.h"
 #include "host/gpu/spirv.h"
@@ -154,10 +155,17 @@ std::vector<vk::PipelineShaderStageCreateInfo> stages(const PipelineDesc& desc, 
     return list;
 }
 
+/// The first output that no target takes. The alpha of output 0 may say what is covered, also where no target does.
+std::uint32_t firstDropped(const PipelineDesc& desc) {
+    return std::max(static_cast<std::uint32_t>(desc.colorFormats.size()), desc.state.alphaToCoverage ? 1U : 0U);
+}
+
 vk::raii::Pipeline makeGraphicsPipeline(const PipelineHandle& handle, const PipelineDesc& desc) {
     const vk::raii::Device& device = handle.device->device;
     const auto vertex = makeModule(*handle.device, desc.vertex.spirv);
-    const auto pixel = desc.pixel.spirv.empty() ? vk::raii::ShaderModule(nullptr) : makeModule(*handle.device, desc.pixel.spirv);
+    const auto dropped = withoutOutputsFrom(firstDropped(desc), desc.pixel.spirv);
+    const auto pixel = desc.pixel.spirv.empty() ? vk::raii::ShaderModule(nullptr)
+                                                : makeModule(*handle.device, dropped.empty() ? desc.pixel.spirv : std::span(dropped));
     const auto shaders = stages(desc, vertex, pixel);
     const auto attributes = vertexAttributes(desc);
     const vk::VertexInputBindingDescription stream{.binding = 0, .stride = desc.vertexStride, .inputRate = vk::VertexInputRate::eVertex};

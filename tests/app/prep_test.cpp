@@ -115,7 +115,7 @@ TEST(PrepMesh, takes_every_format_that_it_says_it_takes) {
 }
 
 TEST(PrepMesh, says_which_folders_it_made) {
-    const fs::path fresh = scratch() / "fresh";
+    const fs::path fresh = scratch() / "unmade";
     const std::string out = (fresh / "below" / "cube.glb").string();
     const std::string said = "created the folder " + fresh.string() + "\n"; // the outermost one alone
     EXPECT_EQ(tegument::test::tegument({"prep", shape("cube"), "-o", out, "--dry-run"}).out.find("created"), std::string::npos);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -70,6 +71,28 @@ TEST_P(FailingDevice, is_one_message_and_leaves_no_half_of_a_picture) {
 INSTANTIATE_TEST_SUITE_P(At, FailingDevice,
                          testing::Values(Failing{"memory", "TG6008"}, Failing{"host", "TG6008", 3}, Failing{"lost", "TG6007"}),
                          [](const testing::TestParamInfo<Failing>& tested) { return tested.param.kind; });
+
+/// One picture under the validation layer, its barriers at `which` waiting for nothing: 0 all of them.
+Ran unordered(int which) {
+    std::map<std::string, std::string> environment = failing("barrier", which);
+    const char* own = std::getenv("VK_LAYER_PATH");
+    environment["VK_LAYER_PATH"] +=
+        std::string(":") + (own != nullptr ? own : "/usr/share/vulkan/explicit_layer.d:/usr/local/share/vulkan/explicit_layer.d");
+    const std::string picture = (scratch() / "unordered.exr").string();
+    return tegument({"render", "Beckmann", "--size", "32", "--samples", "1", "--validate", "-o", picture}, environment);
+}
+
+// That no test hears of the validation layer means something only if it would speak: of Debian 12's too, which does not see attachments.
+TEST(Barriers, that_wait_for_nothing_are_heard_and_no_others) {
+    const Ran ordered = unordered(kMost);
+    if (ordered.err.find("TG6003") != std::string::npos) GTEST_SKIP() << ordered.err;
+    ASSERT_EQ(ordered.code, 0) << ordered.err;
+    EXPECT_EQ(count(ordered.err, "validation:"), 0) << ordered.err;
+    const Ran none = unordered(0);
+    EXPECT_EQ(none.code, kMachine) << none.err;
+    EXPECT_GE(count(none.err, "validation: "), 1) << none.err;
+    EXPECT_TRUE(none.err.find("hazard detected") != std::string::npos || none.err.find("SYNC-HAZARD") != std::string::npos) << none.err;
+}
 
 TEST(DyingDriver, is_said_of_the_effect_that_it_dies_of_and_the_others_are_drawn) {
     const std::string text = bytesOf("tests/adopt/effects/vertex_only.fx");

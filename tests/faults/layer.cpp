@@ -2,6 +2,7 @@
 //   memory  vkAllocateMemory: VK_ERROR_OUT_OF_DEVICE_MEMORY
 //   host    vkCreateImage, vkCreateBuffer: VK_ERROR_OUT_OF_HOST_MEMORY
 //   lost    vkQueueSubmit, vkQueueSubmit2, vkWaitForFences, vkWaitSemaphores: VK_ERROR_DEVICE_LOST
+//   barrier vkCmdPipelineBarrier2 changes layouts and waits for nothing; of "barrier:0" every one
 //   old     every device offers Vulkan 1.1 only
 //   bare    every device is without optional features
 //   count   nothing fails
@@ -11,6 +12,7 @@
 #include "tests/faults/live_objects.h"
 #include "tests/gpu/layer_below.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -20,6 +22,7 @@
 #include <string>
 #include <string_view>
 #include <unistd.h>
+#include <vector>
 
 #define EXPORTED extern "C" __attribute__((visibility("default"))) VKAPI_ATTR
 
@@ -152,6 +155,29 @@ VKAPI_ATTR VkResult VKAPI_CALL createComputePipelines(VkDevice device, VkPipelin
     return counted(create(device, cache, count, infos, allocator, pipelines), static_cast<int>(count));
 }
 
+void waitForNothing(auto& barrier) {
+    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_NONE;
+    barrier.srcAccessMask = barrier.dstAccessMask = VK_ACCESS_2_NONE;
+}
+
+/// Synchronization validation below has to find what it leaves unordered.
+VKAPI_ATTR void VKAPI_CALL pipelineBarrier(VkCommandBuffer commands, const VkDependencyInfo* info) {
+    const auto record = below<PFN_vkCmdPipelineBarrier2>("vkCmdPipelineBarrier2");
+    if (!fault().strikes("barrier") && !(fault().kind == "barrier" && fault().at == 0)) return record(commands, info);
+    std::vector<VkImageMemoryBarrier2> images(info->pImageMemoryBarriers, info->pImageMemoryBarriers + info->imageMemoryBarrierCount);
+    std::ranges::for_each(images, [](auto& barrier) { waitForNothing(barrier); });
+    const VkDependencyInfo layouts{.sType = info->sType,
+                                   .pNext = nullptr,
+                                   .dependencyFlags = info->dependencyFlags,
+                                   .memoryBarrierCount = 0,
+                                   .pMemoryBarriers = nullptr,
+                                   .bufferMemoryBarrierCount = 0,
+                                   .pBufferMemoryBarriers = nullptr,
+                                   .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
+                                   .pImageMemoryBarriers = images.data()};
+    record(commands, &layouts);
+}
+
 /// Not counted: every call answers so.
 bool pretends(std::string_view kind) {
     return fault().kind == kind;
@@ -188,6 +214,7 @@ PFN_vkVoidFunction ours(std::string_view name) {
         {"vkQueueSubmit2", reinterpret_cast<PFN_vkVoidFunction>(submit2)},
         {"vkWaitForFences", reinterpret_cast<PFN_vkVoidFunction>(waitForFences)},
         {"vkWaitSemaphores", reinterpret_cast<PFN_vkVoidFunction>(waitSemaphores)},
+        {"vkCmdPipelineBarrier2", reinterpret_cast<PFN_vkVoidFunction>(pipelineBarrier)},
         {"vkCreateGraphicsPipelines", reinterpret_cast<PFN_vkVoidFunction>(createPipelines)},
         {"vkCreateComputePipelines", reinterpret_cast<PFN_vkVoidFunction>(createComputePipelines)},
     };

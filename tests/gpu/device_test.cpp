@@ -110,6 +110,17 @@ TEST_F(Gpu, destroyed_textures_and_buffers_give_their_memory_back) {
     EXPECT_EQ(device().allocatedBytes(), before);
 }
 
+TEST_F(Gpu, a_second_device_that_ends_leaves_the_first_as_it_is) {
+    Texture first = target(Format::RGBA8, 4, 4);
+    {
+        Device second = must(Device::create());
+        Texture image = must(second.createTexture({.name = "second", .width = 4, .height = 4, .renderTarget = true}));
+        must(second.run([&](Recorder& recorder) { return recorder.clearColor(image, {1, 1, 1, 1}); }));
+    }
+    must(device().run([&](Recorder& recorder) { return recorder.clearColor(first, {1, 0, 0, 1}); }));
+    EXPECT_EQ(must(device().readback(first)).front(), std::byte{255});
+}
+
 TEST_F(Gpu, resources_may_outlive_the_device_object) {
     auto second = std::make_unique<Device>(must(Device::create({.validation = true})));
     const Texture image = must(second->createTexture({.name = "late", .width = 4, .height = 4}));

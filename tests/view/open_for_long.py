@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """A viewer that stays open: open_for_long.py PROGRAM REPOSITORY MINUTES. Each second its effect changes on disk and is read again, every tenth time to one
-that does not compile; between, keys, drags, the wheel and new sizes of the window. What the process holds is written down each minute: memory, open files,
-threads, and what it said, each time at one size of the window. Exit code 1 where it ended, stopped to answer, or holds more at the end than after its first tenth.
+that does not compile; between, keys, drags, the wheel and new sizes of the window. What the process holds is written down each minute, at one size of the
+window: memory, and the part of it that no file backs (the rest is code of drivers and compilers, read as it is needed), open files, threads. Exit code 1
+where it ended, stopped to answer, said what it should not, or holds more at the end than after its first tenth.
 """
 
 import os
@@ -43,7 +44,8 @@ def held(view):
     time.sleep(1)
     process = view.process
     status = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines() if ":" in line)
-    return {"MiB": int(status["VmRSS"].split()[0]) / 1024, "files": len(os.listdir(f"/proc/{process.pid}/fd")), "threads": int(status["Threads"])}
+    return {"MiB": int(status["VmRSS"].split()[0]) / 1024, "own": int(status["RssAnon"].split()[0]) / 1024,
+            "files": len(os.listdir(f"/proc/{process.pid}/fd")), "threads": int(status["Threads"])}
 
 
 def act(view, dice):
@@ -65,14 +67,15 @@ def act(view, dice):
 def stay(view):
     dice, began, rows, rounds = random.Random(23), time.monotonic(), [], 0
     next_row, end = began, began + 60 * MINUTES
-    print("| minutes | reloads | memory, MiB | open files | threads |\n|---|---|---|---|---|", flush=True)
+    print("| minutes | reloads | memory, MiB | of it no file's | open files | threads |\n|---|---|---|---|---|---|", flush=True)
     while (now := time.monotonic()) < end:
         put(view, effect(dice, rounds % 10 == 9))
         act(view, dice)
         rounds += 1
         if now >= next_row:
             rows.append(held(view))
-            print(f"| {(now - began) / 60:.1f} | {rounds} | {rows[-1]['MiB']:.1f} | {rows[-1]['files']} | {rows[-1]['threads']} |", flush=True)
+            row = rows[-1]
+            print(f"| {(now - began) / 60:.1f} | {rounds} | {row['MiB']:.1f} | {row['own']:.1f} | {row['files']} | {row['threads']} |", flush=True)
             next_row += min(60, 6 * MINUTES)
         if view.process.poll() is not None:
             raise SystemExit(f"the viewer ended with {view.process.returncode}:\n{view.said()[-3000:]}")
@@ -99,7 +102,8 @@ def main():
     first, last = rows[max(1, len(rows) // 10)], rows[-1]
     other = [line for line in said.splitlines() if ("error TG" in line and "TG3001" not in line) or "validation:" in line]
     print(f"{rounds} reloads; {said.count('error TG3001')} times an effect that does not compile was said; "
-          f"memory {first['MiB']:.1f} to {last['MiB']:.1f} MiB, open files {first['files']} to {last['files']}; exit code {view.process.returncode}")
+          f"memory {first['MiB']:.1f} to {last['MiB']:.1f} MiB, of it no file's {first['own']:.1f} to {last['own']:.1f}, "
+          f"open files {first['files']} to {last['files']}; exit code {view.process.returncode}")
     print("\n".join(other[:5]), end="")
     grew = last["MiB"] > first["MiB"] + MORE_MEMORY or last["files"] > first["files"] or last["threads"] > first["threads"]
     return 1 if grew or other or view.process.returncode != 0 else 0

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Changes one constant or operator of the shaders at a time and asks whether a test turns red.
 
-usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--minutes M] [--only TEXT] [--results FILE] [--list] [--report]
+usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--minutes M] [--seconds S] [--only TEXT] [--results FILE] [--list] [--report]
 
 A mutant is a copy of hlsl/ and effects/ with one change. The test programs of DIR read the shaders from the folder that they run in, so nothing is
-compiled in C++. Tests run from the most likely to fail to the least: the functions in the changed line's function, all functions, every module against
-its reference, whole pictures; the first red one kills the mutant. Without --all an even sample of N mutants is taken, the same ones every time.
+compiled in C++. At first every test runs once without a change, and what it compiles is noted. Each mutant then meets the tests that reach it: its function's
+cases in double precision, those of functions that call it, and the tests that compile an entry point that leads to it: the ones that killed in
+this file first, then the quickest. The first red one kills it. Where none of them compiled anything else than without the change, it has the same code.
 Results are appended to FILE (build/mutation.jsonl) as they come: a run that was interrupted, or whose minutes are over, goes on where it stopped, and a
-mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that equivalent.txt explains do not count.
+mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 95 % are killed; those that have the same code or that
+mutants_without_effect.txt explains do not count.
 """
 
 import argparse
@@ -27,33 +29,32 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EQUIVALENT = pathlib.Path(__file__).with_name("mutants_without_effect.txt")
-PASSING = 0.90
+PASSING = 0.95
 
-# Programs, and the tests in them that read the shaders. Seconds: a mutant that loops forever counts as killed.
-FUNCTIONS = ("tests/hlsl/hlsl_tests", "Hlsl/*")
-STAGES = [
-    ("functions", *FUNCTIONS),
-    ("modules", "tests/lab/verify/verify_tests", "Quick/Modules.*:ErrataMeasured.*"),
-    ("runs", "tests/run/run_tests", "PublishedValues.*:MainEffect.*:*Inputs.*"),
-    ("pictures", "tests/app/app_tests", "Pictures.*:EnergyAttenuation.*:Beckmann.*:Modules.*:WhiteIrradiance.*:LightUnits.*"),
+FUNCTIONS = "tests/hlsl/hlsl_tests"
+CASES = re.compile(r"Hlsl/Functions\.\w+/(\w+?)_\d+_\w+")
+# Test programs that draw, and which of their tests are not asked: those that draw no shader of ours, or take minutes each.
+PROGRAMS = [
+    ("tests/run/run_tests", "^$"),
+    ("tests/fur/drawn/fur_drawn_tests", "^$"),
+    ("tests/fur/swept/fur_swept_tests", "^$"),
+    ("tests/light/scene_light_tests", "^$"),
+    ("tests/lab/verify/verify_tests", "^FullFur|^Full/Modules.*_corrected|^Full/Sliders"),
+    ("tests/peers/peer_tests", "^$"),
+    ("tests/app/app_tests", "^Prep|^Bad|^Batch|^Submit|^CheckExit|^CommandLine|^Help|^Gif|^Info|^MissingData|^Survey|^Foreign"),
 ]
-LIMIT = 600
-MOST_RED = 8  # without any mutant; more of them: something is missing
-TIMES_LONGER = 5  # than without a mutant, where that is more than LIMIT
-
-# Modules that draw with a file, tried before all of them.
-NEAR = {"hlsl/specular": ["Specular", "Beckmann", "EnergyAttenuation"], "hlsl/shadow": ["ShadowMap", "TSM"], "hlsl/scatter/gaussian": ["Convolution"],
-        "hlsl/scatter": ["Irradiance", "Main"], "hlsl/surface": ["Stretch", "TSM"], "effects/passes/convolution": ["Convolution"],
-        "effects/passes/final": ["Main"], "effects/passes/irradiance": ["Irradiance"], "effects/passes/profile": ["Main"],
-        "effects/passes/shadow_map": ["ShadowMap"], "effects/passes/skin": ["Irradiance", "Main"], "effects/passes/specular": ["Specular"],
-        "effects/passes/stretch": ["Stretch", "Convolution"], "effects/passes/surface": ["TSM", "Irradiance"], "effects/passes/tsm": ["TSM"]}
+VALUES = r"^PublishedValues\."  # read the effects' values, and draw nothing
+SHORTEST = 120  # seconds, and so many times what a test takes without a mutant: one that loops forever counts as killed
+TIMES_LONGER = 20
+SKIPPED = 77  # tests/runner/main.cpp
+CHUNK = 24  # cases of functions in one process
 
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
          "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 CALLS = {"min": "max", "max": "min", "saturate": "", "abs": "", "ddx": "ddy", "ddy": "ddx", "sin": "cos", "cos": "sin", "normalize": "",
          "sqrt": "", "exp": "exp2"}
 TOKEN = re.compile(r"(?P<number>(?<![\w.])\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<op>&&|\|\||[-+*/<>=!]=|\+\+|--|[-+*/<>])|(?P<rest>\S)")
-DEFINITION = re.compile(r"^(?:static |inline )?(?:void|bool|int|uint|half|float|\w+Varying|\w+Point)(?:[1-4](?:x[1-4])?)? (\w+)\(", re.M)
+DEFINITION = re.compile(r"^(?:static |inline )?(?:void|bool|int|uint|half|float|[A-Z]\w*)(?:[1-4](?:x[1-4])?)? (\w+)\(", re.M)
 
 
 def blanked(text):
@@ -88,6 +89,13 @@ def is_binary(before):
     return bool(before) and (re.fullmatch(r"[\w.]+", before) is not None or before in ")]") and before not in ("return", "else")
 
 
+def declared(text, at):
+    """Name of the constant, parameter or macro whose definition holds this place outside of functions."""
+    begin = max(text.rfind(end, 0, at) for end in (";", "\n}\n", "\n#", "\n\n"))
+    found = re.match(r"[;}\s]*(?:#define\s+(\w+)|[\w\s]*?(\w+)\s*[\[<:=])", text[max(begin, 0):at])
+    return (found.group(1) or found.group(2)) if found else ""
+
+
 class Mutant:
     def __init__(self, path, start, end, text, replacement):
         self.path, self.start, self.end, self.replacement = path, start, end, replacement
@@ -97,6 +105,8 @@ class Mutant:
         self.source = text.split("\n")[self.line - 1].strip()
         functions = [m for m in DEFINITION.finditer(text) if m.start() <= start]
         self.function = functions[-1].group(1) if functions and "\n}" not in text[functions[-1].start():start] else ""
+        self.name = self.function or declared(text, start)
+        self.is_code = bool(self.function) or re.match(r"static const|#define", self.source) is not None  # which only compilers read
         self.id = hashlib.sha256(f"{path} {hashlib.sha256(text.encode()).hexdigest()} {start} {replacement}".encode()).hexdigest()[:16]
 
     def describe(self):
@@ -145,83 +155,274 @@ def sampled(mutants, count):
     return sorted(sorted(mutants, key=lambda m: m.id)[:count], key=lambda m: (m.path, m.start))
 
 
+def uses_of_names():
+    """Of every name that the shaders define: the names in its definition. Overloads count as one."""
+    uses = {}
+    for path in [*(ROOT / "hlsl").rglob("*.fxh"), *(ROOT / "effects").rglob("*.fx*")]:
+        text = re.sub(r"//[^\n]*|/\*.*?\*/", "", path.read_text(), flags=re.S)
+        for name, body in re.findall(r"^#define (\w+)((?:[^\n]*\\\n)*[^\n]*)", text, flags=re.M):
+            uses.setdefault(name, set()).update(re.findall(r"[A-Za-z_]\w*|##", body))
+        text = re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.M)
+        for head, body in re.findall(r"^(\w[^;{}=<]*?)(?=[;{=<])(.*?)(?:\n\}|;[^\S\n]*\n(?=\S|\n|$))", text, flags=re.M | re.S):
+            found = re.search(r"(\w+)\s*(?:\(|\[|:|$)", head)
+            if found:
+                uses.setdefault(found.group(1), set()).update(re.findall(r"[A-Za-z_]\w*", head + body))
+    return uses
+
+
+class Reach:
+    """Which names of the shaders a name leads to, and which files a file includes, by their text."""
+
+    def __init__(self):
+        self.uses, self.names, self.files = uses_of_names(), {}, {}
+
+    def of(self, name):
+        if name not in self.names:
+            seen, left = set(), [name]
+            while left:
+                at = left.pop()
+                if at not in seen:
+                    seen.add(at)
+                    left.extend(self.uses.get(at, ()))
+            self.names[name] = seen
+        return self.names[name]
+
+    def leads(self, entry, name):
+        """Also where it cannot be told: names that macros paste together."""
+        return entry not in self.uses or not {name, "##"}.isdisjoint(self.of(entry))
+
+    def included(self, file):
+        path = os.path.normpath(file)
+        if path not in self.files:
+            self.files[path] = {path}
+            if (ROOT / path).is_file():
+                for name in re.findall(r'^\s*#\s*include\s+"([^"]+)"', (ROOT / path).read_text(errors="replace"), flags=re.M):
+                    self.files[path] |= self.included(os.path.join(os.path.dirname(path), name))
+        return self.files[path]
+
+
+def shaders_in(folder):
+    """What a process has compiled: per effect, entry and stage the SPIR-V in the order of compiling."""
+    found = {}
+    for path in sorted(folder.glob("*.bin"), key=lambda p: p.stat().st_mtime_ns):
+        data, at = path.read_bytes(), 40  # magic and checksum: host/spirv/cache.cpp
+        stage, at = data[at:at + 4], at + 4
+        texts = []
+        for _ in range(2):
+            size = int.from_bytes(data[at:at + 8], "little")
+            texts.append(data[at + 8:at + 8 + size].decode(errors="replace"))
+            at += 8 + size
+        words = int.from_bytes(data[at:at + 8], "little")
+        code = hashlib.sha256(data[at + 8:at + 8 + 4 * words]).hexdigest()[:16]
+        found.setdefault(f"{texts[0]} {texts[1]} {stage[0]}", []).append(code)
+    return found
+
+
 class Trial:
-    """One worker's copy of the tree."""
+    """One worker's copy of the tree, with a cache of its own: what others have made is linked into it, SPIR-V is made anew for each test."""
 
-    red_always = set()  # without a mutant, as on another device
-
-    def __init__(self, build, number, stages, threads):
-        self.build, self.known_stages, self.limits = build, stages, {}
+    def __init__(self, build, number, threads):
+        self.build = build
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"tegument-mutants-{number}-"))
         for entry in ROOT.iterdir():
-            if entry.name in ("hlsl", "effects"):
+            if entry.name in ("hlsl", "effects", "tests"):
                 shutil.copytree(entry, self.folder / entry.name)
             elif entry.name not in ("build", ".git"):
                 (self.folder / entry.name).symlink_to(entry)
+        (self.folder / ".tegument-root").touch()  # effects may read what lies below it
         cache = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache")) + "/tegument")
         own = self.folder / "cache"
-        own.mkdir()
-        for name in ("tools", "data", "human"):
-            if (cache / name).exists():
-                (own / name).symlink_to(cache / name)
+        for name in ("tools", "data", "human", "reference", "skin", "light", "fur"):
+            for file in (f for f in (cache / name).rglob("*") if f.is_file()):
+                link = own / file.relative_to(cache)
+                link.parent.mkdir(parents=True, exist_ok=True)
+                link.symlink_to(file)
+        self.spirv = own / "spirv"
         self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1", "LP_NUM_THREADS": str(threads)}
 
     def close(self):
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def red(self, program, tests):
-        """Name of the first failed test; empty: green. `tests`: a filter of GoogleTest."""
-        command = [str(self.build / program), f"--gtest_filter={tests}-{':'.join(sorted(self.red_always))}", "--gtest_brief=1"]
+    def ask(self, program, tests, limit):
+        """Name of the first failed test, empty where all are green, and the processor's seconds. `tests`: a filter of GoogleTest."""
+        shutil.rmtree(self.spirv, ignore_errors=True)
+        begin = os.times()
+        command = [str(self.build / program), f"--gtest_filter={tests}", "--gtest_brief=1"]
         process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                    errors="replace", start_new_session=True)
-        try:
-            output, _ = process.communicate(timeout=self.limits.get(program, LIMIT))
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
-            return "time ran out"
+        watch = threading.Timer(limit, lambda: os.killpg(process.pid, signal.SIGKILL))
+        watch.start()
+        output = process.stdout.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        ran_out = not watch.is_alive()
+        watch.cancel()
+        seconds = usage.ru_utime + usage.ru_stime
         failed = re.search(r"\[  FAILED  \] ([^\s,(]+)", output)
-        if not re.search(r"[1-9]\d* tests? from", output):
-            if self.red_always:
-                return ""
-            raise RuntimeError(f"{program} has no tests {tests}")
+        if ran_out:
+            return "time ran out", seconds
         if failed:
-            return failed.group(1)
-        return "" if process.returncode == 0 else f"{pathlib.Path(program).name} ended with {process.returncode}"
+            return failed.group(1), seconds
+        return "" if process.returncode in (0, SKIPPED) else f"{pathlib.Path(program).name} ended with {process.returncode}", seconds
 
-    def stages(self, mutant):
-        passes = mutant.path.startswith("effects/")  # which hlsl_tests does not read
-        if mutant.function and not passes:
-            yield "function", FUNCTIONS[0], f"Hlsl/Functions.*/{mutant.function}_*"
-        modules = [stage for stage in self.known_stages if stage[0] == "modules"]
-        near = next((names for start, names in NEAR.items() if mutant.path.startswith(start)), None)
-        if modules and near:
-            yield "module", modules[0][1], ":".join(f"Full/Modules.*/{name}_*" for name in near)
-        yield from (stage for stage in self.known_stages if not (passes and stage[0] == "functions"))
 
-    green = set()
+def tests_of(build, program):
+    listed = subprocess.run([str(build / program), "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
+    suite = ""
+    for line in listed.splitlines():
+        if line and not line.startswith(" "):
+            suite = line.split()[0]
+        elif suite:
+            yield suite + line.split()[0]
 
-    def is_red_always(self, path, text, program, test):
-        """Asked once of what check_green has not asked."""
-        path.write_text(text)
-        always = bool(self.red(program, test)) and "/" in test
-        (self.red_always if always else self.green).add(test)
-        return always
 
-    def kill(self, mutant):
-        """Stage and test that turned red, or two empty texts."""
-        path = self.folder / mutant.path
-        text = path.read_text()
-        path.write_text(text[:mutant.start] + mutant.replacement + text[mutant.end:])
-        try:
-            for stage, program, tests in self.stages(mutant):
-                while failed := self.red(program, tests):
-                    if stage != "module" or failed in self.green or not self.is_red_always(path, text, program, failed):
-                        return stage, failed
-                    path.write_text(text[:mutant.start] + mutant.replacement + text[mutant.end:])
-            return "", ""
-        finally:
-            path.write_text(text)
+class Record:
+    """What each test compiles, and how long it takes: asked once of the tree without a change, and kept until shaders or programs change."""
+
+    def __init__(self, arguments):
+        self.file, self.build = arguments.build / "mutation_tests.jsonl", arguments.build
+        self.tests, self.lock = {}, threading.Lock()
+        sources = b"".join(p.read_bytes() for p in sorted([*(ROOT / "hlsl").rglob("*.fxh"), *(ROOT / "effects").rglob("*.fx*")]))
+        self.shaders = hashlib.sha256(sources).hexdigest()[:16]
+        for line in self.file.read_text().splitlines() if self.file.exists() else []:
+            entry = json.loads(line)
+            if entry["of"] == self.shaders:
+                self.tests[entry["test"]] = entry
+
+    def make(self, trials):
+        names = [(program, test) for program, but in PROGRAMS for test in tests_of(self.build, program)
+                 if not re.search(but, test) and test not in self.tests]
+        if names:
+            print(f"{len(names)} tests to look at first", flush=True)
+        with concurrent.futures.ThreadPoolExecutor(len(trials)) as pool:
+            free = list(trials)
+
+            def look(named):
+                with self.lock:
+                    trial = free.pop()
+                red, seconds = trial.ask(*named, 600)
+                self.add(named, red, seconds, shaders_in(trial.spirv))
+                with self.lock:
+                    free.append(trial)
+
+            list(pool.map(look, names))
+
+    def add(self, named, red, seconds, shaders):
+        entry = {"of": self.shaders, "program": named[0], "test": named[1], "red": red, "seconds": round(seconds, 2), "shaders": shaders}
+        with self.lock:
+            self.tests[named[1]] = entry
+            with self.file.open("a") as file:
+                file.write(json.dumps(entry) + "\n")
+            if red:
+                print(f"red without any mutant, not asked: {red}", flush=True)
+
+
+class Plan:
+    """Which tests a mutant meets, and in which order."""
+
+    def __init__(self, arguments, record):
+        self.record, self.arguments, self.reach = record, arguments, Reach()
+        self.cases = {}
+        for test in tests_of(arguments.build, FUNCTIONS):
+            if found := CASES.fullmatch(test):
+                self.cases.setdefault(found.group(1), []).append(test)
+        self.kills, self.asked, self.base = {}, {}, {}
+
+    def of_functions(self, mutant):
+        """Cases of the function itself, then of those that call it."""
+        if mutant.function in self.cases:
+            yield "function", self.cases[mutant.function]
+        if not self.arguments.seconds:
+            return
+        others = [test for name, tests in self.cases.items() if name != mutant.function and self.reach.leads(name, mutant.name) for test in tests]
+        for begin in range(0, len(others), CHUNK):
+            yield "functions", others[begin:begin + CHUNK]
+
+    def reaches(self, mutant, shader):
+        file, entry, _ = shader.rsplit(" ", 2)
+        return mutant.path in self.reach.included(file) and (not mutant.is_code or self.reach.leads(entry, mutant.name))
+
+    def of_pictures(self, mutant):
+        """Entries of the record: those that have killed in this file first, then the quickest."""
+        def order(test):
+            place = (mutant.path, test["test"])
+            return test["seconds"] * (self.asked.get(place, 0) + 1) / (self.kills.get(place, 0) + 0.1)
+        near = [test for test in self.record.tests.values() if not test["red"] and
+                (any(self.reaches(mutant, shader) for shader in test["shaders"]) or re.match(VALUES, test["test"]))]
+        return sorted(near, key=order)
+
+    def note(self, mutant, test, red):
+        place = (mutant.path, test)
+        self.asked[place] = self.asked.get(place, 0) + 1
+        self.kills[place] = self.kills.get(place, 0) + bool(red)
+
+
+class Attempt:
+    """One mutant in one copy of the tree."""
+
+    def __init__(self, trial, plan, mutant):
+        self.trial, self.plan, self.mutant = trial, plan, mutant
+        self.path = trial.folder / mutant.path
+        self.text = self.path.read_text()
+        self.changed, self.seen, self.seconds, self.left = False, set(), 0.0, 0
+
+    def changed_file(self):
+        self.path.write_text(self.text[:self.mutant.start] + self.mutant.replacement + self.text[self.mutant.end:])
+
+    def ask(self, program, tests, seconds):
+        self.changed_file()
+        red, used = self.trial.ask(program, tests, max(SHORTEST, TIMES_LONGER * seconds))
+        self.path.write_text(self.text)
+        self.seconds += used
+        return red
+
+    def compare(self, before, now):
+        """Notes what was compiled alike."""
+        for shader, codes in before.items():
+            if now.get(shader) == codes:
+                self.seen.update((shader, code) for code in codes)
+            else:
+                self.changed = True
+
+    def by_functions(self):
+        for stage, tests in self.plan.of_functions(self.mutant):
+            filter = ":".join(tests)
+            if red := self.ask(FUNCTIONS, filter, len(tests)):
+                return stage, red
+            if not self.changed:
+                now = shaders_in(self.trial.spirv)
+                if filter not in self.plan.base:
+                    if red := self.trial.ask(FUNCTIONS, filter, 600)[0]:
+                        sys.exit(f"red without any mutant: {red}")
+                    self.plan.base[filter] = shaders_in(self.trial.spirv)
+                self.compare(self.plan.base[filter], now)
+        return "", ""
+
+    def by_pictures(self):
+        budget = self.plan.arguments.seconds
+        self.left = int(not budget)
+        for test in self.plan.of_pictures(self.mutant) if budget else ():
+            of_it = {(shader, code) for shader, codes in test["shaders"].items() for code in codes if self.plan.reaches(self.mutant, shader)}
+            if self.mutant.is_code and of_it and of_it <= self.seen:
+                continue  # it would compile what it compiles without the change
+            if test["seconds"] > budget:
+                self.left += 1
+                continue
+            budget -= test["seconds"]
+            red = self.ask(test["program"], test["test"], test["seconds"])
+            self.plan.note(self.mutant, test["test"], red)
+            if red:
+                return pathlib.Path(test["program"]).name, red
+            self.compare({s: c for s, c in test["shaders"].items() if self.plan.reaches(self.mutant, s)}, shaders_in(self.trial.spirv))
+        return "", ""
+
+    def result(self):
+        stage, test = self.by_functions()
+        if not stage:
+            stage, test = self.by_pictures()
+        same = not stage and not self.changed and self.left == 0 and self.mutant.is_code and bool(self.seen)
+        return {"id": self.mutant.id, "mutant": self.mutant.describe(), "stage": stage, "test": test, "seconds": round(self.seconds, 1),
+                "left": self.left, "budget": self.plan.arguments.seconds, "same": same}
 
 
 def read_results(path):
@@ -267,7 +468,7 @@ def print_table(what, rows):
 
 def report(mutants, results):
     """Prints the table; returns the share of mutants with an effect that were killed."""
-    rules, rows, survivors = explained(), {}, []
+    rules, rows, survivors, same = explained(), {}, [], 0
     for mutant in mutants:
         entry = results.get(mutant.id)
         if not entry:
@@ -276,73 +477,57 @@ def report(mutants, results):
         row[0] += 1
         if entry["stage"]:
             row[1] += 1
-        elif reason_for(mutant, rules):
+        elif entry.get("same") or reason_for(mutant, rules):
             row[2] += 1
+            same += entry.get("same", False)
         else:
-            survivors.append(mutant)
+            survivors.append((mutant, entry.get("left", 0)))
     rate = print_table("file", rows)
     stages = {}
     for mutant in mutants:
         if mutant.id in results and results[mutant.id]["stage"]:
             stages[results[mutant.id]["stage"]] = stages.get(results[mutant.id]["stage"], 0) + 1
     print("\nkilled by: " + ", ".join(f"{stage} {count}" for stage, count in sorted(stages.items(), key=lambda s: -s[1])))
-    for mutant in survivors:
-        print(f"survived: {mutant.key()}")
+    print(f"of those without effect, the same code: {same}")
+    for mutant, left in survivors:
+        print(f"survived{f' ({left} tests not asked)' if left else ''}: {mutant.key()}")
     return rate
 
 
-def check_green(trials):
-    """Tests must be green without a change, or every mutant would seem to die; a few that are not are left out. How long they take then limits how long they may take."""
-    def check(i, stage, program, tests):
-        trial = trials[i % len(trials)]
-        if not (trial.build / program).exists():
-            return f"{trial.build / program} is not there: build it first"
-        begin = time.monotonic()
-        for _ in range(MOST_RED + 1):
-            if not (failed := trial.red(program, tests)):
-                break
-            if "." not in failed or failed in Trial.red_always or len(Trial.red_always) == MOST_RED:
-                return f"{program} is red without any mutant: {failed}"
-            print(f"red without any mutant, not asked: {failed}", flush=True)
-            Trial.red_always.add(failed)
-        seconds = time.monotonic() - begin
-        for other in trials:
-            other.limits[program] = max(LIMIT, TIMES_LONGER * seconds)
-        print(f"{stage}: green in {seconds:.0f} s", flush=True)
-        return ""
-
-    with concurrent.futures.ThreadPoolExecutor(len(trials)) as pool:
-        wrong = [text for text in pool.map(lambda numbered: check(numbered[0], *numbered[1]), enumerate(trials[0].known_stages)) if text]
-    if wrong:
-        sys.exit("\n".join(wrong))
-
-
 def run(mutants, arguments, results):
-    stages = [stage for stage in STAGES if stage[0] in arguments.stages]
     rules = explained()
-    again = lambda m: arguments.retry and not results[m.id]["stage"] and not reason_for(m, rules)
-    todo = [m for m in mutants if m.id not in results or again(m)]
+    def open_still(m):
+        known = results.get(m.id)
+        if known is None or known["stage"] or known.get("same"):
+            return known is None
+        return not reason_for(m, rules) and (arguments.retry or bool(known.get("left")) and known["budget"] < arguments.seconds)
+    todo = [m for m in mutants if open_still(m)]
     if not todo:
         return
     print(f"{len(mutants)} mutants, {len(todo)} to try", flush=True)
     until = time.monotonic() + 60 * arguments.minutes
-    trials = [Trial(arguments.build, number, stages, max(1, (os.cpu_count() or 1) // arguments.jobs)) for number in range(arguments.jobs)]
+    threads = max(1, (os.cpu_count() or 1) // arguments.jobs)
+    trials = [Trial(arguments.build, number, threads) for number in range(arguments.jobs)]
     free, lock = list(trials), threading.Lock()
     try:
-        check_green(trials)
+        record = Record(arguments)
+        if arguments.seconds:
+            record.make(trials)
+        plan = Plan(arguments, record)
 
         def attempt(mutant):
             if time.monotonic() > until:
                 return
             with lock:
                 trial = free.pop()
-            stage, test = trial.kill(mutant)
+            entry = Attempt(trial, plan, mutant).result()
             with lock:
                 free.append(trial)
-                results[mutant.id] = {"id": mutant.id, "mutant": mutant.describe(), "stage": stage, "test": test}
+                results[mutant.id] = entry
                 with arguments.results.open("a") as file:
-                    file.write(json.dumps(results[mutant.id]) + "\n")
-                print(f"{len(results)}: {mutant.describe()}: {f'killed by {stage} {test}' if stage else 'SURVIVED'}", flush=True)
+                    file.write(json.dumps(entry) + "\n")
+                ended = f"killed by {entry['stage']} {entry['test']}" if entry["stage"] else "same code" if entry["same"] else "SURVIVED"
+                print(f"{len(results)}: {entry['seconds']} s: {mutant.describe()}: {ended}", flush=True)
 
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
             list(pool.map(attempt, sorted(todo, key=lambda m: m.id)))  # no order: what an interruption leaves is an even sample too
@@ -357,7 +542,7 @@ def main():
     parser.add_argument("--sample", type=int, default=200, help="how many mutants")
     parser.add_argument("--all", action="store_true", help="all of them: hours")
     parser.add_argument("--only", default="", help="mutants whose description holds this")
-    parser.add_argument("--stages", nargs="+", default=[stage[0] for stage in STAGES], help="of the tests: " + " ".join(s[0] for s in STAGES))
+    parser.add_argument("--seconds", type=float, default=600, help="of the processor that tests of pictures may take per mutant; what is left is said")
     parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=6000, help="no mutant is begun later")

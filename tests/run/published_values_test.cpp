@@ -1,12 +1,16 @@
-// Default values of the effects against the sources that print them.
+// Default values of the effects against the sources that print them, and against the table that says what users meet.
 
 #include "host/effect/model.h"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +38,41 @@ constexpr std::array<std::array<double, 4>, 6> kPrintedProfile = {{{.233, .455, 
                                                                    {.358, .004, 0, 1.99},
                                                                    {.078, 0, 0, 7.41}}};
 
+/// What a parameter is called and has before anybody turns it: with its effects, a row of docs/design/tables/defaults.md.
+using Defaults = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
+
+void addDefaults(const std::filesystem::path& file, Defaults& defaults) {
+    const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_LAMPS", "3"}}, .includeFolders = {}});
+    ASSERT_TRUE(effect) << format(effect.error());
+    for (const Parameter& parameter : effect->parameters)
+        if (parameter.annotations.find("UIName") && parameter.defaultValue)
+            if (const auto* numbers = std::get_if<std::vector<double>>(&*parameter.defaultValue))
+                defaults[{parameter.name, fmt::format("{:.7g}", fmt::join(*numbers, " "))}].insert(file.stem().string());
+}
+
+std::set<std::string> rowsOf(const Defaults& defaults) {
+    std::set<std::string> rows;
+    for (const auto& [parameter, effects] : defaults)
+        rows.insert(fmt::format("| `{}` | {} | {} |", parameter.first, parameter.second, fmt::join(effects, ", ")));
+    return rows;
+}
+
 } // namespace
+
+TEST(PublishedValues, defaults_are_those_of_the_table) {
+    Defaults defaults;
+    for (const auto& entry : std::filesystem::directory_iterator("effects"))
+        if (entry.path().extension() == ".fx") addDefaults(entry.path(), defaults);
+    std::set<std::string> table;
+    std::ifstream file("docs/design/tables/defaults.md");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("| `")) table.insert(line);
+    const std::set<std::string> rows = rowsOf(defaults);
+    for (const std::string& row : rows)
+        EXPECT_TRUE(table.contains(row)) << "not in docs/design/tables/defaults.md: " << row;
+    for (const std::string& row : table)
+        EXPECT_TRUE(rows.contains(row)) << "no effect has what docs/design/tables/defaults.md says: " << row;
+}
 
 TEST(PublishedValues, the_profile_is_the_printed_table_of_six_gaussians) {
     const std::vector<double> profile = defaultOf("gGaussianWeight", "2");

@@ -134,6 +134,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> furRibbonCases();
 [[nodiscard]] std::vector<FunctionCase> lockCases();
 [[nodiscard]] std::vector<FunctionCase> lockLightCases();
+[[nodiscard]] std::vector<FunctionCase> ribbonPassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -40,7 +40,7 @@ PROGRAMS = [
     ("tests/fur/drawn/fur_drawn_tests", 0.2, "^$"),
     ("tests/fur/swept/fur_swept_tests", 0.2, "^$"),
     ("tests/light/scene_light_tests", 0.2, "^$"),
-    ("tests/lab/verify/verify_tests", 0.3, "^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
+    ("tests/lab/verify/verify_tests", 0.3, "^Errata|^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
     ("tests/peers/peer_tests", 0.1, "^$"),
     ("tests/app/app_tests", 0.05, "^Prep|^Bad|^Batch|^Submit|^CheckExit|^CommandLine|^Help|^Gif|^Info|^MissingData|^Survey|^Foreign|^Workspace|^Output|^Sheet|^Json"),
 ]
@@ -354,7 +354,7 @@ class Plan:
             count = lambda of: 3 * of.get(here, 0) + of.get(anywhere, 0)
             return test["seconds"] * (count(self.asked) + 1) / (count(self.kills) + LIKELY[test["program"]])
         near = [test for test in self.record.tests.values() if not test["red"] and
-                (any(self.reaches(mutant, shader) for shader in test["shaders"]) or re.match(VALUES, test["test"]))]
+                (any(self.reaches(mutant, shader) for shader in test["shaders"]) or not mutant.is_code and re.match(VALUES, test["test"]))]
         return sorted(near, key=order)
 
     def note(self, mutant, test, red):

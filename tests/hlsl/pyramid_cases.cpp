@@ -139,6 +139,32 @@ std::vector<FunctionCase> ladderCases() {
     return cases;
 }
 
+/// 1 2 1 along a direction: so far aside that the variance of a texel of this level comes to be what it is across.
+FunctionCase roundAlong() {
+    constexpr double kLevel = 1;
+    static const double kAside = std::sqrt(2 * (0.5 * (std::exp2(2 * kLevel) - 1) + 0.25) / std::exp2(2 * kLevel)); // texels
+    const auto taps = [](const Inputs& x) {
+        const glm::dvec2 uv = (texelOf(x) + 0.5) * kTexel;
+        const glm::dvec2 aside = kAside * x.vec2(2) * kTexel;
+        return 0.5 * irradianceMap().at(uv) + 0.25 * (irradianceMap().at(uv + aside) + irradianceMap().at(uv - aside));
+    };
+    return {.function = "tgPyramidRound",
+            .body = "return tgPyramidRound(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0, 1.0, a2);",
+            .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1), linear(-3, 3, 2)},
+            .expected =
+                [=](const Inputs& x) {
+                    const glm::dvec4 sum = taps(x);
+                    return values(glm::dvec4(glm::dvec3(sum) / sum.w, sum.w));
+                },
+            .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of three, a quotient"},
+            .map = &irradianceMap(),
+            .domain =
+                [=](const Inputs& x) {
+                    const glm::dvec2 place = glm::fract(0.5 + kAside * x.vec2(2)); // in a texel, away from its borders on either side
+                    return taps(x).w > 0.1 && std::min({place.x, place.y, 1 - place.x, 1 - place.y}) > 1e-3;
+                }};
+}
+
 std::vector<FunctionCase> mapCases() {
     std::vector<FunctionCase> cases;
     cases.push_back({.function = "tgMetric",
@@ -213,6 +239,7 @@ std::vector<FunctionCase> mapCases() {
                          },
                      .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of eight at most, a quotient"},
                      .map = &irradianceMap()});
+    cases.push_back(roundAlong());
     return cases;
 }
 

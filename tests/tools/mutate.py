@@ -19,13 +19,11 @@ import json
 import os
 import pathlib
 import re
-import shutil
-import signal
-import subprocess
 import sys
-import tempfile
 import threading
 import time
+
+from shader_tests import Reach, Trial, shaders_in, tests_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EQUIVALENT = pathlib.Path(__file__).with_name("mutants_without_effect.txt")
@@ -42,13 +40,12 @@ PROGRAMS = [
     ("tests/light/scene_light_tests", 0.2, "^$"),
     ("tests/lab/verify/verify_tests", 0.3, "^Errata|^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
     ("tests/peers/peer_tests", 0.1, "^$"),
-    ("tests/app/app_tests", 0.05, "^Prep|^Bad|^Batch|^Submit|^CheckExit|^CommandLine|^Help|^Gif|^Info|^MissingData|^Survey|^Foreign|^Workspace|^Output|^Sheet|^Json"),
+    ("tests/app/app_tests", 0.05, "^(?!Beckmann|EnergyAtt|FurMotion|FurPose|FurShells|FurStrands|LightUnits|Modules|Pictures|WhiteIrr|Backlit)|Modules.every"),
 ]
 LIKELY = {program: share for program, share, _ in PROGRAMS}
 VALUES = r"^PublishedValues\."  # read the effects' values, and draw nothing
-SHORTEST = 120  # seconds, and so many times what a test takes without a mutant: one that loops forever counts as killed
-TIMES_LONGER = 20
-SKIPPED = 77  # tests/runner/main.cpp
+SHORTEST = 60  # seconds of the processor, and so many times what a test takes without a mutant: one that loops forever counts as killed
+TIMES_LONGER = 8
 CHUNK = 24  # cases of functions in one process
 
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
@@ -99,7 +96,7 @@ def declared(code, at):
 
 
 class Mutant:
-    def __init__(self, path, start, end, text, code, replacement):
+    def __init__(self, path, start, end, text, replacement, code=""):
         self.path, self.start, self.end, self.replacement = path, start, end, replacement
         self.original = text[start:end]
         self.line = text.count("\n", 0, start) + 1
@@ -108,7 +105,7 @@ class Mutant:
         functions = [m for m in DEFINITION.finditer(text) if m.start() <= start]
         self.function = functions[-1].group(1) if functions and "\n}" not in text[functions[-1].start():start] else ""
         macro = re.match(r"#define\s+(\w+)", self.source)
-        self.name = macro.group(1) if macro else self.function or declared(code, start)
+        self.name = macro.group(1) if macro else self.function or declared(code or text, start)
         self.is_code = bool(self.function) or re.match(r"static const|#define", self.source) is not None  # which only compilers read
         self.id = hashlib.sha256(f"{path} {hashlib.sha256(text.encode()).hexdigest()} {start} {replacement}".encode()).hexdigest()[:16]
 
@@ -143,7 +140,7 @@ def mutants_of(path):
         elif kind == "op" and word in SWAPS and (word not in "+-" or is_binary(before)):
             replacement = SWAPS[word]
         if replacement is not None:
-            found.append(Mutant(path, token.start(), token.end(), text, code, replacement))
+            found.append(Mutant(path, token.start(), token.end(), text, replacement, code))
             found[-1].in_level = any(start <= token.start() < end for start, end in levels)
         before = word
     return found
@@ -157,127 +154,6 @@ def all_mutants():
 def sampled(mutants, count):
     """As many, spread evenly over files and lines by their ids, which do not depend on what else there is."""
     return sorted(sorted(mutants, key=lambda m: m.id)[:count], key=lambda m: (m.path, m.start))
-
-
-def uses_of_names():
-    """Of every name that the shaders define: the names in its definition. Overloads count as one."""
-    uses = {}
-    for path in [*(ROOT / "hlsl").rglob("*.fxh"), *(ROOT / "effects").rglob("*.fx*")]:
-        text = re.sub(r"//[^\n]*|/\*.*?\*/", "", path.read_text(), flags=re.S)
-        for name, body in re.findall(r"^#define (\w+)((?:[^\n]*\\\n)*[^\n]*)", text, flags=re.M):
-            uses.setdefault(name, set()).update(re.findall(r"[A-Za-z_]\w*|##", body))
-        text = re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.M)
-        for head, body in re.findall(r"^(\w[^;{}=<]*?)(?=[;{=<])(.*?)(?:\n\}|;[^\S\n]*\n(?=\S|\n|$))", text, flags=re.M | re.S):
-            found = re.search(r"(\w+)\s*(?:\(|\[|:|$)", head)
-            if found:
-                uses.setdefault(found.group(1), set()).update(re.findall(r"[A-Za-z_]\w*", head + body))
-    return uses
-
-
-class Reach:
-    """Which names of the shaders a name leads to, and which files a file includes, by their text."""
-
-    def __init__(self):
-        self.uses, self.names, self.files = uses_of_names(), {}, {}
-
-    def of(self, name):
-        if name not in self.names:
-            seen, left = set(), [name]
-            while left:
-                at = left.pop()
-                if at not in seen:
-                    seen.add(at)
-                    left.extend(self.uses.get(at, ()))
-            self.names[name] = seen
-        return self.names[name]
-
-    def leads(self, entry, name):
-        """Also where it cannot be told: names that macros paste together."""
-        return not name or entry not in self.uses or not {name, "##"}.isdisjoint(self.of(entry))
-
-    def included(self, file):
-        path = os.path.normpath(file)
-        if path not in self.files:
-            self.files[path] = {path}
-            if (ROOT / path).is_file():
-                for name in re.findall(r'^\s*#\s*include\s+"([^"]+)"', (ROOT / path).read_text(errors="replace"), flags=re.M):
-                    self.files[path] |= self.included(os.path.join(os.path.dirname(path), name))
-        return self.files[path]
-
-
-def shaders_in(folder):
-    """What a process has compiled: per effect, entry and stage the SPIR-V in the order of compiling."""
-    found = {}
-    for path in sorted(folder.glob("*.bin"), key=lambda p: p.stat().st_mtime_ns):
-        data, at = path.read_bytes(), 40  # magic and checksum: host/spirv/cache.cpp
-        stage, at = data[at:at + 4], at + 4
-        texts = []
-        for _ in range(2):
-            size = int.from_bytes(data[at:at + 8], "little")
-            texts.append(data[at + 8:at + 8 + size].decode(errors="replace"))
-            at += 8 + size
-        words = int.from_bytes(data[at:at + 8], "little")
-        code = hashlib.sha256(data[at + 8:at + 8 + 4 * words]).hexdigest()[:16]
-        found.setdefault(f"{texts[0]} {texts[1]} {stage[0]}", []).append(code)
-    return found
-
-
-class Trial:
-    """One worker's copy of the tree, with a cache of its own: what others have made is linked into it, SPIR-V is made anew for each test."""
-
-    def __init__(self, build, number, threads):
-        self.build = build
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"tegument-mutants-{number}-"))
-        for entry in ROOT.iterdir():
-            if entry.name in ("hlsl", "effects", "tests"):
-                shutil.copytree(entry, self.folder / entry.name)
-            elif entry.name not in ("build", ".git"):
-                (self.folder / entry.name).symlink_to(entry)
-        (self.folder / ".tegument-root").touch()  # effects may read what lies below it
-        cache = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache")) + "/tegument")
-        own = self.folder / "cache"
-        for name in ("tools", "data", "human", "reference", "skin", "light", "fur"):
-            for file in (f for f in (cache / name).rglob("*") if f.is_file()):
-                link = own / file.relative_to(cache)
-                link.parent.mkdir(parents=True, exist_ok=True)
-                link.symlink_to(file)
-        self.spirv = own / "spirv"
-        self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1", "LP_NUM_THREADS": str(threads)}
-
-    def close(self):
-        shutil.rmtree(self.folder, ignore_errors=True)
-
-    def ask(self, program, tests, limit):
-        """Name of the first failed test, empty where all are green, and the processor's seconds. `tests`: a filter of GoogleTest."""
-        shutil.rmtree(self.spirv, ignore_errors=True)
-        begin = os.times()
-        command = [str(self.build / program), f"--gtest_filter={tests}", "--gtest_brief=1"]
-        process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                   errors="replace", start_new_session=True)
-        watch = threading.Timer(limit, lambda: os.killpg(process.pid, signal.SIGKILL))
-        watch.start()
-        output = process.stdout.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        ran_out = not watch.is_alive()
-        watch.cancel()
-        seconds = usage.ru_utime + usage.ru_stime
-        failed = re.search(r"\[  FAILED  \] ([^\s,(]+)", output)
-        if ran_out:
-            return "time ran out", seconds
-        if failed:
-            return failed.group(1), seconds
-        return "" if process.returncode in (0, SKIPPED) else f"{pathlib.Path(program).name} ended with {process.returncode}", seconds
-
-
-def tests_of(build, program):
-    listed = subprocess.run([str(build / program), "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
-    suite = ""
-    for line in listed.splitlines():
-        if line and not line.startswith(" "):
-            suite = line.split()[0]
-        elif suite:
-            yield suite + line.split()[0]
 
 
 class Record:
@@ -337,11 +213,10 @@ class Plan:
         """Cases of the function itself, then of those that call it."""
         if mutant.function in self.cases:
             yield "function", self.cases[mutant.function]
-        if not self.arguments.seconds:
-            return
         others = [test for name, tests in self.cases.items() if name != mutant.function and self.reach.leads(name, mutant.name) for test in tests]
-        for begin in range(0, len(others), CHUNK):
-            yield "functions", others[begin:begin + CHUNK]
+        if self.arguments.seconds or len(others) <= CHUNK:
+            for begin in range(0, len(others), CHUNK):
+                yield "functions", others[begin:begin + CHUNK]
 
     def reaches(self, mutant, shader):
         file, entry, _ = shader.rsplit(" ", 2)

@@ -135,6 +135,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> lockCases();
 [[nodiscard]] std::vector<FunctionCase> lockLightCases();
 [[nodiscard]] std::vector<FunctionCase> ribbonPassCases();
+[[nodiscard]] std::vector<FunctionCase> strandPassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -15,16 +15,16 @@ SKIPPED = 77  # tests/runner/main.cpp
 STANDSTILL = 7200  # seconds: where nothing is computed
 
 
-def uses_of_names():
+def uses_of_names(root):
     """Of every name that the shaders define: the names in its definition. Overloads count as one."""
     uses = {}
-    for path in [*(ROOT / "hlsl").rglob("*.fxh"), *(ROOT / "effects").rglob("*.fx*")]:
+    for path in [*(root / "hlsl").rglob("*.fxh"), *(root / "effects").rglob("*.fx*")]:
         text = re.sub(r"//[^\n]*|/\*.*?\*/", "", path.read_text(), flags=re.S)
         for name, body in re.findall(r"^#define (\w+)((?:[^\n]*\\\n)*[^\n]*)", text, flags=re.M):
-            uses.setdefault(name, set()).update(re.findall(r"[A-Za-z_]\w*|##", body))
-        text = re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.M)
+            uses.setdefault(name, set()).update(re.findall(r"[A-Za-z_]\w*|##", body.replace("##", "") if path.name == "platform.fxh" else body))
+        text = re.sub(r"^#(?:[^\n]*\\\n)*[^\n]*|^[A-Z][A-Z_0-9]*\([^\n]*\)\s*$", "", text, flags=re.M)  # a macro alone in its line: it defines what nobody finds
         for head, body in re.findall(r"^(\w[^;{}=<]*?)(?=[;{=<])(.*?)(?:\n\}|;[^\S\n]*\n(?=\S|\n|$))", text, flags=re.M | re.S):
-            found = re.search(r"(\w+)\s*(?:\(|\[|:|$)", head)
+            found = re.search(r"(\w+)\s*(?:\((?:[^()]|\([^()]*\))*\)|\[[^]]*\])?\s*(?::\s*\w+)?\s*$", head)
             if found:
                 uses.setdefault(found.group(1), set()).update(re.findall(r"[A-Za-z_]\w*", head + body))
     return uses
@@ -33,8 +33,8 @@ def uses_of_names():
 class Reach:
     """Which names of the shaders a name leads to, and which files a file includes, by their text."""
 
-    def __init__(self):
-        self.uses, self.names, self.files = uses_of_names(), {}, {}
+    def __init__(self, uses=None):
+        self.uses, self.names, self.files = uses or uses_of_names(ROOT), {}, {}
 
     def of(self, name):
         if name not in self.names:
@@ -50,6 +50,9 @@ class Reach:
     def leads(self, entry, name):
         """Also where it cannot be told: names that macros paste together."""
         return not name or entry not in self.uses or not {name, "##"}.isdisjoint(self.of(entry))
+
+    def surely_leads(self, entry, name):
+        return bool(name) and name in self.of(entry)
 
     def included(self, file):
         path = os.path.normpath(file)
@@ -99,6 +102,9 @@ class Trial:
                 link.symlink_to(file)
         self.spirv = own / "spirv"
         self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1", "LP_NUM_THREADS": str(threads)}
+
+    def compiled(self):
+        return shaders_in(self.spirv)
 
     def close(self):
         shutil.rmtree(self.folder, ignore_errors=True)

@@ -116,7 +116,7 @@ std::vector<FunctionCase> lights() {
 }
 
 /// The texture of roots is one texel here: root, its length in mm, noise, and the header that says how many roots there are, all alike.
-constexpr std::array<float, 4> kTexel = {0.5F, -3.0F, 2.0F, 0.0703277587890625F};
+constexpr std::array<float, 4> kTexel = {0.5F, -3.0F, 2.0F, 0.07032865F};
 
 /// A strand as the vertex shader makes it. Arguments: normal, flow, position, address and child, shortness and underfur.
 struct Looks {

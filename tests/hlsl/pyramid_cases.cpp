@@ -167,6 +167,23 @@ FunctionCase roundAlong() {
 
 std::vector<FunctionCase> mapCases() {
     std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgMetric", // texels that lie along both directions: denser along U, or along V
+                     .body = "return float4(abs(tgMetric(float3(a0, 0, 0), float3(0, a1, 0))), 0);",
+                     .arguments = {linear(0.1, 0.5), linear(0.1, 0.5)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double u = x.scalar(0) * x.scalar(0);
+                             const double v = x.scalar(1) * x.scalar(1);
+                             const double dense = std::sqrt(std::min(std::max(u, v) / std::min(u, v), 9.0) - 1);
+                             return values(u < v ? dense : 0, u < v ? 0 : dense, 1 / std::max(u, v));
+                         },
+                     .tolerance = {.forward = 64, .backward = 16, .absolute = 2e-3, .why = "as below"},
+                     .domain =
+                         [](const Inputs& x) {
+                             const double u = x.scalar(0) * x.scalar(0);
+                             const double v = x.scalar(1) * x.scalar(1);
+                             return std::min(u, v) > 1e-3 && std::abs(u - v) > 0.01 * (u + v);
+                         }});
     cases.push_back({.function = "tgMetric",
                      .body = "float3 m = tgMetric(a0, a1); return float4(m.x * m.x, m.x * m.y, m.y * m.y, m.z);",
                      .arguments = {linear(-0.5, 0.5, 3), linear(-0.5, 0.5, 3)},

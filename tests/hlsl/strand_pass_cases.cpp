@@ -22,7 +22,7 @@ const glm::dvec3 kPale = {0.72, 0.52, 0.33};
 const glm::dvec3 kLight = {0.9, 0.8, 0.7};
 const glm::dvec3 kFill = {0.1, 0.2, 0.3};
 /// The texture of roots, and every other map, is one texel.
-constexpr std::array<float, 4> kStrandTexel = {0.5F, -3.0F, 2.0F, 0.0703277587890625F};
+constexpr std::array<float, 4> kStrandTexel = {0.5F, -3.0F, 2.0F, 0.07032865F};
 
 FunctionCase strandCase(const char* effect, const char* function, std::string body, std::vector<Argument> arguments,
                         std::function<Values(const Inputs&)> expected, Tolerance tolerance) {

@@ -42,7 +42,8 @@ constexpr std::array<std::array<double, 4>, 6> kPrintedProfile = {{{.233, .455, 
 using Defaults = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
 
 void addDefaults(const std::filesystem::path& file, Defaults& defaults) {
-    const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_LAMPS", "3"}}, .includeFolders = {}});
+    const auto effect =
+        loadEffect(file, {.defines = {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_LOBES", "1"}, {"TEGUMENT_MOTION", "1"}}, .includeFolders = {}});
     ASSERT_TRUE(effect) << format(effect.error());
     for (const Parameter& parameter : effect->parameters)
         if (parameter.annotations.find("UIName") && parameter.defaultValue)

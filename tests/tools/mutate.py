@@ -91,10 +91,11 @@ def is_binary(before):
 
 
 def declared(code, at):
-    """Name of the constant or parameter whose definition holds this place outside of functions; empty where that cannot be told."""
+    """Name of the constant or parameter whose definition holds this place outside of functions, empty where that cannot be told; and whether
+    it is a constant, which only compilers read."""
     begin = max(code.rfind(end, 0, at) for end in (";", "\n}\n", "*/"))
-    found = re.match(r"[;}\s]*[\w\s]*?(\w+)\s*[\[<:=]", code[max(begin, 0):at])
-    return found.group(1) if found else ""
+    found = re.match(r"[;}\s]*([\w\s]*?)(\w+)\s*[\[<:=]", code[max(begin, 0):at])
+    return (found.group(2), found.group(1).startswith("static const")) if found else ("", False)
 
 
 class Mutant:
@@ -107,8 +108,9 @@ class Mutant:
         functions = [m for m in DEFINITION.finditer(text) if m.start() <= start]
         self.function = functions[-1].group(1) if functions and "\n}" not in text[functions[-1].start():start] else ""
         macro = re.match(r"#define\s+(\w+)", self.source)
-        self.name = macro.group(1) if macro else self.function or declared(code or text, start)
-        self.is_code = bool(self.function) or re.match(r"static const|#define", self.source) is not None  # which only compilers read
+        name, constant = (macro.group(1), True) if macro else declared(code or text, start)
+        self.name = self.function or name
+        self.is_code = bool(self.function) or constant
         self.id = hashlib.sha256(f"{path} {hashlib.sha256(text.encode()).hexdigest()} {start} {replacement}".encode()).hexdigest()[:16]
 
     def describe(self):
@@ -425,7 +427,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="folder with the test programs")
     parser.add_argument("--sample", type=int, default=200, help="how many mutants")
     parser.add_argument("--all", action="store_true", help="all of them: hours")
-    parser.add_argument("--only", default="", help="mutants whose description holds this")
+    parser.add_argument("--only", default="", help="of them, those whose description holds this")
     parser.add_argument("--seconds", type=float, default=600, help="of the processor that tests of pictures may take per mutant; what is left is said")
     parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
     parser.add_argument("--jobs", type=int, default=2)
@@ -437,9 +439,10 @@ def main():
     arguments.build = arguments.build.resolve()
     arguments.results = arguments.results or arguments.build / "mutation.jsonl"
 
-    mutants = [m for m in all_mutants() if arguments.only in m.describe()]
+    mutants = all_mutants()
     if not arguments.all:
         mutants = sampled(mutants, arguments.sample)
+    mutants = [m for m in mutants if arguments.only in m.describe()]
     if arguments.list:
         print("\n".join(m.key() for m in mutants))
         return 0

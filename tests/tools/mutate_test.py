@@ -48,8 +48,8 @@ class Shaders(unittest.TestCase):
 
     def test_a_number_outside_of_functions_belongs_to_what_is_declared_there(self):
         code = mutate.blanked(SHADERS)
-        self.assertEqual(mutate.declared(code, code.index("2.0")), "kSteps")
-        self.assertEqual(mutate.declared(code, code.index("3.0")), "gWidth")
+        self.assertEqual(mutate.declared(code, code.index("2.0")), ("kSteps", True))
+        self.assertEqual(mutate.declared(code, code.index("3.0")), ("gWidth", False))
 
     def test_a_name_leads_to_all_that_it_uses_and_to_nothing_else(self):
         reach = shader_tests.Reach(shader_tests.uses_of_names(self.root))

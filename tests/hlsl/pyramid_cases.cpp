@@ -334,6 +334,15 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
                      .tolerance = {.forward = 4, .backward = 4, .absolute = 6e-5, .why = "the share of a texel keeps 1.2e-7 of 256"},
                      .map = &shadowMap()});
     cases.push_back(
+        {.function = "tgShadowOnPlane", // beyond the map's border
+         .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, 1000.0, float2(0, 0), float3(0, 0, 1), float3(1, 0, 0), "
+                 "float3(0, 1, 0), float3(0, 0, -1), 0.2, 0.1), 0, 0, 0);",
+         .arguments = {linear(1.1, 4, 2)},
+         .expected = [](const Inputs&) { return values(1); },
+         .tolerance = {.forward = 0, .backward = 0, .why = "there is no map: lit"},
+         .map = &shadowMap(),
+         .domain = [](const Inputs& x) { return std::min(x.scalar(0), x.scalar(0, 1)) > 1.05; }});
+    cases.push_back(
         {.function = "tgShadowOnPlane",
          .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, float3(0, 0, 1), float3(1, 0, 0), float3(0, 1, 0), "
                  "float3(0, 0, -1), 0.2, 0.1), 0, 0, 0);",

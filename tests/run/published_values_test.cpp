@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ using namespace tegument;
 
 namespace {
 
-std::vector<double> defaultOf(const char* name, const char* setting) {
-    const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});
+std::vector<double> defaultOf(const char* name, const char* setting, const char* file = "effects/Main.fx") {
+    const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_SETTING", setting}}, .includeFolders = {}});
     if (!effect) {
         ADD_FAILURE() << format(effect.error());
         return {};
@@ -90,13 +91,33 @@ TEST(PublishedValues, the_widths_are_the_square_roots_of_the_variances) {
         EXPECT_NEAR(widths[gaussian], std::sqrt(kPrintedProfile[gaussian][3]), 5.1e-4) << gaussian;
 }
 
+TEST(PublishedValues, the_library_has_the_same_table_and_widths) {
+    std::ifstream file("hlsl/scatter/profile.fxh");
+    std::vector<double> numbers;
+    for (std::string line; std::getline(file, line);) {
+        static const std::regex kNumber(R"([{(, ](\d+\.\d+))");
+        if (!line.starts_with("//"))
+            for (auto match = std::sregex_iterator(line.begin(), line.end(), kNumber); match != std::sregex_iterator(); ++match)
+                numbers.push_back(std::stod((*match)[1]));
+    }
+    ASSERT_EQ(numbers.size(), 30U);
+    for (std::size_t gaussian = 0; gaussian < 6; ++gaussian) {
+        for (std::size_t column = 0; column < 4; ++column)
+            EXPECT_DOUBLE_EQ(numbers[4 * gaussian + column], kPrintedProfile[gaussian][column]) << gaussian << ", " << column;
+        EXPECT_NEAR(numbers[24 + gaussian], std::sqrt(kPrintedProfile[gaussian][3]), 5.1e-4) << gaussian;
+    }
+}
+
 TEST(PublishedValues, each_setting_has_the_numbers_of_its_source) {
     // Settings 0 seed, 1 deon2007, 2 corrected; docs/settings.md names the places.
     const std::map<std::string, std::array<double, 3>> printed = {
-        {"gMix", {0.4, 0.5, 0.5}}, {"gRoughness", {0.3, 0.3, 0.3}}, {"gShadowTolerance", {0.005, 2.0, 0.3}}, {"gTransmission", {1, 1, 1}}};
+        {"gMix", {0.4, 0.5, 0.5}},    {"gRoughness", {0.3, 0.3, 0.3}}, {"gShadowTolerance", {0.005, 2.0, 0.3}},
+        {"gTransmission", {1, 1, 1}}, {"gBlurSize", {1.5, 1.5, 1.2}},  {"gFurKajiyaKay", {0, 1, 1}},
+        {"gFurTaper", {0, 0, 0}},     {"gFurFringes", {0, 0, 1}}};
     for (const auto& [name, values] : printed)
         for (std::size_t setting = 0; setting < 3; ++setting) {
-            const std::vector<double> value = defaultOf(name.c_str(), std::to_string(setting).c_str());
+            const char* file = name.starts_with("gFur") ? "effects/Fur.fx" : "effects/Main.fx";
+            const std::vector<double> value = defaultOf(name.c_str(), std::to_string(setting).c_str(), file);
             ASSERT_EQ(value.size(), 1U) << name;
             EXPECT_DOUBLE_EQ(value.front(), values[setting]) << name << " in setting " << setting;
         }

@@ -1,4 +1,5 @@
-// Ribbons and their shadow (effects/passes/fur_ribbons.fxh, fur_opacity.fxh, fur_coat.fxh, lamp_light.fxh) in double precision.
+// Ribbons, their shadow and the undercoat (effects/passes/fur_ribbons.fxh, fur_opacity.fxh, fur_coat.fxh, fur_locks.fxh), and lamps
+// (lamp_light.fxh) in double precision.
 
 #include "tests/hlsl/function_case.h"
 #include "tests/hlsl/lock_scene.h"
@@ -224,6 +225,39 @@ std::vector<FunctionCase> shadows() {
     return cases;
 }
 
+/// What the coat leaves of the light at a point, with every map one texel.
+double openAt(const glm::dvec3& world) {
+    const double behind = (fromLight(world) - 290) / kThickness;
+    return std::exp(-0.002 * opacityAt(behind - 0.05)) * (1 - std::clamp(2 * behind, 0.0, 1.0));
+}
+
+/// The opaque layer below strands: dull, half as bright, paler on what looks down; from afar of the colour half-way.
+FunctionCase undercoat() {
+    static const TestMap kMaps{.size = 1, .texels = {kOpacities}};
+    const auto place = [](const Inputs& x) { return glm::dvec3(20 + x.scalar(1), -30 + x.scalar(2), x.scalar(3)); };
+    FunctionCase made = ribbon(
+        "UndercoatPS", "FurVarying f = (FurVarying)0; f.normal = a0; f.world = float3(20 + a1, -30 + a2, a3); return UndercoatPS(f);",
+        {unit(), linear(-3, 3), linear(-3, 3), linear(8, 20)},
+        [=](const Inputs& x) {
+            const glm::dvec3 normal = x.vec3(0);
+            const glm::dvec3 world = place(x);
+            const double below = -normal.y;
+            const double belly = 0.8 * std::clamp(1.6 * below - 0.4, 0.0, 1.0);
+            const double pixel = kPixel * glm::length(glm::dvec3(100, -200, 250) - world) / kThickness;
+            const double far = std::clamp((pixel - 0.05) / 0.2, 0.0, 1.0);
+            const glm::dvec3 near = glm::mix(kLockRoot, 0.4 * kLockPale, belly);
+            const glm::dvec3 albedo = glm::mix(near, glm::mix(kLockMid, 0.75 * kLockPale, belly), 0.5 * far);
+            const double lit = std::clamp(0.3 + 0.7 * glm::dot(normal, glm::normalize(kLampLike - world)), 0.0, 1.0) * openAt(world);
+            const glm::dvec3 around = glm::mix(kLockSky, kLockGround, 0.5 + 0.5 * below);
+            return values(glm::dvec4(albedo * (0.5 * lit * glm::dvec3(0.9, 0.8, 0.7) + 0.12 * around), 1));
+        },
+        {.forward = 16, .backward = 4, .absolute = 1e-4, .why = "the share of light that comes, as in coatOpen"});
+    made.map = &kMaps;
+    made.globals["gFurLength"] = {kLockLength};
+    made.domain = [](const Inputs& x) { return std::abs(glm::length(x.vec3(0)) - 1) < 1e-3; };
+    return made;
+}
+
 std::vector<FunctionCase> lamps() {
     std::vector<FunctionCase> cases;
     const auto add = [&](const char* body, std::function<Values(const Inputs&)> expected) {
@@ -269,6 +303,7 @@ std::vector<FunctionCase> ribbonPassCases() {
     for (auto make : {widths, ribbons, shadows, lamps})
         for (FunctionCase& each : make())
             all.push_back(std::move(each));
+    all.push_back(undercoat());
     return all;
 }
 

@@ -1,4 +1,4 @@
-// Strands on roots (effects/passes/fur_strands.fxh, fur_root_strands.fxh, and the undercoat of fur_locks.fxh) in double precision.
+// Strands on roots (effects/passes/fur_strands.fxh, fur_root_strands.fxh) in double precision.
 
 #include "tests/hlsl/function_case.h"
 #include "tests/hlsl/fur_numbers.h"

@@ -8,7 +8,7 @@ compiled in C++. At first every test runs once without a change, and what it com
 cases in double precision, those of functions that call it, and the tests that compile an entry point that leads to it: the ones that killed in
 this file first, then the quickest. The first red one kills it. Where none of them compiled anything else than without the change, it has the same code.
 Results are appended to FILE (build/mutation.jsonl) as they come: a run that was interrupted, or whose minutes are over, goes on where it stopped, and a
-mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 95 % are killed; those that have the same code or that
+mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that have the same code or that
 mutants_without_effect.txt explains do not count.
 """
 
@@ -27,7 +27,7 @@ from shader_tests import Reach, Trial, tests_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EQUIVALENT = pathlib.Path(__file__).with_name("mutants_without_effect.txt")
-PASSING = 0.95
+PASSING = 0.90
 
 FUNCTIONS = "tests/hlsl/hlsl_tests"
 CASE_FILE = "effects/function_test.hlsl"

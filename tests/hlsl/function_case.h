@@ -136,6 +136,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> lockLightCases();
 [[nodiscard]] std::vector<FunctionCase> ribbonPassCases();
 [[nodiscard]] std::vector<FunctionCase> strandPassCases();
+[[nodiscard]] std::vector<FunctionCase> computePassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -77,12 +77,14 @@ class Shaders(unittest.TestCase):
 class Made:
     """A worker's copy whose tests end, and compile, as the case says."""
 
-    def __init__(self, folder, red=(), compiled=None):
-        self.folder, self.reds, self.asked, self.result = folder, red, [], compiled or {}
+    def __init__(self, folder, red=(), compiled=None, always=()):
+        self.folder, self.reds, self.asked, self.result, self.always = folder, red, [], compiled or {}, always
 
     def ask(self, program, tests, limit):
+        if "2.2" not in (self.folder / "passes.fxh").read_text(encoding="utf-8"):
+            return (tests if tests in self.always else ""), 1.0
         self.asked.append(tests)
-        return (tests if tests in self.reds else ""), 1.0
+        return (tests if tests in (*self.reds, *self.always) else ""), 1.0
 
     def compiled(self):
         return self.result.get(self.asked[-1], {})
@@ -100,7 +102,7 @@ class Attempts(unittest.TestCase):
 
     def plan(self, tests, seconds=600):
         plan = object.__new__(mutate.Plan)
-        plan.arguments, plan.cases, plan.kills, plan.asked, plan.base = types.SimpleNamespace(seconds=seconds), {}, {}, {}, {}
+        plan.arguments, plan.cases, plan.kills, plan.asked, plan.base, plan.sure = types.SimpleNamespace(seconds=seconds), {}, {}, {}, {}, {}
         plan.reach = shader_tests.Reach({"PS": {"f"}, "OtherPS": {"g"}})
         plan.reach.files["e.fx"] = {"passes.fxh"}
         program = mutate.PROGRAMS[0][0]
@@ -142,6 +144,11 @@ class Attempts(unittest.TestCase):
             self.assertFalse(self.attempt(self.plan([("first", 1, shaders)]), Made(self.folder, compiled={"first": now}))["same"])
         result = self.attempt(self.plan([("first", 1, shaders), ("dear", 99, {"e.fx PS 1": ["d"]})], 5), Made(self.folder, compiled={"first": shaders}))
         self.assertEqual((result["same"], result["left"]), (False, 1))
+
+    def test_one_that_is_red_without_it_too_kills_nothing(self):
+        trial = Made(self.folder, always=["broken"])
+        result = self.attempt(self.plan([("broken", 1, {"e.fx PS 1": ["a"]}), ("sound", 2, {"e.fx PS 1": ["a"]})]), trial)
+        self.assertEqual((trial.asked, result["stage"]), (["broken", "sound"], ""))
 
     def test_the_file_is_as_before_afterwards(self):
         before = (self.folder / "passes.fxh").read_bytes()

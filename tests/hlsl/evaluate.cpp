@@ -1,5 +1,7 @@
 #include "tests/hlsl/evaluate.h"
 
+#include "host/effect/model.h"
+
 #include <fmt/format.h>
 
 #include <cstring>
@@ -42,8 +44,7 @@ std::string argumentCode(const std::vector<Argument>& arguments) {
     return code;
 }
 
-std::string pixelShader(const FunctionCase& function, const Samples& samples, const Grid& grid) {
-    std::string code = R"(#include "../hlsl/platform.fxh"
+constexpr const char* kLibrary = R"(#include "../hlsl/platform.fxh"
 #include "../hlsl/settings.fxh"
 #include "../hlsl/workspace.fxh"
 #include "../hlsl/surface.fxh"
@@ -54,11 +55,27 @@ std::string pixelShader(const FunctionCase& function, const Samples& samples, co
 #include "../hlsl/cull.fxh"
 #include "../hlsl/fur.fxh"
 #include "../hlsl/peers.fxh"
-#include "../hlsl/fur.fxh"
-Texture2D gInputMap;
 Texture2D gTestMap;
 TG_SAMPLER2D(gTest, POINT, CLAMP);
-float4 call(float values[)";
+)";
+
+std::vector<std::pair<std::string, std::string>> definesOf(const FunctionCase& function, int setting) {
+    std::vector<std::pair<std::string, std::string>> defines = {{"TEGUMENT_SETTING", std::to_string(setting)},
+                                                                {"TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize)}};
+    defines.insert(defines.end(), function.defines.begin(), function.defines.end());
+    return defines;
+}
+
+/// The source that the function stands in, its own way of naming files and all.
+Result<std::string> source(const FunctionCase& function, int setting) {
+    if (function.effect.empty()) return std::string(kLibrary);
+    auto effect = loadEffect("effects/" + function.effect, {.defines = definesOf(function, setting), .includeFolders = {}});
+    if (!effect) return effect.error();
+    return std::move(effect->code);
+}
+
+std::string pixelShader(std::string code, const FunctionCase& function, const Samples& samples, const Grid& grid) {
+    code += "Texture2D gInputMap;\nfloat4 call(float values[";
     code += fmt::format("{}], float2 pixel)\n{{\n{}    {}\n}}\n", grid.texels * 4, argumentCode(function.arguments), function.body);
     code += fmt::format(R"(
 float4 FunctionPS(float4 position : SV_Position) : SV_Target0
@@ -85,8 +102,7 @@ Result<Shader> compile(const FunctionCase& function, const std::string& code, St
                        Compiler compiler) {
     ShaderRequest request{
         .code = code, .file = "effects/function_test.hlsl", .entry = entry, .stage = stage, .defines = {}, .includeFolders = {}};
-    request.defines = {{"TEGUMENT_SETTING", std::to_string(setting)}, {"TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize)}};
-    request.defines.insert(request.defines.end(), function.defines.begin(), function.defines.end());
+    request.defines = definesOf(function, setting);
     return compileShader(request, compiler);
 }
 
@@ -243,7 +259,10 @@ Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, in
     const Grid grid(samples, function.perQuad);
     const auto vertex = compile(function, kVertexShader, Stage::Vertex, "ScreenVS", setting, compiler);
     if (!vertex) return vertex.error();
-    const auto pixel = compile(function, pixelShader(function, samples, grid), Stage::Pixel, "FunctionPS", setting, compiler);
+    auto code = source(function, setting);
+    if (!code) return code.error();
+    const auto pixel =
+        compile(function, pixelShader(std::move(*code), function, samples, grid), Stage::Pixel, "FunctionPS", setting, compiler);
     if (!pixel) return pixel.error();
     auto draw = prepare(device, function, samples, grid, *pixel);
     if (!draw) return draw.error();

@@ -1,5 +1,5 @@
 #pragma once
-// One function of hlsl/: how to call it, with which arguments, and what it should return.
+// One function of hlsl/ or of effects/passes/: how to call it, with which arguments, and what it should return.
 
 #include <glm/glm.hpp>
 
@@ -99,7 +99,7 @@ struct Tolerance {
 using Values = std::array<double, 4>;
 
 struct FunctionCase {
-    std::string function; // the name in hlsl/
+    std::string function; // its name
     std::string body;     // HLSL that returns float4 from arguments a0, a1, ...; `pixel` is the place in a 2 x 2 quad
     std::vector<Argument> arguments;
     std::function<Values(const Inputs&)> expected;
@@ -111,7 +111,8 @@ struct FunctionCase {
     bool perQuad = false;                               // the same arguments in each 2 x 2 quad, for derivatives
     std::map<std::string, std::vector<double>> globals; // parameters of workspace.fxh for functions that read them; matrices row by row
     std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps
-    std::function<bool(const Inputs&)> domain;                     // elsewhere only finiteness is asked; default: everywhere
+    std::function<bool(const Inputs&)> domain = {};                // elsewhere only finiteness is asked; default: everywhere
+    std::string effect = {}; // of whose passes the function is, in effects/; its textures are `map`. Empty: a function of hlsl/
 };
 
 /// Every case of every function.
@@ -131,6 +132,11 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> furCases();
 [[nodiscard]] std::vector<FunctionCase> furRootsCases();
 [[nodiscard]] std::vector<FunctionCase> furRibbonCases();
+[[nodiscard]] std::vector<FunctionCase> lockCases();
+[[nodiscard]] std::vector<FunctionCase> lockLightCases();
+[[nodiscard]] std::vector<FunctionCase> ribbonPassCases();
+[[nodiscard]] std::vector<FunctionCase> strandPassCases();
+[[nodiscard]] std::vector<FunctionCase> computePassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -1,6 +1,7 @@
 // Strands that grow on the surface (hlsl/fur/cells, cones, sweep, roots) against whole-number arithmetic, searches and sums of their own.
 
 #include "tests/hlsl/function_case.h"
+#include "tests/hlsl/fur_numbers.h"
 #include "tests/hlsl/maps.h"
 
 #include <algorithm>
@@ -13,37 +14,12 @@ namespace tegument::test {
 
 namespace {
 
-using Residues = std::array<std::int64_t, 3>;
-
-constexpr std::int64_t kPrime = 1019;
-
-std::int64_t residue(std::int64_t v) {
-    return (v % kPrime + kPrime) % kPrime;
-}
-
-/// One round, in whole numbers.
-Residues mixedWhole(const Residues& v) {
-    const std::int64_t x = residue(431 * v[0] + 577 * v[1] + 101);
-    const std::int64_t y = residue(797 * v[1] + 281 * v[2] + 389);
-    const std::int64_t z = residue(163 * v[2] + 907 * v[0] + 733);
-    return {residue(y * z + 613 * x), residue(z * x + 613 * y), residue(x * y + 613 * z)};
-}
-
 Residues whole3(const Inputs& x) {
     return {std::llround(x.scalar(0)), std::llround(x.scalar(1)), std::llround(x.scalar(2))};
 }
 
 Values valuesOf(const Residues& v) {
     return values(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
-}
-
-double wave(double x) {
-    const double t = std::abs(2 * (x - std::floor(x)) - 1);
-    return 2 * (3 * t * t - 2 * t * t * t) - 1;
-}
-
-glm::dvec3 waves(const glm::dvec3& x) {
-    return {wave(x.x), wave(x.y), wave(x.z)};
 }
 
 std::vector<FunctionCase> cells() {

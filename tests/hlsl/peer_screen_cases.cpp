@@ -185,7 +185,7 @@ std::vector<FunctionCase> kernels() {
          .settings = {0, 1, 2}});
     cases.push_back({.function = "tgSeparableStep",
                      .body = "return float4(tgSeparableStep(a0, a1, a2, a3, a4), 0, 0);",
-                     .arguments = {linear(1e-4, 1e-2, 2), vector(3, 0.01, 100), logarithmic(1, 1e4), linear(0.05, 1, 2), linear(0.01, 10)},
+                     .arguments = {linear(-1e-2, 1e-2, 2), vector(3, 0.01, 100), logarithmic(1, 1e4), linear(0.05, 1, 2), linear(0.01, 10)},
                      .expected =
                          [](const Inputs& x) {
                              const double printed = 0.5 * x.scalar(4) / (x.scalar(3, 1) * std::max(x.scalar(2), 1e-3));

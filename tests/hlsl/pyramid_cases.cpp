@@ -139,8 +139,51 @@ std::vector<FunctionCase> ladderCases() {
     return cases;
 }
 
+/// 1 2 1 along a direction: so far aside that the variance of a texel of this level comes to be what it is across.
+FunctionCase roundAlong() {
+    constexpr double kLevel = 1;
+    static const double kAside = std::sqrt(2 * (0.5 * (std::exp2(2 * kLevel) - 1) + 0.25) / std::exp2(2 * kLevel)); // texels
+    const auto taps = [](const Inputs& x) {
+        const glm::dvec2 uv = (texelOf(x) + 0.5) * kTexel;
+        const glm::dvec2 aside = kAside * x.vec2(2) * kTexel;
+        return 0.5 * irradianceMap().at(uv) + 0.25 * (irradianceMap().at(uv + aside) + irradianceMap().at(uv - aside));
+    };
+    return {.function = "tgPyramidRound",
+            .body = "return tgPyramidRound(TG_SAMPLER2D_ARG(gTest), (float2(a0, a1) + 0.5) / 256.0, 256.0, 1.0, a2);",
+            .arguments = {whole(0, kTestMapSize - 1), whole(0, kTestMapSize - 1), linear(-3, 3, 2)},
+            .expected =
+                [=](const Inputs& x) {
+                    const glm::dvec4 sum = taps(x);
+                    return values(glm::dvec4(glm::dvec3(sum) / sum.w, sum.w));
+                },
+            .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of three, a quotient"},
+            .map = &irradianceMap(),
+            .domain =
+                [=](const Inputs& x) {
+                    const glm::dvec2 place = glm::fract(0.5 + kAside * x.vec2(2)); // in a texel, away from its borders on either side
+                    return taps(x).w > 0.1 && std::min({place.x, place.y, 1 - place.x, 1 - place.y}) > 1e-3;
+                }};
+}
+
 std::vector<FunctionCase> mapCases() {
     std::vector<FunctionCase> cases;
+    cases.push_back({.function = "tgMetric", // texels that lie along both directions: denser along U, or along V
+                     .body = "return float4(abs(tgMetric(float3(a0, 0, 0), float3(0, a1, 0))), 0);",
+                     .arguments = {linear(0.1, 0.5), linear(0.1, 0.5)},
+                     .expected =
+                         [](const Inputs& x) {
+                             const double u = x.scalar(0) * x.scalar(0);
+                             const double v = x.scalar(1) * x.scalar(1);
+                             const double dense = std::sqrt(std::min(std::max(u, v) / std::min(u, v), 9.0) - 1);
+                             return values(u < v ? dense : 0, u < v ? 0 : dense, 1 / std::max(u, v));
+                         },
+                     .tolerance = {.forward = 64, .backward = 16, .absolute = 2e-3, .why = "as below"},
+                     .domain =
+                         [](const Inputs& x) {
+                             const double u = x.scalar(0) * x.scalar(0);
+                             const double v = x.scalar(1) * x.scalar(1);
+                             return std::min(u, v) > 1e-3 && std::abs(u - v) > 0.01 * (u + v);
+                         }});
     cases.push_back({.function = "tgMetric",
                      .body = "float3 m = tgMetric(a0, a1); return float4(m.x * m.x, m.x * m.y, m.y * m.y, m.z);",
                      .arguments = {linear(-0.5, 0.5, 3), linear(-0.5, 0.5, 3)},
@@ -213,6 +256,7 @@ std::vector<FunctionCase> mapCases() {
                          },
                      .tolerance = {.forward = 16, .backward = 0, .absolute = 1e-6, .why = "a sum of eight at most, a quotient"},
                      .map = &irradianceMap()});
+    cases.push_back(roundAlong());
     return cases;
 }
 
@@ -289,6 +333,15 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
                          },
                      .tolerance = {.forward = 4, .backward = 4, .absolute = 6e-5, .why = "the share of a texel keeps 1.2e-7 of 256"},
                      .map = &shadowMap()});
+    cases.push_back(
+        {.function = "tgShadowOnPlane", // beyond the map's border
+         .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, 1000.0, float2(0, 0), float3(0, 0, 1), float3(1, 0, 0), "
+                 "float3(0, 1, 0), float3(0, 0, -1), 0.2, 0.1), 0, 0, 0);",
+         .arguments = {linear(1.1, 4, 2)},
+         .expected = [](const Inputs&) { return values(1); },
+         .tolerance = {.forward = 0, .backward = 0, .why = "there is no map: lit"},
+         .map = &shadowMap(),
+         .domain = [](const Inputs& x) { return std::min(x.scalar(0), x.scalar(0, 1)) > 1.05; }});
     cases.push_back(
         {.function = "tgShadowOnPlane",
          .body = "return float4(tgShadowOnPlane(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, float3(0, 0, 1), float3(1, 0, 0), float3(0, 1, 0), "

@@ -81,10 +81,11 @@ Says saysOf(const glm::dvec4& block, double depth, const glm::dvec2& slope, doub
     return {dark > 0 ? 0.0 : (lit >= 0 ? 1.0 : 0.5), std::min(std::abs(lit), std::abs(dark))};
 }
 
-Says blocksSay(const glm::dvec2& uv, double depth, const glm::dvec2& slope, bool point, double radius) {
+/// spread: of a light at a point 1; more bends what it sees of a plane by so much more.
+Says blocksSay(const glm::dvec2& uv, double depth, const glm::dvec2& slope, double spread, double radius) {
     const glm::dvec2 texels = uv * double{kTestMapSize};
     const double rise = glm::length(slope) * radius;
-    const double share = point ? 1 / depth : 0;
+    const double share = spread / depth;
     const double bend = share * rise * rise / (1 - share * rise);
     Says all;
     double sum = 0;
@@ -153,7 +154,7 @@ SoftSearch softRadius(const glm::dvec2& uv, double depth, const SoftLight& light
 
 /// By the blocks where they know it, else by taps.
 double spared(const glm::dvec2& uv, double depth, bool point, double radius, double turn) {
-    const Says says = blocksSay(uv, depth, glm::dvec2(0), point, radius);
+    const Says says = blocksSay(uv, depth, glm::dvec2(0), point ? 1 : 0, radius);
     return says.value == 0.5 ? softDisc(uv, depth, radius, turn) : says.value;
 }
 
@@ -210,16 +211,17 @@ std::vector<FunctionCase> blockCases() {
                  const glm::dvec4 block(600, x.vec2(0), x.scalar(1));
                  return saysOf(block, x.scalar(2), x.vec2(3), x.scalar(4), x.scalar(5)).margin > kSure;
              }});
-    cases.push_back(
-        {.function = "tgShadowBlocks",
-         .body = "return float4(tgShadowBlocks(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, float2(1, a3), a4), 0, 0, 0);",
-         .arguments = {linear(0, 1, 2), linear(580, 620), linear(0, 0.5, 2), whole(0, 1), linear(0.5, 5)},
-         .expected =
-             [](const Inputs& x) { return values(blocksSay(x.vec2(0), x.scalar(1), x.vec2(2), x.scalar(3) > 0.5, x.scalar(4)).value); },
-         .tolerance = {.why = "0, 0.5 or 1"},
-         .map = &shadowMap(),
-         .domain =
-             [](const Inputs& x) { return blocksSay(x.vec2(0), x.scalar(1), x.vec2(2), x.scalar(3) > 0.5, x.scalar(4)).margin > kSure; }});
+    for (const int most : {1, 60}) // the second for what a bend of up to 2 mm changes
+        cases.push_back(
+            {.function = "tgShadowBlocks",
+             .body = "return float4(tgShadowBlocks(TG_SAMPLER2D_ARG(gTest), a0, a1, a2, float2(1, a3), a4), 0, 0, 0);",
+             .arguments = {linear(0, 1, 2), linear(580, 620), linear(0, 0.5, 2), whole(0, most), linear(0.5, 5)},
+             .expected =
+                 [](const Inputs& x) { return values(blocksSay(x.vec2(0), x.scalar(1), x.vec2(2), x.scalar(3), x.scalar(4)).value); },
+             .tolerance = {.why = "0, 0.5 or 1"},
+             .map = &shadowMap(),
+             .domain =
+                 [](const Inputs& x) { return blocksSay(x.vec2(0), x.scalar(1), x.vec2(2), x.scalar(3), x.scalar(4)).margin > kSure; }});
     return cases;
 }
 
@@ -306,6 +308,15 @@ std::vector<FunctionCase> softShadowCases() {
          .expected = [](const Inputs& x) { return values(softDisc(x.vec2(0), x.scalar(1), x.scalar(2), x.scalar(3))); },
          .tolerance = {.absolute = 0.0955, .why = "three taps of 32 on the border of a texel may see either side of it"},
          .map = &shadowMap()});
+    static const TestMap kLevelMap{.size = 1, .texels = {{600, 0, 0, 1}}};
+    cases.push_back(
+        {.function = "tgShadowDisc",
+         .body = "return float4(tgShadowDisc(TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), float2(1, 1), a2, tgSoftWay(a3)), 0, 0, 0);",
+         .arguments = {linear(0.1, 0.9, 2), linear(500, 700), linear(0.5, 4), linear(0, 6.28)},
+         .expected = [](const Inputs& x) { return values(x.scalar(1) <= 600 ? 1 : 0); },
+         .tolerance = {.absolute = 1e-6, .why = "32 taps alike"},
+         .map = &kLevelMap,
+         .domain = [](const Inputs& x) { return std::abs(x.scalar(1) - 600) > 1e-3; }});
     cases.push_back(
         {.function = "tgShadowDiscSpared",
          .body = "return float4(tgShadowDiscSpared(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), "
@@ -315,9 +326,7 @@ std::vector<FunctionCase> softShadowCases() {
          .tolerance = {.absolute = 0.0955, .why = kTaps},
          .map = &shadowMap(),
          .domain =
-             [](const Inputs& x) {
-                 return blocksSay(x.vec2(0), x.scalar(1), glm::dvec2(0), x.scalar(2) > 0.5, x.scalar(3)).margin > kSure;
-             }});
+             [](const Inputs& x) { return blocksSay(x.vec2(0), x.scalar(1), glm::dvec2(0), x.scalar(2), x.scalar(3)).margin > kSure; }});
     const auto light = [](const Inputs& x) { return SoftLight{.size = x.scalar(2), .point = x.scalar(3) > 0.5}; };
     const auto glance = [light](const Inputs& x) { return softGlance(x.vec2(0), x.scalar(1), light(x), x.scalar(4)); };
     const auto radius = [light](const Inputs& x) { return softRadius(x.vec2(0), x.scalar(1), light(x), x.scalar(4)); };

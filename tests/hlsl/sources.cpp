@@ -15,7 +15,7 @@ std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder) {
     // A type (a struct's name begins with a capital) and a name at the start of a line, a parameter list, and a body: declarations of
     // variables have no body.
     static const std::regex kDefinition(
-        R"((?:^|\n)(?:static |inline )?(?:(?:void|bool|int|uint|half|float)(?:[1-4](?:x[1-4])?)?|[A-Z]\w*) (\w+)\([^;{}]*\)\s*\{)");
+        R"((?:^|\n)(?:static |inline )?(?:(?:void|bool|int|uint|half|float)(?:[1-4](?:x[1-4])?)?|[A-Z]\w*) (\w+)\([^;{}]*\)\s*(?::\s*\w+\s*)?\{)");
     std::vector<ShaderFunction> functions;
     for (const auto& path : files) {
         const auto text = readFile(path);

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Changes one constant or operator of the shaders at a time and asks whether a test turns red.
 
-usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--minutes M] [--only TEXT] [--results FILE] [--list] [--report]
+usage: mutate.py --build DIR [--sample N | --all] [--jobs 2] [--minutes M] [--seconds S] [--only TEXT] [--results FILE] [--list] [--report]
 
 A mutant is a copy of hlsl/ and effects/ with one change. The test programs of DIR read the shaders from the folder that they run in, so nothing is
-compiled in C++. Tests run from the most likely to fail to the least: the functions in the changed line's function, all functions, every module against
-its reference, whole pictures; the first red one kills the mutant. Without --all an even sample of N mutants is taken, the same ones every time.
+compiled in C++. At first every test runs once without a change, and what it compiles is noted. Each mutant then meets the tests that reach it: its function's
+cases in double precision, those of functions that call it, and the tests that compile an entry point that leads to it: the ones that killed in
+this file first, then the quickest. The first red one kills it. Where none of them compiled anything else than without the change, it has the same code.
 Results are appended to FILE (build/mutation.jsonl) as they come: a run that was interrupted, or whose minutes are over, goes on where it stopped, and a
-mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that equivalent.txt explains do not count.
+mutant of a file that has changed since is tried anew. Exit code 1 when fewer than 90 % are killed; those that have the same code or that
+mutants_without_effect.txt explains do not count.
 """
 
 import argparse
@@ -17,43 +19,44 @@ import json
 import os
 import pathlib
 import re
-import shutil
-import signal
-import subprocess
 import sys
-import tempfile
 import threading
 import time
+
+from shader_tests import Reach, Trial, tests_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EQUIVALENT = pathlib.Path(__file__).with_name("mutants_without_effect.txt")
 PASSING = 0.90
 
-# Programs, and the tests in them that read the shaders. Seconds: a mutant that loops forever counts as killed.
-FUNCTIONS = ("tests/hlsl/hlsl_tests", "Hlsl/*")
-STAGES = [
-    ("functions", *FUNCTIONS),
-    ("modules", "tests/lab/verify/verify_tests", "Quick/Modules.*:ErrataMeasured.*"),
-    ("runs", "tests/run/run_tests", "PublishedValues.*:MainEffect.*:*Inputs.*"),
-    ("pictures", "tests/app/app_tests", "Pictures.*:EnergyAttenuation.*:Beckmann.*:Modules.*:WhiteIrradiance.*:LightUnits.*"),
+FUNCTIONS = "tests/hlsl/hlsl_tests"
+CASE_FILE = "effects/function_test.hlsl"
+CASES = re.compile(r"Hlsl/Functions\.\w+/(\w+?)_\d+_\w+")
+# Test programs that draw, and tests that are not asked: they draw no shader of ours, compare what compilers say, or take minutes each.
+PROGRAMS = [
+    ("tests/run/run_tests", "EffectLayouts|^VertexHook"),
+    ("tests/fur/drawn/fur_drawn_tests", "^$"),
+    ("tests/fur/swept/fur_swept_tests", "^$"),
+    ("tests/light/scene_light_tests", "^$"),
+    ("tests/lab/verify/verify_tests", "^Errata|^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
+    ("tests/peers/peer_tests", "^$"),
+    ("tests/app/app_tests", "^(?!Beckmann|EnergyAtt|FurMotion|FurPose|FurShells|FurStrands|LightUnits|Modules|Pictures|WhiteIrr|Backlit)|Modules.every"),
 ]
-LIMIT = 600
-MOST_RED = 8  # without any mutant; more of them: something is missing
-TIMES_LONGER = 5  # than without a mutant, where that is more than LIMIT
-
-# Modules that draw with a file, tried before all of them.
-NEAR = {"hlsl/specular": ["Specular", "Beckmann", "EnergyAttenuation"], "hlsl/shadow": ["ShadowMap", "TSM"], "hlsl/scatter/gaussian": ["Convolution"],
-        "hlsl/scatter": ["Irradiance", "Main"], "hlsl/surface": ["Stretch", "TSM"], "effects/passes/convolution": ["Convolution"],
-        "effects/passes/final": ["Main"], "effects/passes/irradiance": ["Irradiance"], "effects/passes/profile": ["Main"],
-        "effects/passes/shadow_map": ["ShadowMap"], "effects/passes/skin": ["Irradiance", "Main"], "effects/passes/specular": ["Specular"],
-        "effects/passes/stretch": ["Stretch", "Convolution"], "effects/passes/surface": ["TSM", "Irradiance"], "effects/passes/tsm": ["TSM"]}
+# How likely a test kills before any was seen to: references are, comparisons of two pictures of one shader are not.
+STRICT, LIKELY, UNLIKELY = r"reference_says|computed_picture_is|compute_shaders_are|exact|is_the_difference_of", 0.8, 0.05
+APART = {"^FurPose|^FurMotion|^FurStrands": "effects/FurCoat.fx", "^FurShells": "effects/Fur.fx"}  # tests with a cache of their own: what they draw
+VALUES = r"^PublishedValues\."  # read the effects' values, and draw nothing
+SHORTEST = 60  # seconds of the processor, and so many times what a test takes without a mutant: one that loops forever counts as killed
+TIMES_LONGER = 8
+MOST_RED = 8  # cases of functions without any mutant; more of them: something is missing
+CHUNK = 24  # cases of functions in one process
 
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
          "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 CALLS = {"min": "max", "max": "min", "saturate": "", "abs": "", "ddx": "ddy", "ddy": "ddx", "sin": "cos", "cos": "sin", "normalize": "",
          "sqrt": "", "exp": "exp2"}
 TOKEN = re.compile(r"(?P<number>(?<![\w.])\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<op>&&|\|\||[-+*/<>=!]=|\+\+|--|[-+*/<>])|(?P<rest>\S)")
-DEFINITION = re.compile(r"^(?:static |inline )?(?:void|bool|int|uint|half|float|\w+Varying|\w+Point)(?:[1-4](?:x[1-4])?)? (\w+)\(", re.M)
+DEFINITION = re.compile(r"^(?:static |inline )?(?:void|bool|int|uint|half|float|[A-Z]\w*)(?:[1-4](?:x[1-4])?)? (\w+)\(", re.M)
 
 
 def blanked(text):
@@ -88,8 +91,16 @@ def is_binary(before):
     return bool(before) and (re.fullmatch(r"[\w.]+", before) is not None or before in ")]") and before not in ("return", "else")
 
 
+def declared(code, at):
+    """Name of the constant or parameter whose definition holds this place outside of functions, empty where that cannot be told; and whether
+    it is a constant, which only compilers read."""
+    begin = max(code.rfind(end, 0, at) for end in (";", "\n}\n", "*/"))
+    found = re.match(r"[;}\s]*([\w\s]*?)(\w+)\s*[\[<:=]", code[max(begin, 0):at])
+    return (found.group(2), found.group(1).startswith("static const")) if found else ("", False)
+
+
 class Mutant:
-    def __init__(self, path, start, end, text, replacement):
+    def __init__(self, path, start, end, text, replacement, code=""):
         self.path, self.start, self.end, self.replacement = path, start, end, replacement
         self.original = text[start:end]
         self.line = text.count("\n", 0, start) + 1
@@ -97,6 +108,11 @@ class Mutant:
         self.source = text.split("\n")[self.line - 1].strip()
         functions = [m for m in DEFINITION.finditer(text) if m.start() <= start]
         self.function = functions[-1].group(1) if functions and "\n}" not in text[functions[-1].start():start] else ""
+        macro = re.match(r"#define\s+(\w+)", self.source)
+        name, constant = (macro.group(1), False) if macro else declared(code or text, start)
+        self.name = self.function or name
+        self.is_code = bool(self.function) or constant  # which no program reads but compilers
+        self.by_name = self.is_code or macro is not None
         self.id = hashlib.sha256(f"{path} {hashlib.sha256(text.encode()).hexdigest()} {start} {replacement}".encode()).hexdigest()[:16]
 
     def describe(self):
@@ -117,9 +133,10 @@ LEVEL = re.compile(r"(?:tex2Dlod|TG_TEX2DLOD)\((?:(?!tex2Dlod|TG_TEX2DLOD)[^;])*
 
 def mutants_of(path):
     text = (ROOT / path).read_text()
+    code = blanked(text)
     found, before = [], ""
     levels = [match.span(1) for match in LEVEL.finditer(text)]
-    for token in TOKEN.finditer(blanked(text)):
+    for token in TOKEN.finditer(code):
         kind, word = token.lastgroup, token.group()
         replacement = None
         if kind == "number":
@@ -129,7 +146,7 @@ def mutants_of(path):
         elif kind == "op" and word in SWAPS and (word not in "+-" or is_binary(before)):
             replacement = SWAPS[word]
         if replacement is not None:
-            found.append(Mutant(path, token.start(), token.end(), text, replacement))
+            found.append(Mutant(path, token.start(), token.end(), text, replacement, code))
             found[-1].in_level = any(start <= token.start() < end for start, end in levels)
         before = word
     return found
@@ -145,83 +162,175 @@ def sampled(mutants, count):
     return sorted(sorted(mutants, key=lambda m: m.id)[:count], key=lambda m: (m.path, m.start))
 
 
-class Trial:
-    """One worker's copy of the tree."""
+class Record:
+    """What each test compiles, and how long it takes: asked once of the tree without a change, and kept until shaders change."""
 
-    red_always = set()  # without a mutant, as on another device
+    def __init__(self, arguments):
+        self.file, self.build = arguments.build / "mutation_tests.jsonl", arguments.build
+        self.tests, self.lock = {}, threading.Lock()
+        sources = b"".join(p.read_bytes() for p in sorted([*(ROOT / "hlsl").rglob("*.fxh"), *(ROOT / "effects").rglob("*.fx*")]))
+        self.shaders = hashlib.sha256(sources).hexdigest()[:16]
+        left_out = {program: but for program, but in PROGRAMS}
+        for line in self.file.read_text().splitlines() if self.file.exists() else []:
+            entry = json.loads(line)
+            if entry["of"] == self.shaders and not re.search(left_out.get(entry["program"], ""), entry["test"]):
+                self.tests[entry["test"]] = entry
 
-    def __init__(self, build, number, stages, threads):
-        self.build, self.known_stages, self.limits = build, stages, {}
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"tegument-mutants-{number}-"))
-        for entry in ROOT.iterdir():
-            if entry.name in ("hlsl", "effects"):
-                shutil.copytree(entry, self.folder / entry.name)
-            elif entry.name not in ("build", ".git"):
-                (self.folder / entry.name).symlink_to(entry)
-        cache = pathlib.Path(os.environ.get("TEGUMENT_CACHE") or os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache")) + "/tegument")
-        own = self.folder / "cache"
-        own.mkdir()
-        for name in ("tools", "data", "human"):
-            if (cache / name).exists():
-                (own / name).symlink_to(cache / name)
-        self.environment = {**os.environ, "TEGUMENT_CACHE": str(own), "GTEST_FAIL_FAST": "1", "LP_NUM_THREADS": str(threads)}
+    def check_functions(self, trial):
+        """Cases of functions that are red without a mutant, as on another device: a few are left out, or every mutant would seem to die."""
+        cases = [test for test in tests_of(self.build, FUNCTIONS) if CASES.fullmatch(test)]
+        name, red = f"Hlsl/* ({len(cases)})", []
+        if name not in self.tests:
+            while failed := trial.ask(FUNCTIONS, f"Hlsl/*-{':'.join(red)}", 3600)[0]:
+                if failed not in cases or len(red) == MOST_RED:
+                    sys.exit(f"{FUNCTIONS} is red without any mutant: {failed}")
+                red.append(failed)
+            self.add((FUNCTIONS, name), ":".join(red), 0, {})
+        return [case for case in cases if case not in self.tests[name]["red"].split(":")]
 
-    def close(self):
-        shutil.rmtree(self.folder, ignore_errors=True)
+    def make(self, trials):
+        for program, _ in PROGRAMS:
+            if not (self.build / program).exists():
+                print(f"not asked, for it is not built: {program}", flush=True)
+        names = [(program, test) for program, but in PROGRAMS if (self.build / program).exists() for test in tests_of(self.build, program)
+                 if not re.search(but, test) and test not in self.tests]
+        if names:
+            print(f"{len(names)} tests to look at first", flush=True)
+        with concurrent.futures.ThreadPoolExecutor(len(trials)) as pool:
+            free = list(trials)
 
-    def red(self, program, tests):
-        """Name of the first failed test; empty: green. `tests`: a filter of GoogleTest."""
-        command = [str(self.build / program), f"--gtest_filter={tests}-{':'.join(sorted(self.red_always))}", "--gtest_brief=1"]
-        process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                   errors="replace", start_new_session=True)
-        try:
-            output, _ = process.communicate(timeout=self.limits.get(program, LIMIT))
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
-            return "time ran out"
-        failed = re.search(r"\[  FAILED  \] ([^\s,(]+)", output)
-        if not re.search(r"[1-9]\d* tests? from", output):
-            if self.red_always:
-                return ""
-            raise RuntimeError(f"{program} has no tests {tests}")
-        if failed:
-            return failed.group(1)
-        return "" if process.returncode == 0 else f"{pathlib.Path(program).name} ended with {process.returncode}"
+            def look(named):
+                with self.lock:
+                    trial = free.pop()
+                red, seconds = trial.ask(*named, 600)
+                apart = {f"{effect} ? 0": [] for tests, effect in APART.items() if re.search(tests, named[1])}
+                self.add(named, red, seconds, trial.compiled() or apart)
+                with self.lock:
+                    free.append(trial)
 
-    def stages(self, mutant):
-        passes = mutant.path.startswith("effects/")  # which hlsl_tests does not read
-        if mutant.function and not passes:
-            yield "function", FUNCTIONS[0], f"Hlsl/Functions.*/{mutant.function}_*"
-        modules = [stage for stage in self.known_stages if stage[0] == "modules"]
-        near = next((names for start, names in NEAR.items() if mutant.path.startswith(start)), None)
-        if modules and near:
-            yield "module", modules[0][1], ":".join(f"Full/Modules.*/{name}_*" for name in near)
-        yield from (stage for stage in self.known_stages if not (passes and stage[0] == "functions"))
+            list(pool.map(look, names))
 
-    green = set()
+    def add(self, named, red, seconds, shaders):
+        entry = {"of": self.shaders, "program": named[0], "test": named[1], "red": red, "seconds": round(seconds, 2), "shaders": shaders}
+        with self.lock:
+            self.tests[named[1]] = entry
+            with self.file.open("a") as file:
+                file.write(json.dumps(entry) + "\n")
+            if red:
+                print(f"red without any mutant, not asked: {red}", flush=True)
 
-    def is_red_always(self, path, text, program, test):
-        """Asked once of what check_green has not asked."""
-        path.write_text(text)
-        always = bool(self.red(program, test)) and "/" in test
-        (self.red_always if always else self.green).add(test)
-        return always
 
-    def kill(self, mutant):
-        """Stage and test that turned red, or two empty texts."""
-        path = self.folder / mutant.path
-        text = path.read_text()
-        path.write_text(text[:mutant.start] + mutant.replacement + text[mutant.end:])
-        try:
-            for stage, program, tests in self.stages(mutant):
-                while failed := self.red(program, tests):
-                    if stage != "module" or failed in self.green or not self.is_red_always(path, text, program, failed):
-                        return stage, failed
-                    path.write_text(text[:mutant.start] + mutant.replacement + text[mutant.end:])
-            return "", ""
-        finally:
-            path.write_text(text)
+class Plan:
+    """Which tests a mutant meets, and in which order."""
+
+    def __init__(self, arguments, record, cases):
+        self.record, self.arguments, self.reach = record, arguments, Reach()
+        self.cases = {}
+        for test in cases:
+            self.cases.setdefault(CASES.fullmatch(test).group(1), []).append(test)
+        self.kills, self.asked, self.base, self.sure = {}, {}, {}, {}
+
+    def of_functions(self, mutant):
+        """Cases of the function itself, then of those that call it."""
+        if mutant.function in self.cases:
+            yield "function", self.cases[mutant.function]
+        others = [test for name, tests in self.cases.items() if name != mutant.function and self.reach.leads(name, mutant.name) for test in tests]
+        if self.arguments.seconds or len(others) <= 4 * CHUNK:
+            for begin in range(0, len(others), CHUNK):
+                yield "functions", others[begin:begin + CHUNK]
+
+    def reaches(self, mutant, shader):
+        file, entry, _ = shader.rsplit(" ", 2)
+        return mutant.path in self.reach.included(file) and (not mutant.by_name or self.reach.leads(entry, mutant.name))
+
+    def of_pictures(self, mutant):
+        """Entries of the record: those that have killed in this file first, then the quickest."""
+        def order(test):
+            here, anywhere = (mutant.path, test["test"]), ("", test["test"])
+            count = lambda of: 3 * of.get(here, 0) + of.get(anywhere, 0)
+            return test["seconds"] * (count(self.asked) + 1) / (count(self.kills) + (LIKELY if re.search(STRICT, test["test"]) else UNLIKELY))
+        near = [test for test in self.record.tests.values() if not test["red"] and
+                (any(self.reaches(mutant, shader) for shader in test["shaders"]) or not mutant.function and re.match(VALUES, test["test"]))]
+        return sorted(near, key=order)
+
+    def is_sure(self, test, trial):
+        """Whether it is green without a mutant by the program that there is now: asked when it kills for the first time."""
+        if test["test"] not in self.sure:
+            self.sure[test["test"]] = not trial.ask(test["program"], test["test"], SHORTEST + TIMES_LONGER * test["seconds"])[0]
+        return self.sure[test["test"]]
+
+    def note(self, mutant, test, red):
+        for place in ((mutant.path, test), ("", test)):
+            self.asked[place] = self.asked.get(place, 0) + 1
+            self.kills[place] = self.kills.get(place, 0) + bool(red)
+
+
+class Attempt:
+    """One mutant in one copy of the tree."""
+
+    def __init__(self, trial, plan, mutant):
+        self.trial, self.plan, self.mutant = trial, plan, mutant
+        self.path = trial.folder / mutant.path
+        self.text = self.path.read_text()
+        self.changed, self.drawn, self.seen, self.seconds, self.left = False, False, set(), 0.0, 0
+
+    def changed_file(self):
+        self.path.write_text(self.text[:self.mutant.start] + self.mutant.replacement + self.text[self.mutant.end:])
+
+    def ask(self, program, tests, seconds):
+        self.changed_file()
+        red, used = self.trial.ask(program, tests, max(SHORTEST, TIMES_LONGER * seconds))
+        self.path.write_text(self.text)
+        self.seconds += used
+        return red
+
+    def compare(self, before, now):
+        """Notes what was compiled alike."""
+        for shader, codes in before.items():
+            self.drawn = self.drawn or shader.startswith(CASE_FILE) or self.plan.reach.surely_leads(shader.rsplit(" ", 2)[1], self.mutant.name)
+            if now.get(shader) == codes:
+                self.seen.update((shader, code) for code in codes)
+            else:
+                self.changed = True
+
+    def by_functions(self):
+        for stage, tests in self.plan.of_functions(self.mutant):
+            filter = ":".join(tests)
+            if red := self.ask(FUNCTIONS, filter, len(tests)):
+                return stage, red
+            if not self.changed:
+                now = self.trial.compiled()
+                if filter not in self.plan.base:
+                    if red := self.trial.ask(FUNCTIONS, filter, 600)[0]:
+                        sys.exit(f"red without any mutant: {red}")
+                    self.plan.base[filter] = self.trial.compiled()
+                self.compare(self.plan.base[filter], now)
+        return "", ""
+
+    def by_pictures(self):
+        budget = self.plan.arguments.seconds
+        for test in self.plan.of_pictures(self.mutant):
+            of_it = {(shader, code) for shader, codes in test["shaders"].items() for code in codes if self.plan.reaches(self.mutant, shader)}
+            if self.mutant.is_code and of_it and of_it <= self.seen:
+                continue  # it would compile what it compiles without the change
+            if test["seconds"] > budget and not re.match(VALUES, test["test"]):
+                self.left += 1
+                continue
+            budget -= test["seconds"]
+            red = self.ask(test["program"], test["test"], test["seconds"])
+            self.plan.note(self.mutant, test["test"], red)
+            if red and self.plan.is_sure(test, self.trial):
+                return pathlib.Path(test["program"]).name, red
+            self.compare({s: c for s, c in test["shaders"].items() if self.plan.reaches(self.mutant, s)}, self.trial.compiled())
+        return "", ""
+
+    def result(self):
+        stage, test = self.by_functions()
+        if not stage:
+            stage, test = self.by_pictures()
+        same = not stage and not self.changed and self.left == 0 and self.mutant.is_code and self.drawn
+        return {"id": self.mutant.id, "mutant": self.mutant.describe(), "stage": stage, "test": test, "seconds": round(self.seconds, 1),
+                "left": self.left, "budget": self.plan.arguments.seconds, "same": same}
 
 
 def read_results(path):
@@ -265,84 +374,73 @@ def print_table(what, rows):
     return total[1] / max(1, total[0] - total[2])
 
 
+def tried(mutant, results, rules):
+    """Whether all that may be said of it is known: one that functions left alive must have met tests of pictures."""
+    entry = results.get(mutant.id)
+    return entry is not None and bool(entry["stage"] or entry.get("budget", 1) or reason_for(mutant, rules))
+
+
 def report(mutants, results):
-    """Prints the table; returns the share of mutants with an effect that were killed."""
-    rules, rows, survivors = explained(), {}, []
-    for mutant in mutants:
-        entry = results.get(mutant.id)
-        if not entry:
-            continue
-        row = rows.setdefault(mutant.path, [0, 0, 0])
+    """Prints the table of the first of them, by hash, that are tried without a gap; returns the share of those with an effect that were killed."""
+    rules, rows, survivors, stages, same = explained(), {}, [], {}, 0
+    ordered = sorted(mutants, key=lambda m: m.id)
+    count = next((i for i, mutant in enumerate(ordered) if not tried(mutant, results, rules)), len(ordered))
+    for mutant in ordered[:count]:
+        entry, row = results[mutant.id], rows.setdefault(mutant.path, [0, 0, 0])
         row[0] += 1
         if entry["stage"]:
             row[1] += 1
-        elif reason_for(mutant, rules):
+            stages[entry["stage"]] = stages.get(entry["stage"], 0) + 1
+        elif entry.get("same") or reason_for(mutant, rules):
             row[2] += 1
+            same += entry.get("same", False)
         else:
-            survivors.append(mutant)
+            survivors.append((mutant, entry.get("left", 0)))
     rate = print_table("file", rows)
-    stages = {}
-    for mutant in mutants:
-        if mutant.id in results and results[mutant.id]["stage"]:
-            stages[results[mutant.id]["stage"]] = stages.get(results[mutant.id]["stage"], 0) + 1
     print("\nkilled by: " + ", ".join(f"{stage} {count}" for stage, count in sorted(stages.items(), key=lambda s: -s[1])))
-    for mutant in survivors:
-        print(f"survived: {mutant.key()}")
+    print(f"of those without effect, the same code: {same}")
+    for mutant, left in survivors:
+        print(f"survived{f' ({left} tests not asked)' if left else ''}: {mutant.key()}")
+    if count < len(ordered):
+        killed = sum(1 for mutant in ordered[count:] if results.get(mutant.id, {}).get("stage"))
+        print(f"the first {count} of {len(ordered)}, in the order of their hash; of the others {killed} are killed so far")
     return rate
 
 
-def check_green(trials):
-    """Tests must be green without a change, or every mutant would seem to die; a few that are not are left out. How long they take then limits how long they may take."""
-    def check(i, stage, program, tests):
-        trial = trials[i % len(trials)]
-        if not (trial.build / program).exists():
-            return f"{trial.build / program} is not there: build it first"
-        begin = time.monotonic()
-        for _ in range(MOST_RED + 1):
-            if not (failed := trial.red(program, tests)):
-                break
-            if "." not in failed or failed in Trial.red_always or len(Trial.red_always) == MOST_RED:
-                return f"{program} is red without any mutant: {failed}"
-            print(f"red without any mutant, not asked: {failed}", flush=True)
-            Trial.red_always.add(failed)
-        seconds = time.monotonic() - begin
-        for other in trials:
-            other.limits[program] = max(LIMIT, TIMES_LONGER * seconds)
-        print(f"{stage}: green in {seconds:.0f} s", flush=True)
-        return ""
-
-    with concurrent.futures.ThreadPoolExecutor(len(trials)) as pool:
-        wrong = [text for text in pool.map(lambda numbered: check(numbered[0], *numbered[1]), enumerate(trials[0].known_stages)) if text]
-    if wrong:
-        sys.exit("\n".join(wrong))
-
-
 def run(mutants, arguments, results):
-    stages = [stage for stage in STAGES if stage[0] in arguments.stages]
     rules = explained()
-    again = lambda m: arguments.retry and not results[m.id]["stage"] and not reason_for(m, rules)
-    todo = [m for m in mutants if m.id not in results or again(m)]
+    def open_still(m):
+        known = results.get(m.id)
+        if known is None or known["stage"] or known.get("same"):
+            return known is None
+        return not reason_for(m, rules) and (arguments.retry or bool(known.get("left")) and known["budget"] < arguments.seconds)
+    todo = [m for m in mutants if open_still(m)]
     if not todo:
         return
     print(f"{len(mutants)} mutants, {len(todo)} to try", flush=True)
     until = time.monotonic() + 60 * arguments.minutes
-    trials = [Trial(arguments.build, number, stages, max(1, (os.cpu_count() or 1) // arguments.jobs)) for number in range(arguments.jobs)]
+    threads = max(1, (os.cpu_count() or 1) // arguments.jobs)
+    trials = [Trial(arguments.build, number, threads) for number in range(arguments.jobs)]
     free, lock = list(trials), threading.Lock()
     try:
-        check_green(trials)
+        record = Record(arguments)
+        if arguments.seconds:
+            record.make(trials)
+        plan = Plan(arguments, record, record.check_functions(trials[0]))
 
         def attempt(mutant):
             if time.monotonic() > until:
                 return
             with lock:
                 trial = free.pop()
-            stage, test = trial.kill(mutant)
+            entry = Attempt(trial, plan, mutant).result()
             with lock:
                 free.append(trial)
-                results[mutant.id] = {"id": mutant.id, "mutant": mutant.describe(), "stage": stage, "test": test}
+                results[mutant.id] = entry
                 with arguments.results.open("a") as file:
-                    file.write(json.dumps(results[mutant.id]) + "\n")
-                print(f"{len(results)}: {mutant.describe()}: {f'killed by {stage} {test}' if stage else 'SURVIVED'}", flush=True)
+                    file.write(json.dumps(entry) + "\n")
+                ended = f"killed by {entry['stage']} {entry['test']}" if entry["stage"] else "same code" if entry["same"] else "SURVIVED"
+                print(f"{len(results)}: {entry['seconds']} s: {mutant.describe()}: {ended}", flush=True)
 
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
             list(pool.map(attempt, sorted(todo, key=lambda m: m.id)))  # no order: what an interruption leaves is an even sample too
@@ -356,8 +454,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="folder with the test programs")
     parser.add_argument("--sample", type=int, default=200, help="how many mutants")
     parser.add_argument("--all", action="store_true", help="all of them: hours")
-    parser.add_argument("--only", default="", help="mutants whose description holds this")
-    parser.add_argument("--stages", nargs="+", default=[stage[0] for stage in STAGES], help="of the tests: " + " ".join(s[0] for s in STAGES))
+    parser.add_argument("--only", default="", help="of them, those whose description holds this")
+    parser.add_argument("--seconds", type=float, default=600, help="of the processor that tests of pictures may take per mutant; what is left is said")
     parser.add_argument("--retry", action="store_true", help="try survivors again: there are new tests")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=6000, help="no mutant is begun later")
@@ -368,9 +466,10 @@ def main():
     arguments.build = arguments.build.resolve()
     arguments.results = arguments.results or arguments.build / "mutation.jsonl"
 
-    mutants = [m for m in all_mutants() if arguments.only in m.describe()]
+    mutants = all_mutants()
     if not arguments.all:
         mutants = sampled(mutants, arguments.sample)
+    mutants = [m for m in mutants if arguments.only in m.describe()]
     if arguments.list:
         print("\n".join(m.key() for m in mutants))
         return 0

@@ -1,7 +1,7 @@
 #include "host/run/held.h"
 
 #include <algorithm>
-#include <set>
+#include <atomic>
 
 namespace tegument::run {
 
@@ -12,6 +12,11 @@ using Contents = std::map<std::uint64_t, Content>; // by the texture's identity
 
 /// Textures came and went: above it all is drawn once more.
 constexpr std::size_t kMostTextures = 4096;
+
+Content nextContent() {
+    static std::atomic<Content> last = 0;
+    return ++last;
+}
 
 /// An item as it is compared, and what it does.
 struct HeldItem {
@@ -49,7 +54,6 @@ struct Follower {
     const Contents& held;
     const std::unordered_map<std::string, Content>& known;
     std::unordered_map<std::string, Content>& nodes;
-    Content& made;
     std::unordered_map<std::string, Content> next{};
     Contents now{}; // of what the frame has drawn so far
     std::vector<HeldItem> items{};
@@ -57,12 +61,12 @@ struct Follower {
     Content numberOf(const HeldKey& key, bool ofNode) {
         if (ofNode) {
             Content& number = nodes[key.bytes()];
-            if (number == 0) number = ++made;
+            if (number == 0) number = nextContent();
             return number;
         }
         if (const auto found = known.find(key.bytes()); found != known.end()) return next[key.bytes()] = found->second;
         Content& number = next[key.bytes()];
-        if (number == 0) number = ++made;
+        if (number == 0) number = nextContent();
         return number;
     }
 
@@ -205,23 +209,34 @@ std::set<std::uint64_t> dueTargets(const Follower& follower) {
 
 } // namespace
 
-void Held::choose(Frame& frame, std::size_t items) {
+void Held::choose(Frame& frame, std::size_t items, const std::function<bool(const std::set<std::uint64_t>& due)>& own) {
     if (held_.size() > kMostTextures || nodes_.size() > kMostTextures) forget();
-    Follower follower{.held = held_, .known = known_, .nodes = nodes_, .made = made_};
-    for (const FrameNode& node : frame.before)
-        for (const FrameItem& item : node.items)
-            follow(item, true, follower);
-    const std::size_t nodes = follower.items.size();
+    std::size_t nodes = 0;
     const std::size_t count = std::min(items, frame.items.size());
-    for (std::size_t i = 0; i < count; ++i)
-        follow(frame.items[i], false, follower);
-    if (frame.resolve) {
+    const auto followed = [&] {
+        Follower follower{.held = held_, .known = known_, .nodes = nodes_};
+        for (const FrameNode& node : frame.before)
+            for (const FrameItem& item : node.items)
+                follow(item, true, follower);
+        nodes = follower.items.size();
+        for (std::size_t i = 0; i < count; ++i)
+            follow(frame.items[i], false, follower);
+        if (!frame.resolve) return follower;
         HeldKey key = begun(HeldKind::Resolve);
         HeldItem item;
         follower.sample(*frame.resolve->from, key, item);
         follower.write(key, std::span(&frame.resolve->to, 1), std::move(item));
+        return follower;
+    };
+    Follower follower = followed();
+    std::set<std::uint64_t> due = dueTargets(follower);
+    while (own(due)) {
+        Follower again = followed();
+        due = dueTargets(again);
+        follower.next = std::move(again.next);
+        follower.now = std::move(again.now);
+        follower.items = std::move(again.items);
     }
-    const std::set<std::uint64_t> due = dueTargets(follower);
     const auto isKept = [&](const HeldItem& item) {
         return std::ranges::none_of(item.writes, [&](std::uint64_t target) { return due.contains(target); });
     };

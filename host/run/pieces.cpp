@@ -70,12 +70,13 @@ Result<void> recordWaiting(PieceWork& work, gpu::Recorder& recorder) {
     return {};
 }
 
-/// One section, whatever the number of bands.
-Result<void> drawBands(PieceWork& work, const FrameDraw& draw) {
+/// The frame's item of that number. One section, whatever the number of bands.
+Result<void> drawBands(PieceWork& work, const FrameDraw& draw, std::size_t item) {
     gpu::TimedSection whole{.name = draw.described.name, .milliseconds = 0};
     std::vector<std::optional<gpu::RowRange>> bands = bandsFor(draw, work.pieces);
     for (std::size_t i = 0; i < bands.size(); ++i) {
         if (!work.goesOn()) return {};
+        work.drawn.begun = item + 1;
         const std::optional<gpu::RowRange> rows = bands[i];
         const auto begin = std::chrono::steady_clock::now();
         const auto sections = work.run([&](gpu::Recorder& recorder) -> Result<void> {
@@ -107,8 +108,7 @@ Result<void> drawItems(PieceWork& work, std::size_t items) {
             work.waiting.push_back(&item);
             continue;
         }
-        drawn.begun = i + 1;
-        if (const auto done = drawBands(work, *draw); !done || drawn.givenUp) return done;
+        if (const auto done = drawBands(work, *draw, i); !done || drawn.givenUp) return done;
         drawn.done = i + 1;
     }
     if (work.waiting.empty()) return {};

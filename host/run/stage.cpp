@@ -227,7 +227,7 @@ Result<std::vector<gpu::TimedSection>> Stage::drawPieces(StagedFrame& staged, st
     auto drawn = drawInPieces(device_, staged.frame, items, staged.inputs.front().options.pieces);
     if (!drawn) return drawn.error();
     staged.givenUp = drawn->givenUp;
-    if (drawn->givenUp) held_.giveUp(staged.frame, items, drawn->begun, drawn->done);
+    if (drawn->givenUp) held_.giveUp(staged.frame, drawn->begun, drawn->done);
     return std::move(drawn->sections);
 }
 
@@ -236,7 +236,7 @@ Result<std::vector<gpu::TimedSection>> Stage::drawKeeping(StagedFrame& staged, s
     if (const auto nodes = drawNodes(staged); !nodes) {
         if (!isGivenUp(nodes.error())) return nodes.error();
         staged.givenUp = true;
-        held_.giveUp(staged.frame, items, 0, 0);
+        held_.giveUp(staged.frame, 0, 0);
         return std::vector<gpu::TimedSection>();
     }
     if (staged.inputs.front().options.pieces.goOn) return drawPieces(staged, items);

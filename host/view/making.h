@@ -28,6 +28,9 @@ struct Making {
     std::unique_ptr<Reading> reading; // then
     std::unique_ptr<Loaded> loaded{}; // whose first frame is drawn in pieces
     Sharpness how{};
+    int tries = 0;         // of that frame
+    Workspace workspace{}; // that it is drawn with, once there were many
+    std::map<std::string, std::vector<double>> parameters{};
 };
 
 } // namespace tegument::view

@@ -9,6 +9,7 @@ namespace tegument::view {
 
 namespace {
 
+constexpr int kPatientTries = 3;
 constexpr auto kBetweenTexts = std::chrono::milliseconds(250); // a line that changes costs a picture of the text
 
 } // namespace
@@ -113,10 +114,17 @@ Result<void> Viewer::drawMaking() {
     RunOptions options = runOptions();
     inPieces_ = false;
     if (making.how.share < 1) options.pieces.bands.clear(); // they are those of a whole picture
+    if (++making.tries <= kPatientTries) {
+        making.workspace = state_.workspace;
+        making.parameters = state_.parameters;
+    } else { // who gives up all the time gets whole passes done, and of one view
+        options.pieces = {.goOn = options.pieces.goOn};
+    }
     sharpness_ = shown;
+    options.parameters = making.parameters;
     options.technique = making.wanted.technique;
     const auto begin = std::chrono::steady_clock::now();
-    auto frame = making.loaded->session.draw(state_.workspace, options, making.picture ? kAllPasses : passCount(state_));
+    auto frame = making.loaded->session.draw(making.workspace, options, making.picture ? kAllPasses : passCount(state_));
     if (!frame) return failMaking(frame.error());
     if (frame->givenUp) return {};
     milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -143,7 +151,7 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     const bool all = std::ranges::none_of(frame.passes, &SessionPass::kept);
     const auto developed = develop(std::move(frame));
     costs_.note(passCosts(), 0, sharpness_.share, all ? std::optional(Moving::Rest) : std::nullopt, isDraft());
-    return developed;
+    return developed && made->tries > kPatientTries ? drawMoving(Moving::Rest, false) : developed;
 }
 
 Result<void> Viewer::failMaking(const Error& error) {

@@ -126,13 +126,12 @@ TEST_F(MadeAhead, a_first_frame_that_is_given_up_again_and_again_gets_done_and_i
         EXPECT_EQ(frame->produced.size(), i == 0 ? 1U : 0U) << "one was drawn before, and is not again";
     }
     bool drawn = false;
-    for (tries = 0; !drawn && tries < kMost; ++tries) { // a target that passes draw into early and late needs all between in a row
-        options_.pieces.goOn = [left = std::make_shared<int>(13)] { return --*left > 0; };
+    for (tries = 0; !drawn && tries < kMost; ++tries) {
         const auto frame = session.draw(closeUp(), options_);
         ASSERT_TRUE(succeeded(frame));
         drawn = !frame->givenUp;
     }
-    EXPECT_LT(tries, 4) << "what was finished is not drawn again";
+    EXPECT_LE(tries, 14) << "13 passes and the resolve: none is drawn twice, though targets are drawn into early and late";
     EXPECT_EQ(pixels(session), picture);
 }
 

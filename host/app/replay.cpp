@@ -69,6 +69,7 @@ std::optional<view::ReplayStep> readStep(const JsonStep& step) {
     } else {
         return std::nullopt;
     }
+    if (step.contains("meanwhile") && !readMove(step, "meanwhile", read.meanwhile)) return std::nullopt;
     if (step.contains("as")) {
         if (!step.at("as").is_string()) return std::nullopt;
         read.kind = step.at("as").get<std::string>();

@@ -80,7 +80,10 @@ public:
     ~Texture();
     [[nodiscard]] const TextureDesc& desc() const; // format and mips as really allocated
     [[nodiscard]] std::uint64_t bytes() const;
-    std::unique_ptr<detail::TextureState> state;
+    /// Another handle of the same texture, which lives until the last one goes.
+    [[nodiscard]] Texture shared() const;
+    [[nodiscard]] bool isShared() const { return state.use_count() > 1; }
+    std::shared_ptr<detail::TextureState> state;
 };
 
 enum class BufferUsage { Vertex, Index, Storage }; // storage: read by draws, read and written by dispatches

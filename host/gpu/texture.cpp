@@ -158,6 +158,12 @@ const TextureDesc& Texture::desc() const {
     return state->desc;
 }
 
+Texture Texture::shared() const {
+    Texture other;
+    other.state = state;
+    return other;
+}
+
 std::uint64_t Texture::bytes() const {
     assert(state);
     std::uint64_t pixels = 0;

@@ -5,6 +5,7 @@
 #include "host/run/groups.h"
 #include "host/run/noted_rows.h"
 #include "host/run/part_draws.h"
+#include "host/run/pause.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -83,7 +84,9 @@ Result<const gpu::Pipeline*> pipelineFor(Builder& builder, const DrawStep& step,
     if (!pipeline) return pipeline.error();
     const auto made = std::make_shared<const gpu::Pipeline>(std::move(*pipeline));
     builder.resources.store.shared.add(source, made);
-    return keep(made);
+    const gpu::Pipeline* kept = keep(made);
+    if (const auto pause = pauseAfter(builder.input.options); !pause) return pause.error();
+    return kept;
 }
 
 gpu::Targets targetsOf(Builder& builder, const DrawStep& step) {
@@ -221,7 +224,9 @@ Result<const gpu::Pipeline*> computePipelineFor(Builder& builder, const Pass& pa
     if (!pipeline) return pipeline.error();
     auto made = std::make_shared<const gpu::Pipeline>(std::move(*pipeline));
     builder.resources.store.shared.add(source, made);
-    return static_cast<const gpu::Pipeline*>(known.emplace(&pass, std::move(made)).first->second.get());
+    const auto* kept = static_cast<const gpu::Pipeline*>(known.emplace(&pass, std::move(made)).first->second.get());
+    if (const auto pause = pauseAfter(builder.input.options); !pause) return pause.error();
+    return kept;
 }
 
 /// VIEWPORTPIXELSIZE is the size of the target that Viewport names (nothing: the picture), else Threads, else of what is written.

@@ -62,6 +62,7 @@ using FrameItem = std::variant<FrameDraw, FrameClear, FrameMips, FrameCopy>;
 struct FrameNode {
     std::string effect; // its file
     std::vector<FrameItem> items;
+    bool* drawn = nullptr; // to be set once it is, so that a frame that is given up later finds it
 };
 
 struct Frame {

@@ -1,7 +1,8 @@
 #include "host/run/held.h"
 
 #include <algorithm>
-#include <set>
+#include <atomic>
+#include <utility>
 
 namespace tegument::run {
 
@@ -13,11 +14,16 @@ using Contents = std::map<std::uint64_t, Content>; // by the texture's identity
 /// Textures came and went: above it all is drawn once more.
 constexpr std::size_t kMostTextures = 4096;
 
+Content nextContent() {
+    static std::atomic<Content> last = 0;
+    return ++last;
+}
+
 /// An item as it is compared, and what it does.
 struct HeldItem {
-    bool node = false; // of another effect, drawn whenever it is there
-    std::vector<std::uint64_t> writes;
-    std::vector<std::pair<std::uint64_t, Content>> reads; // of textures that a frame draws, with what it samples
+    bool node = false;                                     // of another effect, drawn whenever it is there
+    std::vector<std::pair<std::uint64_t, Content>> writes; // with what is in them then
+    std::vector<std::pair<std::uint64_t, Content>> reads;  // of textures that a frame draws, with what it samples
 };
 
 /// Bytes that differ where anything differs that an item depends on: each part is of a known length, or preceded by it.
@@ -49,7 +55,6 @@ struct Follower {
     const Contents& held;
     const std::unordered_map<std::string, Content>& known;
     std::unordered_map<std::string, Content>& nodes;
-    Content& made;
     std::unordered_map<std::string, Content> next{};
     Contents now{}; // of what the frame has drawn so far
     std::vector<HeldItem> items{};
@@ -57,12 +62,12 @@ struct Follower {
     Content numberOf(const HeldKey& key, bool ofNode) {
         if (ofNode) {
             Content& number = nodes[key.bytes()];
-            if (number == 0) number = ++made;
+            if (number == 0) number = nextContent();
             return number;
         }
         if (const auto found = known.find(key.bytes()); found != known.end()) return next[key.bytes()] = found->second;
         Content& number = next[key.bytes()];
-        if (number == 0) number = ++made;
+        if (number == 0) number = nextContent();
         return number;
     }
 
@@ -91,8 +96,9 @@ struct Follower {
             HeldKey of = key;
             of.add(i);
             of.addShape(targets[i]->desc());
-            now[gpu::identityOf(*targets[i])] = numberOf(of, item.node);
-            item.writes.push_back(gpu::identityOf(*targets[i]));
+            const Content content = numberOf(of, item.node);
+            now[gpu::identityOf(*targets[i])] = content;
+            item.writes.emplace_back(gpu::identityOf(*targets[i]), content);
         }
         items.push_back(std::move(item));
     }
@@ -128,17 +134,6 @@ void addResource(const gpu::BoundResource& bound, const Follower& follower, Held
     if (const auto* sampler = std::get_if<const gpu::Sampler*>(&bound.resource)) key.add(gpu::identityOf(**sampler));
     if (const auto* buffer = std::get_if<gpu::Buffer*>(&bound.resource)) key.add(gpu::identityOf(**buffer));
     // What is stored to is one of the item's targets.
-}
-
-std::vector<gpu::Texture*> writtenBy(const FrameItem& item) {
-    if (const auto* clear = std::get_if<FrameClear>(&item)) return {clear->target};
-    if (const auto* mips = std::get_if<FrameMips>(&item)) return {mips->target};
-    if (const auto* copy = std::get_if<FrameCopy>(&item)) return {copy->to};
-    const FrameDraw& draw = std::get<FrameDraw>(item);
-    std::vector<gpu::Texture*> targets = draw.targets.colors;
-    targets.insert(targets.end(), draw.stored.begin(), draw.stored.end());
-    if (draw.targets.depth) targets.push_back(draw.targets.depth);
-    return targets;
 }
 
 void followDraw(const FrameDraw& draw, Follower& follower, HeldItem item) {
@@ -184,77 +179,128 @@ void follow(const FrameItem& item, bool node, Follower& follower) {
     follower.write(key, std::span(&copy.to, 1), std::move(followed));
 }
 
-/// Targets that must be drawn: whole, or not at all.
-std::set<std::uint64_t> dueTargets(const Follower& follower) {
-    std::set<std::uint64_t> due;
-    const auto holds = [&](std::uint64_t target, Content content) {
+/// Which items must be drawn, so that every target ends as the frame leaves it. A target is drawn from behind the item on whose content it
+/// holds; from the first one on where it holds none, or where that would be too late for somebody who reads or draws it before.
+struct HeldChoice {
+    const Follower& follower;
+    std::map<std::uint64_t, std::ptrdiff_t> starts{}; // by target: the item that left what it holds, or -1
+    std::vector<bool> drawn{};
+    bool changed = true;
+
+    explicit HeldChoice(const Follower& followed) : follower(followed), drawn(followed.items.size()) {
+        for (const auto& [target, content] : follower.now)
+            starts[target] = -1;
+        for (std::size_t i = 0; i < follower.items.size(); ++i)
+            for (const auto& [target, content] : follower.items[i].writes)
+                if (holds(target, content)) starts[target] = static_cast<std::ptrdiff_t>(i);
+        while (std::exchange(changed, false))
+            pass();
+    }
+
+    [[nodiscard]] bool holds(std::uint64_t target, Content content) const {
         const auto found = follower.held.find(target);
         return found != follower.held.end() && found->second == content;
-    };
-    for (const auto& [target, last] : follower.now)
-        if (!holds(target, last)) due.insert(target);
-    for (std::size_t before = 0; before != due.size() + 1;) {
-        before = due.size() + 1;
-        for (const HeldItem& item : follower.items) {
-            if (!item.node && std::ranges::none_of(item.writes, [&](std::uint64_t target) { return due.contains(target); })) continue;
-            due.insert(item.writes.begin(), item.writes.end());
+    }
+
+    void restart(std::uint64_t target) { changed = std::exchange(starts.at(target), -1) != -1 || changed; }
+
+    void pass() {
+        for (std::size_t i = 0; i < follower.items.size(); ++i) {
+            const HeldItem& item = follower.items[i];
+            const auto index = static_cast<std::ptrdiff_t>(i);
+            drawn[i] = item.node || std::ranges::any_of(item.writes, [&](const auto& write) { return index > starts.at(write.first); });
+            if (!drawn[i]) continue;
             for (const auto& [target, content] : item.reads)
-                if (follower.now.contains(target) && !holds(target, content)) due.insert(target);
+                if (follower.now.contains(target) && !isThereAt(target, content, i)) restart(target);
+            for (const auto& [target, content] : item.writes)
+                if (index <= starts.at(target)) restart(target);
         }
     }
-    return due;
-}
+
+    /// When that item is drawn.
+    [[nodiscard]] bool isThereAt(std::uint64_t target, Content content, std::size_t item) const {
+        if (holds(target, content)) return true;
+        for (std::size_t before = item; before-- > 0;)
+            for (const auto& write : follower.items[before].writes)
+                if (write.first == target) return static_cast<std::ptrdiff_t>(before) > starts.at(target);
+        return false;
+    }
+
+    [[nodiscard]] std::set<std::uint64_t> due() const {
+        std::set<std::uint64_t> targets;
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            if (drawn[i])
+                for (const auto& [target, content] : follower.items[i].writes)
+                    targets.insert(target);
+        return targets;
+    }
+};
 
 } // namespace
 
-void Held::choose(Frame& frame, std::size_t items) {
+void Held::choose(Frame& frame, std::size_t items, const std::function<bool(const std::set<std::uint64_t>& due)>& own) {
     if (held_.size() > kMostTextures || nodes_.size() > kMostTextures) forget();
-    Follower follower{.held = held_, .known = known_, .nodes = nodes_, .made = made_};
-    for (const FrameNode& node : frame.before)
-        for (const FrameItem& item : node.items)
-            follow(item, true, follower);
-    const std::size_t nodes = follower.items.size();
+    std::size_t nodes = 0;
     const std::size_t count = std::min(items, frame.items.size());
-    for (std::size_t i = 0; i < count; ++i)
-        follow(frame.items[i], false, follower);
-    if (frame.resolve) {
+    const auto followed = [&] {
+        Follower follower{.held = held_, .known = known_, .nodes = nodes_};
+        for (const FrameNode& node : frame.before)
+            for (const FrameItem& item : node.items)
+                follow(item, true, follower);
+        nodes = follower.items.size();
+        for (std::size_t i = 0; i < count; ++i)
+            follow(frame.items[i], false, follower);
+        if (!frame.resolve) return follower;
         HeldKey key = begun(HeldKind::Resolve);
         HeldItem item;
         follower.sample(*frame.resolve->from, key, item);
         follower.write(key, std::span(&frame.resolve->to, 1), std::move(item));
-    }
-    const std::set<std::uint64_t> due = dueTargets(follower);
-    const auto isKept = [&](const HeldItem& item) {
-        return std::ranges::none_of(item.writes, [&](std::uint64_t target) { return due.contains(target); });
+        return follower;
     };
+    Follower follower = followed();
+    while (own(HeldChoice(follower).due())) {
+        Follower again = followed();
+        follower.next = std::move(again.next);
+        follower.now = std::move(again.now);
+        follower.items = std::move(again.items);
+    }
+    const HeldChoice choice(follower);
     frame.kept.assign(frame.items.size(), false);
-    for (std::size_t i = 0; i < count; ++i)
-        frame.kept[i] = isKept(follower.items[nodes + i]);
-    frame.resolveKept = frame.resolve && isKept(follower.items.back());
+    chosen_.assign(count, {});
+    for (std::size_t i = 0; i < count; ++i) {
+        frame.kept[i] = !choice.drawn[nodes + i];
+        chosen_[i] = std::move(follower.items[nodes + i].writes);
+    }
+    frame.resolveKept = frame.resolve && !choice.drawn.back();
     before_ = held_;
     for (const auto& [target, content] : follower.now)
         held_[target] = content;
     known_ = std::move(follower.next);
 }
 
-void Held::giveUp(const Frame& frame, std::size_t items, std::size_t begun, std::size_t done) {
+void Held::giveUp(const Frame& frame, std::size_t begun, std::size_t done) {
     struct Touched {
         bool any = false;
         bool all = true;
+        bool torn = false;
+        Content last = 0;
     };
     std::map<std::uint64_t, Touched> touched;
-    for (std::size_t i = 0; i < std::min(items, frame.items.size()); ++i) {
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
         if (frame.kept[i]) continue;
-        for (const gpu::Texture* target : writtenBy(frame.items[i])) {
-            Touched& of = touched[gpu::identityOf(*target)];
+        for (const auto& [target, content] : chosen_[i]) {
+            Touched& of = touched[target];
             of.any = of.any || i < begun;
             of.all = of.all && i < done;
+            of.torn = of.torn || (i >= done && i < begun);
+            if (i < done) of.last = content;
         }
     }
     if (frame.resolve) touched[gpu::identityOf(*frame.resolve->to)] = {.any = false, .all = false};
     for (const auto& [target, of] : touched) {
         if (of.all) continue;
         held_.erase(target);
+        if (of.any && !of.torn) held_[target] = of.last;
         if (const auto was = before_.find(target); !of.any && was != before_.end()) held_.insert(*was);
     }
 }
@@ -262,6 +308,7 @@ void Held::giveUp(const Frame& frame, std::size_t items, std::size_t begun, std:
 void Held::forget() {
     held_.clear();
     before_.clear();
+    chosen_.clear();
     known_.clear();
     nodes_.clear();
 }

@@ -1,12 +1,16 @@
 #include "host/run/pieces.h"
 
 #include <algorithm>
+#include <chrono>
+#include <span>
 
 namespace tegument::run {
 
 namespace {
 
 constexpr std::uint32_t kTile = 64;
+constexpr double kLongBand = 60;          // milliseconds
+constexpr std::uint32_t kLeastRows = 256; // of a band of a pass of which nothing is known
 
 using TimedSections = std::vector<gpu::TimedSection>;
 
@@ -37,9 +41,26 @@ Result<void> asVoidOf(const Result<TimedSections>& sections) {
 std::vector<std::optional<gpu::RowRange>> bandsFor(const FrameDraw& draw, const DrawnInPieces& pieces) {
     const auto bands = pieces.bands.find(draw.described.name);
     const gpu::Texture* target = draw.targets.colors.empty() ? draw.targets.depth : draw.targets.colors.front();
-    if (draw.computes() || !target || bands == pieces.bands.end() || bands->second < 2) return {std::nullopt};
-    const std::vector<gpu::RowRange> rows = bandsOf(target->desc().height, bands->second);
+    if (draw.computes() || !target) return {std::nullopt};
+    const std::uint32_t height = target->desc().height;
+    const std::uint32_t count = bands == pieces.bands.end() ? std::min(pieces.others, height / kLeastRows) : bands->second;
+    if (count < 2) return {std::nullopt};
+    const std::vector<gpu::RowRange> rows = bandsOf(height, count);
     return {rows.begin(), rows.end()};
+}
+
+std::vector<std::optional<gpu::RowRange>> halved(std::span<const std::optional<gpu::RowRange>> bands) {
+    std::vector<std::optional<gpu::RowRange>> halves;
+    for (const auto& band : bands) {
+        const std::uint32_t upper = band ? (band->count / 2 + kTile - 1) / kTile * kTile : 0;
+        if (!band || upper >= band->count) {
+            halves.push_back(band);
+            continue;
+        }
+        halves.emplace_back(gpu::RowRange{.first = band->first, .count = upper});
+        halves.emplace_back(gpu::RowRange{.first = band->first + upper, .count = band->count - upper});
+    }
+    return halves;
 }
 
 Result<void> recordWaiting(PieceWork& work, gpu::Recorder& recorder) {
@@ -49,11 +70,15 @@ Result<void> recordWaiting(PieceWork& work, gpu::Recorder& recorder) {
     return {};
 }
 
-/// One section, whatever the number of bands.
-Result<void> drawBands(PieceWork& work, const FrameDraw& draw) {
+/// The frame's item of that number. One section, whatever the number of bands.
+Result<void> drawBands(PieceWork& work, const FrameDraw& draw, std::size_t item) {
     gpu::TimedSection whole{.name = draw.described.name, .milliseconds = 0};
-    for (const std::optional<gpu::RowRange>& rows : bandsFor(draw, work.pieces)) {
+    std::vector<std::optional<gpu::RowRange>> bands = bandsFor(draw, work.pieces);
+    for (std::size_t i = 0; i < bands.size(); ++i) {
         if (!work.goesOn()) return {};
+        work.drawn.begun = item + 1;
+        const std::optional<gpu::RowRange> rows = bands[i];
+        const auto begin = std::chrono::steady_clock::now();
         const auto sections = work.run([&](gpu::Recorder& recorder) -> Result<void> {
             if (auto before = recordWaiting(work, recorder); !before) return before;
             recorder.beginTimer(draw.described.name);
@@ -63,6 +88,11 @@ Result<void> drawBands(PieceWork& work, const FrameDraw& draw) {
         });
         if (!sections) return sections.error();
         whole.milliseconds += sections->back().milliseconds;
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        if (took.count() <= kLongBand) continue;
+        const auto rest = halved(std::span(bands).subspan(i + 1));
+        bands.resize(i + 1);
+        bands.insert(bands.end(), rest.begin(), rest.end());
     }
     work.drawn.sections.push_back(std::move(whole));
     return {};
@@ -78,8 +108,7 @@ Result<void> drawItems(PieceWork& work, std::size_t items) {
             work.waiting.push_back(&item);
             continue;
         }
-        drawn.begun = i + 1;
-        if (const auto done = drawBands(work, *draw); !done || drawn.givenUp) return done;
+        if (const auto done = drawBands(work, *draw, i); !done || drawn.givenUp) return done;
         drawn.done = i + 1;
     }
     if (work.waiting.empty()) return {};

@@ -14,7 +14,7 @@ struct PiecesDrawn {
 };
 
 /// Without the nodes before it. Each draw is a piece, with the clears and copies in front of it, or each band of it; and the resolve. The
-/// first piece is always drawn.
+/// first piece is always drawn. Behind a band that took longer than 60 ms, those of the pass that are left are halved.
 [[nodiscard]] Result<PiecesDrawn> drawInPieces(gpu::Device& device, const Frame& frame, std::size_t items, const DrawnInPieces& pieces);
 
 /// Rows of a target of that height, in at most so many bands: each begins at a multiple of 64, which is how software devices tile, and

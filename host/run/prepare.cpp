@@ -1,6 +1,7 @@
 #include "host/run/prepare.h"
 
 #include "host/run/geometry.h"
+#include "host/run/pause.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -61,6 +62,7 @@ Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
              {&program->vertex, program->pixel ? &*program->pixel : nullptr, program->compute ? &*program->compute : nullptr})
             if (shader) prepared.warnings.insert(prepared.warnings.end(), shader->warnings.begin(), shader->warnings.end());
         prepared.programs.emplace(pass, std::make_shared<const PassProgram>(std::move(*program)));
+        if (const auto pause = pauseAfter(input.options); !pause) return pause;
     }
     if (said) say(passes.size());
     return {};

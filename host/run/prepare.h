@@ -21,25 +21,26 @@
 
 namespace tegument::run {
 
+/// A texture that is not a target, ready for upload.
+struct TextureData {
+    Image image; // of a cube map: the first face; without pixels where the GPU holds it already, or RunInput::loaded does
+    PixelFormat format = PixelFormat::RGBA8;
+    bool decode = false; // sRGB to linear on upload
+    bool mips = false;   // the chain is to be made
+    std::string key;     // equal for equal texels
+    DdsTexture file;     // a cube map, or a file that brings its mip levels; else without images
+};
+
 /// One effect on one mesh, or on none.
 struct RunInput {
     const Effect& effect;
     const Mesh* mesh = nullptr;
     const Workspace& workspace;
     const RunOptions& options;
-    const PlacedObject* placed = nullptr;            // where the mesh stands; null: alone, where its file has it
-    const Programs* compiled = nullptr;              // of earlier frames and objects
-    const std::set<std::string>* uploaded = nullptr; // keys of textures that the GPU holds already
-};
-
-/// A texture that is not a target, ready for upload.
-struct TextureData {
-    Image image; // of a cube map: the first face; without pixels where the GPU holds it already
-    PixelFormat format = PixelFormat::RGBA8;
-    bool decode = false; // sRGB to linear on upload
-    bool mips = false;   // the chain is to be made
-    std::string key;     // equal for equal texels
-    DdsTexture file;     // a cube map, or a file that brings its mip levels; else without images
+    const PlacedObject* placed = nullptr;                       // where the mesh stands; null: alone, where its file has it
+    const Programs* compiled = nullptr;                         // of earlier frames and objects
+    const std::set<std::string>* uploaded = nullptr;            // keys of textures that the GPU holds already
+    const std::map<std::string, TextureData>* loaded = nullptr; // by key: read already, to be uploaded
 };
 
 struct Prepared {

@@ -207,7 +207,8 @@ Result<TextureData> load(const RunInput& input, const Parameter& parameter, cons
                          std::vector<Diagnostic>& warnings) {
     const bool mips = wantsMips(input.effect, parameter.name);
     std::string key = keyOf(source, parameter, mips) + (compared ? " depth" : "");
-    if (input.uploaded && input.uploaded->contains(key)) return TextureData{.image = {}, .format = {}, .key = std::move(key), .file = {}};
+    const bool there = (input.uploaded && input.uploaded->contains(key)) || (input.loaded && input.loaded->contains(key));
+    if (there) return TextureData{.image = {}, .format = {}, .key = std::move(key), .file = {}};
     auto texture = fromSource(parameter, source, mips, warnings);
     if (texture && compared) toDepth(*texture);
     if (texture) texture->key = std::move(key);

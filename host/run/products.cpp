@@ -16,9 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Targets without a size of their own follow the picture; a producing effect draws this one and throws it away.
-constexpr int kProducerPicture = 64;
-
 /// Everything that what a node draws depends on.
 struct NodeInputs {
     const Mesh* mesh = nullptr; // null where none is drawn
@@ -47,57 +44,7 @@ NodeInputs inputsOf(const RunInput& input, const Prepared& prepared) {
     return inputs;
 }
 
-RunOptions producerOptions(const RunOptions& options, const Effect& effect) {
-    RunOptions own{.technique = {}, .width = kProducerPicture, .height = kProducerPicture, .compiler = options.compiler};
-    own.meshTextures = options.meshTextures;
-    own.plainSkin = options.plainSkin;
-    own.compiling = options.compiling;
-    for (const auto& [name, value] : options.parameters)
-        if (effect.findParameter(name)) own.parameters.emplace(name, value);
-    for (const auto& [name, file] : options.textures)
-        if (const Parameter* parameter = effect.findParameter(name); parameter && parameter->type.isTexture())
-            own.textures.emplace(name, file);
-    return own;
-}
-
-/// Producer errors point into the other effect; this says how one got there.
-Error through(Error error, const Parameter& parameter, const ProducerSource& source) {
-    error.diagnostics.push_back({.severity = Severity::Note,
-                                 .code = 4037,
-                                 .at = parameter.at,
-                                 .text = fmt::format("{} is drawn by {}", parameter.name, source.effect.string()),
-                                 .hint = fmt::format("or give a file: --set {}=FILE", parameter.name),
-                                 .sourceLine = {}});
-    return error;
-}
-
-Result<void> checkProduct(const Effect& effect, const Prepared& prepared, const ProducerSource& source) {
-    std::vector<std::string> drawn;
-    for (const std::string& name : prepared.plan.targets())
-        if (effect.findParameter(name)) drawn.push_back(name);
-    if (std::ranges::find(drawn, source.target) != drawn.end()) return {};
-    return inputError(4036, {.file = effect.file.string(), .byte = {}},
-                      fmt::format("technique {} draws no target '{}'", prepared.plan.technique->name, source.target),
-                      didYouMean(source.target, drawn));
-}
-
-/// A texture that is drawn once belongs to the mesh wherever it stands: it is drawn as if the mesh stood in its own space, camera and light
-/// moved along. So several heads of one mesh share it.
-std::optional<PlacedObject> inOwnSpace(const RunInput& input) {
-    if (!input.placed) return std::nullopt;
-    PlacedObject local{
-        .placement = {}, .scene = seenFrom(input.placed->scene, input.placed->placement), .worldUnitMm = input.placed->worldUnitMm};
-    local.placement.scale = input.placed->placement.scale;
-    return local;
-}
-
 } // namespace
-
-/// A producing effect, read and compiled once.
-struct Products::Producer {
-    Effect effect;
-    Kit kit;
-};
 
 struct Products::Node {
     Producer* producer;
@@ -112,14 +59,24 @@ struct Products::Node {
     [[nodiscard]] std::string keyOf(const std::string& target) const { return key + " " + target; }
 };
 
-/// Who asks for textures.
-struct Products::Request {
-    const RunInput& input;
-    std::vector<std::string> chain; // of effects that are waiting for each other, to find circles
-};
-
 Products::Products(gpu::Device& device, Store& store) : device_(device), store_(store) {}
 Products::~Products() = default;
+
+void Products::share(const Products& before) {
+    producers_ = before.producers_;
+    made_ = before.made_;
+    for (const Node& node : before.nodes_) {
+        if (!node.drawn) continue;
+        Node& own = nodes_.emplace_back(Node{.producer = node.producer,
+                                             .key = node.key,
+                                             .inputs = node.inputs,
+                                             .resources = {device_, store_, node.producer->kit, {}},
+                                             .wanted = node.wanted,
+                                             .drawn = true});
+        for (const auto& [name, texture] : node.resources.targets)
+            store_.products[own.keyOf(name)] = &own.resources.targets.emplace(name, texture.shared()).first->second;
+    }
+}
 
 void Products::begin() {
     for (Node& node : nodes_)
@@ -166,10 +123,10 @@ void Products::drop(Node& node) {
 }
 
 Result<void> Products::use(const RunInput& input, Prepared& prepared, std::vector<FrameNode>& due) {
-    return useFor({.input = input, .chain = {fs::weakly_canonical(input.effect.file).string()}}, prepared, due);
+    return useFor(requestOf(input), prepared, due);
 }
 
-Result<void> Products::useFor(const Request& consumer, Prepared& prepared, std::vector<FrameNode>& due) {
+Result<void> Products::useFor(const ProductRequest& consumer, Prepared& prepared, std::vector<FrameNode>& due) {
     for (const auto& [name, source] : prepared.products) {
         auto key = produce(consumer, source, prepared, due);
         if (!key) return through(key.error(), *consumer.input.effect.findParameter(name), source);
@@ -178,54 +135,24 @@ Result<void> Products::useFor(const Request& consumer, Prepared& prepared, std::
     return {};
 }
 
-Result<std::string> Products::produce(const Request& consumer, const ProducerSource& source, Prepared& asking,
+Result<std::string> Products::produce(const ProductRequest& consumer, const ProducerSource& source, Prepared& asking,
                                       std::vector<FrameNode>& due) {
-    const std::string self = fs::weakly_canonical(source.effect).string();
-    if (std::ranges::find(consumer.chain, self) != consumer.chain.end())
-        return inputError(4035, {.file = self, .byte = {}}, "this effect would have to draw a texture that it needs itself",
-                          "producers must not form a circle");
-    const auto producer = load(source.effect, self, consumer.input.effect);
-    if (!producer) return producer.error();
-    const RunOptions options = producerOptions(consumer.input.options, (*producer)->effect);
-    const std::optional<PlacedObject> local = inOwnSpace(consumer.input);
-    const RunInput own{.effect = (*producer)->effect,
-                       .mesh = consumer.input.mesh,
-                       .workspace = consumer.input.workspace,
-                       .options = options,
-                       .placed = local ? &*local : nullptr,
-                       .compiled = &(*producer)->kit.programs,
-                       .uploaded = &store_.uploaded};
-    Request request{.input = own, .chain = consumer.chain};
-    request.chain.push_back(self);
-    auto prepared = prepareNode(request, **producer, source, due);
-    if (!prepared) return prepared.error();
-    Node& node = nodeFor(**producer, own, *prepared);
-    if (const auto placed = schedule(node, source.target, own, *prepared, due); !placed) return placed.error();
-    if (node.due) asking.warnings.insert(asking.warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
-    asking.reads.insert(prepared->reads.begin(), prepared->reads.end());
-    return node.keyOf(source.target);
+    std::string key;
+    const auto drawn = [&](const ProductRequest& request, Producer& producer, Prepared& prepared) -> Result<void> {
+        if (auto nodes = useFor(request, prepared, due); !nodes) return nodes;
+        Node& node = nodeFor(producer, request.input, prepared);
+        if (auto placed = schedule(node, source.target, request.input, prepared, due); !placed) return placed;
+        if (node.due) asking.warnings.insert(asking.warnings.end(), prepared.warnings.begin(), prepared.warnings.end());
+        asking.reads.insert(prepared.reads.begin(), prepared.reads.end());
+        key = node.keyOf(source.target);
+        return {};
+    };
+    if (const auto read = withProducer(consumer, source, producers_, drawn); !read) return read.error();
+    return key;
 }
 
-Result<Prepared> Products::prepareNode(const Request& request, Producer& producer, const ProducerSource& source,
-                                       std::vector<FrameNode>& due) {
-    auto prepared = prepare(request.input);
-    if (!prepared) return prepared;
-    producer.kit.programs.insert(prepared->programs.begin(), prepared->programs.end());
-    if (const auto checked = checkProduct(producer.effect, *prepared, source); !checked) return checked.error();
-    if (const auto textures = prepareTextures(request.input, *prepared); !textures) return textures.error();
-    if (const auto nodes = useFor(request, *prepared, due); !nodes) return nodes.error();
-    return prepared;
-}
-
-Result<Products::Producer*> Products::load(const fs::path& file, const std::string& canonical, const Effect& consumer) {
-    std::unique_ptr<Producer>& producer = producers_[canonical];
-    if (producer) return producer.get();
-    LoadOptions load{.defines = consumer.defines, .includeFolders = consumer.includeFolders};
-    load.roots = consumer.roots;
-    auto effect = loadEffect(file, load);
-    if (!effect) return effect.error();
-    producer = std::make_unique<Producer>(Producer{.effect = std::move(*effect), .kit = {}});
-    return producer.get();
+void Products::take(const Producers& producers) {
+    producers_.insert(producers.begin(), producers.end());
 }
 
 Products::Node& Products::nodeFor(Producer& producer, const RunInput& input, const Prepared& prepared) {
@@ -262,7 +189,7 @@ Result<FrameNode> Products::frameOf(Node& node, const RunInput& input, Prepared&
     if (!frame) return frame.error();
     for (auto& [name, texture] : node.resources.targets)
         if (texture.desc().mips > 1) frame->items.emplace_back(FrameMips{&texture});
-    return FrameNode{.effect = input.effect.file.string(), .items = std::move(frame->items)};
+    return FrameNode{.effect = input.effect.file.string(), .items = std::move(frame->items), .drawn = &node.drawn};
 }
 
 } // namespace tegument::run

@@ -3,6 +3,7 @@
 // that it reads; it is drawn once, and serves every frame and every object that asks for the same.
 
 #include "host/run/frame.h"
+#include "host/run/producers.h"
 
 #include <filesystem>
 #include <list>
@@ -19,6 +20,10 @@ public:
     Products(const Products&) = delete;
     Products& operator=(const Products&) = delete;
     ~Products();
+    /// What another session of the same effect, read once, has drawn on the same device serves this one, too.
+    void share(const Products& before);
+    /// Effects that were read, and passes that were compiled, elsewhere.
+    void take(const Producers& producers);
 
     /// A frame begins: no node is in use.
     void begin();
@@ -37,16 +42,11 @@ public:
     void forget();
 
 private:
-    struct Producer;
     struct Node;
-    struct Request;
 
-    [[nodiscard]] Result<void> useFor(const Request& consumer, Prepared& prepared, std::vector<FrameNode>& due);
-    [[nodiscard]] Result<std::string> produce(const Request& consumer, const ProducerSource& source, Prepared& asking,
+    [[nodiscard]] Result<void> useFor(const ProductRequest& consumer, Prepared& prepared, std::vector<FrameNode>& due);
+    [[nodiscard]] Result<std::string> produce(const ProductRequest& consumer, const ProducerSource& source, Prepared& asking,
                                               std::vector<FrameNode>& due);
-    [[nodiscard]] Result<Producer*> load(const std::filesystem::path& file, const std::string& canonical, const Effect& consumer);
-    [[nodiscard]] Result<Prepared> prepareNode(const Request& request, Producer& producer, const ProducerSource& source,
-                                               std::vector<FrameNode>& due);
     [[nodiscard]] Node& nodeFor(Producer& producer, const RunInput& input, const Prepared& prepared);
     /// Before the frame, unless it has been drawn, with this target, or will be.
     [[nodiscard]] Result<void> schedule(Node& node, const std::string& target, const RunInput& input, Prepared& prepared,
@@ -56,7 +56,7 @@ private:
 
     gpu::Device& device_;
     Store& store_;
-    std::map<std::string, std::unique_ptr<Producer>> producers_; // by file
+    Producers producers_;
     std::list<Node> nodes_;
     std::size_t made_ = 0; // nodes so far: their names
 };

@@ -1,5 +1,6 @@
 #include "host/run/resources.h"
 
+#include "host/run/pause.h"
 #include "host/run/pixels.h"
 #include "host/spirv/reflect.h"
 #include "host/support/text.h"
@@ -13,7 +14,7 @@ namespace tegument::run {
 
 namespace {
 
-Result<void> allocateTargets(const RunInput&, const Prepared& prepared, Resources& resources) {
+Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Resources& resources) {
     for (const auto& [name, target] : prepared.targets) {
         if (resources.targets.contains(name)) continue;
         auto texture = resources.device.createTexture({.name = name,
@@ -27,6 +28,7 @@ Result<void> allocateTargets(const RunInput&, const Prepared& prepared, Resource
                                                        .storage = target.stored});
         if (!texture) return texture.error();
         resources.targets.emplace(name, std::move(*texture));
+        if (const auto pause = pauseAfter(input.options); !pause) return pause;
     }
     return {};
 }
@@ -54,22 +56,23 @@ Result<gpu::Texture> uploadTexture(gpu::Device& device, const std::string& name,
     return texture;
 }
 
-Result<void> uploadTextures(const RunInput&, const Prepared& prepared, Resources& resources) {
-    std::vector<gpu::Texture*> chains;
+Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Resources& resources) {
+    Store& store = resources.store;
     for (const auto& [name, data] : prepared.textures) {
-        if (resources.store.textures.contains(data.key) || resources.store.products.contains(data.key)) continue;
-        auto texture = uploadTexture(resources.device, name, data);
+        if (store.textures.contains(data.key) || store.products.contains(data.key)) continue;
+        const auto loaded = store.loaded.find(data.key);
+        const TextureData& texels = loaded == store.loaded.end() ? data : loaded->second;
+        auto texture = uploadTexture(resources.device, name, texels);
         if (!texture) return texture.error();
-        const auto placed = resources.store.textures.emplace(data.key, std::make_shared<gpu::Texture>(std::move(*texture)));
-        if (data.mips) chains.push_back(placed.first->second.get());
+        if (texels.mips)
+            if (const auto made = resources.device.run([&](gpu::Recorder& recorder) { return recorder.generateMips(*texture); }); !made)
+                return made.error();
+        store.textures.emplace(data.key, std::make_shared<gpu::Texture>(std::move(*texture)));
+        store.uploaded.insert(data.key);
+        if (loaded != store.loaded.end()) store.loaded.erase(loaded);
+        if (const auto pause = pauseAfter(input.options); !pause) return pause;
     }
-    if (chains.empty()) return {};
-    const auto run = resources.device.run([&](gpu::Recorder& recorder) -> Result<void> {
-        for (gpu::Texture* texture : chains)
-            if (const auto made = recorder.generateMips(*texture); !made) return made;
-        return {};
-    });
-    return run ? Result<void>() : Result<void>(run.error());
+    return {};
 }
 
 /// Mesa's software device (22.3 with LLVM 15) dies of an anisotropic look-up that brings gradients of its own.
@@ -147,7 +150,7 @@ Result<void> uploadMeshes(const RunInput& input, const Prepared& prepared, Resou
     auto mesh = uploadGeometry(resources.device, *input.mesh);
     if (!mesh) return mesh.error();
     resources.store.meshes.emplace(input.mesh, std::make_shared<Geometry>(std::move(*mesh)));
-    return {};
+    return pauseAfter(input.options);
 }
 
 } // namespace

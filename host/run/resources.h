@@ -37,6 +37,7 @@ struct Store {
     std::map<std::string, std::shared_ptr<gpu::Texture>> textures; // by TextureData::key
     std::map<std::string, gpu::Texture*> products;                 // likewise; targets of the effects that draw them
     std::set<std::string> uploaded;                                // keys of `textures`
+    std::map<std::string, TextureData> loaded;                     // by key: read by another thread, not on the device yet
     std::map<const Mesh*, std::shared_ptr<Geometry>> meshes;
     std::shared_ptr<const FewerTriangles> coarser;               // RunOptions::coarser, that these are of
     std::map<const Mesh*, std::shared_ptr<FewerIndices>> coarse; // of those meshes that a frame has drawn so
@@ -50,6 +51,12 @@ struct Kit {
     std::map<std::string, std::shared_ptr<const gpu::Sampler>> samplers;
     std::map<const Pass*, std::shared_ptr<const gpu::Pipeline>> computes;
     std::map<PipelineKey, std::shared_ptr<const gpu::Pipeline>> pipelines; // draws point at them; made by buildFrame
+};
+
+/// An effect that draws textures for others, read and compiled once.
+struct Producer {
+    Effect effect;
+    Kit kit;
 };
 
 struct Resources {

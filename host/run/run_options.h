@@ -35,10 +35,11 @@ struct Coarser {
     bool everywhere = false;                         // otherwise into targets of the picture's size only
 };
 
-/// For a frame that may be given up: it is drawn pass by pass.
+/// For a frame that may be given up: what it needs is made one after the other, and it is drawn pass by pass.
 struct DrawnInPieces {
     std::function<bool()> goOn;                 // asked between two pieces; none: the frame is drawn in one
-    std::map<std::string, std::uint32_t> bands; // by the pass's name: in how many bands it is drawn; others in one
+    std::map<std::string, std::uint32_t> bands; // by the pass's name: in how many bands it is drawn
+    std::uint32_t others = 1;                   // bands of a pass that is not listed
 };
 
 struct RunOptions {

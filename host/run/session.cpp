@@ -1,6 +1,8 @@
 #include "host/run/session.h"
 
+#include "host/run/ahead.h"
 #include "host/run/describe.h"
+#include "host/run/pause.h"
 #include "host/run/stage.h"
 #include "host/support/text.h"
 
@@ -108,12 +110,18 @@ struct EffectSession::State {
     gpu::Device& device;
     const Effect& effect;
     run::Stage stage;
+    std::vector<Diagnostic> warnings{}; // that the next frame has, too
 };
 
 EffectSession::EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene, const EffectSession* before)
     : state_(new State{.device = device, .effect = effect, .stage = {device, effect, scene, before ? &before->state_->stage : nullptr}}) {}
-void EffectSession::follow(EffectSession& before) {
-    state_->stage.follow(before.state_->stage);
+void EffectSession::take(run::Ahead ahead) {
+    state_->warnings.insert(state_->warnings.end(), ahead.warnings.begin(), ahead.warnings.end());
+    state_->stage.take(std::move(ahead));
+}
+
+run::Known EffectSession::known() const {
+    return state_->stage.known();
 }
 
 EffectSession::EffectSession(EffectSession&&) noexcept = default;
@@ -126,6 +134,11 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
         RunOptions single = options;
         single.samples = 1;
         return draw(workspace, single, passes);
+    }
+    if (!staged && run::isGivenUp(staged.error())) {
+        SessionFrame nothing;
+        nothing.givenUp = true;
+        return nothing;
     }
     if (!staged) return staged.error();
     SessionFrame frame = run::describe(staged->runs, staged->frame, state_->device.info());
@@ -144,6 +157,8 @@ Result<SessionFrame> EffectSession::draw(const Workspace& workspace, const RunOp
     }
     readTimes(medians(timed), staged->frame, frame);
     noteTextures(state_->stage, frame);
+    frame.warnings.insert(frame.warnings.end(), state_->warnings.begin(), state_->warnings.end());
+    state_->warnings.clear();
     return frame;
 }
 

@@ -12,21 +12,30 @@
 
 namespace tegument {
 
+namespace run {
+struct Ahead; // host/run/ahead.h
+struct Known;
+} // namespace run
+
 /// Effect, meshes and device must outlive it.
 class EffectSession {
 public:
-    /// `before`: a session of the same scene, as it was before an edit; textures and meshes that it has on the device are taken over.
+    /// `before`: a session of the same scene, before an edit, or beside this one. What it has on the device serves this one, too: textures,
+    /// meshes, pipelines of equal code, and targets until either draws into them, so that with RunOptions::keepUnchanged only what an edit
+    /// changes is drawn.
     EffectSession(gpu::Device& device, const Effect& effect, SessionScene scene, const EffectSession* before = nullptr);
-    /// `before` goes once this one has drawn, and lives until then: its targets come over as well, so that with
-    /// RunOptions::keepUnchanged only what an edit changes is drawn. It gets them back where nothing was drawn.
-    void follow(EffectSession& before);
+    /// What another thread has made for the next frame, of this effect.
+    void take(run::Ahead ahead);
+    /// What need not be made for this session, nor for one of the same effect that follows it.
+    [[nodiscard]] run::Known known() const;
     EffectSession(EffectSession&&) noexcept;
     EffectSession& operator=(EffectSession&&) noexcept;
     ~EffectSession();
 
     /// Draws a frame `options.warmUpFrames + options.frames` times, of which the first `passes` passes. Technique, size, values, camera and
     /// light may be others than last time. After an error the targets hold parts of frames; the next call draws them anew. TG4029: a name
-    /// in `options.dump` that is no target of the frame.
+    /// in `options.dump` that is no target of the frame. A frame that is given up, of which SessionFrame says it, may not be prepared yet:
+    /// it then has nothing else.
     [[nodiscard]] Result<SessionFrame> draw(const Workspace& workspace, const RunOptions& options, std::size_t passes = kAllPasses);
 
     /// The next frame bakes this texture anew, whatever it has or the cache has. Until then there is none of that name.

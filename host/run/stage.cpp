@@ -1,5 +1,6 @@
 #include "host/run/stage.h"
 
+#include "host/run/pause.h"
 #include "host/run/pieces.h"
 
 #include <chrono>
@@ -27,15 +28,27 @@ Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene, cons
     store_.shared = before->store_.shared;
     for (const auto& [name, bake] : before->bakes_)
         if (!bake.file.empty()) bakes_.emplace(name, bake);
+    for (const auto& [name, texture] : before->resources_.targets)
+        if (const auto desc = before->allocated_.find(name); desc != before->allocated_.end())
+            offered_.emplace(name, Offered{texture.shared(), desc->second});
+    held_ = before->held_;
+    if (&effect != &before->effect_) return;
+    compiler_ = before->compiler_;
+    kit_ = before->kit_;
+    products_.share(before->products_);
 }
 
-Stage::~Stage() {
-    giveTargetsBack();
+void Stage::take(Ahead ahead) {
+    kit_.programs.insert(ahead.programs.begin(), ahead.programs.end());
+    for (auto& [key, texture] : ahead.textures)
+        if (!store_.uploaded.contains(key)) store_.loaded.emplace(key, std::move(texture));
+    for (const auto& [name, bake] : ahead.bakes)
+        if (!bake.fromCache) bakes_[name] = bake;
+    products_.take(ahead.producers);
 }
 
-void Stage::follow(Stage& before) {
-    before_ = &before;
-    held_ = before.held_;
+Known Stage::known() const {
+    return {.programs = kit_.programs, .uploaded = store_.uploaded};
 }
 
 /// Of several objects the first's.
@@ -62,6 +75,8 @@ Result<void> Stage::drawNodes(StagedFrame& staged) {
         if (!drawn) return drawn.error();
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
         took[std::filesystem::weakly_canonical(node.effect)] += time.count();
+        if (node.drawn) *node.drawn = true;
+        if (const auto pause = pauseAfter(staged.inputs.front().options); !pause) return pause;
     }
     for (const Prepared& object : staged.prepared)
         for (const auto& [name, source] : object.products)
@@ -90,25 +105,35 @@ void Stage::bakeAgain(const std::string& name) {
 }
 
 void Stage::takeTargets() {
-    if (!before_) return;
     for (auto& [name, wanted] : allocated_) {
-        const auto there = before_->allocated_.find(name);
-        if (there == before_->allocated_.end() || !serves(there->second, wanted) || resources_.targets.contains(name)) continue;
-        if (auto node = before_->resources_.targets.extract(name)) {
-            resources_.targets.insert(std::move(node));
-            wanted.stored = there->second.stored;
-            taken_.push_back(name);
-        }
+        const auto there = offered_.find(name);
+        if (there == offered_.end() || !serves(there->second.desc, wanted) || resources_.targets.contains(name)) continue;
+        wanted.stored = there->second.desc.stored;
+        resources_.targets.emplace(name, std::move(there->second.texture));
+        offered_.erase(there);
     }
 }
 
-void Stage::giveTargetsBack() {
-    if (!before_) return;
-    for (const std::string& name : taken_)
-        if (auto node = resources_.targets.extract(name)) before_->resources_.targets.insert(std::move(node));
-    if (!taken_.empty()) before_->held_.forget();
-    before_ = nullptr;
-    taken_.clear();
+Result<bool> Stage::separate(const std::set<std::uint64_t>* due) {
+    bool any = false;
+    for (auto& [name, target] : resources_.targets) {
+        if (!target.isShared() || (due && !due->contains(gpu::identityOf(target)))) continue;
+        auto own = device_.createTexture(target.desc());
+        if (!own) return own.error();
+        target = std::move(*own); // whoever points at the handle draws into this one
+        any = true;
+    }
+    return any;
+}
+
+Result<void> Stage::choose(StagedFrame& staged, std::size_t items) {
+    Result<void> done;
+    held_.choose(staged.frame, items, [&](const std::set<std::uint64_t>& due) {
+        const auto separated = separate(&due);
+        if (!separated) done = separated.error();
+        return separated && *separated;
+    });
+    return done;
 }
 
 void Stage::setScene(SessionScene scene) {
@@ -126,7 +151,8 @@ void Stage::addInput(StagedFrame& staged, const Mesh* mesh, const Workspace& wor
                              .options = options,
                              .placed = staged.placed.empty() ? nullptr : &staged.placed.back(),
                              .compiled = &kit_.programs,
-                             .uploaded = &store_.uploaded});
+                             .uploaded = &store_.uploaded,
+                             .loaded = &store_.loaded});
 }
 
 StagedFrame Stage::inputsOf(const Workspace& workspace, const RunOptions& options) {
@@ -201,30 +227,36 @@ Result<std::vector<gpu::TimedSection>> Stage::drawPieces(StagedFrame& staged, st
     auto drawn = drawInPieces(device_, staged.frame, items, staged.inputs.front().options.pieces);
     if (!drawn) return drawn.error();
     staged.givenUp = drawn->givenUp;
-    if (drawn->givenUp) held_.giveUp(staged.frame, items, drawn->begun, drawn->done);
+    if (drawn->givenUp) held_.giveUp(staged.frame, drawn->begun, drawn->done);
     return std::move(drawn->sections);
 }
 
+Result<std::vector<gpu::TimedSection>> Stage::drawKeeping(StagedFrame& staged, std::size_t items) {
+    if (const auto chosen = choose(staged, items); !chosen) return chosen.error();
+    if (const auto nodes = drawNodes(staged); !nodes) {
+        if (!isGivenUp(nodes.error())) return nodes.error();
+        staged.givenUp = true;
+        held_.giveUp(staged.frame, 0, 0);
+        return std::vector<gpu::TimedSection>();
+    }
+    if (staged.inputs.front().options.pieces.goOn) return drawPieces(staged, items);
+    return device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
+}
+
 Result<std::vector<gpu::TimedSection>> Stage::draw(StagedFrame& staged, std::size_t items) {
-    const RunOptions& options = staged.inputs.front().options;
-    if (options.keepUnchanged)
-        held_.choose(staged.frame, items);
-    else
+    const bool keeps = staged.inputs.front().options.keepUnchanged;
+    if (!keeps) {
         held_.forget();
-    if (options.keepUnchanged)
-        if (const auto nodes = drawNodes(staged); !nodes) {
-            held_.forget();
-            return nodes.error();
-        }
-    auto sections = options.keepUnchanged && options.pieces.goOn
-                        ? drawPieces(staged, items)
-                        : device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
+        if (const auto separated = separate(nullptr); !separated) return separated.error();
+    }
+    auto sections =
+        keeps ? drawKeeping(staged, items) : device_.run([&](gpu::Recorder& recorder) { return record(staged.frame, recorder, items); });
     if (!sections) {
         held_.forget();
         return sections;
     }
-    before_ = nullptr;
-    taken_.clear();
+    if (staged.givenUp) return sections;
+    offered_.clear();
     staged.frame.before.clear();
     products_.finish();
     return sections;

@@ -2,6 +2,7 @@
 // The scene of a session on the device, and the one loop over its objects. Inside host/run, and for those that change a frame before it is
 // drawn; all others take a session.
 
+#include "host/run/ahead.h"
 #include "host/run/held.h"
 #include "host/run/products.h"
 
@@ -21,13 +22,12 @@ struct StagedFrame {
 
 class Stage {
 public:
-    /// Device, effect and scene must outlive it. Textures and meshes that `before` has on the device are taken over: it draws the same
-    /// scene, and need not live on.
+    /// Device, effect and scene must outlive it. What `before` has on the device is taken over: it draws the same scene, and need not live
+    /// on. Targets of both are the same texture until either would draw into it: who draws then has one of its own.
     Stage(gpu::Device& device, const Effect& effect, SessionScene scene, const Stage* before = nullptr);
-    ~Stage();
-    /// `before` goes once this one has drawn: its targets come over, with what they hold. Until then it must live; it gets them back where
-    /// nothing was drawn.
-    void follow(Stage& before);
+    /// What another thread has made for the next frame.
+    void take(Ahead ahead);
+    [[nodiscard]] Known known() const;
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
@@ -66,7 +66,11 @@ private:
     /// Each in a run of its own, with its time.
     [[nodiscard]] Result<void> drawNodes(StagedFrame& staged);
     void takeTargets();
-    void giveTargetsBack();
+    /// Textures of this session alone in place of those among `due` that another one has, too; all where none is given. Whether there was
+    /// one.
+    [[nodiscard]] Result<bool> separate(const std::set<std::uint64_t>* due);
+    [[nodiscard]] Result<void> choose(StagedFrame& staged, std::size_t items);
+    [[nodiscard]] Result<std::vector<gpu::TimedSection>> drawKeeping(StagedFrame& staged, std::size_t items);
     [[nodiscard]] Result<std::vector<gpu::TimedSection>> drawPieces(StagedFrame& staged, std::size_t items);
     [[nodiscard]] Result<void> equip(const RunInput& input, Prepared& prepared, std::vector<FrameNode>& before);
 
@@ -82,8 +86,12 @@ private:
     Held held_;
     std::map<std::string, Sampled> sampled_;
     std::map<std::string, Bake> bakes_; // by the texture's name
-    Stage* before_ = nullptr;           // until this has drawn
-    std::vector<std::string> taken_;    // targets that were its
+    /// Of the session before.
+    struct Offered {
+        gpu::Texture texture;
+        TargetDesc desc;
+    };
+    std::map<std::string, Offered> offered_; // until this has drawn
 };
 
 } // namespace tegument::run

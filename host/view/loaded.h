@@ -1,5 +1,5 @@
 #pragma once
-// An effect that has been drawn at least once.
+// An effect and what it has on the device.
 
 #include "host/adopt/adopt.h"
 #include "host/run/session.h"
@@ -12,16 +12,17 @@ namespace tegument::view {
 
 struct Loaded {
     /// `before`: of the same scene.
-    Loaded(gpu::Device& device, Adoption source, const std::shared_ptr<const void>& scene, const SessionScene& parts,
+    Loaded(gpu::Device& device, std::shared_ptr<const Adoption> read, const std::shared_ptr<const void>& scene, const SessionScene& parts,
            const Loaded* before = nullptr)
-        : keeps(scene), effect(std::move(source.effect)), bindings(std::move(source.bindings)),
+        : keeps(scene), source(std::move(read)), effect(source->effect), bindings(source->bindings),
           session(device, effect, parts, before ? &before->session : nullptr) {}
-    Loaded(const Loaded&) = delete; // the session points at the effect
+    Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
 
-    std::shared_ptr<const void> keeps; // the session's scene
-    Effect effect;
-    std::vector<ParameterBinding> bindings; // of an effect of another host
+    std::shared_ptr<const void> keeps;      // the session's scene
+    std::shared_ptr<const Adoption> source; // several may have it
+    const Effect& effect;
+    const std::vector<ParameterBinding>& bindings; // of an effect of another host
     EffectSession session;
 };
 

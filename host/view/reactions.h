@@ -15,6 +15,7 @@ struct ReplayStep {
     std::filesystem::path file; // of an edit
     std::string from;           // its first occurrence in the file becomes `to`
     std::string to;
+    glm::dvec2 meanwhile{0}; // drags of the camera, again and again, until a picture that takes a while is there
 };
 
 struct Reaction {

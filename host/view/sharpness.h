@@ -11,6 +11,16 @@ namespace tegument::view {
 /// What moves: with the camera alone the maps on the skin, and those that the light sees, stay as they are.
 enum class Moving { Camera, Rest };
 
+/// How the picture is drawn: as it is to be, or so that it is there soon.
+struct Sharpness {
+    double share = 1;      // of each side of the picture
+    bool drafting = false; // by the session with fewer texels in its maps
+    bool coarse = false;   // with fewer triangles
+    bool single = false;   // with one sample a pixel, as all that is not whole
+
+    [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse && !single; }
+};
+
 /// A picture drawn while something moves.
 struct QuickPicture {
     double share = 1;        // of each side of the window's picture

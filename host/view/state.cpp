@@ -219,9 +219,13 @@ void adopt(ViewState& state, const Effect& effect) {
     state.techniques.clear();
     for (const Technique& technique : effect.techniques)
         if (!technique.name.starts_with('<')) state.techniques.push_back(technique.name); // adopted() adds such
-    const Technique* chosen = state.technique.empty() ? nullptr : effect.findTechnique(state.technique);
+    state.technique = techniqueOf(effect, state.technique);
+}
+
+std::string techniqueOf(const Effect& effect, const std::string& asked) {
+    const Technique* chosen = asked.empty() ? nullptr : effect.findTechnique(asked);
     if (!chosen) chosen = effect.defaultTechnique();
-    state.technique = chosen ? chosen->name : std::string();
+    return chosen ? chosen->name : std::string();
 }
 
 std::size_t passCount(const ViewState& state) {

@@ -68,6 +68,8 @@ void choosePreset(ViewState& state, const std::string& name, const ViewState& st
 /// Passes, targets and techniques of what was drawn or loaded; what is shown stays where it can.
 void adopt(ViewState& state, const SessionFrame& frame);
 void adopt(ViewState& state, const Effect& effect);
+/// `asked` where the effect has it, else its default one; empty: it has none.
+[[nodiscard]] std::string techniqueOf(const Effect& effect, const std::string& asked);
 
 /// Shows this target of the whole frame; the picture for an empty name.
 [[nodiscard]] Request showTarget(ViewState& state, const std::string& name);

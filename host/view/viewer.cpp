@@ -21,14 +21,22 @@ namespace {
 
 constexpr double kPatience = 0.05;                      // seconds between two looks at the files
 constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in the middle of a file
-constexpr int kMostWaits = 25;
+constexpr auto kMostSaving = std::chrono::seconds(1);
 constexpr double kShort = 0.005;   // while the text settles, or the window changes
 constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
 constexpr int kDeviceLost = 6007;
+constexpr std::uint32_t kUnknownBands = 4; // of a pass that was not drawn yet
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
     return device.createTexture(
         {.name = name, .format = gpu::Format::RGBA8, .width = size.width, .height = size.height, .renderTarget = true});
+}
+
+/// For more than where the cursor is.
+bool asks(const Input& input) {
+    const glm::dvec2 none(0);
+    return !input.keys.empty() || !input.dropped.empty() || input.camera != none || input.pan != none || input.light != none ||
+           input.wheel != 0 || input.lightWheel != 0 || input.border;
 }
 
 } // namespace
@@ -68,7 +76,7 @@ Result<void> Viewer::prepare() {
     overlay_ = std::move(*overlay);
     begin();
     size_ = {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
-    auto effect = readEffect();
+    auto effect = readSource();
     if (!effect) return effect.error();
     if (!request_.beside.empty())
         if (const auto opened = openBeside(request_.beside); !opened) return opened;
@@ -77,6 +85,7 @@ Result<void> Viewer::prepare() {
     if (!frame) return frame.error();
     loaded_ = std::move(loaded);
     adopt(state_, loaded_->effect);
+    wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};
     readPresets();
     start_ = state_;
     watchFiles(&loaded_->effect, nullptr);
@@ -103,15 +112,13 @@ void Viewer::readPresets() {
         });
 }
 
-Result<Adoption> Viewer::readEffect() const {
-    return readEffect(request_.load);
-}
-
-Result<Adoption> Viewer::readEffect(LoadOptions load) const {
+Result<std::shared_ptr<const Adoption>> Viewer::readSource() const {
+    LoadOptions load = request_.load;
     load.setting = state_.setting;
-    auto effect = loadEffect(request_.effect, load);
+    auto effect = readEffect(request_.effect, load,
+                             {.bind = state_.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height});
     if (!effect) return effect.error();
-    return adopted(std::move(*effect), {.bind = state_.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height});
+    return std::make_shared<const Adoption>(std::move(*effect));
 }
 
 Result<void> Viewer::run() {
@@ -123,12 +130,14 @@ Result<void> Viewer::run() {
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    if (window_) return window_->wait(settles ? kShort : kPatience, overlay_->wantsMouse(), borderOfWindow());
-    std::this_thread::sleep_for(std::chrono::duration<double>(kPatience));
+    const double patience = settles || making_ || firstSaved_ ? kShort : kPatience;
+    if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
+    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || firstSaved_ ? kShort : kPatience));
     return {};
 }
 
 Result<void> Viewer::step(const Input& input) {
+    pieceBegan_ = std::chrono::steady_clock::now();
     const PixelSize pixels = windowPixels();
     const bool seen = pixels.width > 0 && pixels.height > 0;
     if (input.any) settling_ = kSettlingFrames;
@@ -139,26 +148,31 @@ Result<void> Viewer::step(const Input& input) {
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
     for (const fs::path& file : input.dropped)
         if (const auto opened = open(file); !opened) return opened;
-    if (watch_.changed()) {
-        waitForEditor();
-        if (const auto loaded = load(); !loaded) return loaded;
-    }
+    if (edited()) load("the edit");
     if (const auto resized = resize(); !resized) return resized;
     if (torn_)
         if (const auto drawn = drawAs(sharpness_); !drawn) return drawn;
-    if (const auto sharpened = sharpen(); !sharpened) return sharpened;
-    if (!input.any && !isDraft()) { // once nothing moves
+    if (const auto advanced = advance(!asks(input)); !advanced) return advanced;
+    if (!making_ || !making_->loaded)
+        if (const auto sharpened = sharpen(); !sharpened) return sharpened;
+    if (!input.any && !isDraft() && !making_) { // once nothing moves
         if (const auto measured = measureBeside(); !measured) return measured;
         if (const auto prepared = prepareToMove(); !prepared) return prepared;
     }
-    return seen && settling_ > 0 ? show() : Result<void>();
+    const auto shown = seen && settling_ > 0 && !torn_ ? show() : Result<void>();
+    notePiece();
+    return shown;
 }
 
-void Viewer::waitForEditor() {
-    for (int waited = 0; waited < kMostWaits; ++waited) {
-        std::this_thread::sleep_for(kSaving);
-        if (!watch_.changed()) return;
+bool Viewer::edited() {
+    const auto now = std::chrono::steady_clock::now();
+    if (watch_.changed()) {
+        lastSaved_ = now;
+        if (!firstSaved_) firstSaved_ = now;
     }
+    const bool whole = firstSaved_ && (now - lastSaved_ >= kSaving || now - *firstSaved_ >= kMostSaving);
+    if (whole) firstSaved_.reset();
+    return whole;
 }
 
 Result<void> Viewer::obey(const Input& input) {
@@ -168,8 +182,22 @@ Result<void> Viewer::obey(const Input& input) {
     if (overlay_->wantsKeys()) return {};
     for (const char32_t key : input.keys)
         if (const auto command = commandOf(key))
-            if (const auto done = fulfil(apply(state_, *command, start_)); !done) return done;
+            if (const auto done = obey(*command); !done) return done;
     return {};
+}
+
+Result<void> Viewer::obey(Command command) {
+    switch (command) {
+    case Command::NextTechnique:
+    case Command::PreviousTechnique:
+    case Command::NextSetting: makeAnother(command); return {};
+    case Command::NextPreset:
+    case Command::Reset:
+        if (apply(state_, command, start_) == Request::None) return {};
+        notice_.clear();
+        return drawMoving(Moving::Rest, false);
+    default: return fulfil(apply(state_, command, start_));
+    }
 }
 
 Result<void> Viewer::fulfil(Request request) {
@@ -178,7 +206,7 @@ Result<void> Viewer::fulfil(Request request) {
     case Request::None: return {};
     case Request::Draw: return draw();
     case Request::Levels: return paint();
-    case Request::Load: return load(true);
+    case Request::Load: load("all of it, read anew", true); return {};
     case Request::Save:
         if (isDraft())
             if (const auto drawn = draw(); !drawn) return drawn;
@@ -198,7 +226,7 @@ Result<void> Viewer::resize() {
     const PixelSize pixels = picturePixels();
     if (pixels.width == 0 || pixels.height == 0 || pixels == size_) return {};
     size_ = pixels;
-    return draw();
+    return drawMoving(Moving::Camera, false);
 }
 
 double Viewer::pictureShare() const {
@@ -220,43 +248,19 @@ glm::dvec2 Viewer::cursorOnPicture() const {
     return placeSeenAt(state_, {cursor_.x / pictureShare(), cursor_.y});
 }
 
-Result<void> Viewer::load(bool anew) {
-    auto effect = readEffect();
-    if (!effect) return report(nullptr, effect.error());
-    const Sharpness sharpness = std::exchange(sharpness_, {.share = anew ? 1 : costs_.share(Moving::Rest)});
-    auto loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, anew ? nullptr : loaded_.get());
-    if (!anew) loaded->session.follow(loaded_->session);
-    const ViewState before = state_;
-    adopt(state_, loaded->effect);
-    auto frame = drawWith(*loaded);
-    if (!frame) {
-        sharpness_ = sharpness;
-        state_.techniques = before.techniques;
-        state_.technique = before.technique;
-        return report(&loaded->effect, frame.error());
-    }
-    loaded_ = std::move(loaded);
-    dropDraft();
-    levelled_.clear();
-    targets_.forgetAll();
-    readPresets();
-    start_.presets = state_.presets;
-    watchFiles(&loaded_->effect, nullptr);
-    return develop(std::move(*frame));
-}
-
 Result<void> Viewer::open(const fs::path& file) {
     notice_.clear();
     if (!request_.open) return {};
     auto next = request_.open(file, loaded_->effect);
     if (!next) return report(nullptr, next.error());
+    dropMaking();
     const Sharpness sharpness = std::exchange(sharpness_, {});
     const ViewRequest before = std::exchange(request_, std::move(*next));
     const ViewState state = state_;
     request_.pictures = before.pictures;
     state_.show = Show::Picture;
     if (!request_.keepView) begin();
-    auto effect = readEffect();
+    auto effect = readSource();
     std::unique_ptr<Loaded> loaded;
     Result<SessionFrame> frame = effect ? Result<SessionFrame>(SessionFrame{}) : Result<SessionFrame>(effect.error());
     if (effect) {
@@ -280,6 +284,9 @@ Result<void> Viewer::open(const fs::path& file) {
     targets_.forgetAll();
     readPresets();
     start_ = state_;
+    wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};
+    costs_ = draftCosts_ = {};
+    broken_ = false;
     notice("shown: " + file.string());
     watchFiles(&loaded_->effect, nullptr);
     return develop(std::move(*frame));
@@ -294,18 +301,16 @@ Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
 }
 
 Result<void> Viewer::develop(SessionFrame frame) {
-    if (!problem_.empty()) say_("the picture is up to date again");
-    problem_.clear();
+    if (!problem_.empty() && !broken_) say_("the picture is up to date again");
+    if (!broken_) problem_.clear();
     if (frame.technique != frame_.technique) {
         targets_.forgetAll();
-        costs_ = draftCosts_ = {};
         pieces_.forget();
     }
     frame_ = std::move(frame);
     times_.note(frame_);
     noteCosts();
     moved_ = std::chrono::steady_clock::now();
-    ++answers_;
     targets_.forget();
     adopt(state_, frame_);
     state_.fur = !rootsTexture().empty();
@@ -395,10 +400,11 @@ Result<void> Viewer::composeWithText(PanelOutcome& outcome) {
 
 Result<void> Viewer::bind(const BindingChoice& choice) {
     if (choice.rule.empty())
-        state_.binds.erase(choice.parameter);
+        wanted_.binds.erase(choice.parameter);
     else
-        state_.binds[choice.parameter] = choice.rule;
-    return load();
+        wanted_.binds[choice.parameter] = choice.rule;
+    load("another binding");
+    return {};
 }
 
 void Viewer::notice(std::string text) {
@@ -416,7 +422,7 @@ RunOptions Viewer::runOptions() {
     options.keepUnchanged = true;
     if (isDraft()) options.samples = 1;
     if (sharpness_.coarse) options.coarser = {.triangles = fewer_, .everywhere = sharpness_.drafting};
-    if (inPieces_) options.pieces = {.goOn = [this] { return mayGoOn(); }, .bands = pieces_.bands()};
+    if (inPieces_) options.pieces = {.goOn = [this] { return mayGoOn(); }, .bands = pieces_.bands(), .others = kUnknownBands};
     return options;
 }
 
@@ -442,7 +448,6 @@ void Viewer::watchFiles(const Effect* effect, const Error* error) {
 Result<void> Viewer::report(const Effect* effect, const Error& error) {
     if (error.diagnostics.front().code == kDeviceLost) return error;
     problem_ = format(error);
-    ++answers_;
     say_(problem_);
     watchFiles(effect, &error);
     markSource(source_, error);

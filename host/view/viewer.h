@@ -5,10 +5,10 @@
 #include "host/view/beside.h"
 #include "host/view/canvas.h"
 #include "host/view/loaded.h"
+#include "host/view/making.h"
 #include "host/view/mesh_canvas.h"
 #include "host/view/overlay.h"
 #include "host/view/panel.h"
-#include "host/view/sharpness.h"
 #include "host/view/source_text.h"
 #include "host/view/state.h"
 #include "host/view/targets.h"
@@ -24,16 +24,6 @@ namespace tegument::view {
 /// While the text settles.
 inline constexpr int kSettlingFrames = 3;
 
-/// How the picture is drawn: as it is to be, or so that it is there soon.
-struct Sharpness {
-    double share = 1;      // of each side of the picture
-    bool drafting = false; // by the session with fewer texels in its maps
-    bool coarse = false;   // with fewer triangles
-    bool single = false;   // with one sample a pixel, as all that is not whole
-
-    [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse && !single; }
-};
-
 class Viewer {
 public:
     static Result<std::unique_ptr<Viewer>> start(const ViewRequest& request, const std::function<void(const std::string&)>& say);
@@ -46,6 +36,8 @@ public:
 private:
     /// Until what a move needs is there.
     [[nodiscard]] Result<void> awaitReady(std::vector<Reaction>& reactions);
+    /// Until the picture that a step asked for is there. `next`: drags it has meanwhile.
+    [[nodiscard]] Result<void> awaitMade(const ReplayStep& next, std::size_t before, std::vector<Reaction>& reactions);
     /// Until a small picture is whole, which is a step of its own kind.
     [[nodiscard]] Result<void> awaitSharp(std::vector<Reaction>& reactions);
 
@@ -57,15 +49,13 @@ private:
     [[nodiscard]] Result<void> step(const Input& input);
     [[nodiscard]] Input wait();
     [[nodiscard]] Result<void> obey(const Input& input);
+    [[nodiscard]] Result<void> obey(Command command);
     [[nodiscard]] Result<void> fulfil(Request request);
     [[nodiscard]] Result<void> resize();
 
-    /// Until the files have been still for a moment.
-    void waitForEditor();
-    [[nodiscard]] Result<Adoption> readEffect() const;
-    [[nodiscard]] Result<Adoption> readEffect(LoadOptions load) const;
-    /// Reads the effect and draws it; what was there before stays if either fails. `anew`: its textures, too.
-    [[nodiscard]] Result<void> load(bool anew = false);
+    /// Whether files have changed, and have been still for a moment.
+    [[nodiscard]] bool edited();
+    [[nodiscard]] Result<std::shared_ptr<const Adoption>> readSource() const;
     /// A file that was dropped on the window.
     [[nodiscard]] Result<void> open(const std::filesystem::path& file);
     /// Camera, light, parameters, technique and setting as the request has them.
@@ -79,6 +69,25 @@ private:
     /// A target of the picture's size.
     [[nodiscard]] Result<void> makePicture(gpu::Texture& picture, const char* name);
     [[nodiscard]] Levels shownLevels() const;
+
+    // viewer_making.cpp
+    /// Reads the effect and draws it, in pieces; until then, or if either fails, what was there before stays. `anew`: its textures, too.
+    void load(std::string what, bool anew = false);
+    /// The next technique, setting...
+    void makeAnother(Command command);
+    void make(Making making);
+    void dropMaking();
+    [[nodiscard]] ToRead toRead(const Wanted& wanted, LoadOptions load);
+    /// The next piece of what is made. `rests`: nobody asks for anything else.
+    [[nodiscard]] Result<void> advance(bool rests);
+    [[nodiscard]] Result<void> takeReading();
+    [[nodiscard]] Result<void> drawMaking();
+    [[nodiscard]] Result<void> finishMaking(SessionFrame frame);
+    [[nodiscard]] Result<void> failMaking(const Error& error);
+    /// "technique Lambert, pass 3 of 13"; empty: nothing is made.
+    [[nodiscard]] std::string makingText() const;
+    /// What is drawn first of a picture whose costs are those of the one before.
+    [[nodiscard]] Sharpness soon() const;
 
     // viewer_mesh.cpp
     /// The mesh in false colours instead of the picture.
@@ -95,7 +104,8 @@ private:
     // viewer_moving.cpp
     [[nodiscard]] Result<void> draw();
     /// Small and coarse where a whole picture takes too long. `what` moves: each has passes of its own that must be drawn.
-    [[nodiscard]] Result<void> drawMoving(Moving what);
+    /// `learns`: what it takes tells what the next will take.
+    [[nodiscard]] Result<void> drawMoving(Moving what, bool learns = true);
     [[nodiscard]] Result<void> drawAs(const Sharpness& how);
     [[nodiscard]] bool isDraft() const { return !sharpness_.whole(); }
     /// Of what is shown.
@@ -118,14 +128,17 @@ private:
     // viewer_draft.cpp
     /// Once the window rests: what a move will need. A little at a time.
     [[nodiscard]] Result<void> prepareToMove();
-    [[nodiscard]] bool preparing() const { return making_.valid(); }
+    [[nodiscard]] bool preparing() const;
+    [[nodiscard]] bool wantsDraft() const;
     /// Meshes in fewer triangles, made by another thread; takes them once they are there.
     void takeFewer();
-    /// The effect with fewer texels in the maps that do not follow the picture's size. None: it has no such maps, or does not ask how many
-    /// (TEGUMENT_MAP_SIZE).
-    [[nodiscard]] std::unique_ptr<Loaded> loadDraft();
-    /// A session of that has drawn a frame. In pieces: it may take several calls.
+    /// Begins to read the effect with fewer texels in the maps that do not follow the picture's size, where it has such.
+    void readDraft();
+    /// A session of that, if it does ask how many they are (TEGUMENT_MAP_SIZE), has drawn a frame. It may take several calls.
     [[nodiscard]] bool haveDraft(bool inPieces);
+    [[nodiscard]] Result<SessionFrame> drawDraft(bool inPieces);
+    /// The kept side moves as fast as the picture, where it is of the same effect.
+    void shareDraft();
     void dropDraft();
     void dropFewer();
 
@@ -204,16 +217,26 @@ private:
     std::filesystem::path workspaceFile_; // the last one written
     std::string workspaceText_;
     std::string title_;
-    std::size_t answers_ = 0; // frames and errors so far
-    Sharpness sharpness_;     // of what is shown
+    Sharpness sharpness_; // of what is shown
     MovingCosts costs_;
     std::unique_ptr<Loaded> draft_;
     MovingCosts draftCosts_;
     std::shared_ptr<const FewerTriangles> fewer_;
-    std::future<FewerTriangles> making_;
+    std::future<FewerTriangles> fewerMaking_;
+    std::unique_ptr<Reading> draftReading_;
+    Wanted wanted_;
+    std::unique_ptr<Making> making_;
+    std::vector<std::unique_ptr<Reading>> abandoned_;                 // until their threads have ended
+    std::string madeText_;                                            // as it is shown
+    std::chrono::steady_clock::time_point told_;                      // when that was
+    std::size_t made_ = 0;                                            // pictures, or errors in their place
+    std::optional<std::chrono::steady_clock::time_point> firstSaved_; // files that changed and may not be whole yet
+    std::chrono::steady_clock::time_point lastSaved_;
     PieceTimes pieces_;
     std::chrono::steady_clock::time_point pieceBegan_;
-    double longestPiece_ = 0;                     // milliseconds; of the last picture in pieces
+    double longestPiece_ = 0;                     // milliseconds in which the viewer did not answer
+    bool interrupted_ = false;                    // of a replay: somebody drags, each piece is the last for now
+    bool broken_ = false;                         // what was asked for last has no picture
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;

@@ -45,15 +45,14 @@ Result<void> Viewer::keep() {
         notice("gave the kept picture up");
         return {};
     }
-    auto effect = readEffect();
-    if (!effect) return report(nullptr, effect.error());
     beside_ = std::make_unique<Beside>();
-    beside_->loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
+    beside_->loaded = std::make_unique<Loaded>(device_, loaded_->source, request_.keeps, request_.scene, loaded_.get());
     beside_->name = sideName();
     beside_->technique = state_.technique;
     beside_->parameters = state_.parameters;
     notice("kept: " + beside_->name);
-    return draw();
+    shareDraft();
+    return drawAs(sharpness_);
 }
 
 Result<void> Viewer::openBeside(const std::filesystem::path& file) {
@@ -82,10 +81,11 @@ Result<void> Viewer::drawBeside() {
         options.technique = beside.technique;
         options.parameters = beside.parameters;
         beside.values = {};
-        const auto frame = beside.loaded->session.draw(state_.workspace, options);
+        beside.drafting = sharpness_.drafting && beside.draft;
+        const auto frame = beside.session().draw(state_.workspace, options);
         if (!frame) return frame.error();
         beside.times.note(*frame);
-        if (!beside.loaded->session.target(shownTarget(state_, frame_))) return {};
+        if (!beside.session().target(shownTarget(state_, frame_))) return {};
     }
     beside.drawn = true;
     return paintBeside();
@@ -95,7 +95,7 @@ Result<void> Viewer::paintBeside() {
     if (!beside_ || !beside_->drawn) return {};
     Beside& beside = *beside_;
     if (const auto made = makePicture(beside.picture, "picture beside"); !made) return made;
-    gpu::Texture* texture = beside.loaded ? beside.loaded->session.target(shownTarget(state_, frame_)) : &beside.stored;
+    gpu::Texture* texture = beside.loaded ? beside.session().target(shownTarget(state_, frame_)) : &beside.stored;
     Levels levels = shownLevels();
     if (beside.display) levels = {.channel = state_.channel, .toneMap = false, .encode = true};
     return canvas_->show(beside.picture, *texture, levels, fitOf(*texture));
@@ -107,7 +107,7 @@ Result<std::pair<Image, const Image*>> Viewer::sides() {
     const auto now = targets_.image(device_, session(), shown);
     if (!now) return now.error();
     if (beside.values.pixels.empty()) {
-        auto values = run::readBack(device_, *beside.loaded->session.target(shown));
+        auto values = run::readBack(device_, *beside.session().target(shown));
         if (!values) return values.error();
         beside.values = std::move(*values);
     }

@@ -8,6 +8,7 @@ namespace tegument::view {
 
 namespace {
 
+constexpr std::chrono::milliseconds kRested(400);
 constexpr double kSlowPicture = 70;            // milliseconds: whoever is quicker needs nothing
 constexpr double kSlowMaps = 100;              // likewise: what a smaller picture does not mend
 constexpr std::uint32_t kFewerTexels = 4;      // along each side
@@ -39,41 +40,45 @@ std::set<const Mesh*> largeMeshes(const SessionScene& scene) {
 Result<void> Viewer::prepareToMove() {
     if (costs_.pixels + costs_.anything <= kSlowPicture) return {};
     takeFewer();
-    if (!making_.valid() && costs_.anything > kSlowMaps) (void)haveDraft(true);
+    if (std::chrono::steady_clock::now() - moved_ < kRested) return {}; // the next edit may come at once, and wants the processor
+    if (!fewerMaking_.valid() && wantsDraft()) (void)haveDraft(true);
     return {};
+}
+
+bool Viewer::wantsDraft() const {
+    return costs_.pixels + costs_.anything > kSlowPicture && costs_.anything > kSlowMaps;
+}
+
+bool Viewer::preparing() const {
+    return fewerMaking_.valid() || draftReading_ || (draft_ && !draftDrawn_) || (!draftTried_ && wantsDraft());
 }
 
 void Viewer::takeFewer() {
     if (!fewerAsked_ && request_.fewer) {
         fewerAsked_ = true;
-        making_ = std::async(std::launch::async, [meshes = largeMeshes(request_.scene), make = request_.fewer, keeps = request_.keeps] {
-            FewerTriangles fewer;
-            for (const Mesh* mesh : meshes)
-                fewer.emplace(mesh, make(*mesh, kDraftTriangles));
-            return fewer;
-        });
+        fewerMaking_ =
+            std::async(std::launch::async, [meshes = largeMeshes(request_.scene), make = request_.fewer, keeps = request_.keeps] {
+                FewerTriangles fewer;
+                for (const Mesh* mesh : meshes)
+                    fewer.emplace(mesh, make(*mesh, kDraftTriangles));
+                return fewer;
+            });
     }
-    if (making_.valid() && making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-        fewer_ = std::make_shared<const FewerTriangles>(making_.get());
+    if (fewerMaking_.valid() && fewerMaking_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        fewer_ = std::make_shared<const FewerTriangles>(fewerMaking_.get());
 }
 
-std::unique_ptr<Loaded> Viewer::loadDraft() {
+void Viewer::readDraft() {
+    draftTried_ = true;
     const std::uint32_t side = mapSide();
-    if (side < kLeastSide) return nullptr;
+    if (side < kLeastSide) return;
     LoadOptions load = request_.load;
     divideSizes(load.defines, side);
-    auto effect = readEffect(std::move(load));
-    if (!effect) return nullptr; // the whole picture has said why, or will
-    return std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene, loaded_.get());
+    draftReading_ = std::make_unique<Reading>(
+        toRead({.technique = state_.technique, .setting = state_.setting, .binds = state_.binds}, std::move(load)));
 }
 
-bool Viewer::haveDraft(bool inPieces) {
-    if (draftDrawn_) return true;
-    if (draftTried_ && !draft_) return false;
-    const std::uint32_t side = mapSide();
-    if (!draftTried_) draft_ = loadDraft();
-    draftTried_ = true;
-    if (!draft_) return false;
+Result<SessionFrame> Viewer::drawDraft(bool inPieces) {
     draftCosts_ = costs_;
     draftCosts_.anything /= kFewerTexels * kFewerTexels;
     draftCosts_.camera = draftCosts_.anything;
@@ -81,28 +86,54 @@ bool Viewer::haveDraft(bool inPieces) {
         std::exchange(sharpness_, {.share = costs_.share(Moving::Camera), .drafting = true, .coarse = fewer_ != nullptr});
     const double milliseconds = milliseconds_;
     inPieces_ = inPieces;
-    const auto frame = drawWith(*draft_);
+    auto frame = drawWith(*draft_);
     inPieces_ = false;
     sharpness_ = shown;
     milliseconds_ = milliseconds;
+    return frame;
+}
+
+bool Viewer::haveDraft(bool inPieces) {
+    if (draftDrawn_) return true;
+    if (!draftTried_) readDraft();
+    if (draftReading_) {
+        if (!draftReading_->done()) return false;
+        ReadAhead read = draftReading_->take();
+        draftReading_.reset();
+        if (!read.ahead) return false; // the whole picture has said why, or will
+        draft_ = std::make_unique<Loaded>(device_, std::move(read.source), request_.keeps, request_.scene, loaded_.get());
+        draft_->session.take(std::move(*read.ahead));
+    }
+    if (!draft_) return false;
+    const auto frame = drawDraft(inPieces);
     if (frame && frame->givenUp) return false;
     draftDrawn_ = frame && std::ranges::any_of(frame->targets, [&](const std::string& name) {
-                      return draft_->session.target(name)->desc().width == side / kFewerTexels;
+                      return draft_->session.target(name)->desc().width == mapSide() / kFewerTexels;
                   });
     if (!draftDrawn_) draft_.reset();
+    shareDraft();
     return draftDrawn_;
+}
+
+void Viewer::shareDraft() {
+    if (!draftDrawn_ || !beside_ || !beside_->loaded || beside_->draft || beside_->loaded->source != loaded_->source) return;
+    beside_->draft = std::make_unique<Loaded>(device_, draft_->source, request_.keeps, request_.scene, draft_.get());
 }
 
 /// Another scene.
 void Viewer::dropFewer() {
-    if (making_.valid()) making_.wait();
-    making_ = {};
+    if (fewerMaking_.valid()) fewerMaking_.wait();
+    fewerMaking_ = {};
     fewer_ = nullptr;
     fewerAsked_ = false;
 }
 
 void Viewer::dropDraft() {
     draft_.reset();
+    if (draftReading_) {
+        draftReading_->giveUp();
+        abandoned_.push_back(std::move(draftReading_));
+    }
     draftTried_ = draftDrawn_ = false;
     sharpness_.drafting = false;
 }

@@ -18,7 +18,7 @@ Result<void> Viewer::draw() {
     return drawAs({});
 }
 
-Result<void> Viewer::drawMoving(Moving what) {
+Result<void> Viewer::drawMoving(Moving what, bool learns) {
     takeFewer();
     const double maps = what == Moving::Camera ? costs_.camera : costs_.anything;
     Sharpness how = sharpness_;
@@ -30,7 +30,7 @@ Result<void> Viewer::drawMoving(Moving what) {
     const auto begin = std::chrono::steady_clock::now();
     const auto drawn = drawAs(how);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    costs.note(passCosts(), took.count(), sharpness_.share, what, isDraft());
+    if (learns) costs.note(passCosts(), took.count(), sharpness_.share, what, isDraft());
     return drawn;
 }
 
@@ -65,11 +65,8 @@ Result<void> Viewer::sharpen() {
     if (!isDraft() || std::chrono::steady_clock::now() - moved_ < kStill) return {};
     const Sharpness shown = std::exchange(sharpness_, {});
     inPieces_ = true;
-    longestPiece_ = 0;
-    pieceBegan_ = std::chrono::steady_clock::now();
     auto frame = drawWith(*loaded_);
     inPieces_ = false;
-    notePiece();
     if (!frame) return report(&loaded_->effect, frame.error());
     if (!frame->givenUp) return develop(std::move(*frame));
     sharpness_ = shown;
@@ -84,7 +81,7 @@ void Viewer::notePiece() {
 
 bool Viewer::mayGoOn() {
     notePiece();
-    return !window_ || !window_->hears();
+    return window_ ? !window_->hears() : !interrupted_;
 }
 
 PixelSize Viewer::drawnPixels() const {

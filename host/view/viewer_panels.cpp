@@ -92,6 +92,7 @@ PanelText Viewer::panelText() {
         text.lines.push_back(fmt::format("drawn at {} x {},{}{} while it moves", drawnPixels().width, drawnPixels().height,
                                          sharpness_.drafting ? " maps at a quarter of each side," : "",
                                          sharpness_.coarse ? " in fewer triangles," : ""));
+    if (making_) text.lines.push_back("being made: " + makingText());
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
     if (state_.probe) {
@@ -106,8 +107,8 @@ PanelText Viewer::panelText() {
 
 std::string Viewer::titleText() const {
     if (!problem_.empty()) return firstLine(problem_);
-    return fmt::format("{} {} [{}] {}, {:.1f} ms - tegument", request_.effect.filename().string(), state_.technique, state_.setting,
-                       shownText(state_, frame_), milliseconds_);
+    return fmt::format("{} {} [{}] {}, {:.1f} ms - tegument{}", request_.effect.filename().string(), state_.technique, state_.setting,
+                       shownText(state_, frame_), milliseconds_, making_ ? ", making " + making_->what : std::string());
 }
 
 } // namespace tegument::view

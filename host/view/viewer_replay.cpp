@@ -27,6 +27,7 @@ Result<void> replaceIn(const ReplayStep& edit) {
 Result<void> Viewer::awaitSharp(std::vector<Reaction>& reactions) {
     if (!isDraft()) return {};
     const auto begin = std::chrono::steady_clock::now();
+    longestPiece_ = 0;
     while (isDraft())
         if (const auto stepped = step(wait()); !stepped) return stepped;
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
@@ -37,16 +38,31 @@ Result<void> Viewer::awaitSharp(std::vector<Reaction>& reactions) {
 
 Result<void> Viewer::awaitReady(std::vector<Reaction>& reactions) {
     const auto begin = std::chrono::steady_clock::now();
-    double longest = 0;
-    for (int still = 0; still < kSettlingFrames; still = preparing() ? 0 : still + 1) {
-        const Input nothing = wait();
-        const auto one = std::chrono::steady_clock::now();
-        if (const auto stepped = step(nothing); !stepped) return stepped;
-        longest = std::max(longest, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - one).count());
-    }
+    longestPiece_ = 0;
+    for (int still = 0; still < kSettlingFrames; still = preparing() ? 0 : still + 1)
+        if (const auto stepped = step(wait()); !stepped) return stepped;
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     reactions.push_back({.kind = "ready to move", .milliseconds = took.count()});
-    reactions.push_back({.kind = "its longest part", .milliseconds = longest});
+    reactions.push_back({.kind = "its longest part", .milliseconds = longestPiece_});
+    return {};
+}
+
+Result<void> Viewer::awaitMade(const ReplayStep& next, std::size_t before, std::vector<Reaction>& reactions) {
+    const Input drag{.camera = next.meanwhile, .any = true};
+    const bool drags = next.meanwhile != glm::dvec2(0);
+    while (making_ || (!next.file.empty() && made_ == before)) {
+        Input nothing = wait();
+        interrupted_ = drags && making_; // from the worst moment, the beginning of a piece
+        const auto begin = std::chrono::steady_clock::now();
+        auto stepped = step(nothing);
+        if (stepped && interrupted_ && making_) {
+            stepped = step(drag);
+            const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+            reactions.push_back({.kind = "drag meanwhile", .milliseconds = took.count()});
+        }
+        interrupted_ = false;
+        if (!stepped) return stepped;
+    }
     return {};
 }
 
@@ -55,16 +71,18 @@ Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& step
     if (const auto ready = awaitReady(reactions); !ready) return ready.error();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const ReplayStep& next = steps[i];
-        const std::size_t before = answers_;
+        const std::size_t before = made_;
         if (!next.file.empty())
             if (const auto edited = replaceIn(next); !edited) return edited.error();
         const auto begin = std::chrono::steady_clock::now();
+        longestPiece_ = 0;
         auto stepped = step(next.input);
-        while (stepped && !next.file.empty() && answers_ == before)
-            stepped = step(wait());
+        const std::size_t mine = reactions.size();
+        if (stepped) stepped = awaitMade(next, before, reactions);
         if (!stepped) return stepped.error();
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        reactions.push_back({.kind = next.kind, .milliseconds = took.count()});
+        reactions.insert(reactions.begin() + static_cast<std::ptrdiff_t>(mine), {.kind = next.kind, .milliseconds = took.count()});
+        if (made_ != before) reactions.push_back({.kind = next.kind + ", its longest piece", .milliseconds = longestPiece_});
         if (!problem_.empty())
             return inputError(kNoReplay, {.file = request_.effect.string(), .byte = {}},
                               "a step of the replay has no picture: " + problem_);

@@ -160,17 +160,34 @@ class Replay(unittest.TestCase):
     def test_tells_how_long_each_kind_of_step_takes_without_a_window(self):
         ran = self.replay(self.STEPS, self.folder)
         self.assertEqual(ran.returncode, 0, ran.stderr)
-        rows = {line[:27].strip(): line[27:].split() for line in ran.stdout.splitlines()[1:] if line.strip()}
+        rows = self.rows(ran)
         for of_a_slow_machine in ("sharp after a move", "its longest piece"):
             rows.pop(of_a_slow_machine, None)
+        for kind in ("key t", "edit"):  # which are made while the old picture is shown
+            self.assertEqual(rows.pop(f"{kind}, its longest piece")[0], rows[kind][0])
         self.assertEqual({kind: row[0] for kind, row in rows.items()},
                          {"ready to move": "1", "its longest part": "1", "drag": "4", "light": "1", "wheel": "1", "key k": "1", "key t": "2", "edit": "2"}, ran.stdout)
         for kind, (_, median, p95, most) in rows.items():
             self.assertTrue(0 < float(median) <= float(p95) <= float(most), kind)
         self.assertNotIn("validation:", ran.stderr)
 
+    @staticmethod
+    def rows(ran):
+        return {line.rsplit(None, 4)[0]: line.rsplit(None, 4)[1:] for line in ran.stdout.splitlines()[1:] if line.strip()}
+
+    def test_drags_are_answered_while_a_picture_is_made_and_what_is_made_gets_done(self):
+        steps = [{"key": "t", "meanwhile": [0.03, 0.01]},
+                 {"edit": "effects/passes/final.fxh", "from": "float4(lerp(", "to": "float4(0.5 * lerp(", "meanwhile": [0.03, 0.01]},
+                 {"key": "t", "times": 7}, {"key": "m", "times": 3, "meanwhile": [0.01, 0]}, {"key": "n"}, {"drag": [0.1, 0.1]}]
+        ran = self.replay(steps, self.folder)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        rows = self.rows(ran)
+        self.assertGreater(int(rows["drag meanwhile"][0]), 8, ran.stdout)
+        self.assertEqual((rows["key t"][0], rows["edit"][0], rows["key m"][0]), ("8", "1", "3"), ran.stdout)
+        self.assertNotIn("validation:", ran.stderr)
+
     def test_refuses_what_is_none_and_says_which_step(self):
-        for steps in ([{"drug": [1, 1]}], {"drag": [1, 1]}, [{"key": "%"}], [{"drag": [1]}], [{"wheel": 1, "as": 2}],
+        for steps in ([{"drug": [1, 1]}], {"drag": [1, 1]}, [{"key": "%"}], [{"drag": [1]}], [{"wheel": 1, "as": 2}], [{"key": "t", "meanwhile": 1}],
                       [{"wheel": 1, "times": 2.5}], [{"wheel": 1, "times": -1}], [{"wheel": 1, "times": 1 << 33}], [{"wheel": 1, "times": 600000}] * 2,
                       [{"edit": "effects/passes/final.fxh", "from": "not there", "to": ""}]):
             ran = self.replay(steps, self.folder)

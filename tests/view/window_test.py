@@ -134,6 +134,15 @@ def keep(picture, name):
     return picture
 
 
+def slow_edit(text):
+    """What takes the compiler some seconds: a loop that is unrolled, and whose result counts; the picture gets darker."""
+    loop = "[unroll] for (int slow = 0; slow < 600; ++slow) sum += sin(sum.yzx * float(slow) + uv.xyx);"
+    edited = text.replace("float4(lerp(", "1e-9 * SlowSum(input.uv * 1e-3).xyzz + float4(0.25 * lerp(")
+    edited = edited.replace("float4 FinalPS", "float3 SlowSum(float2 uv) { float3 sum = uv.xyy; " + loop + " return sum; }\n\nfloat4 FinalPS", 1)
+    assert edited.count("SlowSum") == 3, "what this edits is there"
+    return edited
+
+
 class WideWindow(unittest.TestCase):
     """Twice as wide as high, for what stands beside or over the picture; it must end well, with no message of validation."""
 
@@ -273,6 +282,28 @@ class Window(unittest.TestCase):
         self.assertLess(edited.mean(), 0.7 * self.start.mean())
         include.write_text(text)
         self.assertEqual(self.view.still(unlike=edited), self.start)
+
+    def test_a_drag_is_answered_while_an_edit_compiles_and_the_last_edit_wins(self):
+        include = self.view.folder / "effects" / "passes" / "final.fxh"
+        text = include.read_text()
+        include.write_text(slow_edit(text))
+        self.view.title("making the edit")
+        self.view.screen.drag((160, 160), (240, 130))
+        turned = self.view.wait("the answer to the drag", lambda: (lambda seen: seen if seen.share_apart(self.start) > 0.02 else None)(self.view.screen.grab()))
+        self.assertIn("making the edit", self.view.screen.title(), "the edit is not there yet")
+        self.keep(turned, "while_an_edit_compiles")
+        self.assertGreater(turned.mean(), 0.8 * self.start.mean(), "the old picture was turned")
+        self.view.screen.press("t")  # what is asked for meanwhile is not lost
+        self.view.title("making technique")
+        self.view.screen.press("T", "Shift_L")
+        include.write_text(text.replace("float4(lerp(", "float4(0.25 * lerp("))
+        self.view.wait("the end of it", lambda: "making" not in self.view.screen.title())
+        self.assertIn("DEonLuebke [corrected]", self.view.screen.title())
+        edited = self.keep(self.view.still(), "the_last_edit")
+        self.assertLess(edited.mean(), 0.7 * self.start.mean())
+        include.write_text(text)
+        self.view.still(unlike=edited)
+        self.assertEqual(self.view.start_again(), self.start)
 
     def test_h_and_p_lay_help_and_sliders_over_the_picture(self):
         for key in ("h", "p"):
@@ -417,6 +448,21 @@ class Window(unittest.TestCase):
         self.view.screen.press("q")
         self.assertEqual(self.view.process.wait(PATIENCE), 0, self.view.said())
         self.assertNotIn("validation:", self.view.said())
+
+
+class Leaving(unittest.TestCase):
+    def test_the_program_ends_in_peace_while_an_edit_compiles_and_a_line_had_said_so(self):
+        view = View()
+        self.addCleanup(lambda: (view.end(), shutil.rmtree(view.folder)))
+        view.title("Main.fx DEonLuebke [corrected] picture")
+        include = view.folder / "effects" / "passes" / "final.fxh"
+        include.write_text(slow_edit(include.read_text()))
+        view.title("making the edit")
+        time.sleep(0.5)
+        keep(view.screen.grab(), "what_is_made_is_said")
+        view.screen.press("q")
+        self.assertEqual(view.process.wait(PATIENCE), 0, view.said())
+        self.assertNotIn("validation:", view.said())
 
 
 class NoWindowSystem(unittest.TestCase):

@@ -1,0 +1,36 @@
+#pragma once
+// A picture that is made while another one is shown and moved: of another technique or setting, or of an edited effect.
+
+#include "host/view/loaded.h"
+#include "host/view/reading.h"
+#include "host/view/sharpness.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace tegument::view {
+
+/// What was asked for last. What is shown is ViewState's, until its picture is there.
+struct Wanted {
+    std::string technique;
+    std::string setting;
+    std::map<std::string, std::string> binds;
+    bool operator==(const Wanted&) const = default;
+};
+
+struct Making {
+    std::string what; // "technique Lambert"
+    Wanted wanted;
+    bool reads = false;               // the effect is read again
+    bool anew = false;                // its textures, too
+    bool picture = false;             // then the picture is shown, whatever was before
+    std::unique_ptr<Reading> reading; // then
+    std::unique_ptr<Loaded> loaded{}; // whose first frame is drawn in pieces
+    Sharpness how{};
+    int tries = 0;         // of that frame
+    Workspace workspace{}; // that it is drawn with, once there were many
+    std::map<std::string, std::vector<double>> parameters{};
+};
+
+} // namespace tegument::view

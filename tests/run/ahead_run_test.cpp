@@ -1,0 +1,169 @@
+// What another thread makes for a session, and a first frame that is made in pieces.
+
+#include "host/run/ahead.h"
+#include "host/run/pause.h"
+#include "host/run/read_back.h"
+#include "host/run/session.h"
+#include "tests/run/fixture.h"
+#include "tests/run/sphere.h"
+
+#include <algorithm>
+#include <future>
+
+namespace tegument::test {
+namespace {
+
+class MadeAhead : public Run {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", "64"}}, .includeFolders = {}});
+        ASSERT_TRUE(succeeded(effect));
+        effect_ = std::make_unique<Effect>(std::move(*effect));
+        mesh_ = sphere();
+        options_ = {
+            .technique = "DEonLuebke", .width = 48, .height = 40, .samples = 4, .compiler = defaultCompiler(), .keepUnchanged = true};
+        options_.compiling = [this](std::size_t, std::size_t) { ++compiled_; };
+    }
+
+    [[nodiscard]] SessionScene scene() const { return {.mesh = &mesh_, .objects = {}}; }
+
+    std::vector<float> pixels(EffectSession& session, const std::string& target = {}) {
+        const auto image = run::readBack(*device_, *session.target(target));
+        EXPECT_TRUE(image);
+        return image ? image->pixels : std::vector<float>();
+    }
+
+    std::vector<float> expected() {
+        EffectSession alone(*device_, *effect_, scene());
+        EXPECT_TRUE(succeeded(alone.draw(closeUp(), options_)));
+        return pixels(alone);
+    }
+
+    std::unique_ptr<Effect> effect_;
+    Mesh mesh_;
+    RunOptions options_;
+    int compiled_ = 0;
+};
+
+TEST_F(MadeAhead, a_session_compiles_and_reads_nothing_that_another_thread_has) {
+    const std::vector<float> picture = expected();
+    EXPECT_GT(compiled_, 10) << "the effect's passes, and those of the effect that draws its Stretch map";
+    auto ahead = std::async(std::launch::async, [&] { return run::prepareAhead(*effect_, scene(), closeUp(), options_, {}); }).get();
+    ASSERT_TRUE(succeeded(ahead));
+    EXPECT_EQ(ahead->programs.size(), 13U) << "passes of the technique";
+    EXPECT_FALSE(ahead->textures.empty());
+    EXPECT_FALSE(ahead->producers.empty());
+    compiled_ = 0;
+    EffectSession session(*device_, *effect_, scene());
+    session.take(std::move(*ahead));
+    const auto frame = session.draw(closeUp(), options_);
+    ASSERT_TRUE(succeeded(frame));
+    EXPECT_EQ(compiled_, 0);
+    EXPECT_EQ(pixels(session), picture);
+    EXPECT_EQ(frame->produced.size(), 2U) << "what other effects draw for it is drawn, as always";
+}
+
+TEST_F(MadeAhead, what_a_session_knows_is_not_made_again) {
+    EffectSession before(*device_, *effect_, scene());
+    ASSERT_TRUE(succeeded(before.draw(closeUp(), options_)));
+    compiled_ = 0;
+    const auto ahead = run::prepareAhead(*effect_, scene(), closeUp(), options_, before.known());
+    ASSERT_TRUE(succeeded(ahead));
+    EXPECT_TRUE(ahead->textures.empty());
+    EffectSession next(*device_, *effect_, scene(), &before);
+    const auto bytes = device_->allocatedBytes();
+    const auto frame = next.draw(closeUp(), options_);
+    ASSERT_TRUE(succeeded(frame));
+    EXPECT_TRUE(std::ranges::all_of(frame->passes, &SessionPass::kept)) << "a kept side costs nothing while nothing moves";
+    EXPECT_TRUE(frame->produced.empty());
+    EXPECT_EQ(device_->allocatedBytes(), bytes);
+    EXPECT_EQ(pixels(next), pixels(before));
+}
+
+TEST_F(MadeAhead, errors_come_from_the_thread_as_they_would_from_the_session) {
+    RunOptions wrong = options_;
+    wrong.technique = "NoSuchTechnique";
+    EffectSession session(*device_, *effect_, scene());
+    const auto ahead = run::prepareAhead(*effect_, scene(), closeUp(), wrong, {});
+    ASSERT_FALSE(ahead);
+    EXPECT_FALSE(run::isGivenUp(ahead.error()));
+    EXPECT_EQ(code(ahead), code(session.draw(closeUp(), wrong)));
+}
+
+TEST_F(MadeAhead, a_thread_that_is_given_up_ends_behind_a_shader) {
+    RunOptions options = options_;
+    int passes = 0;
+    options.compiling = [&](std::size_t, std::size_t) { ++passes; };
+    options.pieces.goOn = [&] { return passes < 2; };
+    const auto ahead = run::prepareAhead(*effect_, scene(), closeUp(), options, {});
+    ASSERT_FALSE(ahead);
+    EXPECT_TRUE(run::isGivenUp(ahead.error()));
+    EXPECT_EQ(passes, 2);
+}
+
+TEST_F(MadeAhead, a_first_frame_that_is_given_up_again_and_again_gets_done_and_is_right) {
+    const std::vector<float> picture = expected();
+    auto ahead = run::prepareAhead(*effect_, scene(), closeUp(), options_, {});
+    ASSERT_TRUE(succeeded(ahead));
+    EffectSession session(*device_, *effect_, scene());
+    session.take(std::move(*ahead));
+    options_.pieces.goOn = [] { return false; };
+    constexpr int kMost = 300;
+    int tries = 0;
+    for (bool prepared = false; !prepared && tries < kMost; ++tries) {
+        const auto frame = session.draw(closeUp(), options_);
+        ASSERT_TRUE(succeeded(frame));
+        ASSERT_TRUE(frame->givenUp);
+        prepared = !frame->passes.empty();
+    }
+    EXPECT_GT(tries, 20) << "targets, textures and pipelines are pieces of their own";
+    EXPECT_LT(tries, kMost);
+    for (int i = 0; i < 3; ++i) { // two products, then the first pass
+        const auto frame = session.draw(closeUp(), options_);
+        ASSERT_TRUE(succeeded(frame));
+        EXPECT_TRUE(frame->givenUp);
+        EXPECT_EQ(frame->produced.size(), i == 0 ? 1U : 0U) << "one was drawn before, and is not again";
+    }
+    bool drawn = false;
+    for (tries = 0; !drawn && tries < kMost; ++tries) {
+        const auto frame = session.draw(closeUp(), options_);
+        ASSERT_TRUE(succeeded(frame));
+        drawn = !frame->givenUp;
+    }
+    EXPECT_LE(tries, 14) << "13 passes and the resolve: none is drawn twice, though targets are drawn into early and late";
+    EXPECT_EQ(pixels(session), picture);
+}
+
+TEST_F(MadeAhead, the_session_before_moves_while_the_next_one_is_made_in_pieces) {
+    EffectSession before(*device_, *effect_, scene());
+    ASSERT_TRUE(succeeded(before.draw(closeUp(), options_)));
+    RunOptions lambert = options_;
+    lambert.technique = "Lambert";
+    EffectSession next(*device_, *effect_, scene(), &before);
+    RunOptions pieces = lambert;
+    pieces.pieces.goOn = [] { return false; };
+    Workspace workspace = closeUp();
+    for (int i = 0; i < 60; ++i) {
+        const auto piece = next.draw(closeUp(), pieces);
+        ASSERT_TRUE(succeeded(piece));
+        if (!piece->givenUp) break;
+        workspace.camera.position = {0.1F * static_cast<float>(i), 0, 5};
+        workspace.light.position = {1, 0.2F * static_cast<float>(i), 5};
+        if (i % 4 == 0) {
+            ASSERT_TRUE(succeeded(before.draw(workspace, options_)));
+        }
+    }
+    ASSERT_TRUE(succeeded(next.draw(closeUp(), lambert)));
+    ASSERT_TRUE(succeeded(before.draw(workspace, options_)));
+    EffectSession one(*device_, *effect_, scene());
+    EffectSession other(*device_, *effect_, scene());
+    ASSERT_TRUE(succeeded(one.draw(closeUp(), lambert)));
+    ASSERT_TRUE(succeeded(other.draw(workspace, options_)));
+    EXPECT_EQ(pixels(next), pixels(one));
+    EXPECT_EQ(pixels(before), pixels(other));
+    EXPECT_EQ(pixels(before, "gIrradianceMap"), pixels(other, "gIrradianceMap"));
+}
+
+} // namespace
+} // namespace tegument::test

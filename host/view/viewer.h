@@ -146,6 +146,8 @@ private:
     [[nodiscard]] Result<void> keep();
     [[nodiscard]] Result<void> openBeside(const std::filesystem::path& file);
     [[nodiscard]] Result<void> drawBeside();
+    /// The kept side as the picture is drawn.
+    [[nodiscard]] Result<SessionFrame> drawSide();
     [[nodiscard]] Result<void> paintBeside();
     /// The picture's values and those beside it, in the same kind of light.
     [[nodiscard]] Result<std::pair<Image, const Image*>> sides();

@@ -77,18 +77,22 @@ Result<void> Viewer::drawBeside() {
     beside.error.clear();
     if (state_.show == Show::Pass) return {}; // the other side has other passes
     if (beside.loaded) {
-        RunOptions options = runOptions();
-        options.technique = beside.technique;
-        options.parameters = beside.parameters;
         beside.values = {};
-        beside.drafting = sharpness_.drafting && beside.draft;
-        const auto frame = beside.session().draw(state_.workspace, options);
+        const auto frame = drawSide();
         if (!frame) return frame.error();
         beside.times.note(*frame);
         if (!beside.session().target(shownTarget(state_, frame_))) return {};
     }
     beside.drawn = true;
     return paintBeside();
+}
+
+Result<SessionFrame> Viewer::drawSide() {
+    RunOptions options = runOptions();
+    options.technique = beside_->technique;
+    options.parameters = beside_->parameters;
+    beside_->drafting = sharpness_.drafting && beside_->draft;
+    return beside_->session().draw(state_.workspace, options);
 }
 
 Result<void> Viewer::paintBeside() {

@@ -98,7 +98,7 @@ Result<void> Viewer::takeReading() {
     if (!read.ahead) return failMaking(read.ahead.error());
     making_->loaded->session.take(std::move(*read.ahead));
     making_->wanted.technique = techniqueOf(making_->loaded->effect, making_->wanted.technique);
-    making_->how = soon();
+    making_->how = making_->anew ? Sharpness{} : soon(); // all of it, and its times, are to be seen
     return {};
 }
 

@@ -66,9 +66,11 @@ Result<void> Viewer::sharpen() {
     const Sharpness shown = std::exchange(sharpness_, {});
     inPieces_ = true;
     auto frame = drawWith(*loaded_);
+    const bool both = frame && !frame->givenUp && beside_ && beside_->loaded && state_.show != Show::Pass;
+    const auto side = both ? drawSide() : Result<SessionFrame>(SessionFrame{}); // which develop() then finds drawn
     inPieces_ = false;
     if (!frame) return report(&loaded_->effect, frame.error());
-    if (!frame->givenUp) return develop(std::move(*frame));
+    if (!frame->givenUp && !(side && side->givenUp)) return develop(std::move(*frame));
     sharpness_ = shown;
     torn_ = !shown.drafting;
     return {};

@@ -81,12 +81,17 @@ def read_png(path):
     return Picture(width, height, b"".join(rows))
 
 
+def begin(command, **how):
+    """A process that ends with this one, however that ends, and keeps none of its pipes open."""
+    return subprocess.Popen(["setpriv", "--pdeathsig", "KILL", *command], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, **how)
+
+
 class Screen:
     def __init__(self, width, height):
         self.width, self.height = width, height
         reader, writer = os.pipe()
         command = ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "-noreset"]
-        self.server = subprocess.Popen(command, pass_fds=[writer], stderr=subprocess.DEVNULL)
+        self.server = begin(command, pass_fds=[writer], stderr=subprocess.DEVNULL)
         os.close(writer)
         with os.fdopen(reader) as numbers:
             self.name = ":" + numbers.readline().strip()

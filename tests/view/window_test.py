@@ -11,7 +11,6 @@ import os
 import pathlib
 import shlex
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -73,7 +72,7 @@ class View:
         command = [PROGRAM, "view", *arguments, "--size", f"{SIZE}x{SIZE}", "--validate"]
         environment = {**os.environ, "DISPLAY": self.screen.name}
         environment.pop("WAYLAND_DISPLAY", None)
-        self.process = subprocess.Popen(command, cwd=self.folder, env=environment, stderr=self.errors)
+        self.process = screens.begin(command, cwd=self.folder, env=environment, stderr=self.errors)
 
     def said(self):
         return (self.folder / "stderr.txt").read_text()
@@ -117,14 +116,15 @@ class View:
         return self.still()
 
     def end(self):
+        """Its exit code; killed where a test that failed left the keys with the text of the effect, say."""
         if self.process.poll() is None:
             self.screen.press("q")
             try:
                 self.process.wait(PATIENCE)
             except subprocess.TimeoutExpired:
-                self.process.send_signal(signal.SIGKILL)
-                self.process.wait()
+                self.process.kill()
         self.screen.close()
+        return self.process.wait()
 
 
 def keep(picture, name):
@@ -160,10 +160,7 @@ class WideWindow(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        cls.view.screen.press("q")
-        ended = cls.view.process.wait(PATIENCE)
-        said = cls.view.said()
-        cls.view.end()
+        ended, said = cls.view.end(), cls.view.said()
         shutil.rmtree(cls.view.folder)
         assert ended == 0 and "validation:" not in said, said
 

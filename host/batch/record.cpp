@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
+#include <utility>
 
 namespace tegument::batch {
 
@@ -25,6 +27,16 @@ fs::path recordsOf(const fs::path& folder) {
 Json resultOf(const Record& record) {
     Json parsed = Json::parse(record.result, nullptr, false);
     return parsed.is_discarded() ? Json(record.result) : parsed;
+}
+
+/// A number that fits; the library's own conversion of one that does not is undefined.
+template <class Number>
+Number wholeOf(const Json& json, const char* name) {
+    const Json& value = json.at(name);
+    const auto fits = [](auto number) { return std::in_range<Number>(number); };
+    if (value.is_number_unsigned() ? !fits(value.get<std::uint64_t>()) : !value.is_number_integer() || !fits(value.get<std::int64_t>()))
+        throw Json::type_error::create(302, fmt::format("'{}' is no whole number, or too large", name), &value);
+    return value.get<Number>();
 }
 
 std::string textOf(const Json& value) {
@@ -84,11 +96,11 @@ Result<Record> readRecord(const fs::path& file) {
         Record record{.input = json.at("input"),
                       .command = json.at("command"),
                       .identity = json.at("identity"),
-                      .exitCode = json.at("exit_code"),
+                      .exitCode = wholeOf<int>(json, "exit_code"),
                       .outOfTime = json.at("out_of_time"),
                       .seconds = json.at("seconds"),
                       .processorSeconds = json.at("processor_seconds"),
-                      .peakBytes = json.at("peak_bytes"),
+                      .peakBytes = wholeOf<std::size_t>(json, "peak_bytes"),
                       .result = textOf(json.at("result")),
                       .messages = json.at("messages"),
                       .host = json.at("host"),

@@ -4,7 +4,9 @@
 #include "host/gpu/error.h"
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
+#include <utility>
 
 namespace tegument::gpu::detail {
 
@@ -69,6 +71,20 @@ Result<std::shared_ptr<DeviceState>> openLoader() {
     }
 }
 
+/// From a process's second device on an instance stays that nobody uses, and with it the driver's library. NVIDIA's (580.159) could be
+/// opened some 32 times by a process and then no more: each time it takes of the room that the C library has for variables of threads.
+void keepDriver() {
+    struct Kept {
+        vk::raii::Context context;
+        vk::raii::Instance instance = makePlainInstance(context, {});
+    };
+    static std::mutex mutex;
+    static bool isFirst = true;
+    static const Kept* kept = nullptr; // never destroyed: when a process ends, drivers are gone before static objects are
+    const std::scoped_lock lock(mutex);
+    if (!std::exchange(isFirst, false) && kept == nullptr) kept = new Kept;
+}
+
 std::vector<const char*> windowExtensions(const DeviceOptions& options) {
     std::vector<const char*> names;
     if (options.window)
@@ -104,6 +120,7 @@ Result<std::shared_ptr<DeviceState>> makeInstance(const DeviceOptions& options) 
     Result<std::shared_ptr<DeviceState>> opened = openLoader();
     if (!opened) return opened;
     try {
+        keepDriver();
         if (const auto created = createInstance(**opened, options); !created) return created.error();
         if (options.window)
             if (const auto created = createSurface(**opened, *options.window); !created) return created.error();

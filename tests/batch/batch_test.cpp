@@ -183,6 +183,28 @@ TEST_F(Batches, leave_no_record_of_what_was_cut_off_and_none_that_is_half) {
     EXPECT_EQ(readRecords({folder_ / "nothing"}).error().diagnostics.at(0).code, 8106);
 }
 
+TEST_F(Batches, refuse_a_record_whose_numbers_do_not_fit) {
+    const std::string input = write("a", "1");
+    EXPECT_EQ(run({input}, shell("echo '{}'")).done, 1U);
+    const Record good = readRecords({folder_ / "results"})->at(0);
+    const fs::path file = recordFile(folder_ / "results", good.input, good.command);
+    const std::string text = *readFile(file);
+    for (const auto& [name, value] : {std::pair{"exit_code", "1e36"},
+                                      {"exit_code", "2147483648"},
+                                      {"exit_code", "0.5"},
+                                      {"peak_bytes", "-1"},
+                                      {"peak_bytes", "1e300"},
+                                      {"peak_bytes", "true"}}) {
+        nlohmann::ordered_json record = nlohmann::ordered_json::parse(text);
+        record[name] = nlohmann::ordered_json::parse(value);
+        ASSERT_TRUE(writeFile(file, record.dump()));
+        const auto read = readRecord(file);
+        ASSERT_FALSE(read) << name << " " << value;
+        EXPECT_EQ(read.error().diagnostics.at(0).code, 8105) << name << " " << value;
+        EXPECT_NE(format(read.error()).find(name), std::string::npos) << format(read.error());
+    }
+}
+
 TEST_F(Batches, are_one_table_whoever_ran_them) {
     Batch batch = shell("case \"$0\" in *bad) echo 'a: error TG1101: no' >&2; exit 1;; *) echo \"{\\\"mesh\\\": {\\\"faces\\\": 7}, "
                         "\\\"rows\\\": [${#0}]}\";; esac");

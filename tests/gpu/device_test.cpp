@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <set>
 
 namespace tegument::gpu {
 namespace {
@@ -49,6 +51,29 @@ TEST(DeviceStart, without_the_validation_layer_is_an_error_only_when_validation_
     ASSERT_EQ(codeOf(validated), 6003);
     EXPECT_NE(format(validated.error()).find("vulkan-validationlayers"), std::string::npos) << format(validated.error());
     EXPECT_NE(codeOf(Device::create()), 6003);
+}
+
+/// Libraries that are mapped into this process.
+std::set<std::string> libraries() {
+    std::set<std::string> names;
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);)
+        if (const auto name = line.find('/'); name != std::string::npos && line.find(".so", name) != std::string::npos)
+            names.insert(line.substr(name));
+    return names;
+}
+
+TEST(DeviceStart, a_driver_that_two_devices_had_stays_open) {
+    if (const auto first = Device::create(); !first) GTEST_SKIP() << format(first.error());
+    std::set<std::string> open;
+    {
+        const Device second = must(Device::create());
+        open = libraries();
+    }
+    const std::set<std::string> after = libraries();
+    EXPECT_FALSE(open.empty());
+    for (const std::string& name : open)
+        EXPECT_TRUE(after.contains(name)) << name << ": some drivers can be opened a few dozen times by a process only";
 }
 
 TEST_F(Gpu, an_unknown_device_name_is_an_error_that_lists_the_names_there_are) {

@@ -186,7 +186,9 @@ void addCleaning(CLI::App& command, prep::PrepOptions& options) {
     command.add_option("--weld-decimals", options.same.decimals,
                        "Vertices whose coordinates print alike with this many decimals are at one place");
     command.add_flag("--keep-duplicates", options.keepDuplicates, "Keep triangles that repeat another");
-    command.add_flag("--orient", options.orient, "Turn triangles that face otherwise than most of their component");
+    command.add_flag(
+        "--orient", options.orient,
+        "Turn triangles that face otherwise than most of their component, and what is inside out; keep one side of what is there twice");
 }
 
 void addShaping(CLI::App& command, prep::PrepOptions& options) {

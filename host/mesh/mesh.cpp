@@ -2,8 +2,10 @@
 
 #include "host/mesh/mesh.h"
 
+#include "host/mesh/facing.h"
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/triangles.h"
+#include "host/mesh/welding.h"
 
 #include <fmt/format.h>
 
@@ -77,6 +79,12 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
     return std::nullopt;
 }
 
+/// Ribbons of fur stand on their roots and face nowhere.
+void warnOfFacing(Mesh& mesh, const Source& source) {
+    if (std::ranges::any_of(mesh.parts, isRibbons)) return;
+    if (auto fault = facingFault(examineFacing(mesh, weldPositions(mesh.positions)), source.name())) mesh.warnings.push_back(*fault);
+}
+
 constexpr double kLeastHead = 150; // mm: a small child's head without neck
 constexpr double kMostHead = 700;  // mm: a bust to below the chest
 
@@ -131,6 +139,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     if (options.expectHead)
         if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
     if (auto error = checkUvs(mesh, source, options)) return *error;
+    warnOfFacing(mesh, source);
     finishFrames(mesh, source);
     for (MeshPart& part : mesh.parts)
         computeClusters(mesh, part);

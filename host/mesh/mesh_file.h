@@ -79,6 +79,9 @@ void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string
 /// as not finite).
 [[nodiscard]] bool parseReal(std::string_view word, double& value);
 
+/// A text without the byte order mark that some editors write in front.
+[[nodiscard]] std::string_view withoutMark(std::string_view text);
+
 /// The first word of a line of text, taken off it; empty where none is left.
 [[nodiscard]] std::string_view nextWord(std::string_view& line);
 

@@ -34,7 +34,11 @@ public:
     Library(const Source& source, Mesh& mesh) : source_(source), mesh_(mesh) {}
 
     void read(const std::string& name) {
-        const fs::path path = objFileIn(source_.path.parent_path(), name);
+        for (const fs::path& path : objLibrariesIn(source_.path.parent_path(), name))
+            read(path, name);
+    }
+
+    void read(const fs::path& path, const std::string& name) {
         const auto text = readNamed(source_, path);
         if (!text) {
             const Diagnostic& why = text.error().diagnostics.front();
@@ -45,7 +49,7 @@ public:
             return;
         }
         Material* material = nullptr;
-        for (std::string_view left = *text; !left.empty();) {
+        for (std::string_view left = withoutMark(*text); !left.empty();) {
             const std::size_t end = std::min(left.find_first_of("\r\n"), left.size());
             std::string_view line = trim(left.substr(0, end));
             left.remove_prefix(std::min(end + 1, left.size()));
@@ -151,7 +155,8 @@ private:
             bytes = std::move(png);
         }
         if (type.empty()) {
-            warn(mesh_, 5328, source_.whole(), fmt::format("a picture of {} is left out: {}", key, why), hint);
+            warn(mesh_, 5328, source_.whole(), fmt::format("a picture of {}, '{}', is left out: {}", key, path.filename().string(), why),
+                 hint);
             return std::nullopt;
         }
         const std::size_t index = mesh_.materials.images.size();

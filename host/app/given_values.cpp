@@ -112,7 +112,7 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
     if (!parameter && !texture) {
         const std::string near = didYouMean(name, parameterNames(effect));
         return usageError(8012, fmt::format("--set {}: {} has no parameter '{}'", set, effect.file.string(), name),
-                          near.empty() ? fmt::format("tegument info {} lists them", effect.file.string()) : near);
+                          near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near);
     }
     if (texture) {
         if (const auto exists = fileExists(value, fmt::format("--set {}:", name)); !exists) return exists.error();
@@ -178,7 +178,7 @@ Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const
                             .code = 8018,
                             .at = at,
                             .text = fmt::format("no effect has a parameter '{}': it is passed over", name),
-                            .hint = near.empty() ? fmt::format("tegument info {} lists them", effect.file.string()) : near,
+                            .hint = near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near,
                             .sourceLine = {}});
     }
     return warnings;

@@ -92,8 +92,8 @@ std::string otherKind(const std::string& named) {
 }
 
 std::string howToGive(const std::string& kind, const std::string& named) {
-    if (kind == "a mesh") return fmt::format("the effect comes first: tegument render EFFECT --mesh {}", named);
-    if (kind == "a workspace") return fmt::format("the effect comes first: tegument render EFFECT -w {}", named);
+    if (kind == "a mesh") return fmt::format("the effect comes first: tegument render EFFECT --mesh {}", shellWord(named));
+    if (kind == "a workspace") return fmt::format("the effect comes first: tegument render EFFECT -w {}", shellWord(named));
     return "effects are HLSL files (.fx)";
 }
 

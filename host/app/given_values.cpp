@@ -123,8 +123,12 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
     if (!numbers)
         return usageError(8013, fmt::format("--set {}: '{}' is not a number or a list of numbers", name, value),
                           "separate the numbers by commas: --set gTint=1,0.9,0.8");
-    if (const std::string wrong = misfit(*parameter, *numbers); !wrong.empty())
-        return usageError(8013, fmt::format("--set {}: {}", set, wrong), "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    if (const std::string wrong = misfit(*parameter, *numbers); !wrong.empty()) {
+        const bool pairs = parameter->type.isNumeric() && numbers->size() == 2 * static_cast<std::size_t>(parameter->type.scalarCount());
+        return usageError(8013, fmt::format("--set {}: {}", set, wrong),
+                          pairs ? fmt::format("a decimal has a point: --set {}=0.5; commas stand between numbers", name)
+                                : "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    }
     run.parameters[name] = std::move(*numbers);
     return {};
 }

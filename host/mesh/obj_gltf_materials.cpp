@@ -64,6 +64,11 @@ public:
         }
     }
 
+    /// A material that is a picture, and nothing else.
+    void add(const std::string& name, const std::string& picture) {
+        materials_[name] = {.statements = {{"map_kd", picture}}, .folder = source_.path.parent_path()};
+    }
+
     /// Its number among the materials that are written; none for one that no library has.
     std::optional<std::uint32_t> use(const std::string& name) {
         const auto found = materials_.find(name);
@@ -144,7 +149,7 @@ private:
     std::optional<std::size_t> load(const fs::path& path, const char* key) {
         auto bytes = readNamed(source_, path);
         std::string why = bytes ? "" : bytes.error().diagnostics.front().text;
-        constexpr const char* kBeside = "put the pictures of an OBJ file beside it, as PNG or JPEG";
+        constexpr const char* kBeside = "put the pictures of a mesh beside it, as PNG or JPEG";
         const std::string hint = bytes ? kBeside : hintFor(bytes.error(), kBeside);
         std::string_view type = bytes ? pictureType(*bytes) : "";
         if (bytes && type != "image/png" && type != "image/jpeg") {
@@ -184,6 +189,14 @@ void carryObjMaterials(const Source& source, const ObjFile& file, const std::vec
         library.read(name);
     for (std::size_t i = 0; i < names.size() && i < mesh.parts.size(); ++i)
         if (!names[i].empty()) mesh.parts[i].material = library.use(names[i]);
+    library.finish();
+}
+
+void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh) {
+    Library library(source, mesh);
+    library.add("texture", picture);
+    for (MeshPart& part : mesh.parts)
+        part.material = library.use("texture");
     library.finish();
 }
 

@@ -55,7 +55,10 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
         }
         used = map->second;
     }
-    if (used.empty()) return;
+    if (!used.empty()) useColourMap(source, used, mesh);
+}
+
+void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
     const auto bytes = readNamed(source, used);
     auto image = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), used.string()) : Result<Image>(bytes.error());
     if (image) {
@@ -66,7 +69,7 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
     warn(mesh, 5328, source.whole(),
          fmt::format("its colour map '{}' {}: {}", used.filename().string(), why.code == kOutside ? "is left out" : "is not there",
                      why.text),
-         hintFor(image.error(), "put the pictures of an OBJ file beside it, or give one: --set gSkinMap=FILE"));
+         hintFor(image.error(), "put the pictures of a mesh beside it, or give one: --set gSkinMap=FILE"));
 }
 
 } // namespace tegument::meshfile

@@ -367,7 +367,7 @@ private:
 
     /// None: it begins behind everything. Zero for where it begins and ends would be fog from the eye on.
     [[nodiscard]] Meaning fog(const std::string& name) const {
-        constexpr double kFar = 100'000; // radii of the mesh
+        constexpr double kFar = 100'000;                                                              // radii of the mesh
         const bool one = isFloat() && parameter_.type.scalarCount() == 1 && !parameter_.defaultValue; // an author's zero is meant
         if (one && holds(name, {"end", "far", "max"})) return constant({2 * kFar}, "behind everything: no fog");
         if (one && holds(name, {"start", "begin", "near", "min", "range", "dist"})) return constant({kFar}, "behind everything: no fog");
@@ -387,7 +387,7 @@ private:
             if (holds(name, {"bone", "skin", "palette", "joint", "blend"})) return constant({0}, "identities: no bones");
             return std::nullopt;
         }
-        const bool light = holds(name, {"light", "lamp", "sun"});
+        const bool light = holds(name, {"light", "lamp", "sun", "lhtdir"}); // the last: a sample of an old SDK
         if (holds(name, {"eye", "camera", "viewer", "cam"}) || text == "VIEWPOSITION" || text == "VIEWPOS") {
             if (holds(name, {"dir", "forward", "look"})) return directionOfCamera();
             if (holds(name, {"pos", "point", "location"}) || text == "EYE" || text == "CAMERA") return position(false);

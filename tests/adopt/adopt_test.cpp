@@ -114,6 +114,24 @@ TEST(ForeignMessages, note_what_stands_in) {
     EXPECT_TRUE(std::ranges::any_of(adoption.notes, [](const Diagnostic& note) { return note.code == 3404; }));
 }
 
+TEST(ForeignStreams, of_matrices_place_one_instance_where_it_is) {
+    const auto wrapper = [](const std::string& members) {
+        const Effect effect =
+            adopted(foreign("float4x4 m : VIEWPROJECTION; struct I { float4 p : POSITION; " + members +
+                            " };\nfloat4 VS(I i) : SV_Position { return mul(mul(i.p, m), float4x4(i.a, i.b, i.c, i.d)); }\n"
+                            "float4 PS() : SV_Target { return 1; }\ntechnique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, VS())); "
+                            "SetPixelShader(CompileShader(ps_5_0, PS())); } }"))
+                .effect;
+        return effect.techniques[0].passes[0].vertexShader->code;
+    };
+    const std::string rows = wrapper("float4 a : WORLD0; float4 b : WORLD1; float4 c : WORLD2; float4 d : WORLD3;");
+    EXPECT_NE(rows.find("tg_i.b = (float4)(float4(0, 1, 0, 0))"), std::string::npos) << rows;
+    const std::string whole = wrapper("row_major float4x4 w : INSTANCE; float4 a : A; float4 b : B; float4 c : C; float4 d : D;");
+    EXPECT_NE(whole.find("tg_i.w[2] = (float4)(float4(0, 0, 1, 0))"), std::string::npos) << "all zero, it drew nothing\n" << whole;
+    const std::string weights = wrapper("float4x4 w : BLENDWEIGHT; float4 a : A; float4 b : B; float4 c : C; float4 d : D;");
+    EXPECT_NE(weights.find("tg_i.w[3] = (float4)(float4(0, 0, 0, 1))"), std::string::npos) << "where XNA's samples have it\n" << weights;
+}
+
 TEST(ForeignPasses, without_a_matrix_cover_the_target_and_others_place_the_mesh) {
     const Effect flat = adopted(foreign("float4 PS() : COLOR { return 1; }\n" + kRest)).effect;
     EXPECT_TRUE(flat.techniques[0].passes[0].script.given);

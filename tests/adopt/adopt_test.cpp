@@ -114,6 +114,23 @@ TEST(ForeignMessages, note_what_stands_in) {
     EXPECT_TRUE(std::ranges::any_of(adoption.notes, [](const Diagnostic& note) { return note.code == 3404; }));
 }
 
+/// Samplers of both generations, each read in both ways, as fxc takes them.
+TEST(ForeignSamplers, of_each_generation_are_read_by_the_functions_of_both) {
+    if (const std::string missing = compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
+    for (const char* read : {"t.Sample(nine, u)", "t.SampleLevel(nine, u, 0)", "tex2D(nine, u)", "tex2D(eleven, u)", "t.Sample(eleven, u)",
+                             "t.Sample(eleven, u) + tex2D(eleven, u)", "t.Sample(nine, u) + tex2D(nine, u)"}) {
+        const Adoption adoption = adopted(
+            foreign("Texture2D t; sampler nine : register(s0); SamplerState eleven { Filter = MIN_MAG_MIP_POINT; Texture = <t>; };\n"
+                    "float4 VS(float4 p : POSITION, inout float2 u : TEXCOORD0) : SV_Position { return p; }\n"
+                    "float4 PS(float4 p : SV_Position, float2 u : TEXCOORD0) : SV_Target { return " +
+                    std::string(read) +
+                    "; }\ntechnique11 T { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); "
+                    "SetPixelShader(CompileShader(ps_4_0, PS())); } }"));
+        const auto pixel = compiled(adoption.effect, *adoption.effect.techniques[0].passes[0].pixelShader, Stage::Pixel);
+        EXPECT_TRUE(pixel) << read << "\n" << format(pixel.error());
+    }
+}
+
 TEST(ForeignStreams, of_matrices_place_one_instance_where_it_is) {
     const auto wrapper = [](const std::string& members) {
         const Effect effect =

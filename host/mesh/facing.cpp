@@ -69,7 +69,7 @@ double doubledTriangles(const Mesh& mesh, std::span<const std::uint32_t> places)
         const Corners c = turned(placesOf(mesh, places, i));
         const Corners sorted{c[0], std::min(c[1], c[2]), std::max(c[1], c[2])};
         const std::uint64_t hash = hashWords(sorted);
-        if (!looked(hash, triangles)) continue;
+        if (c[0] == c[1] || c[1] == c[2] || c[0] == c[2] || !looked(hash, triangles)) continue;
         kept.push_back(c);
         (void)unique.findOrAdd(hashWords(c), static_cast<std::uint32_t>(kept.size() - 1),
                                [&](std::uint32_t other) { return kept[other] == c; });

@@ -3,7 +3,9 @@
 #include "host/mesh/mesh.h"
 
 #include "host/mesh/facing.h"
+#include "host/mesh/length.h"
 #include "host/mesh/mesh_file.h"
+#include "host/mesh/normals.h"
 #include "host/mesh/triangles.h"
 #include "host/mesh/welding.h"
 
@@ -79,6 +81,14 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
     return std::nullopt;
 }
 
+/// Ribbons of fur stand on their roots and have none until they are bent.
+bool hasArea(const Mesh& mesh) {
+    if (std::ranges::any_of(mesh.parts, isRibbons)) return true;
+    for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
+        if (faceNormal(cornersOf(mesh, i)) != glm::dvec3(0)) return true;
+    return false;
+}
+
 /// Ribbons of fur stand on their roots and face nowhere.
 void warnOfFacing(Mesh& mesh, const Source& source) {
     if (std::ranges::any_of(mesh.parts, isRibbons)) return;
@@ -138,6 +148,8 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     computeBounds(mesh);
     if (options.expectHead)
         if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
+    if (!hasArea(mesh))
+        return inputError(5306, source.whole(), "no triangle of the mesh has an area", "look at the mesh: tegument prep MESH --dry-run");
     if (auto error = checkUvs(mesh, source, options)) return *error;
     warnOfFacing(mesh, source);
     finishFrames(mesh, source);
@@ -164,8 +176,8 @@ Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, 
     return {.severity = Severity::Warning,
             .code = 5327,
             .at = {.file = path.string(), .byte = {}},
-            .text = fmt::format("with {:g} mm per unit the mesh would be {:.4g} mm long: {:g} mm per unit are taken, {:.4g} mm", unitMm,
-                                side, likely, side / unitMm * likely),
+            .text = fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
+                                lengthText(side), likely, lengthText(side / unitMm * likely)),
             .hint = "skin and fur have true sizes: say what one unit of the file is with --unit-mm X",
             .sourceLine = {}};
 }

@@ -41,6 +41,20 @@ TEST_F(FacingFiles, a_surface_that_is_there_once_for_each_side_is_told) {
     EXPECT_EQ(codeAmong(load("a.obj", std::string(kCorners) + kOutwards + "f 4 1 2 3\nf 5 8 7 6\nf 1 5 6 2\nf 2 6 7 3\n")), 5334);
 }
 
+TEST_F(FacingFiles, triangles_with_two_corners_at_one_place_are_no_doubles) {
+    EXPECT_EQ(codeAmong(load(
+                  "a.obj", std::string(kCorners) +
+                               "v 0 0 0\nv 0 0 0\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n"
+                               "f 4 1 5 8\n" +
+                               [] {
+                                   std::string flat;
+                                   for (int i = 0; i < 40; ++i)
+                                       flat += "f 1 9 10\n";
+                                   return flat;
+                               }())),
+              0);
+}
+
 TEST_F(FacingFiles, what_is_flat_or_open_is_not_judged_by_its_sides) {
     EXPECT_EQ(codeAmong(load("a.obj", "v 0 0 0\nv 90 0 0\nv 90 90 0\nv 0 90 0\nf 1 2 3 4\n")), 0) << "a square";
     EXPECT_EQ(codeAmong(load("b.obj", "v 0 0 0\nv 90 0 0\nv 90 90 0\nv 0 90 0\nf 4 3 2 1\n")), 0) << "its back";

@@ -146,3 +146,18 @@ TEST_F(Loading, a_byte_order_mark_before_a_text_does_not_matter) {
     EXPECT_TRUE(load("a.off", mark + "OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n"));
     EXPECT_TRUE(load("a.obj", mark + "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n"));
 }
+
+TEST_F(Loading, lengths_in_messages_are_written_out) {
+    const auto mesh = load("a.obj", panel(55'530), {.guessUnit = true});
+    ASSERT_TRUE(mesh);
+    ASSERT_FALSE(mesh->warnings.empty());
+    EXPECT_NE(mesh->warnings.back().text.find("would be 55530 mm long"), std::string::npos) << mesh->warnings.back().text;
+}
+
+TEST_F(Loading, a_mesh_without_area_is_refused_for_nothing_of_it_would_show) {
+    for (const char* corners : {"v 0 0 0\nv 100 0 0\nv 200 0 0\n", "v 5 5 5\nv 5 5 5\nv 5 5 5\n"}) {
+        const auto mesh = load("a.obj", corners + std::string("f 1 2 3\n"));
+        EXPECT_EQ(codeOf(mesh), 5306) << corners;
+    }
+    EXPECT_TRUE(load("b.obj", "v 0 0 0\nv 1e-38 0 0\nv 0 1e-38 0\nf 1 2 3\n")) << "small is not none";
+}

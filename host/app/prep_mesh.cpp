@@ -124,7 +124,8 @@ void tellWhatWasWritten(const Arguments& arguments) {
     if (!arguments.dryRun) fmt::print("wrote {}\n", arguments.output);
     if (!arguments.report.empty()) fmt::print("wrote {}\n", arguments.report);
     if (arguments.options.unwrap && !arguments.dryRun)
-        fmt::print("skin without seams between its charts: tegument render Pyramid -t PyramidLinked --mesh {}\n", shellWord(arguments.output));
+        fmt::print("skin without seams between its charts: tegument render Pyramid -t PyramidLinked --mesh {}\n",
+                   shellWord(arguments.output));
 }
 
 int run(Arguments& arguments) {

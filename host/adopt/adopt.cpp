@@ -328,7 +328,7 @@ private:
                 bindTexture(parameter, shown);
             } else if (parameter.type.isNumeric()) {
                 convertPixels(parameter);
-                ParameterBinding bound = bindParameter(parameter, options_, negated.contains(parameter.name));
+                ParameterBinding bound = bindParameter(parameter, options_, isNegated(negated, parameter.name));
                 if (shown.contains(parameter.name) && parameter.name != kTargetSize) adoption_.bindings.push_back(std::move(bound));
             }
         }

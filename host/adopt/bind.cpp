@@ -356,12 +356,22 @@ private:
         if (auto found = bounds(text)) return found;
         if (auto found = scalar(text)) return found;
         if (holds(text, {"TIME", "FRAMECOUNT"})) return constant({1}, "one second");
-        if (holds(text, {"FOG", "MOUSE"})) return constant({0}, "zero");
+        if (holds(text, {"FOG"})) return fog(lower(text));
+        if (holds(text, {"MOUSE"})) return constant({0}, "zero");
         if (holds(text, {"BONE", "JOINT", "WORLDMATRIXARRAY"})) return constant({0}, "identities: no bones");
         if (holds(text,
                   {"DIFFUSE", "SPECULAR", "AMBIENT", "EMISSIVE", "POWER", "SHININESS", "OPACITY", "ALPHA", "COLOR", "COLOUR", "INTENSITY"}))
             return colour(text);
         return std::nullopt;
+    }
+
+    /// None: it begins behind everything. Zero for where it begins and ends would be fog from the eye on.
+    [[nodiscard]] Meaning fog(const std::string& name) const {
+        constexpr double kFar = 100'000;                                                              // radii of the mesh
+        const bool one = isFloat() && parameter_.type.scalarCount() == 1 && !parameter_.defaultValue; // an author's zero is meant
+        if (one && holds(name, {"end", "far", "max"})) return constant({2 * kFar}, "behind everything: no fog");
+        if (one && holds(name, {"start", "begin", "near", "min", "range", "dist"})) return constant({kFar}, "behind everything: no fog");
+        return constant({0}, "zero: no fog");
     }
 
     [[nodiscard]] std::optional<Meaning> directionOfCamera() const {
@@ -377,7 +387,7 @@ private:
             if (holds(name, {"bone", "skin", "palette", "joint", "blend"})) return constant({0}, "identities: no bones");
             return std::nullopt;
         }
-        const bool light = holds(name, {"light", "lamp", "sun"});
+        const bool light = holds(name, {"light", "lamp", "sun", "lhtdir"}); // the last: a sample of an old SDK
         if (holds(name, {"eye", "camera", "viewer", "cam"}) || text == "VIEWPOSITION" || text == "VIEWPOS") {
             if (holds(name, {"dir", "forward", "look"})) return directionOfCamera();
             if (holds(name, {"pos", "point", "location"}) || text == "EYE" || text == "CAMERA") return position(false);
@@ -389,7 +399,7 @@ private:
             return viewport(text);
         if (auto found = scalar(text)) return found;
         if (name == "time" || name.ends_with("time") || holds(name, {"time0_", "elapsed", "timer"})) return constant({1}, "one second");
-        if (holds(name, {"fog"})) return constant({0}, "zero");
+        if (holds(name, {"fog"})) return fog(name);
         if (holds(name, {"bone"})) return constant({0}, "zero");
         if (holds(name, {"tiling", "tile", "uvscale", "texscale"})) return constant({1}, "one");
         if (light || holds(name, {"diffuse", "specular", "ambient", "emissive", "shininess", "opacity", "alpha", "albedo", "colo",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 namespace tegument::adopt {
 
@@ -23,10 +24,23 @@ bool isVectorType(const Word& word) {
 /// One function: its body's words, the names that it declares, and those that are turned round in it.
 struct Body {
     const Function* function = nullptr;
+    std::set<std::string> members; // of structures, that are turned round
     std::set<std::string> local;   // of any type
     std::set<std::string> vectors; // of those with three components or more
     std::set<std::string> negated;
 };
+
+/// The member that `light`, `lights[i]` or `scene.light` names at its end, from its first word on; none of `light.xyz`.
+std::optional<std::string> memberAt(const Words& words, std::size_t at) {
+    std::optional<std::string> member;
+    for (++at; at + 1 < words.size() && (words[at].is("[") || words[at].is("."));) {
+        const bool element = words[at].is("[");
+        const std::string& text = words[at + 1].text;
+        if (!element && text.find_first_not_of("xyzwrgba") != std::string::npos) member = text;
+        at = element ? behindBracket(words, at) : at + 2;
+    }
+    return member;
+}
 
 bool isUnaryMinus(const Words& words, std::size_t at) {
     if (!words[at].is("-")) return false;
@@ -35,8 +49,14 @@ bool isUnaryMinus(const Words& words, std::size_t at) {
     return !(before.kind == TokenKind::Number || before.is(")") || before.is("]") || (before.isName() && !before.is("return")));
 }
 
+/// The name at `at` is turned round, and its member where it has one.
+void turn(Body& body, const Words& words, std::size_t at) {
+    body.negated.insert(words[at].text);
+    if (const auto member = memberAt(words, at)) body.members.insert(*member);
+}
+
 Body read(const Function& function) {
-    Body body{.function = &function, .local = {}, .vectors = {}, .negated = {}};
+    Body body{.function = &function, .members = {}, .local = {}, .vectors = {}, .negated = {}};
     const Words& words = function.body;
     for (const Variable& parameter : function.parameters) {
         body.local.insert(parameter.name.text);
@@ -48,9 +68,9 @@ Body read(const Function& function) {
             if (isVectorType(words[i - 1])) body.vectors.insert(words[i].text);
         }
         if (!isUnaryMinus(words, i - 1)) continue;
-        if (words[i].isName()) body.negated.insert(words[i].text);
-        if (i + 2 < words.size() && words[i].isName() && words[i + 1].is("(")) body.negated.insert(words[i + 2].text); // -normalize(light)
-        if (i + 1 < words.size() && words[i].is("(")) body.negated.insert(words[i + 1].text);
+        if (words[i].isName()) turn(body, words, i);
+        if (i + 2 < words.size() && words[i].isName() && words[i + 1].is("(")) turn(body, words, i + 2); // -normalize(light)
+        if (i + 1 < words.size() && words[i].is("(")) turn(body, words, i + 1);
     }
     return body;
 }
@@ -64,15 +84,17 @@ void followAssignments(Body& body) {
         while (at + 1 < words.size() && (words[at].is("[") || words[at].is(".")))
             at = words[at].is("[") ? behindBracket(words, at) : at + 2;
         if (at + 1 >= words.size() || !words[at].is("=") || words[at + 1].is("=")) continue;
-        std::vector<std::string> names;
+        std::vector<std::size_t> names;
         bool kept = true;
         for (++at; at < words.size() && !words[at].is(";"); ++at) {
             kept = kept && !words[at].is("+") && !words[at].is("-") &&
                    std::ranges::find(kOtherwise, std::string_view(words[at].text)) == kOtherwise.end();
             const bool member = at > 0 && words[at - 1].is(".");
-            if (words[at].isName() && !member && !(at + 1 < words.size() && words[at + 1].is("("))) names.push_back(words[at].text);
+            if (words[at].isName() && !member && !(at + 1 < words.size() && words[at + 1].is("("))) names.push_back(at);
         }
-        if (kept) body.negated.insert(names.begin(), names.end());
+        if (!kept) continue;
+        for (const std::size_t name : names)
+            turn(body, words, name);
     }
 }
 
@@ -87,7 +109,7 @@ void followCalls(Body& body, const std::map<std::string, std::set<std::size_t>>&
             if (place < arguments.size() && !arguments[place].empty()) {
                 const Words& argument = arguments[place];
                 const bool inside = argument.size() > 3 && argument[0].isName() && argument[1].is("("); // normalize(light)
-                body.negated.insert(argument[inside ? 2 : 0].text);
+                turn(body, argument, inside ? 2 : 0);
             }
     }
 }
@@ -115,9 +137,18 @@ std::set<std::string> negatedNames(const Code& code) {
         for (Body& body : bodies)
             followCalls(body, turned);
     }
-    for (const Body& body : bodies)
+    for (const Body& body : bodies) {
         std::ranges::set_difference(body.negated, body.local, std::inserter(names, names.end()));
+        for (const std::string& member : body.members)
+            names.insert("." + member);
+    }
     return names;
+}
+
+bool isNegated(const std::set<std::string>& names, std::string_view parameter) {
+    return names.contains(std::string(parameter)) || std::ranges::any_of(names, [&](const std::string& name) {
+               return name.starts_with('.') && parameter.ends_with("_" + name.substr(1));
+           });
 }
 
 } // namespace tegument::adopt

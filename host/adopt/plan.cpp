@@ -50,11 +50,17 @@ Rewriter::Rewriter(Effect& effect) : code_(readCode(effect.code)), uses_(usesOf(
     planNames(effect);
 }
 
+std::optional<std::string> Rewriter::kindOf(const Variable& variable) const {
+    const bool read = uses_.samplers.contains(variable.name.text) && equalsIgnoreCase(variable.typeName(), "SamplerState");
+    return read ? std::optional<std::string>("") : samplerKind(variable.typeName());
+}
+
 void Rewriter::planSamplers(Effect& effect) {
     for (const Item& item : code_.items) {
         const auto* variable = std::get_if<Variable>(&item);
-        if (!variable || !samplerKind(variable->typeName())) continue;
+        if (!variable || !kindOf(*variable)) continue;
         const std::string& name = variable->name.text;
+        pairs_.insert(name);
         if (variable->array.empty()) {
             planSampler(effect, *variable, name);
             continue;
@@ -67,7 +73,7 @@ void Rewriter::planSamplers(Effect& effect) {
 }
 
 void Rewriter::planSampler(Effect& effect, const Variable& variable, const std::string& name) {
-    const std::string declared = *samplerKind(variable.typeName());
+    const std::string declared = *kindOf(variable);
     const auto used = uses_.samplers.find(variable.name.text);
     const std::string kind = !declared.empty() ? declared : used != uses_.samplers.end() ? used->second : "2D";
     Sampler* sampler = findSampler(effect, name);

@@ -50,7 +50,7 @@ std::string Rewriter::source(const ShaderReference* shader, const Wrapper& wrapp
     for (const std::string& pragma : code_.pragmas)
         printer.own(pragma);
     if (shader) {
-        const Spelling spelling{.code = &code_, .legacy = profileOf(shader->profile).direct3D9(), .renamed = &renamed_};
+        const Spelling spelling{.code = &code_, .legacy = profileOf(shader->profile).direct3D9(), .renamed = &renamed_, .pairs = &pairs_};
         std::set<std::string> textures;
         for (const std::size_t item : reachable(code_, rootsOf(*shader)))
             print(printer, spelling, item, textures);
@@ -133,7 +133,7 @@ void Rewriter::printSampler(Printer& printer, const std::string& name, std::set<
 void Rewriter::printVariable(Printer& printer, const Spelling& spelling, const Variable& variable, std::set<std::string>& textures) const {
     const std::string& name = variable.name.text;
     if (isEffectType(variable.typeName()) || isTexture9(variable.typeName())) return;
-    if (samplerKind(variable.typeName())) {
+    if (kindOf(variable)) {
         std::string values;
         const auto add = [&](const std::string& sampler) {
             printSampler(printer, sampler, textures);

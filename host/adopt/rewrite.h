@@ -40,6 +40,8 @@ public:
     [[nodiscard]] bool readsMatrix(const ShaderReference& shader) const;
 
 private:
+    /// As samplerKind(), also of a SamplerState that tex2D and the like read: with its picture, as theirs are.
+    [[nodiscard]] std::optional<std::string> kindOf(const Variable& variable) const;
     [[nodiscard]] static std::vector<std::string> rootsOf(const ShaderReference& shader);
     void planSamplers(Effect& effect);
     void planSampler(Effect& effect, const Variable& variable, const std::string& name);
@@ -60,6 +62,7 @@ private:
 
     Code code_;
     Uses uses_;
+    std::set<std::string> pairs_;                 // samplers with their pictures
     std::map<std::string, SamplerPlan> samplers_; // by name; of arrays by "name[0]"
     std::map<std::string, std::string> textureKinds_;
     std::map<std::string, std::vector<LeafPlan>> structures_; // by the parameter's name

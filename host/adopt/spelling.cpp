@@ -84,6 +84,13 @@ bool contains(const List& list, std::string_view word) {
     return std::ranges::find(list, word) != list.end();
 }
 
+/// `picture.Sample(name, uv)`: the name at `i` is what a later texture's method samples with.
+bool isSampledWith(const Words& words, std::size_t i) {
+    if (i < 3 || !words[i - 1].is("(") || !words[i - 3].is(".")) return false;
+    const std::string& method = words[i - 2].text;
+    return method.starts_with("Sample") || method.starts_with("Gather") || method.starts_with("CalculateLevelOfDetail");
+}
+
 /// `half3` to `float3`: SPIR-V's small types need hardware, and Direct3D 9 computes floats.
 std::string respeltType(const std::string& word) {
     for (const std::string_view small : {"half", "double", "fixed"}) {
@@ -202,6 +209,7 @@ Words Spelling::respelt(const Words& words) const {
         } else if (named && !member) {
             word.text = respeltType(word.text);
         }
+        if (named && pairs && pairs->contains(words[i].text) && isSampledWith(words, i)) word.text += ".s";
         result.push_back(std::move(word));
     }
     return result;

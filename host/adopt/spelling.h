@@ -3,7 +3,9 @@
 
 #include "host/adopt/code.h"
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -51,6 +53,7 @@ struct Spelling {
     const Code* code = nullptr;
     bool legacy = false;
     const std::map<std::string, std::string>* renamed = nullptr; // of this effect's own names
+    const std::set<std::string>* pairs = nullptr;                // samplers that are written with their pictures
 
     [[nodiscard]] Words respelt(const Words& words) const;
 };

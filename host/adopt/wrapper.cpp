@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 
 namespace tegument::adopt {
 
@@ -19,8 +20,9 @@ struct Leaf {
     Shape shape;
     std::string semantic; // upper case, without its index
     int index = 0;
-    std::string modifiers; // nointerpolation and the like
-    std::string type;      // as written
+    std::string modifiers;    // nointerpolation and the like
+    std::string type;         // as written
+    std::optional<int> row{}; // of a matrix
 };
 
 /// In one line, with the author's spaces and those without which two words would be one.
@@ -170,7 +172,7 @@ private:
             for (int row = 0; row < shape->rows; ++row) {
                 Leaf part = leaf;
                 if (!variable.array.empty()) part.path += fmt::format("[{}]", i);
-                if (shape->matrix) part.path += fmt::format("[{}]", row);
+                if (shape->matrix) part.path += fmt::format("[{}]", row), part.row = row;
                 part.shape.rows = 1;
                 part.index = leaf.index + i * shape->rows + row;
                 leaves.push_back(std::move(part));
@@ -195,6 +197,11 @@ private:
             ++systems_;
             return assign(leaf, name);
         }
+        if (const auto row = rowOfInstance(leaf)) {
+            if (*row == 0) made_.standIns.push_back(fmt::format("{} is the identity: one instance", leaf.semantic));
+            constexpr std::array kRows{"float4(1, 0, 0, 0)", "float4(0, 1, 0, 0)", "float4(0, 0, 1, 0)", "float4(0, 0, 0, 1)"};
+            return assign(leaf, fmt::format("{}({}{})", cast, kRows[static_cast<std::size_t>(*row)], firstComponents(leaf.shape.columns)));
+        }
         const bool integral = leaf.shape.scalar != "float" && !profile_.direct3D9();
         if (const auto known = inputs_.find(key); known != inputs_.end())
             return assign(leaf, fmt::format("{}({}{})", cast, known->second, firstComponents(leaf.shape.columns)));
@@ -211,6 +218,16 @@ private:
         }
         inputs_[key] = name;
         assign(leaf, fmt::format("{}({}{})", cast, name, firstComponents(leaf.shape.columns)));
+    }
+
+    /// A matrix in a vertex stream places an instance; some authors write its rows one by one.
+    [[nodiscard]] std::optional<int> rowOfInstance(const Leaf& leaf) const {
+        if (!job_.vertex) return std::nullopt;
+        if (leaf.row && *leaf.row < 4) return leaf.row;
+        const bool named = std::ranges::any_of(std::array{"WORLD", "TRANSFORM", "MATRIX"},
+                                               [&](const char* word) { return leaf.semantic.find(word) != std::string::npos; });
+        return named && leaf.shape.scalar == "float" && leaf.shape.columns >= 3 && leaf.index < 4 ? std::optional(leaf.index)
+                                                                                                  : std::nullopt;
     }
 
     /// What a rasteriser gives a pixel shader.

@@ -3,10 +3,12 @@
 #include "host/app/batch_options.h"
 #include "host/app/output.h"
 #include "host/batch/table.h"
+#include "host/support/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace tegument::app {
@@ -54,8 +56,11 @@ int runShard(const ShardOptions& options, const CLI::App& program) {
     if (!batch) return fail(batch.error(), options.json);
     const std::vector<std::string> part = batch::partOf(*inputs, *shard);
     if (options.dryRun) {
-        for (const std::string& input : part)
-            fmt::print("tegument {}\n", fmt::join(batch::commandFor(batch->words, input), " "));
+        for (const std::string& input : part) {
+            std::vector<std::string> words = batch::commandFor(batch->words, input);
+            std::ranges::transform(words, words.begin(), shellWord);
+            fmt::print("tegument {}\n", fmt::join(words, " "));
+        }
         return 0;
     }
     if (const auto folder = checkFolder(options.batch.results); !folder) return fail(folder.error(), options.json);

@@ -112,7 +112,7 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
     if (!parameter && !texture) {
         const std::string near = didYouMean(name, parameterNames(effect));
         return usageError(8012, fmt::format("--set {}: {} has no parameter '{}'", set, effect.file.string(), name),
-                          near.empty() ? fmt::format("tegument info {} lists them", effect.file.string()) : near);
+                          near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near);
     }
     if (texture) {
         if (const auto exists = fileExists(value, fmt::format("--set {}:", name)); !exists) return exists.error();
@@ -123,8 +123,12 @@ Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& 
     if (!numbers)
         return usageError(8013, fmt::format("--set {}: '{}' is not a number or a list of numbers", name, value),
                           "separate the numbers by commas: --set gTint=1,0.9,0.8");
-    if (const std::string wrong = misfit(*parameter, *numbers); !wrong.empty())
-        return usageError(8013, fmt::format("--set {}: {}", set, wrong), "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    if (const std::string wrong = misfit(*parameter, *numbers); !wrong.empty()) {
+        const bool pairs = parameter->type.isNumeric() && numbers->size() == 2 * static_cast<std::size_t>(parameter->type.scalarCount());
+        return usageError(8013, fmt::format("--set {}: {}", set, wrong),
+                          pairs ? fmt::format("a decimal has a point: --set {}=0.5; commas stand between numbers", name)
+                                : "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    }
     run.parameters[name] = std::move(*numbers);
     return {};
 }
@@ -178,7 +182,7 @@ Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const
                             .code = 8018,
                             .at = at,
                             .text = fmt::format("no effect has a parameter '{}': it is passed over", name),
-                            .hint = near.empty() ? fmt::format("tegument info {} lists them", effect.file.string()) : near,
+                            .hint = near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near,
                             .sourceLine = {}});
     }
     return warnings;

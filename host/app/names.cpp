@@ -92,8 +92,8 @@ std::string otherKind(const std::string& named) {
 }
 
 std::string howToGive(const std::string& kind, const std::string& named) {
-    if (kind == "a mesh") return fmt::format("the effect comes first: tegument render EFFECT --mesh {}", named);
-    if (kind == "a workspace") return fmt::format("the effect comes first: tegument render EFFECT -w {}", named);
+    if (kind == "a mesh") return fmt::format("the effect comes first: tegument render EFFECT --mesh {}", shellWord(named));
+    if (kind == "a workspace") return fmt::format("the effect comes first: tegument render EFFECT -w {}", shellWord(named));
     return "effects are HLSL files (.fx)";
 }
 
@@ -155,6 +155,10 @@ Result<fs::path> findEffect(const std::string& named) {
     for (const fs::path& own : ownFolders())
         folders.insert(folders.end(), {own, own / "effects", own / "effects/peers"});
     const auto found = search(folders, named, ".fx");
+    std::error_code code;
+    if (!found && fs::is_directory(named, code))
+        return usageError(8006, fmt::format("{} is a folder, not an effect", named),
+                          fmt::format("tegument survey {} looks into all effects below it", shellWord(named)));
     if (!found) return usageError(8006, fmt::format("there is no effect '{}'", named), nearest(effectFolders(named), named, ".fx"));
     const fs::path path = isFile(named) ? fs::path(named) : *found; // as it was written, for messages
     if (const auto kind = refuseOtherKinds(path); !kind) return kind.error();

@@ -124,7 +124,8 @@ void tellWhatWasWritten(const Arguments& arguments) {
     if (!arguments.dryRun) fmt::print("wrote {}\n", arguments.output);
     if (!arguments.report.empty()) fmt::print("wrote {}\n", arguments.report);
     if (arguments.options.unwrap && !arguments.dryRun)
-        fmt::print("skin without seams between its charts: tegument render Pyramid -t PyramidLinked --mesh {}\n", arguments.output);
+        fmt::print("skin without seams between its charts: tegument render Pyramid -t PyramidLinked --mesh {}\n",
+                   shellWord(arguments.output));
 }
 
 int run(Arguments& arguments) {
@@ -186,7 +187,9 @@ void addCleaning(CLI::App& command, prep::PrepOptions& options) {
     command.add_option("--weld-decimals", options.same.decimals,
                        "Vertices whose coordinates print alike with this many decimals are at one place");
     command.add_flag("--keep-duplicates", options.keepDuplicates, "Keep triangles that repeat another");
-    command.add_flag("--orient", options.orient, "Turn triangles that face otherwise than most of their component");
+    command.add_flag(
+        "--orient", options.orient,
+        "Turn triangles that face otherwise than most of their component, and what is inside out; keep one side of what is there twice");
 }
 
 void addShaping(CLI::App& command, prep::PrepOptions& options) {

@@ -7,6 +7,7 @@
 #include "host/app/output.h"
 #include "host/app/picture_files.h"
 #include "host/app/turntable.h"
+#include "host/mesh/length.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -137,8 +138,8 @@ void printSize(const Job& job) {
     if (job.scene.meshes.size() != 1) return;
     const Bounds& bounds = job.scene.meshes.front().bounds;
     const glm::vec3 size = bounds.maximum - bounds.minimum;
-    fmt::print("the mesh is {:.3g} x {:.3g} x {:.3g} mm (another size: --unit-mm X; it lies down: --up z; it shows its back: --turn 180)\n",
-               size.x, size.y, size.z);
+    fmt::print("the mesh is {} x {} x {} mm (another size: --unit-mm X; it lies down: --up z; it shows its back: --turn 180)\n",
+               lengthText(static_cast<double>(size.x)), lengthText(static_cast<double>(size.y)), lengthText(static_cast<double>(size.z)));
 }
 
 void printReport(const Job& job, const gpu::Device& device, const RunResult& result, const std::vector<fs::path>& files) {

@@ -284,6 +284,8 @@ std::vector<Row> rowsOf(const SurveyOptions& options, const std::vector<fs::path
 int survey(const SurveyOptions& options) {
     const auto targets = targetsOf(options);
     if (!targets) return fail(targets.error(), options.json);
+    if (!options.pictures.empty())
+        if (const auto folder = checkFolder(options.pictures); !folder) return fail(folder.error(), options.json);
     const auto files = effectsIn(options.folder);
     if (!files) return fail(files.error(), options.json);
     std::vector<Target> here;

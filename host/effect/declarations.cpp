@@ -112,8 +112,9 @@ bool Parser::alias() {
 bool Parser::constantBuffer() {
     take();
     if (peek().kind == TokenKind::Word) take();
-    while (!atEnd() && !peek().is('{') && !peek().is(';'))
+    while (!atEnd() && !peek().is('{') && !peek().is(';') && !peek().is('<'))
         take(); // : register(b0)
+    if (Annotations none; peek().is('<') && !annotations(none)) return false;
     const Token opened = peek();
     if (!expect('{', "of the constant buffer")) return false;
     while (!accept('}')) {

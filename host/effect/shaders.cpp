@@ -138,7 +138,13 @@ bool Parser::shaderByName(ShaderObject& shader) {
     const std::optional<std::string> name = objectName("a shader");
     if (!name) return false;
     const auto object = shaderObjects_.find(*name);
-    if (object == shaderObjects_.end()) return fail(2019, at, fmt::format("unknown shader object '{}'", *name));
+    if (object == shaderObjects_.end()) {
+        const bool call = result_.functions.contains(*name) || name->ends_with("PS") || name->ends_with("VS");
+        return fail(
+            2019, at, fmt::format("unknown shader object '{}'", *name),
+            call ? fmt::format("for a function: compile PROFILE {}(); ReShade's language, whose passes name functions, is not read", *name)
+                 : std::string());
+    }
     shader = object->second;
     return true;
 }

@@ -2,8 +2,12 @@
 
 #include "host/mesh/mesh.h"
 
+#include "host/mesh/facing.h"
+#include "host/mesh/length.h"
 #include "host/mesh/mesh_file.h"
+#include "host/mesh/normals.h"
 #include "host/mesh/triangles.h"
+#include "host/mesh/welding.h"
 
 #include <fmt/format.h>
 
@@ -77,6 +81,20 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
     return std::nullopt;
 }
 
+/// Ribbons of fur stand on their roots and have none until they are bent.
+bool hasArea(const Mesh& mesh) {
+    if (std::ranges::any_of(mesh.parts, isRibbons)) return true;
+    for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
+        if (faceNormal(cornersOf(mesh, i)) != glm::dvec3(0)) return true;
+    return false;
+}
+
+/// Ribbons of fur stand on their roots and face nowhere.
+void warnOfFacing(Mesh& mesh, const Source& source) {
+    if (std::ranges::any_of(mesh.parts, isRibbons)) return;
+    if (auto fault = facingFault(examineFacing(mesh, weldPositions(mesh.positions)), source.name())) mesh.warnings.push_back(*fault);
+}
+
 constexpr double kLeastHead = 150; // mm: a small child's head without neck
 constexpr double kMostHead = 700;  // mm: a bust to below the chest
 
@@ -130,7 +148,10 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     computeBounds(mesh);
     if (options.expectHead)
         if (auto error = checkHead(mesh, source, std::abs(static_cast<double>(options.scale.y)))) return *error;
+    if (!hasArea(mesh))
+        return inputError(5306, source.whole(), "no triangle of the mesh has an area", "look at the mesh: tegument prep MESH --dry-run");
     if (auto error = checkUvs(mesh, source, options)) return *error;
+    warnOfFacing(mesh, source);
     finishFrames(mesh, source);
     for (MeshPart& part : mesh.parts)
         computeClusters(mesh, part);
@@ -155,8 +176,8 @@ Diagnostic guessedUnit(const std::filesystem::path& path, const Bounds& bounds, 
     return {.severity = Severity::Warning,
             .code = 5327,
             .at = {.file = path.string(), .byte = {}},
-            .text = fmt::format("with {:g} mm per unit the mesh would be {:.4g} mm long: {:g} mm per unit are taken, {:.4g} mm", unitMm,
-                                side, likely, side / unitMm * likely),
+            .text = fmt::format("with {:g} mm per unit the mesh would be {} mm long: {:g} mm per unit are taken, {} mm", unitMm,
+                                lengthText(side), likely, lengthText(side / unitMm * likely)),
             .hint = "skin and fur have true sizes: say what one unit of the file is with --unit-mm X",
             .sourceLine = {}};
 }

@@ -48,7 +48,7 @@ Error badIndex(SourcePosition at, const std::string& text) {
 }
 
 Error notFinite(SourcePosition at, const std::string& text) {
-    return inputError(5305, std::move(at), text, "remove such vertices before export");
+    return inputError(5305, std::move(at), text, "tegument prep MESH -o NEW.glb leaves such faces out");
 }
 
 Error noTriangles(SourcePosition at) {
@@ -79,6 +79,10 @@ bool parseReal(std::string_view word, double& value) {
     if (word.empty() || parsed.ptr != word.data() + word.size()) return false;
     if (parsed.ec == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr); // infinity or next to 0
     return parsed.ec != std::errc::invalid_argument;
+}
+
+std::string_view withoutMark(std::string_view text) {
+    return text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
 }
 
 std::string_view nextWord(std::string_view& line) {

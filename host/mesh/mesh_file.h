@@ -44,6 +44,10 @@ inline constexpr int kOutside = 1014;
 [[nodiscard]] Result<ObjFile> parseObj(const Source& source);
 /// The picture that the materials in use name as their colour (map_Kd). TG5326 there are several, TG5328 it cannot be read: both warnings.
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
+/// That picture as the mesh's colour map; TG5328, a warning, where it cannot be read.
+void useColourMap(const Source& source, const std::filesystem::path& picture, Mesh& mesh);
+/// It as a material of all parts, as glTF has it.
+void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh);
 /// The same materials as glTF has them, with their pictures; `names`: of each part's material. What glTF cannot say is one warning
 /// (TG5331).
 void carryObjMaterials(const Source& source, const ObjFile& file, const std::vector<std::string>& names, Mesh& mesh);
@@ -78,6 +82,9 @@ void warn(Mesh& mesh, int code, SourcePosition at, std::string text, std::string
 /// The whole word as a number, whatever the locale. Too large is infinity, too small is 0; "nan" and "inf" are numbers (and refused later
 /// as not finite).
 [[nodiscard]] bool parseReal(std::string_view word, double& value);
+
+/// A text without the byte order mark that some editors write in front.
+[[nodiscard]] std::string_view withoutMark(std::string_view text);
 
 /// The first word of a line of text, taken off it; empty where none is left.
 [[nodiscard]] std::string_view nextWord(std::string_view& line);

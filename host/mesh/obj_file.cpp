@@ -37,8 +37,7 @@ public:
     Result<ObjFile> parse() {
         if (source_.bytes.starts_with("\xff\xfe") || source_.bytes.starts_with("\xfe\xff"))
             return malformed(source_.atByte(0), "the OBJ file is UTF-16", "save it as UTF-8 or ASCII");
-        std::string_view left = source_.bytes;
-        if (left.starts_with("\xef\xbb\xbf")) left.remove_prefix(3);
+        std::string_view left = withoutMark(source_.bytes);
         while (!left.empty() && !error_)
             readStatement(takeLine(left));
         if (!file_.colors.empty()) file_.colors.resize(file_.positions.size(), glm::vec4(1));
@@ -252,12 +251,47 @@ Result<ObjFile> meshfile::parseObj(const Source& source) {
 
 std::filesystem::path objFileIn(const std::filesystem::path& folder, std::string name) {
     std::ranges::replace(name, '\\', '/');
-    return folder / name;
+    if (name.size() > 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+    std::error_code code;
+    const std::filesystem::path written = folder / name;
+    if (name.empty() || std::filesystem::exists(written, code)) return written;
+    const std::string last = name.substr(name.find_last_of('/') + 1);
+    std::filesystem::directory_iterator files(folder.empty() ? "." : folder, code);
+    for (; !code && files != std::filesystem::directory_iterator(); files.increment(code))
+        if (equalsIgnoreCase(files->path().filename().string(), last)) return folder / files->path().filename();
+    return written;
+}
+
+std::vector<std::filesystem::path> objLibrariesIn(const std::filesystem::path& folder, const std::string& names) {
+    std::error_code code;
+    std::vector<std::filesystem::path> all{objFileIn(folder, names)};
+    if (std::filesystem::exists(all.front(), code)) return all;
+    std::vector<std::filesystem::path> several;
+    std::string_view left = names;
+    for (std::string_view word = nextWord(left); !word.empty(); word = nextWord(left)) {
+        if (!toLower(word).ends_with(".mtl")) return all; // a part of a name with spaces
+        several.push_back(objFileIn(folder, std::string(word)));
+    }
+    return several.size() > 1 ? several : all;
 }
 
 std::string objPictureName(std::string_view rest) {
     rest = trim(rest);
-    if (rest.starts_with('-')) rest = rest.substr(rest.find_last_of(" \t") + 1);
+    while (rest.starts_with('-')) {
+        std::string_view after = rest;
+        const std::string option = toLower(nextWord(after));
+        const bool vector = option == "-o" || option == "-s" || option == "-t"; // one to three numbers
+        const int most = vector ? 3 : option == "-mm" ? 2 : 1;
+        for (int i = 0; i < most; ++i) {
+            std::string_view next = after;
+            const std::string_view word = nextWord(next);
+            double number = 0;
+            if (trim(next).empty() || (i > 0 && !parseReal(word, number))) break; // the last word is the name
+            after = next;
+        }
+        if (trim(after).size() == rest.size()) break; // a name that begins so
+        rest = trim(after);
+    }
     return std::string(rest);
 }
 

@@ -63,10 +63,14 @@ struct ObjFile {
 /// finite, TG5310 too large; each with its line of `file`.
 [[nodiscard]] Result<ObjFile> parseObj(std::string_view text, const std::filesystem::path& file);
 
-/// A file that an OBJ file or its library names, as seen from a folder: such names often come from Windows.
+/// A file that an OBJ file or its library names, as seen from a folder. Such names often come from Windows, where case does not count, or
+/// are places of another machine: what is not there is looked for in the folder by its last word.
 [[nodiscard]] std::filesystem::path objFileIn(const std::filesystem::path& folder, std::string name);
 
-/// The picture of a statement `map_... [-option values...] name`: the name may hold spaces, so where options are given it is the last word.
+/// The libraries of one statement `mtllib`: one whose name may hold spaces, or several.
+[[nodiscard]] std::vector<std::filesystem::path> objLibrariesIn(const std::filesystem::path& folder, const std::string& names);
+
+/// The picture of a statement `map_... [-option values...] name`: the name may hold spaces.
 [[nodiscard]] std::string objPictureName(std::string_view rest);
 
 } // namespace tegument

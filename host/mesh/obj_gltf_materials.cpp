@@ -34,7 +34,11 @@ public:
     Library(const Source& source, Mesh& mesh) : source_(source), mesh_(mesh) {}
 
     void read(const std::string& name) {
-        const fs::path path = objFileIn(source_.path.parent_path(), name);
+        for (const fs::path& path : objLibrariesIn(source_.path.parent_path(), name))
+            read(path, name);
+    }
+
+    void read(const fs::path& path, const std::string& name) {
         const auto text = readNamed(source_, path);
         if (!text) {
             const Diagnostic& why = text.error().diagnostics.front();
@@ -45,7 +49,7 @@ public:
             return;
         }
         Material* material = nullptr;
-        for (std::string_view left = *text; !left.empty();) {
+        for (std::string_view left = withoutMark(*text); !left.empty();) {
             const std::size_t end = std::min(left.find_first_of("\r\n"), left.size());
             std::string_view line = trim(left.substr(0, end));
             left.remove_prefix(std::min(end + 1, left.size()));
@@ -58,6 +62,11 @@ public:
                 material->statements.emplace(keyword, trim(line));
             }
         }
+    }
+
+    /// A material that is a picture, and nothing else.
+    void add(const std::string& name, const std::string& picture) {
+        materials_[name] = {.statements = {{"map_kd", picture}}, .folder = source_.path.parent_path()};
     }
 
     /// Its number among the materials that are written; none for one that no library has.
@@ -140,7 +149,7 @@ private:
     std::optional<std::size_t> load(const fs::path& path, const char* key) {
         auto bytes = readNamed(source_, path);
         std::string why = bytes ? "" : bytes.error().diagnostics.front().text;
-        constexpr const char* kBeside = "put the pictures of an OBJ file beside it, as PNG or JPEG";
+        constexpr const char* kBeside = "put the pictures of a mesh beside it, as PNG or JPEG";
         const std::string hint = bytes ? kBeside : hintFor(bytes.error(), kBeside);
         std::string_view type = bytes ? pictureType(*bytes) : "";
         if (bytes && type != "image/png" && type != "image/jpeg") {
@@ -151,7 +160,8 @@ private:
             bytes = std::move(png);
         }
         if (type.empty()) {
-            warn(mesh_, 5328, source_.whole(), fmt::format("a picture of {} is left out: {}", key, why), hint);
+            warn(mesh_, 5328, source_.whole(), fmt::format("a picture of {}, '{}', is left out: {}", key, path.filename().string(), why),
+                 hint);
             return std::nullopt;
         }
         const std::size_t index = mesh_.materials.images.size();
@@ -179,6 +189,14 @@ void carryObjMaterials(const Source& source, const ObjFile& file, const std::vec
         library.read(name);
     for (std::size_t i = 0; i < names.size() && i < mesh.parts.size(); ++i)
         if (!names[i].empty()) mesh.parts[i].material = library.use(names[i]);
+    library.finish();
+}
+
+void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh) {
+    Library library(source, mesh);
+    library.add("texture", picture);
+    for (MeshPart& part : mesh.parts)
+        part.material = library.use("texture");
     library.finish();
 }
 

@@ -24,8 +24,8 @@ std::map<std::string, fs::path> colourMaps(const Source& source, const fs::path&
         return maps;
     }
     std::string material;
-    for (std::string_view left = *text; !left.empty();) {
-        const std::size_t end = std::min(left.find('\n'), left.size());
+    for (std::string_view left = withoutMark(*text); !left.empty();) {
+        const std::size_t end = std::min(left.find_first_of("\r\n"), left.size());
         std::string_view line = trim(left.substr(0, end));
         left.remove_prefix(std::min(end + 1, left.size()));
         const std::string keyword = toLower(std::string(nextWord(line)));
@@ -41,7 +41,8 @@ std::map<std::string, fs::path> colourMaps(const Source& source, const fs::path&
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
     std::map<std::string, fs::path> maps;
     for (const std::string& library : file.libraries)
-        maps.merge(colourMaps(source, objFileIn(source.path.parent_path(), library), mesh));
+        for (const fs::path& path : objLibrariesIn(source.path.parent_path(), library))
+            maps.merge(colourMaps(source, path, mesh));
     fs::path used;
     for (std::size_t i = 0; i < file.sections.size(); ++i) {
         const auto map = maps.find(file.sections[i].material);
@@ -54,7 +55,10 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
         }
         used = map->second;
     }
-    if (used.empty()) return;
+    if (!used.empty()) useColourMap(source, used, mesh);
+}
+
+void useColourMap(const Source& source, const fs::path& used, Mesh& mesh) {
     const auto bytes = readNamed(source, used);
     auto image = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), used.string()) : Result<Image>(bytes.error());
     if (image) {
@@ -62,8 +66,10 @@ void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh) {
         return;
     }
     const Diagnostic& why = image.error().diagnostics.front();
-    warn(mesh, 5328, source.whole(), fmt::format("its colour map {}: {}", why.code == kOutside ? "is left out" : "is not there", why.text),
-         hintFor(image.error(), "put the pictures of an OBJ file beside it, or give one: --set gSkinMap=FILE"));
+    warn(mesh, 5328, source.whole(),
+         fmt::format("its colour map '{}' {}: {}", used.filename().string(), why.code == kOutside ? "is left out" : "is not there",
+                     why.text),
+         hintFor(image.error(), "put the pictures of a mesh beside it, or give one: --set gSkinMap=FILE"));
 }
 
 } // namespace tegument::meshfile

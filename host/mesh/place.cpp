@@ -1,6 +1,7 @@
 // Coordinates of a survey: a body of ten metres, five thousand kilometres from where the coordinates count from. 32-bit floats have steps
 // of half a metre there.
 
+#include "host/mesh/length.h"
 #include "host/mesh/mesh_file.h"
 #include "host/mesh/welding.h"
 
@@ -85,9 +86,9 @@ void settlePlace(const std::filesystem::path& path, ReadMesh& file) {
     const SourcePosition at{.file = path.string(), .byte = {}};
     if (!exact && file.floats && box.side() > 0 && box.reach() > kLost * box.side())
         warn(mesh, 5329, at,
-             fmt::format(
-                 "the file's coordinates reach {:.3g} mm in 32-bit floats, whose steps there are {:.3g} mm, of a mesh {:.3g} mm long",
-                 box.reach(), box.reach() * static_cast<double>(std::numeric_limits<float>::epsilon()), box.side()),
+             fmt::format("the file's coordinates reach {} mm in 32-bit floats, whose steps there are {} mm, of a mesh {} mm long",
+                         lengthText(box.reach()), lengthText(box.reach() * static_cast<double>(std::numeric_limits<float>::epsilon())),
+                         lengthText(box.side())),
              "what was finer was lost when the file was written: export it in double precision, or nearer to the origin");
     if (!exact) return;
     if (box.side() > 0 && box.reach() > kFar * box.side()) {
@@ -98,8 +99,8 @@ void settlePlace(const std::filesystem::path& path, ReadMesh& file) {
     }
     if (const std::size_t count = merged(file, box.reach()); count > 0)
         warn(mesh, 5329, at,
-             fmt::format("{} vertices lie nearer to another than 32-bit floats tell apart in a mesh {:.3g} mm long: they become one place",
-                         count, box.side()),
+             fmt::format("{} vertices lie nearer to another than 32-bit floats tell apart in a mesh {} mm long: they become one place",
+                         count, lengthText(box.side())),
              "cut the mesh into smaller ones");
     file.exact = {};
 }

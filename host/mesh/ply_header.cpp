@@ -65,6 +65,7 @@ public:
             header_.size = end + 1;
             ++header_.lines;
             const std::vector<std::string_view> parts = words(line);
+            noticePicture(line);
             if (parts.size() == 1 && parts[0] == "end_header") break;
             if (auto wrong = readLine(parts)) return *wrong;
         }
@@ -80,6 +81,11 @@ private:
         if (parts[0] == "element") return readElement(parts);
         if (parts[0] == "property") return readProperty(parts);
         return wrong(fmt::format("unknown PLY header line '{}'", parts[0]));
+    }
+
+    void noticePicture(std::string_view line) {
+        if (nextWord(line) != "comment" || !equalsIgnoreCase(nextWord(line), "TextureFile") || trim(line).empty()) return;
+        header_.pictures.emplace_back(trim(line));
     }
 
     std::optional<Error> readFormat(const std::vector<std::string_view>& parts) {

@@ -34,6 +34,7 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::size_t size = 0; // bytes up to the first of the data
     int lines = 0;
+    std::vector<std::string> pictures; // of the lines `comment TextureFile NAME`, as scanners' programs write them
 };
 
 /// Also refuses element counts that the rest of the file cannot hold.

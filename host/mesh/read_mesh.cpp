@@ -18,6 +18,7 @@ namespace tegument {
 namespace {
 
 using meshfile::Source;
+using meshfile::withoutMark;
 using Reader = Result<ReadMesh> (*)(const Source&);
 
 struct MeshFormat {
@@ -47,12 +48,37 @@ const MeshFormat* formatOf(const std::filesystem::path& path, std::string_view b
     return formatNamed(extension);
 }
 
+struct Stranger {
+    std::string_view start; // in small letters
+    std::string_view is;
+    std::string_view hint;
+};
+
+/// What is often found under a mesh's name.
+constexpr std::array<Stranger, 6> kStrangers = {
+    {{"\x1f\x8b", "the file is compressed by gzip", "unpack it: gunzip FILE"},
+     {"pk\x03\x04", "the file is a zip archive", "unpack it, and name the mesh that is in it"},
+     {"version https://git-lfs", "the file is a pointer of Git LFS, not the mesh itself", "git lfs pull fetches the mesh"},
+     {"<!doctype html", "the file is a web page, not a mesh", "download the file itself"},
+     {"<html", "the file is a web page, not a mesh", "download the file itself"},
+     {"kaydara fbx", "the file is FBX, which is not read", "convert it to glb, in Blender or elsewhere"}}};
+
+const Stranger* strangerIn(std::string_view bytes) {
+    const std::string start = toLower(bytes.substr(0, 32));
+    const auto* found = std::ranges::find_if(kStrangers, [&](const Stranger& one) { return start.starts_with(one.start); });
+    return found == kStrangers.end() ? nullptr : found;
+}
+
 Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
     const std::string extension = toLower(path.extension().string());
     std::string text = bytes.empty() ? "the file is empty" : "not a mesh in glb, glTF, PLY, OBJ, STL or OFF form";
-    if (!bytes.empty() && (extension == ".glb" || extension == ".ply"))
+    std::string hint = bytes.empty() ? "fetch or export it again" : "convert it to glb";
+    if (!bytes.empty() && (extension == ".glb" || extension == ".ply")) {
         text = fmt::format("the file is named {} but does not start like one", extension);
-    return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), "convert it to glb");
+        hint = "fetch or export it again, or name it by what it is";
+    }
+    if (const Stranger* stranger = strangerIn(bytes)) text = stranger->is, hint = stranger->hint;
+    return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), std::move(hint));
 }
 
 /// The vertices stay, at the origin: nothing refers to them any more.
@@ -71,7 +97,7 @@ void dropNotFinite(ReadMesh& file) {
 void mendLines(std::string& bytes, const MeshFormat* format) {
     if (format == formatNamed(".glb") || bytes.find('\r') == std::string::npos) return;
     const bool ply = format == formatNamed(".ply");
-    if (format == formatNamed(".stl") && !bytes.starts_with("solid")) return;
+    if (format == formatNamed(".stl") && !toLower(std::string_view(bytes).substr(0, 5)).starts_with("solid")) return;
     std::size_t end = bytes.size();
     if (ply && bytes.substr(0, bytes.find("end_header")).find("ascii") == std::string::npos)
         end = std::min(bytes.find("end_header"), bytes.size() - 11) + 11; // the word and what ends its line
@@ -99,8 +125,9 @@ std::optional<Diagnostic> takeLikelyUnit(const MeshFormat& format, Source& sourc
 Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& options) {
     Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
+    if (bytes->size() != withoutMark(*bytes).size()) bytes->erase(0, bytes->size() - withoutMark(*bytes).size());
     const MeshFormat* format = formatOf(path, *bytes);
-    if (!format) return unknownFormat(path, *bytes);
+    if (!format || strangerIn(*bytes)) return unknownFormat(path, *bytes);
     const double unit = options.unitMm.value_or(format->unitMm);
     if (!(unit > 0 && std::isfinite(unit)))
         return usageError(5312, fmt::format("one unit of a mesh cannot be {:g} mm", unit), "give a positive length in millimetres");

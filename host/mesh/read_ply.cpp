@@ -2,10 +2,13 @@
 
 #include "host/mesh/ply_values.h"
 #include "host/mesh/polygons.h"
+#include "host/mesh/welding.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace tegument::meshfile {
 
@@ -81,11 +84,27 @@ public:
         if (const auto wrong = polygons_.cut(source_, mesh().positions, result_.exact, mesh().indices)) return *wrong;
         mesh().parts.push_back(
             {.name = source_.path.stem().string(), .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh().indices.size())});
+        if (!mesh().uvs.empty()) addPicture();
+        if (wedges_.missing)
+            warn(mesh(), 5325, source_.whole(), "some corners have no texture coordinates: (0, 0) is used", "unwrap the whole mesh");
         return std::move(result_);
     }
 
 private:
     Mesh& mesh() { return result_.mesh; }
+
+    void addPicture() {
+        if (header_.pictures.empty()) return;
+        if (header_.pictures.size() > 1)
+            warn(mesh(), 5326, source_.whole(),
+                 fmt::format("'{}' and {} more pictures are ignored: one mesh carries one", header_.pictures[1].substr(0, 80),
+                             header_.pictures.size() - 2),
+                 "name the texture in the workspace, or split the mesh");
+        if (source_.carryMaterials)
+            carryColourMap(source_, header_.pictures.front(), mesh());
+        else
+            useColourMap(source_, objFileIn(source_.path.parent_path(), header_.pictures.front()), mesh());
+    }
 
     void leaveOut(const PlyElement& element) {
         values_.skip(element);
@@ -146,24 +165,88 @@ private:
         if (!list || !element.properties[*list].listCount)
             return values_.fail(malformed(source_.atLine(element.line), "the faces have no list vertex_indices"));
         result_.counts.faces += element.count;
-        const std::string others = namesOf(element, [&](const PlyProperty& p) { return &p != &element.properties[*list]; });
+        const auto uvs = startWedges(element);
+        const std::string others = namesOf(element, [&](const PlyProperty& p) {
+            const auto at = static_cast<std::size_t>(&p - element.properties.data());
+            return at != list && at != uvs && !(uvs && p.name == "texnumber");
+        });
         if (!others.empty() && element.count > 0)
             warn(mesh(), 5331, source_.atLine(element.line), fmt::format("what the faces carry is left out: {}", others),
                  "give it to the vertices to keep it");
         std::vector<std::uint32_t> corners;
+        std::vector<double> numbers; // u and v of each corner
         for (std::uint64_t face = 0; face < element.count && !values_.error(); ++face) {
             bool usable = true;
             for (std::size_t i = 0; i < element.properties.size(); ++i) {
                 const PlyProperty& property = element.properties[i];
                 if (i == *list)
                     usable = readCorners(property, face, corners);
+                else if (i == uvs)
+                    readNumbers(property, numbers);
                 else if (property.listCount)
                     values_.skipList(property);
                 else
                     values_.next(property.type);
             }
-            if (usable && !values_.error()) addFace(corners, face);
+            if (!usable || values_.error()) continue;
+            if (uvs) splitAtSeams(corners, numbers);
+            addFace(corners, face);
         }
+    }
+
+    /// Texture coordinates of corners, where the vertices have none: MeshLab's list `texcoord`.
+    std::optional<std::size_t> startWedges(const PlyElement& element) {
+        const auto list = element.find({"texcoord"});
+        const bool ofVertices = !mesh().uvs.empty() && wedges_.vertex.empty();
+        if (!list || !element.properties[*list].listCount || !verticesRead_ || ofVertices) return std::nullopt;
+        wedges_.vertex.resize(mesh().positions.size());
+        std::iota(wedges_.vertex.begin(), wedges_.vertex.end(), 0U);
+        wedges_.taken.resize(mesh().positions.size());
+        mesh().uvs.resize(mesh().positions.size());
+        return list;
+    }
+
+    void readNumbers(const PlyProperty& property, std::vector<double>& numbers) {
+        numbers.clear();
+        for (std::size_t left = values_.nextCount(property); left > 0 && !values_.error(); --left)
+            numbers.push_back(values_.next(property.type));
+    }
+
+    void splitAtSeams(std::vector<std::uint32_t>& corners, const std::vector<double>& numbers) {
+        const bool whole = numbers.size() == 2 * corners.size();
+        wedges_.missing = wedges_.missing || !whole;
+        for (std::size_t i = 0; whole && i < corners.size(); ++i)
+            corners[i] = withUv(corners[i], glm::vec2(numbers[2 * i], 1 - numbers[2 * i + 1]));
+        if (mesh().positions.size() > kMaxVertices) values_.fail(tooLarge(values_.at()));
+    }
+
+    /// The vertex with these texture coordinates: itself for the first of them, copies for others.
+    std::uint32_t withUv(std::uint32_t vertex, const glm::vec2& uv) {
+        const auto keyOf = [&](std::uint32_t of, const glm::vec2& at) {
+            const auto bits = floatKey<2>({at.x, at.y});
+            return std::array<std::uint32_t, 3>{of, bits[0], bits[1]};
+        };
+        const auto wanted = keyOf(vertex, uv);
+        const bool first = wedges_.taken[vertex] == 0;
+        const std::uint32_t next = first ? vertex : static_cast<std::uint32_t>(mesh().positions.size());
+        const std::uint32_t found = wedges_.known.findOrAdd(
+            hashWords(wanted), next, [&](std::uint32_t other) { return keyOf(wedges_.vertex[other], mesh().uvs[other]) == wanted; });
+        if (found != next) return found;
+        if (!first) copyVertex(vertex);
+        wedges_.taken[next] = 1;
+        mesh().uvs[next] = uv;
+        return next;
+    }
+
+    void copyVertex(std::uint32_t vertex) {
+        const auto copy = [&](auto& list) {
+            if (!list.empty()) list.push_back(list[vertex]);
+        };
+        copy(mesh().positions), copy(mesh().normals), copy(mesh().uvs), copy(mesh().colors), copy(result_.exact);
+        for (MeshAttribute& attribute : mesh().attributes)
+            copy(attribute.values);
+        wedges_.vertex.push_back(vertex);
+        wedges_.taken.push_back(0);
     }
 
     /// Strips of triangles, each turned against the one before; -1 begins a new strip (G. Turk's own files, Stanford's archive).
@@ -245,6 +328,12 @@ private:
     Polygons polygons_;
     std::vector<std::pair<std::size_t, std::uint64_t>> lastIndexOfFace_; // (indices so far, face), when vertices follow the faces
     bool verticesRead_ = false;
+    struct {
+        std::vector<std::uint32_t> vertex; // of each: which of the file it is
+        std::vector<std::uint8_t> taken;   // it has texture coordinates
+        UniqueItems known;                 // by vertex and texture coordinates
+        bool missing = false;
+    } wedges_;
 };
 
 } // namespace

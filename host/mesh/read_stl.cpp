@@ -28,7 +28,7 @@ std::size_t facetCount(std::string_view bytes) {
 
 /// Some binary files begin with "solid" too: a text goes on with "facet", and its length is no matter of arithmetic.
 bool isText(std::string_view bytes) {
-    if (!bytes.starts_with("solid")) return false;
+    if (!equalsIgnoreCase(trim(bytes.substr(0, 80)).substr(0, 5), "solid")) return false; // some are indented, some in capitals
     if (bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + facetCount(bytes) * kFacetBytes) return false;
     return bytes.substr(0, 1024).find('\0') == std::string_view::npos;
 }
@@ -49,8 +49,11 @@ ReadMesh soup(std::vector<glm::vec3> positions, const Source& source, std::vecto
 
 Result<ReadMesh> readBinary(const Source& source) {
     if (source.bytes.size() < kHeaderBytes) return truncated(source.atByte(source.bytes.size()), "a binary STL has a header of 84 bytes");
-    const std::size_t count = facetCount(source.bytes);
+    std::size_t count = facetCount(source.bytes);
     const std::size_t held = (source.bytes.size() - kHeaderBytes) / kFacetBytes;
+    const bool whole = (source.bytes.size() - kHeaderBytes) % kFacetBytes == 0;
+    const bool unsaid = held > 0 && whole && (count == 0 || count == UINT32_MAX); // what writes as it goes does not know it at the start
+    if (unsaid) count = held;
     if (count > held) return overclaimed(source.atByte(80), fmt::format("{} facets are announced, the file holds {}", count, held));
     if (count > kMaxVertices / 3) return tooLarge(source.atByte(80));
     std::vector<glm::vec3> positions;
@@ -68,6 +71,9 @@ Result<ReadMesh> readBinary(const Source& source) {
         }
     }
     ReadMesh read = soup(std::move(positions), source);
+    if (unsaid)
+        warn(read.mesh, 5323, source.atByte(80),
+             fmt::format("the number of facets is not in the header: all {} of the file are read", count));
     if (colours)
         warn(read.mesh, 5331, source.whole(),
              "the two bytes that some facets carry besides are left out: programs write colours there, each in its way",

@@ -169,7 +169,9 @@ std::set<const Pass*> Plan::passes() const {
 Result<Plan> planFrame(const Effect& effect, const std::string& technique, const Values& values, const std::array<float, 4>& background) {
     if (effect.techniques.empty())
         return inputError(4001, {.file = effect.file.string(), .byte = {}}, "this effect has no technique to run",
-                          "techniques stand inside #ifdef FX_TECHNIQUES");
+                          effect.ownDialect ? "techniques stand inside #ifdef FX_TECHNIQUES"
+                                            : "functions alone need one to be drawn: technique T { pass P { VertexShader = compile vs_3_0 "
+                                              "V(); PixelShader = compile ps_3_0 P(); } }");
     Planner planner(effect, values, background);
     if (const auto run = runScripts(effect, technique, planner); !run) return run.error();
     auto plan = planner.finish();

@@ -16,8 +16,7 @@ Result<void> checkSize(const RunInput& input) {
     const RunOptions& options = input.options;
     for (const int side : {options.width, options.height})
         if (side < 1 || side > static_cast<int>(kMaxExtent))
-            return inputError(4004, {.file = input.effect.file.string(), .byte = {}},
-                              fmt::format("a picture of {} x {} pixels cannot be drawn", options.width, options.height),
+            return usageError(4004, fmt::format("a picture of {} x {} pixels cannot be drawn", options.width, options.height),
                               fmt::format("each side is 1 to {}", kMaxExtent));
     if (options.samples != 1 && options.samples != 2 && options.samples != 4 && options.samples != 8)
         return inputError(4007, {.file = input.effect.file.string(), .byte = {}},

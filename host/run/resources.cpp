@@ -75,9 +75,11 @@ Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Res
     return {};
 }
 
-/// Mesa's software device (22.3 with LLVM 15) dies of an anisotropic look-up that brings gradients of its own.
-bool diesOfAnisotropy(const gpu::Device& device, const Prepared& prepared) {
-    return device.info().driver.starts_with("llvmpipe") && std::ranges::any_of(prepared.programs, [](const auto& program) {
+/// Mesa's software device (22.3 with LLVM 15) dies of an anisotropic look-up that brings gradients of its own. Where pixels have several
+/// samples it takes ten seconds and more for one picture, whatever its size: gradients beyond an outline are any number there.
+bool suffersFromAnisotropy(const RunInput& input, const gpu::Device& device, const Prepared& prepared) {
+    if (!device.info().driver.starts_with("llvmpipe")) return false;
+    return input.options.samples > 1 || std::ranges::any_of(prepared.programs, [](const auto& program) {
                return program.second->pixel && spirv::readsByGradient(program.second->pixel->spirv);
            });
 }
@@ -97,7 +99,7 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
                               fmt::format("a shader samples with {}, which the effect does not declare outside FX_ENTRY", name),
                               didYouMean(name, declared));
         SamplerState state = sampler->state;
-        if (diesOfAnisotropy(resources.device, prepared)) state.maxAnisotropy = 1;
+        if (suffersFromAnisotropy(input, resources.device, prepared)) state.maxAnisotropy = 1;
         auto shared = resources.store.shared.find(state);
         if (!shared) {
             auto made = resources.device.createSampler(state);

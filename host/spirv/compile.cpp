@@ -56,7 +56,9 @@ Result<Shader> finish(RawShader raw, const ShaderRequest& request, Compiler comp
     const auto invalid = [&](const std::string& why) {
         return machineError(
             3003, fmt::format("{}: {} wrote SPIR-V for {} that is not valid: {}", request.file, compilerName(compiler), request.entry, why),
-            "this is a fault of the compiler: try the other one (--compiler) or another spelling");
+            compiler == Compiler::Glslang && !compilerAvailable(Compiler::Dxc)
+                ? "glslang cannot compile it; DXC can, and is not here: ./bootstrap build fetches it, or set TEGUMENT_DXC"
+                : "this is a fault of the compiler: try the other one (--compiler) or another spelling");
     };
     if (request.stage == Stage::Compute && !spirv::forgetStorageFormats(raw.words))
         return inputError(3006, {.file = request.file, .byte = {}}, fmt::format("{} writes textures of several types", request.entry),

@@ -47,6 +47,16 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
+std::string shellWord(const std::string& text) {
+    const bool plain =
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/@:") == std::string::npos;
+    if (plain && !text.empty()) return text;
+    std::string quoted = "'";
+    for (const char letter : text)
+        quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+    return quoted + "'";
+}
+
 std::string nearestName(std::string_view name, std::span<const std::string> candidates) {
     std::string nearest;
     std::size_t best = name.size() / 3 + 1;

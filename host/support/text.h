@@ -12,6 +12,9 @@ namespace tegument {
 [[nodiscard]] std::string toLower(std::string_view text);
 [[nodiscard]] std::string_view trim(std::string_view text);
 
+/// One word of a command line to be copied: in quotes where a shell would read it as several words or more.
+[[nodiscard]] std::string shellWord(const std::string& text);
+
 /// The candidate nearest to `name` by edit distance, ignoring case; empty when none is near (more than a third of its letters differ).
 [[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> candidates);
 

@@ -1,5 +1,6 @@
 #include "meshprep/prepare/prepare.h"
 
+#include "host/mesh/facing.h"
 #include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
 #include "meshprep/prepare/local_vertices.h"
@@ -129,8 +130,23 @@ private:
         if (!options_.keepDuplicates)
             count("duplicates", "triangles that repeat another left out", [&] { return dropDuplicates(surface_); });
         count("unreferenced", "vertices of no triangle left out", [&] { return dropUnreferenced(surface_); });
-        if (options_.orient)
-            count("orient", "triangles turned to face as most of their component", [&] { return orientByMajority(surface_); });
+        if (options_.orient) oriented();
+    }
+
+    void oriented() {
+        begin("orient");
+        const Oriented done = orient(surface_);
+        if (done.doubles > 0) dropUnreferenced(surface_);
+        end("orient", done.turnedOver ? surface_.triangles() : done.turned + done.doubles,
+            fmt::format("{}{} triangles turned to face as most of their component{}",
+                        done.doubles > 0 ? fmt::format("{} triangles left out that were the other side of one; ", done.doubles) : "",
+                        done.turned, done.turnedOver ? "; then all of them, for the mesh was inside out" : ""));
+    }
+
+    void warnOfFacing() {
+        if (options_.orient) return;
+        if (const auto fault = facingFault(examineFacing(surface_.mesh, surface_.point), path_.string()))
+            report_.warnings.push_back(*fault);
     }
 
     [[nodiscard]] std::string whereTheyWent() const {
@@ -148,6 +164,7 @@ private:
             fmt::format("{} components, {} boundary edges, {} edges of more than two triangles, {} bow ties, {} opposed edges, "
                         "{} pairs back to back, {} triangles without area",
                         t.components, t.boundaryEdges, t.crowdedEdges, t.bowTies, t.opposedEdges, t.backToBackPairs, t.flatTriangles));
+        warnOfFacing();
         begin("centre");
         report_.centring = centre(surface_, options_.centre);
         const Centring& c = report_.centring;

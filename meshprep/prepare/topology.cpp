@@ -1,6 +1,8 @@
 #include "meshprep/prepare/topology.h"
 
+#include "host/mesh/facing.h"
 #include "host/mesh/normals.h"
+#include "host/mesh/triangles.h"
 #include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
 
@@ -81,6 +83,37 @@ void flood(const Neighbours& neighbours, std::uint32_t start, std::vector<bool>&
         }
 }
 
+/// A surface that was written once for each side: of each two triangles back to back the first stays. A mesh with some such parts, as
+/// leaves or cloth, keeps them.
+std::size_t dropDoubles(Surface& surface) {
+    const std::vector<std::uint32_t> back = backToBack(surface);
+    std::size_t doubled = 0;
+    for (std::uint32_t i = 0; i < back.size(); ++i)
+        doubled += back[i] != i;
+    if (2 * doubled <= back.size()) return 0;
+    return keepTriangles(surface.mesh, [&](std::span<const std::uint32_t, 3>, std::size_t triangle) { return back[triangle] >= triangle; });
+}
+
+std::size_t orientByMajority(Surface& surface) {
+    const Neighbours neighbours(surface);
+    const std::size_t count = surface.triangles();
+    std::vector<bool> seen(count, false);
+    std::vector<bool> turned(count, false);
+    std::vector<std::uint32_t> reached;
+    std::size_t changed = 0;
+    for (std::uint32_t start = 0; start < count; ++start) {
+        if (seen[start]) continue;
+        flood(neighbours, start, seen, turned, reached);
+        const auto others = static_cast<std::size_t>(std::ranges::count_if(reached, [&](std::uint32_t t) { return turned[t]; }));
+        const bool minority = 2 * others <= reached.size(); // of the triangles that differ from `start`
+        for (const std::uint32_t t : reached)
+            if (turned[t] == minority)
+                std::swap(surface.mesh.indices[3 * std::size_t{t} + 1], surface.mesh.indices[3 * std::size_t{t} + 2]);
+        changed += minority ? others : reached.size() - others;
+    }
+    return changed;
+}
+
 } // namespace
 
 DisjointSets cornerFans(const Surface& surface, const EdgeTable& edges, const std::vector<std::uint32_t>& backToBack) {
@@ -120,24 +153,13 @@ Topology examine(const Surface& surface) {
     return topology;
 }
 
-std::size_t orientByMajority(Surface& surface) {
-    const Neighbours neighbours(surface);
-    const std::size_t count = surface.triangles();
-    std::vector<bool> seen(count, false);
-    std::vector<bool> turned(count, false);
-    std::vector<std::uint32_t> reached;
-    std::size_t changed = 0;
-    for (std::uint32_t start = 0; start < count; ++start) {
-        if (seen[start]) continue;
-        flood(neighbours, start, seen, turned, reached);
-        const auto others = static_cast<std::size_t>(std::ranges::count_if(reached, [&](std::uint32_t t) { return turned[t]; }));
-        const bool minority = 2 * others <= reached.size(); // of the triangles that differ from `start`
-        for (const std::uint32_t t : reached)
-            if (turned[t] == minority)
-                std::swap(surface.mesh.indices[3 * std::size_t{t} + 1], surface.mesh.indices[3 * std::size_t{t} + 2]);
-        changed += minority ? others : reached.size() - others;
-    }
-    return changed;
+Oriented orient(Surface& surface) {
+    Oriented done{.doubles = dropDoubles(surface)};
+    done.turned = orientByMajority(surface);
+    done.turnedOver = outwardFacing(surface.mesh) < 0;
+    for (std::size_t i = 0; done.turnedOver && i < surface.mesh.indices.size(); i += 3)
+        std::swap(surface.mesh.indices[i + 1], surface.mesh.indices[i + 2]);
+    return done;
 }
 
 } // namespace tegument::prep

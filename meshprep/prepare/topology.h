@@ -22,7 +22,14 @@ struct Topology {
 
 [[nodiscard]] Topology examine(const Surface& surface);
 
-/// Turns the triangles of each component that are seen from the other side than most of it; gives their number.
-std::size_t orientByMajority(Surface& surface);
+struct Oriented {
+    std::size_t turned = 0;  // triangles that were seen from the other side than most of their component
+    std::size_t doubles = 0; // left out: of triangles back to back one, where most of the mesh is so
+    bool turnedOver = false; // all of them faced inwards
+};
+
+/// Makes the triangles face outwards: those that differ from their component's majority are turned, and then, where the mesh is inside
+/// out, all of them.
+Oriented orient(Surface& surface);
 
 } // namespace tegument::prep

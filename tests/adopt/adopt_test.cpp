@@ -114,6 +114,41 @@ TEST(ForeignMessages, note_what_stands_in) {
     EXPECT_TRUE(std::ranges::any_of(adoption.notes, [](const Diagnostic& note) { return note.code == 3404; }));
 }
 
+/// Samplers of both generations, each read in both ways, as fxc takes them.
+TEST(ForeignSamplers, of_each_generation_are_read_by_the_functions_of_both) {
+    if (const std::string missing = compilerMissing(Compiler::Dxc); !missing.empty()) GTEST_SKIP() << missing;
+    for (const char* read : {"t.Sample(nine, u)", "t.SampleLevel(nine, u, 0)", "tex2D(nine, u)", "tex2D(eleven, u)", "t.Sample(eleven, u)",
+                             "t.Sample(eleven, u) + tex2D(eleven, u)", "t.Sample(nine, u) + tex2D(nine, u)"}) {
+        const Adoption adoption = adopted(
+            foreign("Texture2D t; sampler nine : register(s0); SamplerState eleven { Filter = MIN_MAG_MIP_POINT; Texture = <t>; };\n"
+                    "float4 VS(float4 p : POSITION, inout float2 u : TEXCOORD0) : SV_Position { return p; }\n"
+                    "float4 PS(float4 p : SV_Position, float2 u : TEXCOORD0) : SV_Target { return " +
+                    std::string(read) +
+                    "; }\ntechnique11 T { pass P { SetVertexShader(CompileShader(vs_4_0, VS())); "
+                    "SetPixelShader(CompileShader(ps_4_0, PS())); } }"));
+        const auto pixel = compiled(adoption.effect, *adoption.effect.techniques[0].passes[0].pixelShader, Stage::Pixel);
+        EXPECT_TRUE(pixel) << read << "\n" << format(pixel.error());
+    }
+}
+
+TEST(ForeignStreams, of_matrices_place_one_instance_where_it_is) {
+    const auto wrapper = [](const std::string& members) {
+        const Effect effect =
+            adopted(foreign("float4x4 m : VIEWPROJECTION; struct I { float4 p : POSITION; " + members +
+                            " };\nfloat4 VS(I i) : SV_Position { return mul(mul(i.p, m), float4x4(i.a, i.b, i.c, i.d)); }\n"
+                            "float4 PS() : SV_Target { return 1; }\ntechnique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, VS())); "
+                            "SetPixelShader(CompileShader(ps_5_0, PS())); } }"))
+                .effect;
+        return effect.techniques[0].passes[0].vertexShader->code;
+    };
+    const std::string rows = wrapper("float4 a : WORLD0; float4 b : WORLD1; float4 c : WORLD2; float4 d : WORLD3;");
+    EXPECT_NE(rows.find("tg_i.b = (float4)(float4(0, 1, 0, 0))"), std::string::npos) << rows;
+    const std::string whole = wrapper("row_major float4x4 w : INSTANCE; float4 a : A; float4 b : B; float4 c : C; float4 d : D;");
+    EXPECT_NE(whole.find("tg_i.w[2] = (float4)(float4(0, 0, 1, 0))"), std::string::npos) << "all zero, it drew nothing\n" << whole;
+    const std::string weights = wrapper("float4x4 w : BLENDWEIGHT; float4 a : A; float4 b : B; float4 c : C; float4 d : D;");
+    EXPECT_NE(weights.find("tg_i.w[3] = (float4)(float4(0, 0, 0, 1))"), std::string::npos) << "where XNA's samples have it\n" << weights;
+}
+
 TEST(ForeignPasses, without_a_matrix_cover_the_target_and_others_place_the_mesh) {
     const Effect flat = adopted(foreign("float4 PS() : COLOR { return 1; }\n" + kRest)).effect;
     EXPECT_TRUE(flat.techniques[0].passes[0].script.given);
@@ -214,6 +249,10 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundCase{"what_the_author_gave", "float4 diffuseColor = { 1, 0, 0, 1 };", "its default"},
                     BoundCase{"white", "float4 diffuseColor;", "white"}, BoundCase{"a_power", "float shininess;", "20"},
                     BoundCase{"what_only_the_scene_knows", "float3 LightPosition = { 1, 2, 3 };", "POSITION of the light"},
+                    BoundCase{"fog_that_begins_behind_everything", "float gFogStart;", "behind everything: no fog"},
+                    BoundCase{"fog_that_ends_there", "float g_fFogEnd;", "behind everything: no fog"},
+                    BoundCase{"fog_without_density", "float FogDensity;", "zero: no fog"},
+                    BoundCase{"fog_that_the_author_begins_at_the_eye", "float FogStart = 0;", "zero: no fog"},
                     BoundCase{"no_bones", "float4x4 gBones[4];", "identities: no bones"}, BoundCase{"zero", "float whatever;", "zero"},
                     BoundCase{"zero_where_no_matrix_is_declared", "float World;", "zero"},
                     BoundCase{"zero_where_two_numbers_are_declared", "float2 LightPosition;", "zero"},

@@ -136,6 +136,22 @@ INSTANTIATE_TEST_SUITE_P(
                     TurnedCase{"not_where_a_name_is_a_parameter_s", "float f(float3 light) { return dot(n, -light); }", false}),
     [](const testing::TestParamInfo<TurnedCase>& tested) { return tested.param.name; });
 
+TEST(TurnedRound, may_be_a_member_of_a_structure_that_a_function_takes) {
+    const std::string light = "struct Light { float4 Colour; float3 Direction; float3 Away; }; Light sun; Light all[3]; float3 n;\n";
+    const auto negated = [&](const std::string& code, const std::string& parameter) {
+        return adopt::isNegated(adopt::negatedNames(adopt::readCode(light + code)), parameter);
+    };
+    const std::string inside = "float g(Light l) { float3 to = -l.Direction; return dot(to, n); } float f() { return g(all[1]); }";
+    EXPECT_TRUE(negated(inside, "all_1_Direction"));
+    EXPECT_TRUE(negated(inside, "sun_Direction"));
+    EXPECT_FALSE(negated(inside, "all_1_Away"));
+    EXPECT_TRUE(negated("float f() { return dot(n, normalize(-all[2].Direction.xyz)); }", "all_2_Direction"));
+    EXPECT_TRUE(negated("float f() { float3 l = normalize(sun.Direction); return dot(n, -l); }", "sun_Direction"));
+    EXPECT_TRUE(negated("float g(float3 l) { return dot(n, -l); } float f() { return g(sun.Direction); }", "sun_Direction"));
+    EXPECT_FALSE(negated("float f() { return dot(n, sun.Direction); }", "sun_Direction"));
+    EXPECT_FALSE(negated("float4 v; float f() { return dot(n, -v.xyz); }", "some_xyz")) << "a swizzle is no member";
+}
+
 Effect filled(const std::string& annotations, const std::string& type = "texture") {
     return adopted(foreign("float4 fill(float2 p : POSITION, float2 s : PSIZE) : COLOR { return float4(p, s); }\n" + type +
                            " t < string function = \"fill\"; " + annotations +

@@ -138,6 +138,7 @@ TEST(CommandLine, what_is_no_effect_is_refused_without_printing_its_bytes) {
     expectSaid(tegument({"render", picture}), kUsage, {"TG8006", "is a picture"});
     expectSaid(tegument({"render", ballMesh()}), kUsage, {"TG8006", "is a mesh", "--mesh"});
     expectSaid(tegument({"check", ballWorkspace()}), kUsage, {"TG8006", "is a workspace", "-w"});
+    expectSaid(tegument({"check", "tests/adopt/effects"}), kUsage, {"TG8006", "is a folder", "tegument survey tests/adopt/effects"});
     expectSaid(tegument({"info", out("picture.fx")}), kUsage, {"TG8006", "is no text"});
     // Bytes that pass for text until they are read: control characters and Latin-1.
     const Ran odd = tegument({"info", write("odd.fx", "float \x1b[31m\xe4\xff gTint;\n")});
@@ -149,7 +150,9 @@ TEST(CommandLine, what_is_no_effect_is_refused_without_printing_its_bytes) {
 
 TEST(CommandLine, a_value_that_cannot_be_is_the_command_line_s_fault) {
     expectSaid(tegument({"render", quad(), "-s", "gTint=1,2"}), kUsage, {"TG8013", "--set gTint=1,2", "takes 4 numbers, 2 given"});
+    expectSaid(tegument({"render", quad(), "-s", "gCount=0,2"}), kUsage, {"TG8013", "a decimal has a point: --set gCount=0.5"});
     expectSaid(tegument({"render", quad(), "-s", "gCount=1.5"}), kUsage, {"TG8013", "whole numbers"});
+    expectSaid(tegument({"render", quad(), "--size", "100000"}), kUsage, {"TG4004", "each side is 1 to 16384"});
     expectSaid(tegument({"render", quad(), "-s", "gTint=nan,1,1,1"}), kUsage, {"TG8013", "not a number"});
     expectSaid(tegument({"render", quad(), "-s", "gTint=2,1,1,1", "--size", "8x8", "-o", out("range.png")}), 0, {"TG4012", "0 .. 1"});
 }
@@ -251,6 +254,7 @@ TEST(Output, that_cannot_be_written_is_found_before_any_work) {
         {"prep", "shape", "cube", "-o", below + ".ply"},
         {"compare", out("grey.png"), out("grey.png"), "-o", below + ".png"},
         {"sheet", out("grey.png"), "-o", below + ".png"},
+        {"survey", "tests/adopt/effects", "-o", below},
     };
     static_cast<void>(ballWorkspace()); // writes grey.png
     for (const auto& arguments : all) {

@@ -1,5 +1,6 @@
 // Foreign effects as a user draws them: every one of tests/adopt shows something, and what does not is said.
 
+#include "tests/app/picture.h"
 #include "tests/app/program.h"
 
 #include <gtest/gtest.h>
@@ -111,6 +112,31 @@ TEST(ForeignPictures, come_with_a_line_for_each_parameter) {
     EXPECT_EQ(report["bindings"][0]["by"], "--bind");
     EXPECT_EQ(report["bindings"][1]["got"], "its default");
     EXPECT_FALSE(report.contains("picture")) << "a red disc on black";
+}
+
+TEST(ForeignPictures, of_functions_without_a_technique_say_what_is_missing) {
+    const std::string file = write("functions.hlsl", "float4 P() : COLOR { return 1; }\n");
+    const Ran ran = tegument({"render", file, "--size", "16", "-o", (scratch() / "functions.png").string()});
+    EXPECT_EQ(ran.code, 1) << ran.err;
+    EXPECT_NE(ran.err.find("TG4001"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("technique T { pass P"), std::string::npos) << "not what an effect of this host needs\n" << ran.err;
+}
+
+TEST(ForeignPictures, with_several_samples_do_without_anisotropy_on_a_software_device) {
+    const auto picture = [](const std::string& name, const std::string& count) {
+        const std::string file =
+            write(name + ".fx",
+                  "float4x4 m : WORLDVIEWPROJECTION; Texture2D t;\nSamplerState s { Filter = ANISOTROPIC; MaxAnisotropy = " + count +
+                      "; };\nstruct V { float4 p : SV_Position; float2 t : TEXCOORD; };\n"
+                      "V VS(float4 p : POSITION, float2 t : TEXCOORD) { V o; o.p = mul(p, m); o.t = 9 * t; return o; }\n"
+                      "float4 PS(V i) : SV_Target { return t.Sample(s, i.t); }\n"
+                      "technique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, VS())); "
+                      "SetPixelShader(CompileShader(ps_5_0, PS())); } }\n");
+        return render(name, {file, "--size", "48", "--samples", "4"});
+    };
+    const Picture without = picture("once", "1");
+    if (without.report["device"].dump().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "no software device";
+    EXPECT_EQ(picture("often", "8").image.pixels, without.image.pixels) << "Mesa takes ten seconds and more for it";
 }
 
 TEST(Survey, of_a_folder_without_effects_is_an_error) {

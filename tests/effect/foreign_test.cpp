@@ -230,5 +230,21 @@ TEST(ForeignEffects, are_still_refused_where_microsofts_compiler_refuses) {
     EXPECT_FALSE(load(Files{{"main.fx", "technique T { pass P { CullMode = }"}}, {.lenient = true}));
 }
 
+TEST(Foreign, constant_buffers_may_have_annotations) {
+    const Effect effect = foreign("cbuffer Pool : register(b1) < string UIName = \"a\"; > { float4 gShared; };");
+    EXPECT_NE(effect.findParameter("gShared"), nullptr);
+    EXPECT_EQ(effect.code.find("UIName"), std::string::npos) << "compilers know none";
+}
+
+TEST(Foreign, functions_in_the_place_of_shaders_are_told_from_unknown_names) {
+    const auto message = [](const std::string& pass) {
+        const auto effect = load("float4 Show() : COLOR { return 1; }\ntechnique T { pass { " + pass + " } }");
+        return effect ? std::string() : format(effect.error());
+    };
+    EXPECT_NE(message("PixelShader = Show;").find("compile PROFILE Show()"), std::string::npos) << message("PixelShader = Show;");
+    EXPECT_NE(message("VertexShader = PostProcessVS;").find("ReShade"), std::string::npos) << "of an include that is not there";
+    EXPECT_EQ(message("PixelShader = gShader;").find("compile"), std::string::npos);
+}
+
 } // namespace
 } // namespace tegument::test

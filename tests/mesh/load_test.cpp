@@ -123,3 +123,41 @@ TEST_F(Loading, a_unit_that_is_no_length_is_a_usage_error) {
         EXPECT_EQ(mesh.error().blame, Blame::Usage);
     }
 }
+
+TEST_F(Loading, what_is_no_mesh_is_named_whatever_it_is_called) {
+    using namespace std::string_literals;
+    const auto hintOf = [&](const std::string& name, const std::string& bytes) {
+        const auto mesh = load(name, bytes);
+        EXPECT_EQ(codeOf(mesh), 5300) << name;
+        return messageOf(mesh);
+    };
+    for (const char* name : {"a.ply", "a.obj", "a.glb"}) {
+        EXPECT_NE(hintOf(name, "\x1f\x8b\x08\0\0"s).find("gunzip"), std::string::npos);
+        EXPECT_NE(hintOf(name, "PK\x03\x04\0\0"s).find("zip archive"), std::string::npos);
+        EXPECT_NE(hintOf(name, "version https://git-lfs.example/spec/v1\noid sha256:a\n").find("git lfs pull"), std::string::npos);
+        EXPECT_NE(hintOf(name, "<!DOCTYPE html><html>404").find("web page"), std::string::npos);
+    }
+}
+
+TEST_F(Loading, a_byte_order_mark_before_a_text_does_not_matter) {
+    const std::string mark = "\xef\xbb\xbf";
+    EXPECT_TRUE(load("a.ply", mark + "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n"));
+    EXPECT_TRUE(load("a.off", mark + "OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n"));
+    EXPECT_TRUE(load("a.obj", mark + "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n"));
+}
+
+TEST_F(Loading, lengths_in_messages_are_written_out) {
+    const auto mesh = load("a.obj", panel(55'530), {.guessUnit = true});
+    ASSERT_TRUE(mesh);
+    ASSERT_FALSE(mesh->warnings.empty());
+    EXPECT_NE(mesh->warnings.back().text.find("would be 55530 mm long"), std::string::npos) << mesh->warnings.back().text;
+}
+
+TEST_F(Loading, a_mesh_without_area_is_refused_for_nothing_of_it_would_show) {
+    for (const char* corners : {"v 0 0 0\nv 100 0 0\nv 200 0 0\n", "v 5 5 5\nv 5 5 5\nv 5 5 5\n"}) {
+        const auto mesh = load("a.obj", corners + std::string("f 1 2 3\n"));
+        EXPECT_EQ(codeOf(mesh), 5306) << corners;
+    }
+    EXPECT_TRUE(load("b.obj", "v 0 0 0\nv 1e-38 0 0\nv 0 1e-38 0\nf 1 2 3\n")) << "small is not none";
+}

@@ -195,3 +195,30 @@ TEST_F(Obj, with_two_colour_maps_keeps_the_first_and_without_its_files_goes_on) 
     std::filesystem::remove(folder_ / "my scan.mtl");
     EXPECT_TRUE(load("a.obj", std::string(kMaterialObj))->warnings.empty()) << "materials are often left behind";
 }
+
+TEST_F(Obj, finds_libraries_and_pictures_that_were_named_on_another_machine) {
+    ASSERT_TRUE(writePng(folder_ / "Bunny Col.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}},
+                         PngEncoding::Raw));
+    const std::string body = "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl skin\nf 1/1 2/2 3/3\n";
+    const auto picturesOf = [&](const std::string& library, const std::string& map) {
+        write("bunny.mtl", map);
+        const auto mesh = load("a.obj", "mtllib " + library + body);
+        return mesh ? mesh->textures.size() : 0;
+    };
+    const std::string map = "newmtl skin\nmap_Kd Bunny Col.png\n";
+    EXPECT_EQ(picturesOf("bunny.mtl", map), 1U) << "as it is";
+    EXPECT_EQ(picturesOf("C:\\Users\\Bob\\My Scans\\bunny.mtl", map), 1U) << "a place of Windows";
+    EXPECT_EQ(picturesOf("/srv/scans/Bunny.MTL", map), 1U) << "a place of Linux, in other letters";
+    EXPECT_EQ(picturesOf("\"bunny.mtl\"", map), 1U) << "in quotes";
+    EXPECT_EQ(picturesOf("none.mtl bunny.mtl", map), 1U) << "several";
+    EXPECT_EQ(picturesOf("bunny.mtl", "newmtl skin\nmap_Kd C:\\Textures\\BUNNY COL.PNG\n"), 1U);
+    EXPECT_EQ(picturesOf("bunny.mtl", "newmtl skin\nmap_Kd -s 2 2 1 -bm 0.5 -o 0.1 Bunny Col.png\n"), 1U) << "spaces behind options";
+    EXPECT_EQ(picturesOf("bunny.mtl", "\xef\xbb\xbfnewmtl skin\rmap_Kd Bunny Col.png\r"), 1U) << "a mark, and old Macintosh lines";
+}
+
+TEST_F(Obj, says_which_picture_is_not_there) {
+    write("my scan.mtl", "newmtl skin\nmap_Kd textures/gone.png\n");
+    const auto mesh = load("a.obj", std::string(kMaterialObj));
+    ASSERT_EQ(mesh->warnings.size(), 1U);
+    EXPECT_NE(mesh->warnings[0].text.find("gone.png"), std::string::npos) << mesh->warnings[0].text;
+}

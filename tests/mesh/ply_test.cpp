@@ -1,3 +1,4 @@
+#include "host/mesh/read_mesh.h"
 #include "tests/mesh/files.h"
 
 #include <algorithm>
@@ -150,4 +151,62 @@ TEST_F(Ply, a_truncated_binary_names_the_byte) {
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error().diagnostics.front().at.byte, binary.size() - 12) << "behind the length of the list that is cut";
     EXPECT_NE(format(mesh.error()).find("3 entries, but only 7 bytes are left"), std::string::npos) << format(mesh.error());
+}
+
+namespace {
+
+/// Two triangles of a square that meet at a seam of texture coordinates, as MeshLab writes them.
+std::string wedged(const std::string& comments, const std::string& second = "6 0.9 0.1 0.9 0.9 0.6 0.9") {
+    return "ply\nformat ascii 1.0\n" + comments +
+           "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+           "property uchar blue\nproperty float quality\nelement face 2\nproperty list uchar int vertex_indices\n"
+           "property list uchar float texcoord\nproperty int texnumber\nend_header\n0 0 0 255 0 0 1\n90 0 0 0 255 0 2\n90 90 0 0 0 255 3\n"
+           "0 90 0 9 9 9 4\n3 0 1 2 6 0 0 0.5 0 0.5 0.5 0\n3 0 2 3 " +
+           second + " 0\n";
+}
+
+} // namespace
+
+TEST_F(Ply, texture_coordinates_of_corners_split_vertices_at_seams_only) {
+    const auto mesh = load("a.ply", wedged(""));
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->positions.size(), 6U) << "two corners lie on the seam";
+    ASSERT_EQ(mesh->uvs.size(), 6U);
+    ASSERT_EQ(mesh->colors.size(), 6U);
+    const auto cornerAt = [&](std::size_t i) { return mesh->indices[i]; };
+    EXPECT_EQ(mesh->uvs[cornerAt(1)], glm::vec2(0.5F, 1)) << "v points up in the file";
+    EXPECT_EQ(mesh->uvs[cornerAt(3)], glm::vec2(0.9F, 1 - 0.1F));
+    EXPECT_EQ(mesh->positions[cornerAt(3)], mesh->positions[cornerAt(0)]);
+    EXPECT_EQ(mesh->colors[cornerAt(3)], mesh->colors[cornerAt(0)]) << "copies carry what the vertex has";
+    ASSERT_EQ(mesh->attributes.size(), 1U);
+    EXPECT_EQ(mesh->attributes[0].values[cornerAt(4)], 3);
+    EXPECT_TRUE(mesh->warnings.empty());
+    EXPECT_EQ(load("b.ply", wedged("", "6 0 0 0.5 0.5 0 0.5"))->positions.size(), 4U) << "no seam";
+}
+
+TEST_F(Ply, corners_without_texture_coordinates_among_others_are_told) {
+    const auto mesh = load("a.ply", wedged("", "0"));
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->positions.size(), 4U);
+    EXPECT_TRUE(std::ranges::any_of(mesh->warnings, [](const Diagnostic& warning) { return warning.code == 5325; }));
+}
+
+TEST_F(Ply, the_picture_that_a_comment_names_is_the_colour_map) {
+    ASSERT_TRUE(
+        writePng(folder_ / "my scan.png", {.width = 1, .height = 1, .channels = 3, .pixels = {1, 0, 0}, .metadata = {}}, PngEncoding::Raw));
+    for (const char* name : {"my scan.png", "C:\\scans\\My Scan.PNG"}) {
+        const auto mesh = load("a.ply", wedged(std::string("comment TextureFile ") + name + "\n"));
+        ASSERT_TRUE(mesh);
+        ASSERT_EQ(mesh->textures.size(), 1U) << name;
+        EXPECT_EQ(mesh->textures[0].role, "color");
+        const auto carried = readMesh(folder_ / "a.ply", {.carryMaterials = true});
+        ASSERT_TRUE(carried);
+        EXPECT_EQ(carried->mesh.materials.images.size(), 1U) << "prepared meshes keep it";
+        EXPECT_TRUE(carried->mesh.parts.front().material.has_value());
+    }
+    const auto gone = load("a.ply", wedged("comment TextureFile gone.png\ncomment TextureFile other.png\n"));
+    ASSERT_EQ(gone->warnings.size(), 2U);
+    EXPECT_EQ(gone->warnings[0].code, 5326);
+    EXPECT_EQ(gone->warnings[1].code, 5328);
+    EXPECT_NE(gone->warnings[1].text.find("gone.png"), std::string::npos);
 }

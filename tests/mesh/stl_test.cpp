@@ -1,5 +1,7 @@
 #include "tests/mesh/files.h"
 
+#include <cctype>
+
 using namespace tegument;
 using namespace tegument::testing_scene;
 
@@ -92,4 +94,27 @@ TEST_F(Stl, every_truncation_is_an_error) {
     const std::string whole = text(1);
     for (std::size_t size = 0; size + sizeof(" thing\n") <= whole.size(); ++size) // "endsolid" alone is an end
         EXPECT_FALSE(load("a.stl", whole.substr(0, size))) << size;
+}
+
+TEST_F(Stl, text_is_text_also_indented_in_capitals_or_behind_a_mark) {
+    for (const std::string& before : {std::string("  \n\t"), std::string("\xef\xbb\xbf"), std::string()}) {
+        std::string capitals = before + text(40);
+        for (char& letter : capitals)
+            letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+        for (const std::string& file : {before + text(40), capitals}) {
+            const auto mesh = load("a.stl", file);
+            ASSERT_TRUE(mesh) << format(mesh.error());
+            EXPECT_EQ(mesh->indices.size(), 120U);
+        }
+    }
+}
+
+TEST_F(Stl, a_binary_file_without_a_count_is_read_to_its_end_with_a_warning) {
+    for (const std::uint32_t unsaid : {0U, UINT32_MAX}) {
+        const auto mesh = load("a.stl", binary(unsaid, 3));
+        ASSERT_TRUE(mesh);
+        EXPECT_EQ(mesh->indices.size(), 9U);
+        ASSERT_FALSE(mesh->warnings.empty());
+        EXPECT_EQ(mesh->warnings.front().code, 5323);
+    }
 }

@@ -28,3 +28,10 @@ TEST(Text, hint_is_a_question_or_nothing) {
     EXPECT_EQ(didYouMean("gmix", names), "did you mean 'gMix'?");
     EXPECT_EQ(didYouMean("unrelated", names), "");
 }
+
+TEST(Text, words_of_a_command_line_come_back_as_they_were) {
+    EXPECT_EQ(shellWord("scans/head_1.obj"), "scans/head_1.obj");
+    EXPECT_EQ(shellWord("my scan (2).obj"), "'my scan (2).obj'");
+    EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
+    EXPECT_EQ(shellWord(""), "''");
+}

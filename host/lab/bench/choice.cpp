@@ -1,6 +1,8 @@
 #include "host/lab/bench/choice.h"
 
 #include "generated/setting_names.h"
+#include "host/support/text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,21 +17,10 @@ double milliseconds(const Row& row) {
     return row.drawn.milliseconds.median;
 }
 
-/// In quotes where a shell would read it as several words or more.
-std::string word(const std::string& text) {
-    const bool plain =
-        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/@:") == std::string::npos;
-    if (plain && !text.empty()) return text;
-    std::string quoted = "'";
-    for (const char letter : text)
-        quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    return quoted + "'";
-}
-
 std::string define(const std::string& name, const std::string& value) {
     for (std::size_t i = 0; i < kSettingNames.size(); ++i)
         if (name == kSettingSwitch && value == std::to_string(i)) return std::string(" --setting ") + kSettingNames.at(i);
-    return " -D " + word(name + "=" + value);
+    return " -D " + shellWord(name + "=" + value);
 }
 
 } // namespace
@@ -60,14 +51,15 @@ std::optional<std::size_t> pick(const std::vector<Row>& rows, const Limit& limit
 }
 
 std::string renderCommand(const Row& row) {
-    std::string command = fmt::format("tegument render {} -t {}", word(row.contender.effect.string()), word(row.contender.technique));
+    std::string command =
+        fmt::format("tegument render {} -t {}", shellWord(row.contender.effect.string()), shellWord(row.contender.technique));
     for (const auto& [name, value] : row.contender.defines)
         command += define(name, value);
     for (const auto& [name, numbers] : row.contender.parameters)
-        command += " -s " + word(fmt::format("{}={}", name, fmt::join(numbers, ",")));
+        command += " -s " + shellWord(fmt::format("{}={}", name, fmt::join(numbers, ",")));
     command += fmt::format(" --map-size {}", row.mapSize);
     if (row.shadowSize != row.mapSize) command += fmt::format(" --shadow-size {}", row.shadowSize);
-    return command + fmt::format(" --size {}x{} -w {}", row.width, row.height, word(row.workspace.string()));
+    return command + fmt::format(" --size {}x{} -w {}", row.width, row.height, shellWord(row.workspace.string()));
 }
 
 } // namespace tegument::bench

@@ -26,6 +26,7 @@ Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene, cons
     store_.uploaded = before->store_.uploaded;
     store_.quad = before->store_.quad;
     store_.shared = before->store_.shared;
+    store_.known = before->store_.known;
     for (const auto& [name, bake] : before->bakes_)
         if (!bake.file.empty()) bakes_.emplace(name, bake);
     for (const auto& [name, texture] : before->resources_.targets)
@@ -97,6 +98,7 @@ void Stage::bakeAgain(const std::string& name) {
     if (sampled == sampled_.end() || bake == bakes_.end()) return;
     std::error_code gone;
     if (!bake->second.file.empty()) std::filesystem::remove(bake->second.file, gone); // a file of the cache: whoever misses it makes it
+    std::erase_if(store_.known.made, [&](const auto& made) { return made.second == bake->second.file; });
     products_.dropDrawn(sampled->second.texture);
     store_.textures.erase(sampled->second.key);
     store_.uploaded.erase(sampled->second.key);
@@ -152,7 +154,8 @@ void Stage::addInput(StagedFrame& staged, const Mesh* mesh, const Workspace& wor
                              .placed = staged.placed.empty() ? nullptr : &staged.placed.back(),
                              .compiled = &kit_.programs,
                              .uploaded = &store_.uploaded,
-                             .loaded = &store_.loaded});
+                             .loaded = &store_.loaded,
+                             .known = &store_.known});
 }
 
 StagedFrame Stage::inputsOf(const Workspace& workspace, const RunOptions& options) {

@@ -26,7 +26,7 @@ constexpr double kShort = 0.005;   // while the text settles, or the window chan
 constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
 constexpr int kDeviceLost = 6007;
 constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with -D TEGUMENT_SURROUNDINGS";
-constexpr std::uint32_t kUnknownBands = 4; // of a pass that was not drawn yet
+constexpr std::uint32_t kUnknownBands = 8; // of a pass that was not drawn yet
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
     return device.createTexture(
@@ -124,9 +124,9 @@ Result<void> Viewer::run() {
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    const double patience = settles || making_ || stale_ || firstSaved_ ? kShort : kPatience;
+    const double patience = settles || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience;
     if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
-    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || stale_ || firstSaved_ ? kShort : kPatience));
+    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience));
     return {};
 }
 
@@ -146,6 +146,8 @@ Result<void> Viewer::step(const Input& input) {
     if (const auto resized = resize(); !resized) return resized;
     if (torn_)
         if (const auto drawn = drawAs(sharpness_); !drawn) return drawn;
+    if (meshesMaking_.valid() && !stale_ && haveMeshes())
+        if (const auto painted = paint(); !painted) return painted;
     if (const auto advanced = advance(!asks(input) && !stale_); !advanced) return advanced;
     if (stale_ || !making_ || !making_->loaded)
         if (const auto sharpened = sharpen(); !sharpened) return sharpened;
@@ -292,7 +294,6 @@ Result<void> Viewer::develop(SessionFrame frame) {
     }
     frame_ = std::move(frame);
     times_.note(frame_);
-    noteCosts();
     moved_ = std::chrono::steady_clock::now();
     stale_ = false;
     targets_.forget();
@@ -310,6 +311,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     state_.level = std::min(state_.level, state_.levels - 1);
     if (const auto levels = findLevels(*texture, name); !levels) return levels;
     if (const auto drawn = drawBeside(); !drawn) return report(nullptr, drawn.error());
+    noteCosts();
     return paint();
 }
 
@@ -347,9 +349,8 @@ Result<void> Viewer::paint() {
     if (const auto made = makePicture(picture_, "picture in the window"); !made) return made;
     settling_ = kSettlingFrames;
     if (const auto painted = paintBeside(); !painted) return painted;
-    if (state_.mesh != MeshShow::None && (request_.scene.mesh || !request_.scene.objects.empty())) return paintMesh();
-    meshCanvas_.reset();
-    meshes_.clear();
+    if (state_.mesh != MeshShow::None && (request_.scene.mesh || !request_.scene.objects.empty()) && haveMeshes()) return paintMesh();
+    if (state_.mesh == MeshShow::None) dropMeshes();
     const auto texture = shownTexture();
     if (!texture) return texture.error();
     return canvas_->show(picture_, **texture, shownLevels(), fitOf(**texture));

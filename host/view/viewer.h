@@ -101,6 +101,9 @@ private:
     void lookAt(Making& making) const;
 
     // viewer_mesh.cpp
+    /// What false colours need is there; begins to make it.
+    [[nodiscard]] bool haveMeshes();
+    void dropMeshes();
     /// The mesh in false colours instead of the picture.
     [[nodiscard]] Result<void> paintMesh();
     /// Texels along each side of the largest map that does not follow the picture's size.
@@ -123,8 +126,9 @@ private:
     [[nodiscard]] EffectSession& session() { return (sharpness_.drafting ? draft_ : loaded_)->session; }
     /// Of a whole picture.
     void noteCosts();
-    /// What the last frame's passes took.
+    /// What the last frame's passes took, of both sides.
     [[nodiscard]] PassCosts passCosts();
+    [[nodiscard]] PassCosts costsOf(const SessionFrame& frame, EffectSession& of) const;
     /// Another pass or target is to be shown: what was shown before stays until it is drawn, piece by piece.
     [[nodiscard]] Result<void> drawSoon();
     /// Draws the whole picture once nothing moves, piece by piece; given up where something moves again.
@@ -229,6 +233,8 @@ private:
     ShownTargets targets_; // of the last good one
     PassTimes times_;
     std::vector<ColoredMesh> meshes_; // while they are shown
+    std::future<std::vector<ColoredMesh>> meshesMaking_;
+    std::vector<std::future<std::vector<ColoredMesh>>> meshesAbandoned_;
     std::unique_ptr<MeshCanvas> meshCanvas_;
     MeshShow meshShown_ = MeshShow::None;
     glm::dvec2 cursor_{-1}; // share of the window

@@ -81,6 +81,7 @@ Result<void> Viewer::drawBeside() {
         const auto frame = drawSide();
         if (!frame) return frame.error();
         beside.times.note(*frame);
+        beside.costs = costsOf(*frame, beside.session());
         const gpu::Texture* same = beside.session().target(shownTarget(state_, frame_));
         if (!same || same->desc().cube) return {};
     }

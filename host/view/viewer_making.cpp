@@ -12,6 +12,7 @@ namespace tegument::view {
 namespace {
 
 constexpr int kPatientTries = 3;
+constexpr double kUnknownShare = 0.375;                        // of each side of a picture
 constexpr auto kBetweenTexts = std::chrono::milliseconds(250); // a line that changes costs a picture of the text
 
 } // namespace
@@ -167,7 +168,9 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     const bool all = std::ranges::none_of(frame.passes, &SessionPass::kept);
     const auto developed = develop(std::move(frame));
     costs_.note(passCosts(), 0, sharpness_.share, all ? std::optional(Moving::Rest) : std::nullopt, isDraft());
-    return developed && made->tries > kPatientTries ? drawMoving(Moving::Rest, false) : developed;
+    if (!developed || made->tries <= kPatientTries) return developed;
+    // Of an older view, and drawn in many parts: what all of it takes is not known.
+    return drawAs({.share = std::min(kUnknownShare, sharpness_.share), .drafting = false, .coarse = fewer_ != nullptr, .single = true});
 }
 
 Result<void> Viewer::failMaking(const Error& error) {

@@ -51,8 +51,7 @@ void Viewer::showOpened(ViewRequest request) {
     request_ = std::move(request);
     if (!request_.keepView) begin();
     dropFewer();
-    meshCanvas_.reset();
-    meshes_.clear();
+    dropMeshes();
     costs_ = draftCosts_ = {};
 }
 

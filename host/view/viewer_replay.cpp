@@ -75,7 +75,7 @@ Result<void> Viewer::awaitReady(std::vector<Reaction>& reactions) {
 Result<void> Viewer::awaitMade(const ReplayStep& next, std::size_t before, std::vector<Reaction>& reactions) {
     const Input drag{.camera = next.meanwhile, .any = true};
     const bool drags = next.meanwhile != glm::dvec2(0);
-    while (making_ || stale_ || (!next.file.empty() && made_ == before)) {
+    while (making_ || stale_ || meshesMaking_.valid() || (!next.file.empty() && made_ == before)) {
         Input nothing = wait();
         interrupted_ = drags && making_; // from the worst moment, the beginning of a piece
         const auto begin = Clock::now();

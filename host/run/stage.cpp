@@ -52,6 +52,13 @@ Known Stage::known() const {
     return {.programs = kit_.programs, .uploaded = store_.uploaded};
 }
 
+void Stage::learn(const Stage& other) {
+    if (&effect_ != &other.effect_ || compiler_ != other.compiler_) return;
+    kit_.samplers.insert(other.kit_.samplers.begin(), other.kit_.samplers.end());
+    kit_.computes.insert(other.kit_.computes.begin(), other.kit_.computes.end());
+    kit_.pipelines.insert(other.kit_.pipelines.begin(), other.kit_.pipelines.end());
+}
+
 /// Of several objects the first's.
 void Stage::noteSampled(const std::deque<Prepared>& prepared) {
     sampled_.clear();

@@ -31,6 +31,7 @@ struct Beside {
     std::string error;       // a line; empty: not measured yet
     bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
     bool haveErrors = false; // of this frame
+    bool rehearsed = false;  // a small picture was drawn, and the next one is quick
 
     /// Of what was drawn.
     [[nodiscard]] EffectSession& session() { return (drafting ? draft : loaded)->session; }

@@ -147,6 +147,10 @@ private:
     [[nodiscard]] Result<void> prepareToMove();
     [[nodiscard]] bool preparing() const;
     [[nodiscard]] bool wantsDraft() const;
+    /// Draws a small picture of each side that nobody sees: what a device makes for its first one is then there. True: both are done.
+    [[nodiscard]] bool rehearse();
+    /// Of one side.
+    [[nodiscard]] bool rehearse(Loaded& side, const std::string& technique, const std::map<std::string, std::vector<double>>& parameters);
     /// Meshes in fewer triangles, made by another thread; takes them once they are there.
     void takeFewer();
     /// Begins to read the effect with fewer texels in the maps that do not follow the picture's size, where it has such.
@@ -256,6 +260,7 @@ private:
     Sharpness sharpness_; // of what is shown
     MovingCosts costs_;
     std::unique_ptr<Loaded> draft_;
+    std::unique_ptr<Loaded> rehearsal_;
     MovingCosts draftCosts_;
     std::shared_ptr<const FewerTriangles> fewer_;
     std::future<FewerTriangles> fewerMaking_;
@@ -278,6 +283,7 @@ private:
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;
+    bool rehearsed_ = false;
     bool draftTried_ = false; // there is one, or none can be
     bool draftDrawn_ = false;
     bool fewerAsked_ = false;

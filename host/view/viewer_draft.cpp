@@ -11,6 +11,7 @@ namespace {
 constexpr std::chrono::milliseconds kRested(400);
 constexpr double kSlowPicture = 70;            // milliseconds: whoever is quicker needs nothing
 constexpr double kSlowMaps = 100;              // likewise: what a smaller picture does not mend
+constexpr double kLeastShare = 0.125;          // of each side of a picture
 constexpr std::uint32_t kFewerTexels = 4;      // along each side
 constexpr std::uint32_t kLeastSide = 256;      // of a map that has fewer in a draft
 constexpr std::size_t kDraftTriangles = 12000; // of a mesh while it moves: five milliseconds of a processor for each pass
@@ -41,8 +42,35 @@ Result<void> Viewer::prepareToMove() {
     if (costs_.pixels + costs_.anything <= kSlowPicture) return {};
     takeFewer();
     if (std::chrono::steady_clock::now() - moved_ < kRested) return {}; // the next edit may come at once, and wants the processor
-    if (!fewerMaking_.valid() && wantsDraft()) (void)haveDraft(true);
+    if (!fewerMaking_.valid() && rehearse() && wantsDraft()) (void)haveDraft(true);
     return {};
+}
+
+bool Viewer::rehearse() {
+    if (!rehearsed_) {
+        rehearsed_ = rehearse(*loaded_, state_.technique, state_.parameters);
+        return false;
+    }
+    if (!beside_ || !beside_->loaded || beside_->rehearsed) return true;
+    beside_->rehearsed = rehearse(*beside_->loaded, beside_->technique, beside_->parameters);
+    return false;
+}
+
+bool Viewer::rehearse(Loaded& side, const std::string& technique, const std::map<std::string, std::vector<double>>& parameters) {
+    if (!rehearsal_) rehearsal_ = std::make_unique<Loaded>(device_, side.source, request_.keeps, request_.scene, &side);
+    const Sharpness shown =
+        std::exchange(sharpness_, {.share = kLeastShare, .drafting = false, .coarse = fewer_ != nullptr, .single = true});
+    inPieces_ = true;
+    RunOptions options = runOptions();
+    inPieces_ = false;
+    sharpness_ = shown;
+    options.technique = technique;
+    options.parameters = parameters;
+    const auto frame = rehearsal_->session.draw(state_.workspace, options);
+    if (frame && frame->givenUp) return false;
+    side.session.learn(rehearsal_->session);
+    rehearsal_.reset();
+    return true;
 }
 
 bool Viewer::wantsDraft() const {
@@ -50,7 +78,9 @@ bool Viewer::wantsDraft() const {
 }
 
 bool Viewer::preparing() const {
-    return fewerMaking_.valid() || draftReading_ || (draft_ && !draftDrawn_) || (!draftTried_ && wantsDraft());
+    const bool slow = costs_.pixels + costs_.anything > kSlowPicture;
+    const bool rehearses = slow && (!rehearsed_ || (beside_ && beside_->loaded && !beside_->rehearsed));
+    return rehearses || fewerMaking_.valid() || draftReading_ || (draft_ && !draftDrawn_) || (!draftTried_ && wantsDraft());
 }
 
 void Viewer::takeFewer() {
@@ -131,6 +161,8 @@ void Viewer::dropFewer() {
 
 void Viewer::dropDraft() {
     draft_.reset();
+    rehearsal_.reset();
+    rehearsed_ = false;
     if (draftReading_) {
         draftReading_->giveUp();
         abandoned_.push_back(std::move(draftReading_));

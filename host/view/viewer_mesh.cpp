@@ -77,11 +77,13 @@ bool Viewer::haveMeshes() {
 Result<void> Viewer::paintMesh() {
     if (state_.mesh == MeshShow::Fur)
         if (const auto counted = countFur(); !counted) return counted;
-    if (!meshCanvas_ || meshShown_ != state_.mesh) {
+    if (meshCanvas_ && meshShown_ != state_.mesh)
+        if (const auto colored = meshCanvas_->color(meshes_, state_.mesh); !colored) return colored;
+    meshShown_ = state_.mesh;
+    if (!meshCanvas_) {
         auto made = MeshCanvas::create(device_, request_.run.compiler, meshes_, state_.mesh);
         if (!made) return made.error();
         meshCanvas_ = std::move(*made);
-        meshShown_ = state_.mesh;
     }
     const PlacedScene placed = placeScene(state_.workspace, run::boundsOf(request_.scene));
     return meshCanvas_->draw(picture_, cameraMatrices(placed.camera, static_cast<double>(size_.width) / size_.height));

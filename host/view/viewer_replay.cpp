@@ -97,7 +97,8 @@ Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& step
     bool ready = false;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const ReplayStep& next = steps[i];
-        if (!ready && !next.soon) {
+        const bool begins = i == 0 || steps[i - 1].kind != next.kind; // as after a look at what the step before has shown
+        if (begins && !next.soon && (!ready || preparing())) {
             if (const auto awaited = awaitReady(reactions); !awaited) return awaited.error();
             ready = true;
         }

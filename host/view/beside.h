@@ -32,6 +32,7 @@ struct Beside {
     bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
     bool haveErrors = false; // of this frame
     bool rehearsed = false;  // a small picture was drawn, and the next one is quick
+    bool draftDrawn = false; // likewise, with fewer texels in its maps
 
     /// Of what was drawn.
     [[nodiscard]] EffectSession& session() { return (drafting ? draft : loaded)->session; }

@@ -147,10 +147,13 @@ private:
     [[nodiscard]] Result<void> prepareToMove();
     [[nodiscard]] bool preparing() const;
     [[nodiscard]] bool wantsDraft() const;
-    /// Draws a small picture of each side that nobody sees: what a device makes for its first one is then there. True: both are done.
+    /// Draws small pictures of each side that nobody sees: what a device makes for its first one is then there, and which passes a move of
+    /// the camera draws, and what they take, is known. True: both sides are done.
     [[nodiscard]] bool rehearse();
-    /// Of one side.
-    [[nodiscard]] bool rehearse(Loaded& side, const std::string& technique, const std::map<std::string, std::vector<double>>& parameters);
+    /// Of one side. None: it was given up.
+    [[nodiscard]] std::optional<RehearsalCosts> rehearse(Loaded& side, const std::string& technique,
+                                                         const std::map<std::string, std::vector<double>>& parameters);
+    void rehearseDraftBeside();
     /// Meshes in fewer triangles, made by another thread; takes them once they are there.
     void takeFewer();
     /// Begins to read the effect with fewer texels in the maps that do not follow the picture's size, where it has such.
@@ -260,7 +263,6 @@ private:
     Sharpness sharpness_; // of what is shown
     MovingCosts costs_;
     std::unique_ptr<Loaded> draft_;
-    std::unique_ptr<Loaded> rehearsal_;
     MovingCosts draftCosts_;
     std::shared_ptr<const FewerTriangles> fewer_;
     std::future<FewerTriangles> fewerMaking_;

@@ -167,6 +167,7 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     watchFiles(&loaded_->effect, nullptr);
     const bool all = std::ranges::none_of(frame.passes, &SessionPass::kept);
     const auto developed = develop(std::move(frame));
+    costs_.quick = {}; // of another technique, or another text
     costs_.note(passCosts(), 0, sharpness_.share, all ? std::optional(Moving::Rest) : std::nullopt, isDraft());
     if (!developed || made->tries <= kPatientTries) return developed;
     // Of an older view, and drawn in many parts: what all of it takes is not known.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 namespace tegument::view {
@@ -24,6 +25,7 @@ constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in t
 constexpr auto kMostSaving = std::chrono::seconds(1);
 constexpr double kShort = 0.005;   // while the text settles, or the window changes
 constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
+constexpr double kWidestFov = 170; // degrees, as in workspaces
 constexpr int kDeviceLost = 6007;
 constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with -D TEGUMENT_SURROUNDINGS";
 constexpr std::uint32_t kUnknownBands = 8; // of a pass that was not drawn yet
@@ -126,7 +128,8 @@ Input Viewer::wait() {
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
     const double patience = settles || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience;
     if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
-    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience));
+    std::this_thread::sleep_for(
+        std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience));
     return {};
 }
 
@@ -160,12 +163,17 @@ Result<void> Viewer::step(const Input& input) {
     return shown;
 }
 
-bool Viewer::edited() {
-    const auto now = std::chrono::steady_clock::now();
+bool Viewer::saving() {
     if (watch_.changed()) {
-        lastSaved_ = now;
-        if (!firstSaved_) firstSaved_ = now;
+        lastSaved_ = std::chrono::steady_clock::now();
+        if (!firstSaved_) firstSaved_ = lastSaved_;
     }
+    return firstSaved_.has_value();
+}
+
+bool Viewer::edited() {
+    (void)saving();
+    const auto now = std::chrono::steady_clock::now();
     const bool whole = firstSaved_ && (now - lastSaved_ >= kSaving || now - *firstSaved_ >= kMostSaving);
     if (whole) firstSaved_.reset();
     return whole;
@@ -264,6 +272,17 @@ glm::dvec2 Viewer::cursorOnPicture() const {
     return placeSeenAt(state_, onPicture(cursor_));
 }
 
+/// The field of view is across the picture, which is wider for its height where something stands below it.
+Workspace Viewer::seen(Workspace workspace) const {
+    const PixelSize window = windowPixels();
+    if (dock_ == Dock{} || size_.height == 0 || window.width == 0) return workspace;
+    const double whole = pictureShare() * window.width / window.height;
+    const double wider = std::max(1.0, static_cast<double>(size_.width) / size_.height / whole);
+    const double half = glm::radians(0.5 * static_cast<double>(workspace.camera.horizontalFov));
+    workspace.camera.horizontalFov = static_cast<float>(std::min(kWidestFov, glm::degrees(2 * std::atan(wider * std::tan(half)))));
+    return workspace;
+}
+
 /// While the same panels stand, what they take does not become less: numbers that change would make the picture anew.
 void Viewer::dock(const PanelOutcome& outcome) {
     const bool same = docked_ == outcome.docked;
@@ -279,7 +298,7 @@ void Viewer::dock(const PanelOutcome& outcome) {
 
 Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
     const auto begin = std::chrono::steady_clock::now();
-    auto frame = loaded.session.draw(state_.workspace, runOptions(), passCount(state_));
+    auto frame = loaded.session.draw(seen(state_.workspace), runOptions(), passCount(state_));
     milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     settling_ = kSettlingFrames;
     return frame;

@@ -55,6 +55,8 @@ private:
     [[nodiscard]] Result<void> fulfil(Request request);
     [[nodiscard]] Result<void> resize();
 
+    /// Whether files have changed, and may not be whole yet.
+    [[nodiscard]] bool saving();
     /// Whether files have changed, and have been still for a moment.
     [[nodiscard]] bool edited();
     [[nodiscard]] Result<std::shared_ptr<const Adoption>> readSource() const;
@@ -192,6 +194,8 @@ private:
     [[nodiscard]] std::array<double, 4> pictureArea() const;
     /// Share of that, from its left top, of a share of the window.
     [[nodiscard]] glm::dvec2 onPicture(glm::dvec2 onWindow) const;
+    /// With a field of view that panels cut nothing off.
+    [[nodiscard]] Workspace seen(Workspace workspace) const;
     /// Panels may have come or gone.
     void dock(const PanelOutcome& outcome);
     [[nodiscard]] PixelSize windowPixels() const;

@@ -94,7 +94,7 @@ Result<SessionFrame> Viewer::drawSide() {
     options.technique = beside_->technique;
     options.parameters = beside_->parameters;
     beside_->drafting = sharpness_.drafting && beside_->draft;
-    return beside_->session().draw(state_.workspace, options);
+    return beside_->session().draw(seen(state_.workspace), options);
 }
 
 Result<void> Viewer::paintBeside() {

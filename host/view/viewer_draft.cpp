@@ -78,7 +78,7 @@ std::optional<RehearsalCosts> Viewer::rehearse(Loaded& side, const std::string& 
     RunOptions options = runOptions();
     options.technique = technique;
     options.parameters = parameters;
-    Workspace workspace = state_.workspace;
+    Workspace workspace = seen(state_.workspace);
     const auto take = [&]() -> std::optional<double> {
         const auto frame = rehearsal.session.draw(workspace, options);
         if (!frame) return 0; // the whole picture has said why, or will

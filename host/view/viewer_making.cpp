@@ -169,13 +169,13 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     const auto developed = develop(std::move(frame));
     costs_.quick = {}; // of another technique, or another text
     costs_.note(passCosts(), 0, sharpness_.share, all ? std::optional(Moving::Rest) : std::nullopt, isDraft());
-    if (!developed || made->tries <= kPatientTries) return developed;
-    // Of an older view, and drawn in many parts: what all of it takes is not known.
-    return drawAs({.share = std::min(kUnknownShare, sharpness_.share), .drafting = false, .coarse = fewer_ != nullptr, .single = true});
+    if (made->tries > kPatientTries) stale_ = true; // it is of an older view
+    return developed;
 }
 
 Result<void> Viewer::failMaking(const Error& error) {
     const std::unique_ptr<Making> made = std::move(making_);
+    if (made->reads && !made->request && saving()) return {}; // it may have been read half written, and is read again
     ++made_;
     if (made->request) { // refused; what was there before is as good as it was
         wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};

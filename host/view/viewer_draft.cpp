@@ -111,11 +111,12 @@ bool Viewer::wantsDraft() const {
     return costs_.pixels + costs_.anything > kSlowPicture && std::max(costs_.camera, costs_.anything) > kSlowMaps;
 }
 
+/// As prepareToMove() goes on.
 bool Viewer::preparing() const {
-    const bool slow = costs_.pixels + costs_.anything > kSlowPicture;
-    const bool rehearses = slow && (!rehearsed_ || (beside_ && beside_->loaded && !beside_->rehearsed));
-    const bool sideDraws = beside_ && beside_->draft && !beside_->draftDrawn;
-    return rehearses || sideDraws || fewerMaking_.valid() || draftReading_ || (draft_ && !draftDrawn_) || (!draftTried_ && wantsDraft());
+    if (costs_.pixels + costs_.anything <= kSlowPicture) return false;
+    if (fewerMaking_.valid() || !rehearsed_ || (beside_ && beside_->loaded && !beside_->rehearsed)) return true;
+    if (!wantsDraft()) return false;
+    return !draftTried_ || draftReading_ || (draft_ && !draftDrawn_) || (draftDrawn_ && beside_ && beside_->draft && !beside_->draftDrawn);
 }
 
 void Viewer::takeFewer() {

@@ -5,6 +5,7 @@
 #include "host/image/compare.h"
 #include "host/view/loaded.h"
 #include "host/view/pass_times.h"
+#include "host/view/sharpness.h"
 
 #include <map>
 #include <optional>
@@ -21,13 +22,17 @@ struct Beside {
     std::map<std::string, std::vector<double>> parameters;
     bool display = false; // `values` are a display's light, as 8-bit files hold it
     Image values;         // of what is shown
+    int level = 0;        // of the mip chain, that these and the error are of
     gpu::Texture stored;  // a saved picture's
     gpu::Texture picture; // as it is shown
     gpu::Texture errors;  // in false colours
     PassTimes times;
+    PassCosts costs;         // of the last frame
     std::string error;       // a line; empty: not measured yet
     bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
     bool haveErrors = false; // of this frame
+    bool rehearsed = false;  // a small picture was drawn, and the next one is quick
+    bool draftDrawn = false; // likewise, with fewer texels in its maps
 
     /// Of what was drawn.
     [[nodiscard]] EffectSession& session() { return (drafting ? draft : loaded)->session; }

@@ -14,6 +14,7 @@ namespace {
 const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
 constexpr const char* kBakeAgain = "F5 reads files, and draws what effects bake, again";
 constexpr const char* kOnceMore = "bake again";
+constexpr std::size_t kMostLetters = 64;
 constexpr double kSecond = 1000; // milliseconds
 
 float widestOf(const std::vector<std::string>& lines) {
@@ -29,8 +30,18 @@ PanelSize sizeOfLines(float widest, std::size_t lines) {
     return {.width = widest + 2 * style.WindowPadding.x + style.ScrollbarSize, .height = [height](float) { return height; }};
 }
 
+std::string timeText(double milliseconds) {
+    return milliseconds < kSecond ? fmt::format("{:.1f} ms", milliseconds) : fmt::format("{:.1f} s", milliseconds / kSecond);
+}
+
 std::string sizeText(const SessionTexture& texture) {
     return fmt::format("{} x {} {}{}", texture.width, texture.height, texture.format, texture.cube ? " cube" : "");
+}
+
+/// Its beginning and its end: names of files in the cache are long.
+std::string shortened(const std::string& text) {
+    if (text.size() <= kMostLetters) return text;
+    return text.substr(0, kMostLetters / 3) + "..." + text.substr(text.size() - (kMostLetters - kMostLetters / 3 - 3));
 }
 
 } // namespace
@@ -63,17 +74,17 @@ void drawLegend(const PanelPictures& pictures, const Area& area) {
 
 std::string bakeText(const SessionTexture& texture) {
     if (!texture.bake) return {};
-    const double milliseconds = texture.bake->milliseconds;
-    const std::string time =
-        milliseconds < kSecond ? fmt::format("{:.1f} ms", milliseconds) : fmt::format("{:.1f} s", milliseconds / kSecond);
-    return (texture.bake->fromCache ? "from the cache, found in " : "baked in ") + time;
+    const Bake& bake = *texture.bake;
+    if (!bake.fromCache) return "baked in " + timeText(bake.milliseconds);
+    if (bake.once <= 0) return "from the cache, found in " + timeText(bake.milliseconds);
+    return fmt::format("once baked in {}; from the cache now, found in {}", timeText(bake.once), timeText(bake.milliseconds));
 }
 
 PanelSize texturesSize(const std::vector<SessionTexture>& textures) {
     std::vector<std::string> lines{kBakeAgain};
     for (const SessionTexture& texture : textures) {
         lines.push_back(texture.name + "  " + sizeText(texture));
-        lines.push_back("    " + texture.source);
+        lines.push_back("    " + shortened(texture.source));
         if (texture.bake) lines.push_back(fmt::format("    {}  {}  ", bakeText(texture), kOnceMore));
     }
     return sizeOfLines(widestOf(lines), lines.size());
@@ -86,11 +97,14 @@ void drawTextures(const std::vector<SessionTexture>& textures, const std::string
     for (const SessionTexture& texture : textures) {
         const std::string label = fmt::format("{}  {}##{}", texture.name, sizeText(texture), texture.name);
         if (ImGui::Selectable(label.c_str(), texture.name == shown)) outcome.opened = texture.name;
-        ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
+        ImGui::TextColored(kSourceText, "    %s", shortened(texture.source).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", texture.source.c_str());
         if (!texture.bake) continue;
-        ImGui::TextColored(kSourceText, "    %s", bakeText(texture).c_str());
+        ImGui::TextUnformatted("   ");
         ImGui::SameLine();
         if (ImGui::SmallButton(fmt::format("{}##{}", kOnceMore, texture.name).c_str())) outcome.baked = texture.name;
+        ImGui::SameLine();
+        ImGui::TextColored(kSourceText, "%s", bakeText(texture).c_str());
     }
     ImGui::TextUnformatted(kBakeAgain);
     ImGui::End();

@@ -21,6 +21,9 @@ struct Sharpness {
     [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse && !single; }
 };
 
+/// "while it moves: 240 x 135, small maps": short, or the text's panel would be wider, and the picture darker, than at rest.
+[[nodiscard]] std::string draftText(const Sharpness& how, std::uint32_t width, std::uint32_t height);
+
 /// A picture drawn while something moves.
 struct QuickPicture {
     double share = 1;        // of each side of the window's picture
@@ -51,6 +54,12 @@ struct MovingCosts {
     /// Whether a whole picture takes longer than 70 ms.
     [[nodiscard]] bool slow(Moving moving) const;
     [[nodiscard]] double share(Moving moving) const;
+};
+
+/// Milliseconds of passes that do not have the picture's size: of those that a move of the camera draws, and of all.
+struct RehearsalCosts {
+    double camera = 0;
+    double anything = 0;
 };
 
 /// Into how many bands passes are cut, so that a picture in pieces can be left soon; learnt from what they took.

@@ -39,40 +39,59 @@ void Viewer::noteCosts() {
     const bool all = std::ranges::none_of(frame_.passes, &SessionPass::kept);
     costs_.note(passCosts(), 0, 1, all ? std::optional(Moving::Rest) : std::nullopt, false);
     for (const SessionPass& pass : frame_.passes)
-        if (!pass.kept) pieces_.note(pass.name, pass.milliseconds);
+        if (!pass.kept && pass.milliseconds > 0) pieces_.note(pass.name, pass.milliseconds); // those behind the shown one were not drawn
 }
 
-PassCosts Viewer::passCosts() {
-    PassCosts costs{.pixels = frame_.resolveMilliseconds.value_or(0), .others = 0};
-    for (const SessionPass& pass : frame_.passes) {
-        const gpu::Texture* target = pass.targets.empty() ? nullptr : session().target(pass.targets.front());
+PassCosts Viewer::costsOf(const SessionFrame& frame, EffectSession& of) const {
+    PassCosts costs{.pixels = frame.resolveMilliseconds.value_or(0), .others = 0};
+    for (const SessionPass& pass : frame.passes) {
+        const gpu::Texture* target = pass.targets.empty() ? nullptr : of.target(pass.targets.front());
         const bool picture = target && PixelSize{target->desc().width, target->desc().height} == drawnPixels();
         (picture ? costs.pixels : costs.others) += pass.milliseconds;
     }
     return costs;
 }
 
+PassCosts Viewer::passCosts() {
+    PassCosts costs = costsOf(frame_, session());
+    if (beside_ && beside_->drawn && beside_->loaded) {
+        costs.pixels += beside_->costs.pixels;
+        costs.others += beside_->costs.others;
+    }
+    return costs;
+}
+
 Result<void> Viewer::drawAs(const Sharpness& how) {
     sharpness_ = how;
-    torn_ = false;
+    torn_ = stale_ = false; // an error is shown instead
     auto frame = drawWith(how.drafting ? *draft_ : *loaded_);
     if (!frame) return report(&loaded_->effect, frame.error());
     if (const auto developed = develop(std::move(*frame)); !developed) return developed;
     return {};
 }
 
+Result<void> Viewer::drawSoon() {
+    if (isDraft()) return drawAs(sharpness_);
+    stale_ = true;
+    return {};
+}
+
 Result<void> Viewer::sharpen() {
-    if (!isDraft() || std::chrono::steady_clock::now() - moved_ < kStill) return {};
+    const bool rests = std::chrono::steady_clock::now() - moved_ >= kStill;
+    if (!stale_ && (!isDraft() || !rests)) return {};
     const Sharpness shown = std::exchange(sharpness_, {});
     inPieces_ = true;
     auto frame = drawWith(*loaded_);
     const bool both = frame && !frame->givenUp && beside_ && beside_->loaded && state_.show != Show::Pass;
     const auto side = both ? drawSide() : Result<SessionFrame>(SessionFrame{}); // which develop() then finds drawn
     inPieces_ = false;
-    if (!frame) return report(&loaded_->effect, frame.error());
+    if (!frame) {
+        stale_ = false;
+        return report(&loaded_->effect, frame.error());
+    }
     if (!frame->givenUp && !(side && side->givenUp)) return develop(std::move(*frame));
     sharpness_ = shown;
-    torn_ = !shown.drafting;
+    torn_ = !stale_ && !shown.drafting;
     return {};
 }
 
@@ -83,7 +102,7 @@ void Viewer::notePiece() {
 
 bool Viewer::mayGoOn() {
     notePiece();
-    return window_ ? !window_->hears() : !interrupted_;
+    return !interrupted_ && !(window_ && window_->hears());
 }
 
 PixelSize Viewer::drawnPixels() const {
@@ -93,15 +112,16 @@ PixelSize Viewer::drawnPixels() const {
     return {side(size_.width), side(size_.height)};
 }
 
-/// What is enlarged, or stands beside another, needs the window's.
+/// What is enlarged, or stands beside a saved picture, needs the window's.
 PixelSize Viewer::paintedPixels() const {
-    const bool alone = state_.zoom == 1 && !beside_ && state_.show == Show::Picture && state_.mesh == MeshShow::None;
-    return alone ? drawnPixels() : size_;
+    const bool alone = !beside_ || (beside_->loaded && !state_.errors);
+    const bool plain = state_.zoom == 1 && state_.show == Show::Picture && state_.mesh == MeshShow::None;
+    return alone && plain ? drawnPixels() : size_;
 }
 
 Canvas::Fit Viewer::fitOf(const gpu::Texture& texture) const {
     const PixelSize pixels{texture.desc().width, texture.desc().height};
-    return {.share = 1, .fill = sharpness_.share < 1 && pixels == drawnPixels(), .closer = closer()};
+    return {.area = kAllOfIt, .fill = sharpness_.share < 1 && pixels == drawnPixels(), .closer = closer()};
 }
 
 Closer Viewer::closer() const {

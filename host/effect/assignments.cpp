@@ -229,6 +229,7 @@ bool Parser::fixedFunction(const Assignment& assignment) {
 bool Parser::samplerTexture(Sampler& sampler, const Assignment& assignment) {
     const std::span value(tokens_.data() + assignment.value.first, assignment.value.last - assignment.value.first);
     if (!isTextureName(value) && !refuse(1101, value.front(), "Texture takes the name of a texture: Texture = <gMap>;")) return false;
+    sampler.texture.clear(); // of two the last one counts
     for (std::size_t i = assignment.value.first; i < assignment.value.last; ++i)
         if (tokens_[i].kind == TokenKind::Word && sampler.texture.empty()) sampler.texture = tokens_[i].text;
     if (lenient_ && (equalsIgnoreCase(sampler.texture, "NULL") || tokens_[assignment.value.first].is("0"))) {

@@ -155,6 +155,7 @@ bool Parser::semantic(std::string& text) {
         if (peek().is('(')) {
             if (!skipBalanced()) return false;
         } else {
+            if (!nameable(name, "a semantic")) return false;
             text = name.text;
             blankFrom(first);
         }
@@ -201,6 +202,7 @@ bool Parser::declarators(std::size_t start, const Token& typeName, const Type& t
             if (!expectName(name, "a name after '::'")) return false;
         }
         if (first && peek().is('(')) return function(name);
+        if (!nameable(name, "a name", true)) return false;
         if (!declarator({start, typeName, name, type, modifiers})) return false;
         if (accept(';')) break;
         if (!accept(',')) return unexpected("',' or ';' after the declaration");

@@ -134,6 +134,7 @@ private:
     bool declarator(Declarator d);
     bool staticValue(const Declarator& d);
     bool skipValue();
+    bool softenValue(std::size_t sign, std::size_t firstError);
     bool defaultValue(Parameter& parameter);
     void blankQualifiers(const Declarator& d);
     void addParameter(Parameter parameter, const Declarator& d);

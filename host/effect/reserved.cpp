@@ -10,7 +10,7 @@ namespace tegument {
 
 namespace {
 
-constexpr std::string_view kWords =
+constexpr std::string_view kReservedWords =
     " AppendStructuredBuffer asm_fragment BlendState break Buffer ByteAddressBuffer case catch cbuffer centroid class "
     "column_major compile compile_fragment CompileShader ComputeShader const const_cast ConsumeStructuredBuffer continue "
     "default delete DepthStencilState DepthStencilView discard do DomainShader dynamic_cast else enum explicit export extern "
@@ -35,7 +35,7 @@ bool isTextureType(std::string_view word) {
 bool isReserved(std::string_view word) {
     for (const std::string_view any : {"asm", "pass", "technique"}) // the only ones whose case does not count
         if (equalsIgnoreCase(word, any)) return true;
-    return kWords.find(' ' + std::string(word) + ' ') != std::string_view::npos || isTextureType(word);
+    return kReservedWords.find(' ' + std::string(word) + ' ') != std::string_view::npos || isTextureType(word);
 }
 
 bool isNumericType(std::string_view word) {

@@ -4,9 +4,11 @@ code; no crash, no hang. usage: odd_test.py TEGUMENT REPOSITORY
 """
 
 import os
+import pathlib
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import threading
 import time
@@ -118,6 +120,77 @@ class OddFiles(Faults):
         finally:
             end.set()
             changer.join(60)
+
+
+class OddSizes(Faults):
+    """The smallest and the largest: drawn, or one message. What is larger than a driver's memory is refused before it is made."""
+
+    def mesh(self, name, *places, coordinates=True):
+        path = self.folder / f"{name}.obj"
+        corners = "f 1/1 2/2 3/3\n" if coordinates else "f 1 2 3\n"
+        path.write_text("".join("v %r %r %r\n" % place for place in places) + ("vt 0 0\nvt 1 0\nvt 0 1\n" if coordinates else "") + corners, encoding="ascii")
+        return path
+
+    def size_of(self, path):
+        return struct.unpack(">II", path.read_bytes()[16:24])
+
+    def test_the_smallest_pictures_and_maps(self):
+        for size in ("1", "1x7", "7x1", "1x2048", "2048x1"):
+            self.good("render", "Specular", "--mesh", self.ball, "--size", size, "-o", self.out / "small.png")
+            self.assertEqual(self.size_of(self.out / "small.png"), tuple(map(int, size.split("x"))) if "x" in size else (1, 1))
+        for maps in (["--map-size", "1"], ["--map-size", "1", "--shadow-size", "1"], ["--map-size", "3", "--shadow-size", "1"]):
+            for effect in ("Main", "Pyramid"):
+                self.good("render", effect, "--mesh", self.ball, "--size", "24", *maps, "-o", self.out / "small.png")
+
+    def test_sizes_beyond_the_largest(self):
+        for size in ("0", "0x8", "-1", "99999999999999999999", "8x", "1e3"):
+            self.refused(self.run_it("render", "Beckmann", "--size", size, "-o", self.out / "x.png"), "TG8010", code=2)
+        self.refused(self.run_it("render", "Beckmann", "--size", "16385", "-o", self.out / "x.png"), "TG4004", code=1)
+        for side in ("0", "16385", "99999999999"):
+            for option in ("--map-size", "--shadow-size"):
+                self.refused(self.run_it("render", "Main", "--mesh", self.ball, option, side, "-o", self.out / "x.png"), "TG8005", code=2)
+
+    def test_what_the_driver_has_no_memory_for(self):
+        """Each takes more than the 2 GiB that Mesa 22's lavapipe has; a device with more draws them, or says the same."""
+        for more in (["--size", "16384"], ["--size", "64", "--shadow-size", "16384", "--map-size", "64"], ["--size", "64", "--map-size", "16384"]):
+            ran = self.run_it("render", "Main", "--mesh", self.ball, "--samples", "1", *more, "-o", self.out / "x.png")
+            if ran.returncode != 0:
+                self.assertIn(ran.returncode, (1, MACHINE), ran.stderr)
+                self.refused(ran, "TG60", code=ran.returncode)
+                self.assertFalse((self.out / "x.png").exists())
+
+    def test_a_mesh_of_one_triangle_of_any_size(self):
+        for scale in (1, 1e30, 1e-30, 1e38, 1e-44):
+            mesh = self.mesh("one", (0.0, 0.0, 0.0), (scale, 0.0, 0.0), (0.0, scale, 0.0))
+            self.good("prep", mesh, "-o", self.out / "one.glb")
+            self.good("prep", mesh, "--unwrap", "-o", self.out / "one.glb")
+            for effect in ("Specular", "FurCoat"):
+                self.good("render", effect, "--mesh", mesh, "--size", "24", "-o", self.out / "one.png")
+
+    def test_a_mesh_without_area(self):
+        line = self.mesh("line", (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0))
+        point = self.mesh("point", *[(5.0, 5.0, 5.0)] * 3, coordinates=False)
+        for mesh in (line, point):
+            for effect in ("Specular", "FurCoat"):
+                self.refused(self.run_it("render", effect, "--mesh", mesh, "--size", "24", "-o", self.out / "x.png"), "TG5306", "has an area", code=1)
+        self.refused(self.run_it("prep", line, "--unwrap", "-o", self.out / "x.glb"), "TG7028", code=1)
+        self.refused(self.run_it("prep", point, "-o", self.out / "x.glb"), "TG7020", code=1)
+
+    def test_a_mesh_of_more_memory_than_there_may_be(self):
+        """A grid of 180,000 triangles; a larger one by hand: docs/design/reliability.md."""
+        grid = self.folder / "grid.ply"
+        self.good("prep", "shape", "terrain", "--detail", "300", "-o", grid)
+        for command, codes in ((["prep", grid, "-o", self.out / "grid.glb"], "TG(5311|7025|7043|8001|8027)"),
+                               (["render", "Specular", "--mesh", grid, "--size", "24", "-o", self.out / "grid.png"], "TG(5311|6008|8001|8027|6007|6002|6006)")):
+            self.good(*command)
+            pathlib.Path(command[-1]).unlink()
+            for most in (20, 30, 40, 50):
+                ran = self.run_it(*command, "--max-memory", most)
+                if ran.returncode != 0:
+                    self.assertRegex(ran.stderr, codes)
+                    self.refused(ran)
+                    self.assertEqual(list(self.out.glob("grid.[pg]*")), [])
+                pathlib.Path(command[-1]).unlink(missing_ok=True)
 
 
 class OddPlaces(Faults):

@@ -142,7 +142,7 @@ class OddSizes(Faults):
             self.good("render", "Specular", "--mesh", self.ball, "--size", size, "-o", self.out / "small.png")
             self.assertEqual(self.size_of(self.out / "small.png"), tuple(map(int, size.split("x"))) if "x" in size else (1, 1))
         for maps in (["--map-size", "1"], ["--map-size", "1", "--shadow-size", "1"], ["--map-size", "3", "--shadow-size", "1"]):
-            for effect in ("Main", "Pyramid"):
+            for effect in ("Main", "Pyramid") if maps == ["--map-size", "1"] else ("Main",):
                 self.good("render", effect, "--mesh", self.ball, "--size", "24", *maps, "-o", self.out / "small.png")
 
     def test_sizes_beyond_the_largest(self):
@@ -155,11 +155,11 @@ class OddSizes(Faults):
 
     def test_what_the_driver_has_no_memory_for(self):
         """Each takes more than the 2 GiB that Mesa 22's lavapipe has; a device with more draws them, or says the same."""
-        for more in (["--size", "16384"], ["--size", "64", "--shadow-size", "16384", "--map-size", "64"], ["--size", "64", "--map-size", "16384"]):
-            ran = self.run_it("render", "Main", "--mesh", self.ball, "--samples", "1", *more, "-o", self.out / "x.png")
+        for size, samples, *more in (("16384", "1"), ("16384", "4"), ("64", "1", "--shadow-size", "16384", "--map-size", "64"), ("64", "1", "--map-size", "16384")):
+            ran = self.run_it("render", "Main", "--mesh", self.ball, "--size", size, "--samples", samples, *more, "-o", self.out / "x.png")
             if ran.returncode != 0:
                 self.assertIn(ran.returncode, (1, MACHINE), ran.stderr)
-                self.refused(ran, "TG60", code=ran.returncode)
+                self.refused(ran, "TG60", "smaller", code=ran.returncode)
                 self.assertFalse((self.out / "x.png").exists())
 
     def test_a_mesh_of_one_triangle_of_any_size(self):
@@ -167,7 +167,7 @@ class OddSizes(Faults):
             mesh = self.mesh("one", (0.0, 0.0, 0.0), (scale, 0.0, 0.0), (0.0, scale, 0.0))
             self.good("prep", mesh, "-o", self.out / "one.glb")
             self.good("prep", mesh, "--unwrap", "-o", self.out / "one.glb")
-            for effect in ("Specular", "FurCoat"):
+            for effect in ("Specular", "FurCoat") if scale in (1, 1e38, 1e-44) else ("Specular",):
                 self.good("render", effect, "--mesh", mesh, "--size", "24", "-o", self.out / "one.png")
 
     def test_a_mesh_without_area(self):
@@ -307,7 +307,7 @@ class OddPlaces(Faults):
         self.good_or_said("TG8027", "TG6", "TG5003", "TG4071", preexec_fn=become)
 
     def test_few_open_files(self):
-        for most in (4, 5, 6, 8, 10, 12, 16, 20):
+        for most in (4, 6, 8, 12, 16):
             if self.run_it("--version", preexec_fn=limited(resource.RLIMIT_NOFILE, most)).returncode != 127:  # the loader needs some before us
                 self.good_or_said(preexec_fn=limited(resource.RLIMIT_NOFILE, most))
 

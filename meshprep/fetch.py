@@ -29,7 +29,8 @@ def run(command, folder, what_to_do):
         raise Unavailable(f"{command[0]} cannot be started ({error.strerror}); {what_to_do}") from error
     print(done.stdout, end="")
     if done.returncode != 0:
-        raise Unavailable(f"{' '.join(command[:4])} failed; {what_to_do}")
+        errors = [line for line in done.stdout.splitlines() if line.startswith(("ERROR: ", "E: "))]  # pip's, apt's
+        raise Unavailable(f"{' '.join(command[:4])} failed{': ' + errors[-1] if errors else ''}; {what_to_do}")
 
 
 def human(scratch, result):

@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
+#include <system_error>
 
 namespace {
 
@@ -65,13 +67,26 @@ int run(int argc, char** argv) {
     return action();
 }
 
+/// The C++ library, and oneTBB, whose exceptions for it have no type of their own.
+bool isOfThreads(const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
+           std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
+}
+
+tegument::Error errorOf(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+        return tegument::machineError(8001, "out of memory", "try a smaller size or map size, or a larger --max-memory");
+    if (isOfThreads(error))
+        return tegument::machineError(8027, fmt::format("no thread can be started: {}", error.what()),
+                                      "allow more processes (`ulimit -u`) or more memory (--max-memory)");
+    return tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()));
+}
+
 /// The code of an action that threw.
 int afterThrow(const std::exception& error) {
     if (std::ferror(stdout) != 0) return 0; // fmt throws where nothing can be written: ended() says so
-    const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    tegument::app::say(
-        tegument::format(memory ? tegument::machineError(8001, "out of memory", "try a smaller size or map size, or a larger --max-memory")
-                                : tegument::machineError(8002, fmt::format("unexpected failure: {}", error.what()))));
+    tegument::app::say(tegument::format(errorOf(error)));
     return kMachine;
 }
 

@@ -20,7 +20,7 @@ void addTo(CLI::App& command) {
     if (command.get_parent() == nullptr || command.get_option_no_throw("--max-memory") != nullptr) return;
     command
         .add_option_function<std::uint64_t>(
-            "--max-memory", [](std::uint64_t given) { limitMemoryTo(given * kMebibyte); }, "MiB of memory; default: what the machine has")
+            "--max-memory", [](std::uint64_t given) { limitMemoryTo(given * kMebibyte); }, "MiB of memory; default: what is free")
         ->check(CLI::Range(std::uint64_t{1}, kMostMebibytes))
         ->type_name("MIB");
 }
@@ -28,7 +28,7 @@ void addTo(CLI::App& command) {
 } // namespace
 
 void limitMemory(CLI::App& program) {
-    limitMemoryTo(memoryOfTheMachine());
+    limitMemoryTo(memoryToBeHad());
     addTo(program);
 }
 

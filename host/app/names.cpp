@@ -123,6 +123,11 @@ std::vector<fs::path> effectFolders(const std::string& named) {
     return folders;
 }
 
+bool isFolder(const std::string& named) {
+    std::error_code code;
+    return fs::is_directory(named, code);
+}
+
 /// The files of these folders, each name once, sorted folder by folder.
 std::vector<fs::path> eachOnce(const std::vector<fs::path>& folders, const std::string& ending) {
     std::vector<fs::path> files;
@@ -155,8 +160,7 @@ Result<fs::path> findEffect(const std::string& named) {
     for (const fs::path& own : ownFolders())
         folders.insert(folders.end(), {own, own / "effects", own / "effects/peers"});
     const auto found = search(folders, named, ".fx");
-    std::error_code code;
-    if (!found && fs::is_directory(named, code))
+    if (!found && isFolder(named))
         return usageError(8006, fmt::format("{} is a folder, not an effect", named),
                           fmt::format("tegument survey {} looks into all effects below it", shellWord(named)));
     if (!found) return usageError(8006, fmt::format("there is no effect '{}'", named), nearest(effectFolders(named), named, ".fx"));
@@ -171,6 +175,7 @@ Result<fs::path> findWorkspace(const std::string& named, const fs::path& effect)
     for (const fs::path& own : ownFolders())
         folders.push_back(own / "effects/workspaces");
     if (const auto found = search(folders, named, ".json")) return *found;
+    if (isFolder(named)) return usageError(8007, fmt::format("{} is a folder, not a workspace", named), "workspaces are JSON files");
     folders.front() = fs::path(named).parent_path().empty() ? fs::path(".") : fs::path(named).parent_path();
     return usageError(8007, fmt::format("there is no workspace '{}'", named), nearest(folders, named, ".json"));
 }
@@ -191,8 +196,7 @@ std::vector<fs::path> knownWorkspaces() {
 
 Result<void> fileExists(const std::string& named, const std::string& what, const std::vector<std::string>& others) {
     if (isFile(named)) return {};
-    std::error_code code;
-    if (fs::is_directory(named, code)) return usageError(8008, fmt::format("{} {} is a folder, not a file", what, named));
+    if (isFolder(named)) return usageError(8008, fmt::format("{} {} is a folder, not a file", what, named));
     const fs::path folder = fs::path(named).parent_path();
     std::vector<std::string> names = others;
     for (const std::string& name : filesOf(folder.empty() ? fs::path(".") : folder, ""))

@@ -52,7 +52,7 @@ Result<std::vector<fs::path>> effectsIn(const fs::path& folder) {
     std::vector<fs::path> files;
     for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (toLower(entry->path().extension().string()) == ".fx") files.push_back(entry->path());
-    if (error) return usageError(8006, fmt::format("cannot read the folder {}", folder.string()));
+    if (error) return usageError(8006, fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
     if (files.empty())
         return usageError(8006, fmt::format("there is no effect below the folder {}", folder.string()),
                           "files named *.fx are read; one of another name is checked by itself: tegument check FILE");

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <iostream>
-#include <iterator>
 #include <sstream>
 #include <unordered_set>
 
@@ -21,8 +19,7 @@ bool isPattern(const std::string& text) {
 }
 
 Result<std::string> textOf(const std::string& list) {
-    if (list != "-") return readFile(list);
-    return std::string(std::istreambuf_iterator<char>(std::cin), {});
+    return list == "-" ? readStandardInput() : readFile(list);
 }
 
 bool readNumber(std::string_view text, std::size_t& number) {

@@ -118,8 +118,12 @@ std::optional<std::vector<double>> Parser::stateValue(const Assignment& assignme
     const std::size_t errors = result_.errors.size();
     at_ = assignment.value.first;
     std::string unknown;
+    std::string clash;
     const Resolver resolve = [&](std::string_view name) -> std::optional<double> {
-        if (const auto value = valueNamed(name, vocabulary)) return value;
+        if (const auto value = valueNamed(name, vocabulary)) {
+            if (result_.effect.findParameter(name) != nullptr || result_.effect.findSampler(name) != nullptr) clash = name;
+            return value;
+        }
         if (lenient_ && constants_.contains(name)) return std::nullopt; // a parameter's value
         if (equalsIgnoreCase(name, "true")) return 1.0;
         if (equalsIgnoreCase(name, "false")) return 0.0;
@@ -148,6 +152,10 @@ std::optional<std::vector<double>> Parser::stateValue(const Assignment& assignme
         result.reset();
     }
     at_ = after;
+    if (!clash.empty() &&
+        !refuse(2015, start, fmt::format("'{}' is a value of {} and the name of a parameter", clash, assignment.name.text),
+                "rename the parameter"))
+        return std::nullopt;
     if (lenient_ && unknown.empty()) soften(errors); // an expression that only its host can compute
     if (!unknown.empty())
         refuse(2002, start, fmt::format("'{}' is not a value of {}", unknown, assignment.name.text), valueHint(unknown, vocabulary));
@@ -229,6 +237,7 @@ bool Parser::fixedFunction(const Assignment& assignment) {
 bool Parser::samplerTexture(Sampler& sampler, const Assignment& assignment) {
     const std::span value(tokens_.data() + assignment.value.first, assignment.value.last - assignment.value.first);
     if (!isTextureName(value) && !refuse(1101, value.front(), "Texture takes the name of a texture: Texture = <gMap>;")) return false;
+    sampler.texture.clear(); // of two the last one counts
     for (std::size_t i = assignment.value.first; i < assignment.value.last; ++i)
         if (tokens_[i].kind == TokenKind::Word && sampler.texture.empty()) sampler.texture = tokens_[i].text;
     if (lenient_ && (equalsIgnoreCase(sampler.texture, "NULL") || tokens_[assignment.value.first].is("0"))) {

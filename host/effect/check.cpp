@@ -108,6 +108,7 @@ public:
         samplers();
         storages();
         textureKinds();
+        halves();
         globalScript();
         for (Technique& technique : effect_.techniques)
             this->technique(technique);
@@ -226,6 +227,19 @@ private:
             const Parameter* conventional = effect_.findParameter(sampler.name + "Map");
             if (sampler.texture.empty() && conventional != nullptr && conventional->type.isTexture()) sampler.texture = conventional->name;
         }
+    }
+
+    /// d3dcompiler_47 takes no global half or double with a pixel shader of Direct3D 9 (X3650) but by its flag for backwards compatibility.
+    void halves() {
+        const auto draws = [](const Technique& technique) {
+            return technique.kind == TechniqueKind::D3D9 &&
+                   std::ranges::any_of(technique.passes, [](const Pass& p) { return !!p.pixelShader; });
+        };
+        const auto isOne = [](const Parameter& p) { return p.type.name.starts_with("half") || p.type.name.starts_with("double"); };
+        const auto first = std::ranges::find_if(effect_.parameters, isOne);
+        if (first != effect_.parameters.end() && first->type.isNumeric() && std::ranges::any_of(effect_.techniques, draws))
+            refuse(2025, first->at, fmt::format("'{}' is a global {} in an effect of Direct3D 9", first->name, first->type.name),
+                   "write float");
     }
 
     /// RWTexture2D gBaseStore writes target gBaseMap where it names no other. Effects from elsewhere may have some that no target stands

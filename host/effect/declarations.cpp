@@ -156,6 +156,7 @@ bool Parser::semantic(std::string& text) {
         if (peek().is('(')) {
             if (!skipBalanced()) return false;
         } else {
+            if (!nameable(name, "a semantic")) return false;
             text = name.text;
             blankFrom(first);
         }
@@ -202,6 +203,7 @@ bool Parser::declarators(std::size_t start, const Token& typeName, const Type& t
             if (!expectName(name, "a name after '::'")) return false;
         }
         if (first && peek().is('(')) return function(name);
+        if (!nameable(name, "a name", true)) return false;
         if (!declarator({start, typeName, name, type, modifiers})) return false;
         if (accept(';')) break;
         if (!accept(',')) return unexpected("',' or ';' after the declaration");
@@ -221,6 +223,8 @@ bool Parser::declarator(Declarator d) {
         fail(1103, d.typeName, fmt::format("unknown type '{}'", d.typeName.text), didYouMean(d.typeName.text, commonTypeNames()));
         return skipValue();
     }
+    if (unknown && (lenient_ || !parameter.semantic.empty()))
+        refuse(1103, d.typeName, fmt::format("unknown type '{}'", d.typeName.text), didYouMean(d.typeName.text, commonTypeNames()));
     if (d.type.base == BaseType::Sampler) return samplerDeclarator(d, std::move(parameter.annotations));
     if (d.modifiers.isStatic) return staticValue(d);
     if (peek().is('=') && !defaultValue(parameter) && !skipValue()) return false;
@@ -271,6 +275,13 @@ bool Parser::skipValue() {
     return true;
 }
 
+/// An initial value that cannot be read: where reading is lenient the parameter has none.
+bool Parser::softenValue(std::size_t sign, std::size_t firstError) {
+    soften(firstError);
+    at_ = sign + 1; // behind the '=': reading may have stopped between braces
+    return skipValue();
+}
+
 bool Parser::defaultValue(Parameter& parameter) {
     const std::size_t first = at_;
     const std::size_t errors = result_.errors.size();
@@ -278,15 +289,19 @@ bool Parser::defaultValue(Parameter& parameter) {
     if (parameter.type.base == BaseType::String) {
         std::string text;
         std::vector<TextPiece> pieces;
-        if (!string(text, pieces)) return false;
-        parameter.defaultValue = std::move(text);
+        if (string(text, pieces)) {
+            parameter.defaultValue = std::move(text);
+        } else if (lenient_) {
+            if (!softenValue(first, errors)) return false;
+        } else {
+            return false;
+        }
     } else if (parameter.type.isNumeric() || parameter.type.base == BaseType::Struct) {
         Value value;
         if (initialiser(parameter.type, value)) {
             parameter.defaultValue = std::move(value);
         } else if (lenient_) {
-            soften(errors);
-            if (!skipValue()) return false;
+            if (!softenValue(first, errors)) return false;
         } else {
             return false;
         }

@@ -125,8 +125,13 @@ std::optional<Constant> Parser::named(const Resolver& resolve) {
     if (resolve)
         if (const std::optional<double> value = resolve(token.text)) return Constant{{*value}, true};
     if (const auto known = constants_.find(token.text); known != constants_.end()) return known->second;
-    if (token.is("true") || token.is("TRUE")) return Constant{{1}, true};
-    if (token.is("false") || token.is("FALSE")) return Constant{{0}, true};
+    if (token.is("true")) return Constant{{1}, true};
+    if (token.is("false")) return Constant{{0}, true};
+    if (const bool yes = token.is("TRUE"); yes || token.is("FALSE")) { // words of states, where `resolve` knows them
+        const bool read =
+            resolve || refuse(1104, token, fmt::format("'{}' is not a constant", token.text), yes ? "write true" : "write false");
+        return read ? std::optional(Constant{{yes ? 1.0 : 0.0}, true}) : std::nullopt;
+    }
     if (!resolve) fail(1104, token, fmt::format("'{}' is not a constant", token.text));
     return std::nullopt;
 }

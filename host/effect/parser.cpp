@@ -1,5 +1,6 @@
 #include "host/effect/parser.h"
 
+#include "host/effect/reserved.h"
 #include "host/support/text.h"
 
 #include <algorithm>
@@ -59,6 +60,12 @@ bool Parser::expectName(Token& name, std::string_view what) {
     if (peek().kind != TokenKind::Word) return unexpected(what);
     name = take();
     return true;
+}
+
+bool Parser::nameable(const Token& name, std::string_view what, bool types) {
+    if (!isReserved(name.text) && !(types && isNumericType(name.text))) return true;
+    return refuse(1101, name, fmt::format("expected {}, found '{}', a word of the language", what, name.text),
+                  fmt::format("'my_{}' would be a name", name.text));
 }
 
 bool Parser::fail(int code, const Token& at, std::string text, std::string hint) {

@@ -78,6 +78,8 @@ private:
     bool acceptWord(std::string_view word);
     bool expect(char sign, std::string_view where);
     bool expectName(Token& name, std::string_view what);
+    /// A reserved word is no name: an error, a warning where reading is lenient. `types`: a numeric type's name is none either.
+    bool nameable(const Token& name, std::string_view what, bool types = false);
     [[nodiscard]] std::size_t mark() const { return at_; }
     void blankFrom(std::size_t first) { result_.blanks.push_back({first, at_}); }
     /// Skips a balanced (...), [...] or {...} whose opening sign is next. TG1102 when it is never closed.
@@ -132,6 +134,7 @@ private:
     bool declarator(Declarator d);
     bool staticValue(const Declarator& d);
     bool skipValue();
+    bool softenValue(std::size_t sign, std::size_t firstError);
     bool defaultValue(Parameter& parameter);
     void blankQualifiers(const Declarator& d);
     void addParameter(Parameter parameter, const Declarator& d);

@@ -390,9 +390,16 @@ private:
 } // namespace
 
 FileReader confinedReader(const fs::path& effect, Roots roots) {
-    return [effect, roots = std::move(roots)](const fs::path& path) -> Result<std::string> {
+    // An effect is read in two views: both see what the first one read, also of a file that is written meanwhile, or of a pipe.
+    const auto read = std::make_shared<std::map<fs::path, std::string>>();
+    return [effect, read, roots = std::move(roots)](const fs::path& path) -> Result<std::string> {
         std::error_code code;
-        if (path == effect || !fs::exists(path, code) || roots.hold(path)) return readFile(path);
+        if (const auto known = read->find(path); known != read->end()) return known->second;
+        if (path == effect || !fs::exists(path, code) || roots.hold(path)) {
+            auto text = readFile(path);
+            if (text) read->emplace(path, *text);
+            return text;
+        }
         return Error{Blame::Input, {outsideOf(path, {.file = path.string(), .byte = {}})}};
     };
 }

@@ -172,6 +172,8 @@ bool Parser::shaderArguments(std::vector<std::string>& arguments) {
     int depth = 0;
     for (std::size_t i = first; i + 1 < mark(); ++i) {
         const Token& token = tokens_[i];
+        const bool nothing = token.is('(') && tokens_[i + 1].is(')') && tokens_[i - 1].kind != TokenKind::Word; // no call
+        if (nothing && !refuse(1101, tokens_[i + 1], "expected a value, found ')'")) return false;
         depth += token.is('(') ? 1 : token.is(')') ? -1 : 0;
         if (arguments.empty() || (depth == 0 && token.is(','))) arguments.emplace_back();
         if (depth > 0 || !token.is(',')) arguments.back() += token.text;

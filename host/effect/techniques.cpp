@@ -81,6 +81,7 @@ bool Parser::technique() {
     take();
     if (peek().kind == TokenKind::Word) {
         technique.at = position(peek());
+        if (!nameable(peek(), "a technique's name", true)) return false;
         technique.name = take().text;
     } else if (peek().kind == TokenKind::String) {
         technique.at = position(peek());
@@ -109,6 +110,7 @@ bool Parser::pass(Technique& technique) {
     if (!acceptWord("pass")) return unexpected("a pass");
     if (peek().kind == TokenKind::Word) {
         pass.at = position(peek());
+        if (!nameable(peek(), "a pass's name")) return false;
         pass.name = take().text;
     }
     if (peek().is('<') && !annotations(pass.annotations)) return false;

@@ -107,7 +107,7 @@ bool Parser::annotationValue(const Type& type, Annotations& result) {
     Annotation annotation;
     annotation.type = type;
     Token name;
-    if (!expectName(name, "the annotation's name")) return false;
+    if (!expectName(name, "the annotation's name") || !nameable(name, "the annotation's name")) return false;
     annotation.name = name.text;
     annotation.at = position(name);
     if (peek().is('[') && !arraySize(annotation.type)) return false;

@@ -33,7 +33,8 @@ Result<void> checkShape(const DeviceState& device, const TextureDesc& desc) {
     if (desc.width == 0 || desc.height == 0) return requestError(6010, described(desc) + " has no pixels");
     const std::uint32_t limit = desc.cube ? device.limits.maxImageDimensionCube : device.limits.maxImageDimension2D;
     if (std::max(desc.width, desc.height) > limit)
-        return requestError(6010, fmt::format("{} is too large: {} allows {} pixels on a side", described(desc), device.info.name, limit));
+        return requestError(6010, fmt::format("{} is too large: {} allows {} pixels on a side", described(desc), device.info.name, limit),
+                            "a smaller size");
     if (desc.cube && desc.width != desc.height) return requestError(6012, described(desc) + " is a cube map whose faces are not square");
     if (desc.cube && desc.renderTarget)
         return requestError(6012, described(desc) + " is a cube map and a render target", "render the faces one by one and upload them");
@@ -90,7 +91,8 @@ Result<void> checkFormat(const DeviceState& device, const TextureDesc& desc) {
     const std::uint64_t bytes = std::uint64_t{desc.width} * desc.height * bytesPerPixel(desc.format) * desc.samples;
     if (bytes > properties.maxResourceSize)
         return requestError(
-            6010, fmt::format("{} is too large: {} allows {} bytes", described(desc), device.info.name, properties.maxResourceSize));
+            6010, fmt::format("{} is too large: {} allows {} bytes", described(desc), device.info.name, properties.maxResourceSize),
+            desc.samples > 1 ? "a smaller size, or --samples 1" : "a smaller size");
     return {};
 }
 

@@ -65,7 +65,7 @@ Error tooLarge(SourcePosition at) {
 }
 
 Error outOfMemory(const std::filesystem::path& path) {
-    return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()));
+    return machineError(5311, fmt::format("{}: not enough memory for the mesh", path.string()), "reduce it, or give a larger --max-memory");
 }
 
 glm::vec4 linearColor(const glm::dvec4& encoded) {

@@ -135,8 +135,8 @@ Result<void> uploadCoarser(const RunInput& input, Resources& resources) {
     if (triangles == asked->end() || store.coarse.contains(input.mesh)) return {};
     auto indices = resources.device.createBuffer(gpu::BufferUsage::Index, bytesOf(triangles->second));
     if (!indices) return indices.error();
-    store.coarse.emplace(input.mesh,
-                         std::make_shared<FewerIndices>(std::move(*indices), static_cast<std::uint32_t>(triangles->second.size())));
+    store.coarse.emplace(input.mesh, std::make_shared<FewerIndices>(
+                                         FewerIndices{std::move(*indices), static_cast<std::uint32_t>(triangles->second.size())}));
     return {};
 }
 

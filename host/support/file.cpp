@@ -8,33 +8,57 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <sstream>
+#include <iostream>
 #include <system_error>
 
 namespace tegument {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Of what has no size, and of what is behind the size that a file had: /dev/zero has no end.
+constexpr std::size_t kMostOfAStream = std::size_t{1} << 30;
+
+Error unreadable(const fs::path& path, int failed) {
+    const SourcePosition at{.file = path.string(), .byte = {}};
+    if (failed == EFBIG)
+        return inputError(5001, at, fmt::format("gives more than {} MiB and has no size of its own", kMostOfAStream >> 20),
+                          "put what it holds into a file");
+    if (failed == ETIMEDOUT) return inputError(5001, at, "is a pipe, and nobody writes into it", "start what writes before this command");
+    return inputError(5001, at, fmt::format("cannot be read: {}", std::strerror(failed)));
+}
+
+} // namespace
+
 Result<std::string> readFile(const fs::path& path) {
     std::error_code code;
     if (fs::is_directory(path, code)) return inputError(5001, {.file = path.string(), .byte = {}}, "is a folder, not a file");
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    std::string bytes;
     const auto size = fs::file_size(path, code); // unknown for a pipe, and 0 under /proc: the rest is read piece by piece
-    if (!code && in.is_open()) {
-        bytes.resize(size);
-        in.read(bytes.data(), static_cast<std::streamsize>(size));
-        bytes.resize(static_cast<std::size_t>(in.gcount()));
+    std::string bytes;
+    try {
+        if (!code) bytes.resize(size);
+        if (const int failed = readWhole(path, kMostOfAStream, bytes); failed != 0) return unreadable(path, failed);
+    } catch (const std::exception&) { // bad_alloc, or length_error: a sparse file may be of any size
+        const std::string many = code ? std::string() : fmt::format(", which has {} MiB", size >> 20);
+        return machineError(8001, fmt::format("out of memory for {}{}", path.string(), many),
+                            "try a smaller file, or a larger --max-memory");
     }
-    if (in) bytes.append(std::istreambuf_iterator<char>(in), {});
-    if (!in.is_open() || in.bad()) {
-        return inputError(5001, {.file = path.string(), .byte = {}}, fmt::format("cannot be read: {}", std::strerror(errno ? errno : EIO)));
+    return bytes;
+}
+
+Result<std::string> readStandardInput() {
+    std::string bytes;
+    for (std::array<char, 1U << 16U> piece{}; std::cin && bytes.size() <= kMostOfAStream;) {
+        std::cin.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        bytes.append(piece.data(), static_cast<std::size_t>(std::cin.gcount()));
     }
+    if (std::cin.bad()) return unreadable("standard input", EIO);
+    if (bytes.size() > kMostOfAStream) return unreadable("standard input", EFBIG);
     return bytes;
 }
 

@@ -13,8 +13,11 @@
 
 namespace tegument {
 
-/// The file's bytes. TG5001 if it cannot be read.
+/// The file's bytes. TG5001 if it cannot be read, or has no size and no end; TG8001 if there is not as much memory.
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path);
+
+/// All of it. TG5001 if it has no end.
+[[nodiscard]] Result<std::string> readStandardInput();
 
 /// What `relative`, written with slashes or backslashes, names below the folder when case does not count; nullopt if there is no such file.
 [[nodiscard]] std::optional<std::filesystem::path> findInAnyCase(std::filesystem::path folder, std::string relative);

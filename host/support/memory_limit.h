@@ -7,10 +7,11 @@ namespace tegument {
 
 inline constexpr std::uint64_t kNoMemoryLimit = UINT64_MAX;
 
-/// Of the machine, or of the container, in bytes.
-[[nodiscard]] std::uint64_t memoryOfTheMachine();
+/// Of the machine, or of the container, what nobody uses now, in bytes; at least a gibibyte of it, if it has as much. Who takes more is
+/// ended by the system without a word, or another process is.
+[[nodiscard]] std::uint64_t memoryToBeHad();
 
-/// Beyond it allocations fail. A limit that is narrower already stays; what is only reserved, or mapped to be read, does not count.
+/// Beyond it allocations fail. The caller's own limit is not widened, ours is; what is only reserved, or mapped to be read, does not count.
 void limitMemoryTo(std::uint64_t bytes);
 
 } // namespace tegument

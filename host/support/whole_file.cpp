@@ -5,12 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -48,6 +50,40 @@ bool writeAll(int file, std::string_view bytes) {
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
+}
+
+constexpr int kForAWriter = 5000; // ms: a shell opens both ends of a pipe at once
+
+bool isPipe(int file) {
+    struct stat status = {};
+    return ::fstat(file, &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// Some bytes, 0 at the end, or below 0 with errno. Waits.
+ssize_t readSome(int file, char* into, std::size_t most) {
+    for (;;) {
+        const ssize_t count = ::read(file, into, most);
+        if (count >= 0 || (errno != EINTR && errno != EAGAIN)) return count;
+        pollfd waiting{.fd = file, .events = POLLIN, .revents = 0};
+        if (errno == EAGAIN) ::poll(&waiting, 1, -1);
+    }
+}
+
+/// Behind what is filled. A pipe that nobody has opened yet ends at once, as one does that everybody has closed; poll tells them apart.
+int readRest(int file, std::size_t most, std::string& bytes) {
+    std::array<char, 1U << 16U> piece{};
+    const bool pipe = isPipe(file);
+    most += bytes.size();
+    while (bytes.size() <= most) {
+        ssize_t count = readSome(file, piece.data(), piece.size());
+        pollfd waiting{.fd = file, .events = POLLIN, .revents = 0};
+        const bool alone = count == 0 && pipe && bytes.empty() && ::poll(&waiting, 1, kForAWriter) == 0;
+        if (count == 0 && pipe && bytes.empty()) count = readSome(file, piece.data(), piece.size());
+        if (count < 0) return errno;
+        if (count == 0) return alone ? ETIMEDOUT : 0;
+        bytes.append(piece.data(), static_cast<std::size_t>(count));
+    }
+    return EFBIG;
 }
 
 constexpr mode_t kForAll = 0666; // less what umask takes
@@ -100,6 +136,16 @@ int writeBeside(const fs::path& path, std::string_view bytes) {
 }
 
 } // namespace
+
+int readWhole(const fs::path& path, std::size_t most, std::string& bytes) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)); // a pipe without a writer would hold us
+    if (file.number() < 0) return errno;
+    std::size_t filled = 0;
+    for (ssize_t count = 1; count > 0 && filled < bytes.size(); filled += static_cast<std::size_t>(count))
+        if (count = readSome(file.number(), bytes.data() + filled, bytes.size() - filled); count < 0) return errno;
+    bytes.resize(filled);
+    return readRest(file.number(), most, bytes);
+}
 
 int writeWhole(const fs::path& path, std::string_view bytes) {
     return isSpecial(path) ? writeInto(path, bytes) : writeBeside(path, bytes);

@@ -432,7 +432,8 @@ Result<Prepared> prepareMesh(const std::filesystem::path& path, const PrepOption
     try {
         return Preparation(path, options).run();
     } catch (const std::bad_alloc&) {
-        return machineError(7025, fmt::format("{}: not enough memory to prepare the mesh", path.string()), "close programs, or reduce it");
+        return machineError(7025, fmt::format("{}: not enough memory to prepare the mesh", path.string()),
+                            "close programs, reduce it, or give a larger --max-memory");
     }
 }
 

@@ -147,6 +147,100 @@ TEST(ForeignValues, may_be_infinite_and_passes_may_share_a_name) {
     EXPECT_EQ(effect.techniques[0].passes.size(), 2U);
 }
 
+/// The first warning as text; empty where there is none.
+std::string warningOf(const std::string& text) {
+    const Effect effect = foreign(text);
+    return effect.warnings.empty() ? std::string() : format(effect.warnings.front());
+}
+
+TEST(ForeignNames, that_are_words_of_the_language_are_said) {
+    const std::string words[][2] = {{"bool sampler2D;", "main.fx(1,6)"},
+                                    {"float4x4 gWorld : NULL;", "main.fx(1,19)"},
+                                    {"float a < float register = 1; > = 1;", "main.fx(1,17)"},
+                                    {"technique true { }", "main.fx(1,11)"},
+                                    {"technique T { pass Technique { } }", "main.fx(1,20)"},
+                                    {"gWorld float4x4 : WORLD;", "main.fx(1,8)"}, // in the wrong order
+                                    {"sampler Texture2D = sampler_state { };", "main.fx(1,9)"}};
+    for (const auto& [text, place] : words) {
+        const std::string said = warningOf(text);
+        EXPECT_TRUE(said.starts_with(place + ": warning TG1101: expected ")) << text << ": " << said;
+        EXPECT_NE(said.find("a word of the language; 'my_"), std::string::npos) << text << ": " << said;
+        EXPECT_EQ(firstCode(load(text)), 1101) << text << ": an error where reading is strict";
+    }
+}
+
+TEST(ForeignTypes, that_nobody_declares_are_said_where_a_parameter_has_them) {
+    EXPECT_NE(warningOf("FillMode gWorld : WORLD;").find("main.fx(1,1): warning TG1103: unknown type 'FillMode'"), std::string::npos);
+    EXPECT_NE(warningOf("flaot gWorld;").find("did you mean 'float'?"), std::string::npos);
+    EXPECT_EQ(firstCode(load("FillMode gWorld : WORLD;")), 1103);
+    EXPECT_EQ(firstCode(load("Texture2D<float4> a : register(t0); SomethingNew b : register(t1);")), 0) << "the compiler's business";
+    EXPECT_EQ(warningOf("struct S { float a; }; typedef float4 C; S s; C c; RWTexture2D<float4> o; StructuredBuffer<S> b;"), "");
+}
+
+TEST(ForeignTypes, that_direct3d_9_has_none_of_are_said_once) {
+    const std::string technique = "technique T { pass P { PixelShader = compile ps_2_0 PS(); } }";
+    const std::string two = "half4 gFirst; half gSecond;\n";
+    EXPECT_NE(warningOf(two + kShaders + technique).find("main.fx(1,7): warning TG2025: 'gFirst' is a global half4"), std::string::npos);
+    EXPECT_EQ(foreign(two + kShaders + technique).warnings.size(), 1U);
+    EXPECT_NE(warningOf("double d;" + kShaders + technique).find("TG2025"), std::string::npos);
+    EXPECT_EQ(firstCode(load(two + kShaders + technique)), 2025);
+    EXPECT_EQ(warningOf(two + kShaders), "") << "no shader of Direct3D 9 asks for it";
+    EXPECT_EQ(warningOf("struct S { half a; }; S s;" + kShaders + technique), "") << "Microsoft's compiler takes it";
+}
+
+TEST(ForeignNames, that_are_values_of_states_are_said_where_these_are_meant) {
+    for (const std::string text : {"float4x4 LINEAR; sampler s = sampler_state { MinFilter = LINEAR; };",
+                                   "sampler NONE; technique T { pass P { CullMode = NONE; } }"}) {
+        const std::string said = warningOf(text);
+        EXPECT_NE(said.find("warning TG2015: '"), std::string::npos) << said;
+        EXPECT_NE(said.find("and the name of a parameter; rename the parameter"), std::string::npos) << said;
+        EXPECT_EQ(firstCode(load(text)), 2015);
+    }
+    EXPECT_EQ(warningOf("float LINEAR; sampler s = sampler_state { MinFilter = POINT; };"), "");
+}
+
+TEST(ForeignShaders, that_are_given_brackets_without_a_value_are_said) {
+    const std::string technique = "technique T { pass P { VertexShader = compile vs_2_0 VS(";
+    EXPECT_NE(warningOf(kShaders + technique + "()); } }").find("warning TG1101: expected a value, found ')'"), std::string::npos);
+    EXPECT_EQ(warningOf(kShaders + technique + "(2)); } }"), "");
+    EXPECT_EQ(warningOf(kShaders + technique + "); } }"), "");
+}
+
+TEST(ForeignStrings, that_are_numbers_are_read_and_said) {
+    const std::string said = warningOf("string gScale[2] = { 1, 2 };");
+    EXPECT_NE(said.find("warning TG1101: expected a string"), std::string::npos) << said;
+    EXPECT_EQ(firstCode(load("string gScale[2] = { 1, 2 };")), 1101);
+}
+
+TEST(ForeignNames, that_microsofts_compiler_takes_are_names) {
+    for (const std::string text : {"float sample; float Texture; float STRING; float DWORD; float vs_2_0; float float16_t;",
+                                   "float a : float4;", "float a < float half3 = 1; > = 1;", "technique T { pass bool { } }",
+                                   "technique Matrix { pass TRUE { } }", "#define True true\nbool a = True;"})
+        EXPECT_EQ(warningOf(text), "") << text;
+}
+
+TEST(ForeignValues, true_and_false_in_capitals_are_of_states_alone) {
+    for (const std::string text : {"float3 gAxis = { 0, TRUE, -2 };", "bool gOn = FALSE;", "float a < bool b = TRUE; > = 1;"}) {
+        const std::string said = warningOf(text);
+        EXPECT_NE(said.find("warning TG1104: '" + std::string(text.find("TRUE") != std::string::npos ? "TRUE" : "FALSE")),
+                  std::string::npos)
+            << said;
+        EXPECT_NE(said.find("; write "), std::string::npos) << said;
+        EXPECT_EQ(firstCode(load(text)), 1104) << text;
+    }
+    EXPECT_EQ(numbers(foreign("bool gOn = TRUE;"), "gOn"), std::vector<double>{1}) << "it is read all the same";
+    EXPECT_EQ(warningOf(kShaders + "technique T { pass P { ZEnable = TRUE; AlphaBlendEnable = (FALSE); } }"), "");
+}
+
+TEST(ForeignSamplers, that_name_two_textures_read_the_last_one) {
+    const Effect effect = foreign("texture a; texture b; sampler s = sampler_state { Texture = <a>; Texture = <b>; };");
+    EXPECT_EQ(effect.findSampler("s")->texture, "b");
+    EXPECT_EQ(
+        firstCode(load({{"main.fx", "texture a; sampler s = sampler_state { Texture = <a>; Texture = LINEAR; };"}}, {.lenient = true})),
+        2012)
+        << "Microsoft's compiler does not begin";
+}
+
 TEST(ForeignValues, in_buffers_of_a_pool_are_parameters) {
     EXPECT_NE(foreign("shared cbuffer Pool { float4 gShared; };").findParameter("gShared"), nullptr);
 }

@@ -112,6 +112,7 @@ class Interrupted(Faults):
                 self.assertTrue((self.out / name).exists(), f"{name}: {command}")
                 if content is not None:
                     self.assertEqual((self.out / name).read_bytes(), content, f"{name}, after a kill: {command}")
+        print(f"{killed} of {ROUNDS} were killed before their end", flush=True)
         self.assertGreater(killed, ROUNDS // 3, "the kills come too late")
         self.assertEqual(owned(self.environment), [])
 

@@ -21,6 +21,15 @@ std::string messageOf(const Result<Mesh>& mesh) {
 
 } // namespace
 
+TEST_F(Loading, a_mesh_without_area_is_refused_as_nothing_of_it_could_be_seen) {
+    for (const std::string places : {"v 0 0 0\nv 1 1 1\nv 3 3 3\n", "v 5 5 5\nv 5 5 5\nv 5 5 5\n", "v 0.1 0 0\nv 0.3 0 0\nv 0.7 0 0\n"}) {
+        const auto flat = load("a.obj", places + "f 1 2 3\nf 3 2 1\n");
+        EXPECT_EQ(codeOf(flat), 5306) << places;
+        EXPECT_NE(messageOf(flat).find("no triangle of the mesh has an area"), std::string::npos) << messageOf(flat);
+    }
+    EXPECT_TRUE(load("a.obj", "v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nv 0 0 0\nf 1 2 4\nf 1 2 3\n")) << "one triangle is enough, however small";
+}
+
 TEST_F(Loading, a_head_of_plausible_size_is_accepted) {
     EXPECT_TRUE(load("a.obj", panel(240), {.expectHead = true}));
     EXPECT_TRUE(load("a.obj", panel(2.4), {.unitMm = 100, .expectHead = true}));

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <thread>
+
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace tegument;
@@ -66,6 +70,39 @@ TEST_F(Files, missing_and_folder_are_different_messages) {
     EXPECT_NE(format(missing.error()).find("No such file"), std::string::npos);
     EXPECT_NE(format(folder.error()).find("is a folder"), std::string::npos);
     EXPECT_EQ(missing.error().blame, Blame::Input);
+}
+
+TEST_F(Files, what_has_no_end_is_not_read_for_ever) {
+    const auto zeros = readFile("/dev/zero");
+    ASSERT_FALSE(zeros);
+    EXPECT_NE(format(zeros.error()).find("/dev/zero: error TG5001: gives more than 1024 MiB"), std::string::npos) << format(zeros.error());
+}
+
+TEST_F(Files, a_pipe_is_read_while_somebody_writes_and_said_where_nobody_does) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const auto alone = readFile(pipe);
+    ASSERT_FALSE(alone);
+    EXPECT_NE(format(alone.error()).find("nobody writes into it"), std::string::npos) << format(alone.error());
+    std::string sent;
+    for (int i = 0; i < 300000; ++i)
+        sent += static_cast<char>(i);
+    std::thread writer([&] {
+        std::ofstream out(pipe, std::ios::binary);
+        out << sent.substr(0, 7) << std::flush;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50)); // a slow writer is no end
+        out << sent.substr(7);
+    });
+    const auto read = readFile(pipe);
+    writer.join();
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(*read, sent);
+}
+
+TEST_F(Files, what_says_that_it_has_no_bytes_is_read_to_its_end) {
+    const auto process = readFile("/proc/self/status");
+    ASSERT_TRUE(process);
+    EXPECT_NE(process->find("VmPeak"), std::string::npos);
 }
 
 TEST(ContentHash, differs_for_one_bit_and_is_the_same_for_the_same_bytes) {

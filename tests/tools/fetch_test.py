@@ -30,6 +30,7 @@ class Fetch(unittest.TestCase):
         done = fetch("human", str(self.folder), PIP_NO_INDEX="1")
         self.assertEqual(done.returncode, 3, done.stdout)
         self.assertIn("python3-pip", done.stdout.splitlines()[-1])
+        self.assertIn("ERROR: No matching distribution found", done.stdout.splitlines()[-1], "pip's own reason: a full disk is none of the network")
         self.assertEqual(self.left(), [], "nothing half is left behind")
 
     def test_what_cannot_be_had_leaves_what_was_there(self):

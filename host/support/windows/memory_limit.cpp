@@ -4,7 +4,7 @@
 
 namespace tegument {
 
-std::uint64_t memoryOfTheMachine() {
+std::uint64_t memoryToBeHad() {
     MEMORYSTATUSEX status{};
     status.dwLength = sizeof status;
     return ::GlobalMemoryStatusEx(&status) != 0 ? status.ullTotalPhys : kNoMemoryLimit;

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <fstream>
 
 #include <windows.h>
 
@@ -63,6 +65,21 @@ fs::path folderOf(const fs::path& path) {
 }
 
 } // namespace
+
+int readWhole(const fs::path& path, std::size_t most, std::string& bytes) {
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in.is_open()) return errno != 0 ? errno : EIO;
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    most += bytes.size();
+    for (std::array<char, 1U << 16U> piece{}; in && bytes.size() <= most;) {
+        in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        bytes.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    }
+    if (in.bad()) return EIO;
+    return bytes.size() > most ? EFBIG : 0;
+}
 
 int writeWhole(const fs::path& path, std::string_view bytes) {
     if (isDevice(path)) return writeNew(path, bytes);

@@ -182,6 +182,20 @@ TEST(CentreOf, the_box_is_the_source_document_s_and_the_ball_is_smaller) {
     EXPECT_EQ(ball.mesh.bounds.centre, glm::vec3(0));
 }
 
+TEST(CentreOf, the_box_is_moved_by_what_its_vertices_are_moved_by) {
+    // vertices are moved by floats; GCC 12 told the middle as it was before rounding: for 3,445 of 60,000 sides
+    std::mt19937 random(23);
+    const auto next = [&] { return static_cast<float>(random() % 2000000) * 1e-4f - 100; };
+    for (int i = 0; i < 1000; ++i) {
+        Surface box = surfaceOf(meshOf({{next(), next(), next()}, {next(), next(), next()}, {next(), next(), next()}}, {0, 1, 2}));
+        const Centring by = centre(box, CentreMode::Box);
+        for (int axis = 0; axis < 3; ++axis) {
+            const volatile auto rounded = static_cast<float>(by.moved[axis]);
+            EXPECT_EQ(by.moved[axis], static_cast<double>(rounded)) << "mesh " << i;
+        }
+    }
+}
+
 TEST(CentreOf, a_moved_mesh_keeps_as_many_places_as_it_had) {
     // near the origin floats are finer than at the mesh's middle: moving rounds these two onto each other
     Surface surface{.mesh = meshOf({{1e-6f, 0, 0}, {1.01e-6f, 0, 0}, {2000, 0, 0}, {0, 1000, 0}}, {0, 2, 3, 1, 2, 3}), .point = {}};

@@ -29,17 +29,6 @@ void dropDegenerate(Mesh& mesh, const Source& source) {
     if (dropped > 0) meshfile::warn(mesh, 5322, source.whole(), fmt::format("{} triangles that repeat a vertex are left out", dropped));
 }
 
-/// Whether something of it can be seen: of three places on one line the product is exactly 0, for floats fit in doubles.
-bool hasArea(const Mesh& mesh) {
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
-        const glm::dvec3 normal =
-            glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a, glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a);
-        if (normal != glm::dvec3(0)) return true;
-    }
-    return false;
-}
-
 /// Rounding alone leaves a float unit vector within this of length 1, so such vectors are kept bit for bit.
 constexpr double kUnitTolerance = 1e-6;
 

@@ -154,6 +154,8 @@ TEST(CommandLine, what_is_no_effect_is_refused_without_printing_its_bytes) {
     expectSaid(tegument({"render", picture}), kUsage, {"TG8006", "is a picture"});
     expectSaid(tegument({"render", ballMesh()}), kUsage, {"TG8006", "is a mesh", "--mesh"});
     expectSaid(tegument({"check", ballWorkspace()}), kUsage, {"TG8006", "is a workspace", "-w"});
+    expectSaid(tegument({"info", write("wide.fx", std::string("\xff\xfe") + std::string("f\0l\0o\0a\0t\0", 10))}), kUsage,
+               {"TG8006", "UTF-16", "save it as UTF-8"});
     expectSaid(tegument({"check", "tests/adopt/effects"}), kUsage, {"TG8006", "is a folder", "tegument survey tests/adopt/effects"});
     expectSaid(tegument({"info", out("picture.fx")}), kUsage, {"TG8006", "is no text"});
     // Bytes that pass for text until they are read: control characters and Latin-1.

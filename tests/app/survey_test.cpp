@@ -114,6 +114,17 @@ TEST(ForeignPictures, come_with_a_line_for_each_parameter) {
     EXPECT_FALSE(report.contains("picture")) << "a red disc on black";
 }
 
+TEST(ForeignPictures, that_only_dxc_compiles_say_so_where_it_is_not) {
+    const std::string file = write("pair.fx", "texture t; sampler2D s = sampler_state { Texture = <t>; };\n"
+                                              "float4 PS(float2 u : TEXCOORD0) : COLOR { return tex2D(s, u); }\n"
+                                              "technique T { pass P { ZEnable = FALSE; PixelShader = compile ps_2_0 PS(); } }\n");
+    const Ran ran = tegument({"render", file, "--compiler", "glslang", "--size", "16", "-o", (scratch() / "pair.png").string()},
+                             {{"TEGUMENT_DXC", "/nonexistent"}});
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("./bootstrap build fetches it"), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.find("try the other one"), std::string::npos) << "there is no other one\n" << ran.err;
+}
+
 TEST(ForeignPictures, of_functions_without_a_technique_say_what_is_missing) {
     const std::string file = write("functions.hlsl", "float4 P() : COLOR { return 1; }\n");
     const Ran ran = tegument({"render", file, "--size", "16", "-o", (scratch() / "functions.png").string()});

@@ -1,6 +1,8 @@
 #include "host/app/command_line.h"
 
+#include "host/app/names.h"
 #include "host/app/output.h"
+#include "host/support/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -80,11 +82,41 @@ std::vector<std::string> optionsOf(const CLI::App& command) {
     return names;
 }
 
+bool endsLike(const std::string& word, std::initializer_list<std::string_view> endings) {
+    const std::string small = toLower(word);
+    return std::ranges::any_of(endings, [&](std::string_view ending) { return small.ends_with(ending); });
+}
+
+bool isMeshName(const std::string& word) {
+    return endsLike(word, {".glb", ".gltf", ".ply", ".obj", ".stl", ".off"});
+}
+
+/// Who names an effect or a mesh first wants it drawn, or prepared.
+std::string commandFor(const CLI::App& command, const std::string& word) {
+    if (command.get_parent()) return {};
+    if (isMeshName(word))
+        return fmt::format("tegument prep {0} -o NEW.glb prepares a mesh, tegument render EFFECT --mesh {0} draws it", shellWord(word));
+    if (endsLike(word, {".fx"}) || findEffect(word)) return fmt::format("tegument render {} draws an effect", shellWord(word));
+    return {};
+}
+
 Error unknownCommand(const CLI::App& command, const std::string& word) {
     const std::vector<std::string> names = commandsOf(command);
-    const std::string near = didYouMean(word, names);
-    return usageError(8003, fmt::format("{} has no command '{}'", nameOf(command), word),
-                      near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : near);
+    std::string hint = didYouMean(word, names);
+    if (hint.empty()) hint = commandFor(command, word);
+    if (hint.empty()) hint = fmt::format("it has {}", fmt::join(names, ", "));
+    return usageError(8003, fmt::format("{} has no command '{}'", nameOf(command), word), std::move(hint));
+}
+
+/// What a word that stands where none is taken is likely to be; empty where nobody knows.
+std::string meantBy(const CLI::App& command, const std::string& word) {
+    const auto takes = [&](const char* option) { return command.get_option_no_throw(option) != nullptr; };
+    if (isMeshName(word) && takes("--mesh")) return fmt::format("a mesh is given by --mesh {}", shellWord(word));
+    if ((isMeshName(word) || endsLike(word, {".png", ".jpg", ".jpeg", ".exr", ".dds"})) && takes("--output"))
+        return fmt::format("where it goes is said by -o {}", shellWord(word));
+    if (takes("--set") && !word.empty() && word.find_first_not_of("0123456789.,-+eE") == std::string::npos)
+        return "a value is one word with its name: --set NAME=VALUE";
+    return {};
 }
 
 /// The innermost command that was named.
@@ -107,7 +139,10 @@ Error explain(const CLI::App& program, const CLI::ParseError& error) {
         return usageError(8004, fmt::format("{} has no option {}", nameOf(command), name), near.empty() ? help : near);
     }
     if (wantsCommand) return usageError(8003, fmt::format("{} needs a command", nameOf(command)), help);
-    if (!rest.empty()) return usageError(8005, fmt::format("'{}' is more than {} takes", rest.front(), nameOf(command)), help);
+    if (!rest.empty()) {
+        const std::string meant = meantBy(command, rest.front());
+        return usageError(8005, fmt::format("'{}' is more than {} takes", rest.front(), nameOf(command)), meant.empty() ? help : meant);
+    }
     const std::string text = error.what();
     return usageError(8005, text, text.ends_with('?') ? "" : help); // it has a name to offer already
 }

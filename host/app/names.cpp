@@ -105,12 +105,21 @@ bool isBinary(const fs::path& path) {
     return std::find(start.data(), start.data() + in.gcount(), '\0') != start.data() + in.gcount();
 }
 
+/// As an editor writes it where one asks for "Unicode".
+bool isUtf16(const fs::path& path) {
+    std::array<char, 2> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    return (start[0] == '\xff' && start[1] == '\xfe') || (start[0] == '\xfe' && start[1] == '\xff');
+}
+
 /// A pipe or a device can be read once.
 Result<void> refuseOtherKinds(const fs::path& path) {
     std::error_code code;
     if (!fs::is_regular_file(path, code)) return {};
     const std::string kind = otherKind(path.string());
     if (!kind.empty()) return usageError(8006, fmt::format("{} is {}, not an effect", path.string(), kind), howToGive(kind, path.string()));
+    if (isUtf16(path))
+        return usageError(8006, fmt::format("{} is UTF-16, which no compiler of HLSL reads", path.string()), "save it as UTF-8");
     if (isBinary(path)) return usageError(8006, fmt::format("{} is no text, so no effect", path.string()), howToGive({}, {}));
     return {};
 }

@@ -84,6 +84,9 @@ Result<void> checkFiles(const Arguments& arguments) {
     if (arguments.output.empty()) return usageError(8040, "where should the prepared mesh go?", "-o OUT.glb or OUT.ply, or --dry-run");
     if (const std::string ending = endingOf(arguments.output); ending != ".glb" && ending != ".ply")
         return usageError(8042, fmt::format("cannot write a mesh as '{}'", arguments.output), "name it OUT.glb or OUT.ply");
+    if (std::error_code code; std::filesystem::equivalent(arguments.input, arguments.output, code))
+        return usageError(8042, fmt::format("'{}' is the mesh itself: what is written would replace it", arguments.output),
+                          "name another file: what preparation leaves out is not in it any more");
     return canWrite(arguments.output);
 }
 

@@ -218,12 +218,16 @@ private:
     /// Sampler gSkin reads texture gSkinMap where its block names none.
     void samplers() {
         for (const auto& [name, at] : parsed_.textureReferences) {
-            const Parameter* texture = effect_.findParameter(name);
+            const std::string whole = name.substr(0, name.find('[')); // an element of an array of textures
+            const Parameter* texture = effect_.findParameter(whole);
+            if (parsed_.otherTextures.contains(whole)) continue;
             if (texture == nullptr) fail(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
             if (texture != nullptr && !texture->type.isTexture())
                 refuse(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
         }
         for (Sampler& sampler : effect_.samplers) {
+            if (effect_.findParameter(sampler.texture) == nullptr) sampler.texture = sampler.texture.substr(0, sampler.texture.find('['));
+            if (parsed_.otherTextures.contains(sampler.texture)) sampler.texture.clear();
             const Parameter* conventional = effect_.findParameter(sampler.name + "Map");
             if (sampler.texture.empty() && conventional != nullptr && conventional->type.isTexture()) sampler.texture = conventional->name;
         }

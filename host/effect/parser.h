@@ -55,6 +55,7 @@ struct Parsed {
     std::map<std::string, int> samplerDimensions;                          // of samplers whose type says it: 1, 2, 3, 6 (cube)
     std::set<std::string> srgbSamplers;                                    // with SRGBTexture = TRUE
     std::vector<std::pair<std::string, SourcePosition>> textureReferences; // from sampler blocks, to be checked
+    std::set<std::string> otherTextures;                                   // of types that are no parameters: Texture2DArray, Texture2DMS
     std::vector<Diagnostic> errors;
 };
 

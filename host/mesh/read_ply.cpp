@@ -21,10 +21,11 @@ struct VertexLayout {
     bool lists = false;
 
     explicit VertexLayout(const PlyElement& element)
-        : x(element.find({"x"})), y(element.find({"y"})), z(element.find({"z"})), nx(element.find({"nx"})), ny(element.find({"ny"})),
-          nz(element.find({"nz"})), u(element.find({"u", "s", "texture_u"})), v(element.find({"v", "t", "texture_v"})),
-          red(element.find({"red", "diffuse_red"})), green(element.find({"green", "diffuse_green"})),
-          blue(element.find({"blue", "diffuse_blue"})), alpha(element.find({"alpha", "diffuse_alpha"})) {
+        : x(element.find({"x", "X"})), y(element.find({"y", "Y"})), z(element.find({"z", "Z"})), nx(element.find({"nx"})),
+          ny(element.find({"ny"})), nz(element.find({"nz"})), u(element.find({"u", "s", "texture_u"})),
+          v(element.find({"v", "t", "texture_v"})), red(element.find({"red", "diffuse_red"})),
+          green(element.find({"green", "diffuse_green"})), blue(element.find({"blue", "diffuse_blue"})),
+          alpha(element.find({"alpha", "diffuse_alpha"})) {
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
             const bool list = element.properties[i].listCount.has_value();
             lists |= list;
@@ -45,8 +46,8 @@ private:
     }
 };
 
-/// What stands for 1 in a colour's type. Colours in floats are 0 to 1.
-double fullColor(NumberType type) {
+/// What stands for 1 in the type of a colour or of a texture coordinate. Those in floats are 0 to 1.
+double fullOne(NumberType type) {
     if (type == NumberType::Uint8) return 255;
     return type == NumberType::Uint16 ? 65535 : 1;
 }
@@ -141,7 +142,9 @@ private:
             if (!result_.floats) result_.exact.push_back(glm::dvec3(row[*layout.x], row[*layout.y], row[*layout.z]) * source_.unitMm);
             keepRest(element, layout, row);
             if (layout.hasNormals()) mesh().normals.emplace_back(row[*layout.nx], row[*layout.ny], row[*layout.nz]);
-            if (layout.hasUvs()) mesh().uvs.emplace_back(row[*layout.u], 1 - row[*layout.v]); // PLY's v points up, as in OBJ
+            if (layout.hasUvs()) // PLY's v points up, as in OBJ
+                mesh().uvs.emplace_back(row[*layout.u] / fullOne(element.properties[*layout.u].type),
+                                        1 - row[*layout.v] / fullOne(element.properties[*layout.v].type));
         }
     }
 
@@ -149,7 +152,7 @@ private:
         for (std::size_t k = 0; k < layout.others.size(); ++k)
             mesh().attributes[k].values.push_back(row[layout.others[k]]);
         if (!layout.hasColors()) return;
-        const auto channel = [&](std::size_t i) { return row[i] / fullColor(element.properties[i].type); };
+        const auto channel = [&](std::size_t i) { return row[i] / fullOne(element.properties[i].type); };
         mesh().colors.push_back(
             linearColor({channel(*layout.red), channel(*layout.green), channel(*layout.blue), layout.alpha ? channel(*layout.alpha) : 1}));
     }
@@ -161,7 +164,8 @@ private:
     }
 
     void readFaces(const PlyElement& element) {
-        const auto list = element.find({"vertex_indices", "vertex_index"});
+        auto list = element.find({"vertex_indices", "vertex_index"});
+        if (!list) list = onlyList(element);
         if (!list || !element.properties[*list].listCount)
             return values_.fail(malformed(source_.atLine(element.line), "the faces have no list vertex_indices"));
         result_.counts.faces += element.count;
@@ -192,6 +196,18 @@ private:
             if (uvs) splitAtSeams(corners, numbers);
             addFace(corners, face);
         }
+    }
+
+    /// Some programs call the corners otherwise; where there is one list of whole numbers it can be nothing else.
+    static std::optional<std::size_t> onlyList(const PlyElement& element) {
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            const PlyProperty& property = element.properties[i];
+            if (!property.listCount || property.type == PlyType::Float32 || property.type == PlyType::Float64) continue;
+            if (found) return std::nullopt;
+            found = i;
+        }
+        return found;
     }
 
     /// Texture coordinates of corners, where the vertices have none: MeshLab's list `texcoord`.

@@ -219,13 +219,14 @@ void paint(const RunInput& input, const Parameter& parameter, TextureSource& sou
     const auto& skin = input.options.plainSkin;
     if (!constant || !skin || !equalsIgnoreCase(parameter.semantic, "DIFFUSE")) return;
     *constant = *skin;
-    warnings.push_back(
-        {.severity = Severity::Warning,
-         .code = 4056,
-         .at = {.file = input.mesh ? input.mesh->name : input.effect.file.string(), .byte = {}},
-         .text = fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g})", (*skin)[0], (*skin)[1], (*skin)[2]),
-         .hint = fmt::format("--set {}=FILE gives one", parameter.name),
-         .sourceLine = {}});
+    const bool coloured = input.mesh && !input.mesh->colors.empty();
+    warnings.push_back({.severity = Severity::Warning,
+                        .code = 4056,
+                        .at = {.file = input.mesh ? input.mesh->name : input.effect.file.string(), .byte = {}},
+                        .text = fmt::format("no colour map: the skin has one plain colour, ({:g}, {:g}, {:g}){}", (*skin)[0], (*skin)[1],
+                                            (*skin)[2], coloured ? ", and the colours of the mesh's vertices are not drawn" : ""),
+                        .hint = fmt::format("{}--set {}=FILE gives one", coloured ? "bake them into a picture: " : "", parameter.name),
+                        .sourceLine = {}});
 }
 
 Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, Prepared& prepared) {

@@ -39,7 +39,14 @@ Result<Shader> compileStage(const Effect& effect, const ShaderReference& referen
                                 .defines = {},
                                 .includeFolders = {},
                                 .language2018 = own};
-    return compileShader(request, compiler);
+    auto shader = compileShader(request, compiler);
+    if (shader) return shader;
+    Error error = shader.error();
+    for (Diagnostic& diagnostic : error.diagnostics) // SPIR-V knows names, and no lines
+        if (diagnostic.code == 3006 && diagnostic.at.line == 0)
+            for (const Parameter& parameter : effect.parameters)
+                if (diagnostic.text.find(" " + parameter.name + " ") != std::string::npos) diagnostic.at = parameter.at;
+    return error;
 }
 
 BindingKind kindOf(ResourceKind kind) {

@@ -105,6 +105,22 @@ TEST(CommandLine, a_misspelt_option_comes_with_the_nearest_name) {
     expectSaid(tegument({"prep", "x.obj", "--centre", "bal"}), kUsage, {"TG8005", "none of ball, box, none", "did you mean 'ball'?"});
 }
 
+TEST(CommandLine, a_word_in_the_wrong_place_comes_with_its_right_one) {
+    expectSaid(tegument({"render", quad(), ballMesh(), "-o", out("x.png")}), kUsage, {"TG8005", "a mesh is given by --mesh"});
+    expectSaid(tegument({"render", quad(), "pictures/x y.png"}), kUsage, {"TG8005", "-o 'pictures/x y.png'"});
+    expectSaid(tegument({"prep", ballMesh(), "new.glb"}), kUsage, {"TG8005", "-o new.glb"});
+    expectSaid(tegument({"render", quad(), "--set", "gTint", "0.3"}), kUsage, {"TG8005", "--set NAME=VALUE"});
+    expectSaid(tegument({"FurCoat"}), kUsage, {"TG8003", "tegument render FurCoat"});
+    expectSaid(tegument({"scan.ply"}), kUsage, {"TG8003", "tegument prep scan.ply -o NEW.glb", "--mesh scan.ply"});
+}
+
+TEST(CommandLine, a_mesh_is_not_prepared_over_itself) {
+    const std::string mesh = write("only.obj", "v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n");
+    const std::string glb = out("only.glb");
+    ASSERT_EQ(tegument({"prep", mesh, "-o", glb}).code, 0);
+    expectSaid(tegument({"prep", glb, "--orient", "-o", glb}), kUsage, {"TG8042", "is the mesh itself"});
+}
+
 TEST(CommandLine, names_that_do_not_exist_come_with_the_nearest_one) {
     expectSaid(tegument({"render", "effects/Mian.fx"}), kUsage, {"TG8006", "did you mean 'effects/Main.fx'?"});
     expectSaid(tegument({"info", "Mian"}), kUsage, {"TG8006", "did you mean 'Main.fx'?"});
@@ -138,6 +154,8 @@ TEST(CommandLine, what_is_no_effect_is_refused_without_printing_its_bytes) {
     expectSaid(tegument({"render", picture}), kUsage, {"TG8006", "is a picture"});
     expectSaid(tegument({"render", ballMesh()}), kUsage, {"TG8006", "is a mesh", "--mesh"});
     expectSaid(tegument({"check", ballWorkspace()}), kUsage, {"TG8006", "is a workspace", "-w"});
+    expectSaid(tegument({"info", write("wide.fx", std::string("\xff\xfe") + std::string("f\0l\0o\0a\0t\0", 10))}), kUsage,
+               {"TG8006", "UTF-16", "save it as UTF-8"});
     expectSaid(tegument({"check", "tests/adopt/effects"}), kUsage, {"TG8006", "is a folder", "tegument survey tests/adopt/effects"});
     expectSaid(tegument({"info", out("picture.fx")}), kUsage, {"TG8006", "is no text"});
     // Bytes that pass for text until they are read: control characters and Latin-1.

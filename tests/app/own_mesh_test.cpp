@@ -227,6 +227,14 @@ TEST(OwnMesh, is_asked_for_the_size_of_a_head_only_where_it_is_one) {
     EXPECT_EQ(draw("no_head", {"effects/Specular.fx", "--mesh", metres, "-w", ballWorkspace(), "--no-head"}).ran.code, 0);
 }
 
+TEST(OwnMesh, with_colours_of_vertices_alone_is_told_that_skin_does_not_show_them) {
+    const std::string coloured = write("coloured.obj", "v 0 0 0 1 0 0\nv 90 0 0 0 1 0\nv 0 90 0 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                                       "f 1/1 2/2 3/3\n");
+    const Ran ran = draw("coloured", {"effects/OriginalTexture.fx", "--mesh", coloured}).ran;
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("the colours of the mesh's vertices are not drawn; bake them into a picture"), std::string::npos) << ran.err;
+}
+
 TEST(OwnMesh, without_a_colour_map_has_the_colour_of_skin_and_one_line_says_so) {
     const Drawn plain = draw("plain", {"effects/OriginalTexture.fx", "--mesh", ballMesh()});
     ASSERT_EQ(plain.ran.code, 0) << plain.ran.err;

@@ -114,6 +114,29 @@ TEST(ForeignPictures, come_with_a_line_for_each_parameter) {
     EXPECT_FALSE(report.contains("picture")) << "a red disc on black";
 }
 
+TEST(ForeignPictures, with_an_array_of_textures_are_refused_with_its_line) {
+    const std::string file = write("layers.fx", "float4 tint;\nTexture2D gLayers[2];\nSamplerState s;\n"
+                                                "float4 VS(float4 p : POSITION) : SV_Position { return p; }\n"
+                                                "float4 PS() : SV_Target { return gLayers[1].Sample(s, 0); }\n"
+                                                "technique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, VS())); "
+                                                "SetPixelShader(CompileShader(ps_5_0, PS())); } }\n");
+    const Ran ran = tegument({"render", file, "--size", "16", "-o", (scratch() / "layers.png").string()});
+    EXPECT_EQ(ran.code, 1) << ran.err;
+    EXPECT_NE(ran.err.find("layers.fx(2,"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("TG3006"), std::string::npos) << ran.err;
+}
+
+TEST(ForeignPictures, that_only_dxc_compiles_say_so_where_it_is_not) {
+    const std::string file = write("pair.fx", "texture t; sampler2D s = sampler_state { Texture = <t>; };\n"
+                                              "float4 PS(float2 u : TEXCOORD0) : COLOR { return tex2D(s, u); }\n"
+                                              "technique T { pass P { ZEnable = FALSE; PixelShader = compile ps_2_0 PS(); } }\n");
+    const Ran ran = tegument({"render", file, "--compiler", "glslang", "--size", "16", "-o", (scratch() / "pair.png").string()},
+                             {{"TEGUMENT_DXC", "/nonexistent"}});
+    EXPECT_EQ(ran.code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("./bootstrap build fetches it"), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.find("try the other one"), std::string::npos) << "there is no other one\n" << ran.err;
+}
+
 TEST(ForeignPictures, of_functions_without_a_technique_say_what_is_missing) {
     const std::string file = write("functions.hlsl", "float4 P() : COLOR { return 1; }\n");
     const Ran ran = tegument({"render", file, "--size", "16", "-o", (scratch() / "functions.png").string()});

@@ -330,6 +330,15 @@ TEST(Foreign, constant_buffers_may_have_annotations) {
     EXPECT_EQ(effect.code.find("UIName"), std::string::npos) << "compilers know none";
 }
 
+TEST(Foreign, samplers_may_name_textures_of_types_that_are_not_drawn) {
+    const Effect effect =
+        foreign("Texture2DArray gTrees; Texture2D gLayers[2]; Texture2DMS<float4, 4> gMany;\n"
+                "SamplerState a { Texture = gTrees; }; SamplerState b { Texture = gLayers[1]; }; SamplerState c { Texture = gMany; };");
+    EXPECT_EQ(effect.findSampler("a")->texture, "");
+    EXPECT_EQ(effect.findSampler("b")->texture, "gLayers");
+    EXPECT_EQ(firstCode(load(Files{{"main.fx", "SamplerState a { Texture = gNone; };"}}, {.lenient = true})), 2012);
+}
+
 TEST(Foreign, functions_in_the_place_of_shaders_are_told_from_unknown_names) {
     const auto message = [](const std::string& pass) {
         const auto effect = load("float4 Show() : COLOR { return 1; }\ntechnique T { pass { " + pass + " } }");

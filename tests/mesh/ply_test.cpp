@@ -210,3 +210,19 @@ TEST_F(Ply, the_picture_that_a_comment_names_is_the_colour_map) {
     EXPECT_EQ(gone->warnings[1].code, 5328);
     EXPECT_NE(gone->warnings[1].text.find("gone.png"), std::string::npos);
 }
+
+TEST_F(Ply, names_and_types_that_only_some_programs_use_are_understood) {
+    const auto mesh =
+        load("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty double X\nproperty double Y\nproperty double Z\n"
+                      "property ushort u\nproperty ushort v\nelement face 1\nproperty list uint8 uint32 vertex_list\nend_header\n"
+                      "0 0 0 0 0\n90 0 0 65535 0\n0 90 0 0 65535\n3 0 1 2\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->indices.size(), 3U);
+    EXPECT_EQ(mesh->uvs[1], glm::vec2(1, 1));
+    EXPECT_EQ(mesh->uvs[2], glm::vec2(0, 0));
+    EXPECT_EQ(codeOf(load("b.ply",
+                          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                          "property list uchar int a\nproperty list uchar int b\nend_header\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2 1 7\n")),
+              5302)
+        << "two lists: nobody knows which";
+}

@@ -74,6 +74,7 @@ bool Parser::assignment(std::vector<Assignment>& result) {
         const double most = lenient_ ? kMostIndices : kTargets; // textures, lights and constants have more places than targets
         if (index->numbers.size() != 1 || !(index->numbers[0] >= 0 && index->numbers[0] < most))
             return fail(2002, at, "an index is 0 to 7");
+        if (!index->integral && !refuse(2002, at, "an index is a whole number", "write 0 to 7")) return false;
         assignment.index = static_cast<int>(index->numbers[0]);
     }
     if (!expect('=', "after the state's name")) return false;
@@ -186,6 +187,11 @@ bool Parser::apply(const Assignment& assignment, std::span<const StateEntry<Targ
 }
 
 bool Parser::applyState(const Assignment& assignment, std::string_view objectType, States& states) {
+    const bool single = objectType != "BlendState" || sameStateName(assignment.name.text, "AlphaToCoverageEnable") ||
+                        sameStateName(assignment.name.text, "IndependentBlendEnable");
+    if (!objectType.empty() && assignment.index >= 0 && single &&
+        !refuse(2002, assignment.name, fmt::format("{} has no index", assignment.name.text), "leave it out"))
+        return false;
     if (objectType == "DepthStencilState") return apply(assignment, depthStencilStates(), states, "depth-stencil state");
     if (objectType == "BlendState") return apply(assignment, blendStates(), states, "blend state");
     if (objectType == "RasterizerState") return apply(assignment, rasterizerStates(), states, "rasterizer state");

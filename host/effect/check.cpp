@@ -233,17 +233,20 @@ private:
         }
     }
 
-    /// d3dcompiler_47 takes no global half or double with a pixel shader of Direct3D 9 (X3650) but by its flag for backwards compatibility.
+    /// d3dcompiler_47 takes no global half with a shader (X3650) but by its flag for backwards compatibility, and no double with one of
+    /// Direct3D 9.
     void halves() {
-        const auto draws = [](const Technique& technique) {
-            return technique.kind == TechniqueKind::D3D9 &&
-                   std::ranges::any_of(technique.passes, [](const Pass& p) { return !!p.pixelShader; });
+        const auto drawn = [&](bool direct3D9) {
+            return std::ranges::any_of(effect_.techniques, [&](const Technique& technique) {
+                return (!direct3D9 || technique.kind == TechniqueKind::D3D9) &&
+                       std::ranges::any_of(technique.passes, [](const Pass& pass) { return pass.vertexShader || pass.pixelShader; });
+            });
         };
-        const auto isOne = [](const Parameter& p) { return p.type.name.starts_with("half") || p.type.name.starts_with("double"); };
-        const auto first = std::ranges::find_if(effect_.parameters, isOne);
-        if (first != effect_.parameters.end() && first->type.isNumeric() && std::ranges::any_of(effect_.techniques, draws))
-            refuse(2025, first->at, fmt::format("'{}' is a global {} in an effect of Direct3D 9", first->name, first->type.name),
-                   "write float");
+        for (const Parameter& parameter : effect_.parameters) {
+            const bool isDouble = parameter.type.name.starts_with("double");
+            if (!parameter.type.isNumeric() || !(isDouble || parameter.type.name.starts_with("half")) || !drawn(isDouble)) continue;
+            return refuse(2025, parameter.at, fmt::format("'{}' is a global {}", parameter.name, parameter.type.name), "write float");
+        }
     }
 
     /// RWTexture2D gBaseStore writes target gBaseMap where it names no other. Effects from elsewhere may have some that no target stands

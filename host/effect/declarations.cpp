@@ -109,14 +109,36 @@ bool Parser::alias() {
     return skipStatement();
 }
 
-bool Parser::constantBuffer() {
+/// `cbuffer Name : register(b0)`.
+bool Parser::constantBufferHead() {
     take();
-    if (peek().kind == TokenKind::Word) take();
-    while (!atEnd() && !peek().is('{') && !peek().is(';') && !peek().is('<'))
-        take(); // : register(b0)
+    const bool named = peek().kind == TokenKind::Word;
+    if (!named && !refuse(1101, peek(), "expected the constant buffer's name")) return false;
+    if (named && !nameable(peek(), "the constant buffer's name", true)) return false;
+    if (named) take();
+    while (accept(':')) {
+        if (peek().kind == TokenKind::Word) take();
+        if (peek().is('(') && !skipBalanced()) return false;
+    }
     if (Annotations none; peek().is('<') && !annotations(none)) return false;
+    if (!atEnd() && !peek().is('{') && !refuse(1101, peek(), fmt::format("expected '{{' of the constant buffer, found '{}'", peek().text)))
+        return false;
+    while (!atEnd() && !peek().is('{') && !peek().is(';'))
+        take();
+    return true;
+}
+
+bool Parser::constantBuffer() {
+    if (!constantBufferHead()) return false;
     const Token opened = peek();
     if (!expect('{', "of the constant buffer")) return false;
+    inBuffer_ = true;
+    const bool good = constantBufferMembers(opened);
+    inBuffer_ = false;
+    return good;
+}
+
+bool Parser::constantBufferMembers(const Token& opened) {
     while (!accept('}')) {
         if (atEnd()) return fail(1102, opened, "this '{' is never closed");
         if (full()) return false;
@@ -219,6 +241,8 @@ bool Parser::declarator(Declarator d) {
     const bool unknown = d.type.base == BaseType::Other && !namedType(d.typeName.text) && !isStructure(d.typeName) &&
                          d.type.name.find(':') == std::string::npos;
     if (peek().is('<') && !annotations(parameter.annotations)) return false;
+    if (lenient_ && inBuffer_ && (d.type.isTexture() || d.type.base == BaseType::Sampler || d.type.base == BaseType::String))
+        warn(1103, position(d.typeName), fmt::format("'{}' is not a type of constant buffers", d.typeName.text), "declare it outside");
     if (effectSyntax && unknown) {
         fail(1103, d.typeName, fmt::format("unknown type '{}'", d.typeName.text), didYouMean(d.typeName.text, commonTypeNames()));
         return skipValue();
@@ -228,6 +252,9 @@ bool Parser::declarator(Declarator d) {
     if (d.type.base == BaseType::Sampler) return samplerDeclarator(d, std::move(parameter.annotations));
     if (d.modifiers.isStatic) return staticValue(d);
     if (peek().is('=') && !defaultValue(parameter) && !skipValue()) return false;
+    if (parameter.type.unsized && parameter.type.isNumeric() &&
+        !refuse(1107, d.name, fmt::format("array '{}' has neither a size nor an initial value", d.name.text), "write its size"))
+        return false;
     if (d.type.name == "RWTexture2D")
         result_.effect.storages.push_back(
             {.name = std::move(parameter.name), .target = {}, .annotations = std::move(parameter.annotations), .at = parameter.at});

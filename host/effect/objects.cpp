@@ -93,7 +93,7 @@ bool Parser::stateObject(std::size_t start) {
             accept(',');
         }
     }
-    accept(';');
+    if (!accept(';') && !refuse(1101, peek(), "expected ';' after the state object")) return false;
     blankFrom(start);
     return true;
 }

@@ -128,6 +128,8 @@ private:
     void setConstants(const std::string& name, const Type& type, const std::vector<double>& numbers, std::size_t& next);
     bool alias();
     bool constantBuffer();
+    bool constantBufferHead();
+    bool constantBufferMembers(const Token& opened);
     bool arraySize(Type& type);
     bool semantic(std::string& text);
     bool function(const Token& name);
@@ -214,6 +216,7 @@ private:
     std::map<std::string, Type, std::less<>> aliases_;
     std::map<std::string, std::shared_ptr<const std::vector<TypeMember>>, std::less<>> structures_; // null: cannot be read
     bool lenient_ = false;
+    bool inBuffer_ = false; // between the braces of a constant buffer
     int shaderDepth_ = 0;
     bool closesAngle_ = false; // a '>' ends `<value>` or annotations and is no operator
     Token end_;

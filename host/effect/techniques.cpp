@@ -225,11 +225,21 @@ bool Parser::setState(const Technique& technique, const std::string& type, State
 bool Parser::setStateArguments(const std::string& type, PipelineState& state) {
     std::vector<double> numbers;
     const Token start = peek();
-    while (accept(',')) {
+    const std::size_t errors = result_.errors.size();
+    std::size_t given = 0;
+    for (; accept(','); ++given) {
         const std::optional<Constant> value = expression();
-        if (!value) return false;
-        numbers.insert(numbers.end(), value->numbers.begin(), value->numbers.end());
+        if (value) numbers.insert(numbers.end(), value->numbers.begin(), value->numbers.end());
+        if (!value && !lenient_) return false;
+        if (!value) { // Microsoft's compiler takes a string for a number
+            soften(errors);
+            while (!atEnd() && !peek().is(')') && !peek().is(',') && !peek().is(';'))
+                take();
+        }
     }
+    const std::size_t wanted = type == "BlendState" ? 2 : type == "DepthStencilState" ? 1 : 0;
+    if (given != wanted && !refuse(1105, start, fmt::format("Set{} takes {} values behind the object, not {}", type, wanted, given)))
+        return false;
     if (numbers.empty()) return true;
     if (type == "DepthStencilState" && numbers.size() == 1 && (lenient_ || (numbers[0] >= 0 && numbers[0] <= 255))) {
         state.stencilReference = static_cast<unsigned>(static_cast<std::int64_t>(std::clamp(numbers[0], 0.0, kLargestWord))) & 255u;

@@ -177,14 +177,17 @@ TEST(ForeignTypes, that_nobody_declares_are_said_where_a_parameter_has_them) {
     EXPECT_EQ(warningOf("struct S { float a; }; typedef float4 C; S s; C c; RWTexture2D<float4> o; StructuredBuffer<S> b;"), "");
 }
 
-TEST(ForeignTypes, that_direct3d_9_has_none_of_are_said_once) {
+TEST(ForeignTypes, that_shaders_have_none_of_are_said_once) {
     const std::string technique = "technique T { pass P { PixelShader = compile ps_2_0 PS(); } }";
     const std::string two = "half4 gFirst; half gSecond;\n";
     EXPECT_NE(warningOf(two + kShaders + technique).find("main.fx(1,7): warning TG2025: 'gFirst' is a global half4"), std::string::npos);
     EXPECT_EQ(foreign(two + kShaders + technique).warnings.size(), 1U);
     EXPECT_NE(warningOf("double d;" + kShaders + technique).find("TG2025"), std::string::npos);
     EXPECT_EQ(firstCode(load(two + kShaders + technique)), 2025);
-    EXPECT_EQ(warningOf(two + kShaders), "") << "no shader of Direct3D 9 asks for it";
+    EXPECT_EQ(warningOf(two + kShaders), "") << "no shader asks for it";
+    const std::string later = "technique11 T { pass P { SetPixelShader(CompileShader(ps_4_0, PS())); } }";
+    EXPECT_NE(warningOf(two + kShaders + later).find("TG2025"), std::string::npos);
+    EXPECT_EQ(warningOf("double d;" + kShaders + later), "") << "of which Direct3D 11 has some";
     EXPECT_EQ(warningOf("struct S { half a; }; S s;" + kShaders + technique), "") << "Microsoft's compiler takes it";
 }
 
@@ -204,6 +207,40 @@ TEST(ForeignShaders, that_are_given_brackets_without_a_value_are_said) {
     EXPECT_NE(warningOf(kShaders + technique + "()); } }").find("warning TG1101: expected a value, found ')'"), std::string::npos);
     EXPECT_EQ(warningOf(kShaders + technique + "(2)); } }"), "");
     EXPECT_EQ(warningOf(kShaders + technique + "); } }"), "");
+}
+
+TEST(ForeignBuffers, are_said_where_microsofts_compiler_refuses_them) {
+    const std::string rest = "{ float4 a; };";
+    for (const std::string head : {"cbuffer ", "cbuffer string ", "cbuffer B / ", "cbuffer cbuffer B ", "cbuffer float4 "})
+        EXPECT_NE(warningOf(head + rest).find("warning TG1101: expected "), std::string::npos) << head;
+    for (const std::string member : {"texture t;", "sampler2D s;", "string t[2];"})
+        EXPECT_NE(warningOf("cbuffer B { float a; " + member + " };").find("is not a type of constant buffers"), std::string::npos)
+            << member;
+    for (const std::string head : {"cbuffer B ", "tbuffer B : register(t3) ", "shared cbuffer B : register(b0) "})
+        EXPECT_EQ(warningOf(head + rest + " texture t;"), "") << head;
+}
+
+TEST(ForeignStates, with_indices_that_are_no_whole_numbers_and_without_a_semicolon_are_said) {
+    EXPECT_NE(warningOf("BlendState b { BlendEnable[1.0f] = TRUE; };").find("TG2002: an index is a whole number"), std::string::npos);
+    EXPECT_NE(warningOf("BlendState b { BlendEnable[0] = TRUE; } RasterizerState r { };").find("TG1101: expected ';'"), std::string::npos);
+    EXPECT_NE(warningOf("BlendState b { AlphaToCoverageEnable[0] = TRUE; };").find("TG2002: AlphaToCoverageEnable has no index"),
+              std::string::npos);
+    EXPECT_EQ(warningOf("BlendState b { BlendEnable[0] = TRUE; SrcBlend[1] = ONE; }; RasterizerState r[2] { { }, { } };"), "");
+}
+
+TEST(ForeignStates, that_are_set_with_other_values_than_microsofts_compiler_takes_are_said) {
+    const std::string objects = "BlendState b { }; DepthStencilState d { }; RasterizerState r { };\n";
+    const auto passOf = [&](const std::string& calls) { return objects + "technique11 T { pass P { " + calls + " } }"; };
+    for (const std::string call : {"SetBlendState(b, float4(0, 0, 0, 0) * 0xff);", "SetDepthStencilState(d);"})
+        EXPECT_NE(warningOf(passOf(call)).find("warning TG1105: Set"), std::string::npos) << call << warningOf(passOf(call));
+    EXPECT_NE(warningOf(passOf("SetDepthStencilState(d, \"x\");")).find("warning TG1101"), std::string::npos)
+        << "it takes a string for a number";
+    EXPECT_EQ(warningOf(passOf("SetBlendState(b, float4(0, 0, 0, 0), 0xff); SetDepthStencilState(d, 1); SetRasterizerState(r);")), "");
+}
+
+TEST(ForeignArrays, that_have_neither_a_size_nor_a_value_are_said) {
+    EXPECT_NE(warningOf("float gScale[];").find("main.fx(1,7): warning TG1107: array 'gScale'"), std::string::npos);
+    EXPECT_EQ(warningOf("float gScale[] = { 1, 2 }; Texture2D t[] : register(t0);"), "");
 }
 
 TEST(ForeignStrings, that_are_numbers_are_read_and_said) {

@@ -86,8 +86,10 @@ class Faults(unittest.TestCase):
 
 
 def main():
-    """The lines and exit codes of tests/runner/main.cpp: 77 where all cases were skipped, never where one failed."""
-    ran = unittest.main(argv=sys.argv[:1], exit=False).result
+    """The lines and exit codes of tests/runner/main.cpp: 77 where all cases were skipped, never where one failed. TEGUMENT_CASE=TEXT: only cases whose
+    names hold that."""
+    only = os.environ.get("TEGUMENT_CASE", "")
+    ran = unittest.main(argv=[sys.argv[0], *(["-k", only] if only else [])], exit=False).result
     name = lambda case: getattr(case, "test_case", case).id().removeprefix("__main__.")  # of a part of a case: the case's
     failed = {name(case) for case, _ in ran.failures + ran.errors}
     skipped = {name(case): reason for case, reason in ran.skipped if name(case) not in failed}

@@ -1,4 +1,4 @@
-// expect: 2025_half.fx(2,7): error TG2025: 'gTint' is a global half4 in an effect of Direct3D 9; write float
+// expect: 2025_half.fx(2,7): error TG2025: 'gTint' is a global half4; write float
 half4 gTint = { 1, 1, 1, 1 };
 float4 VS(float4 p : POSITION) : POSITION { return p; }
 float4 PS() : COLOR { return 1; }

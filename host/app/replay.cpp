@@ -47,6 +47,22 @@ bool readEdit(const JsonStep& step, view::ReplayStep& read) {
     return !read.from.empty();
 }
 
+bool readEditBack(const JsonStep& step, view::ReplayStep& read) {
+    if (!step.contains("back") || !step.at("back").is_string()) return false;
+    read.file = step.at("back").get<std::string>();
+    return !read.file.empty();
+}
+
+bool readMore(const JsonStep& step, view::ReplayStep& read) {
+    if (step.contains("meanwhile") && !readMove(step, "meanwhile", read.meanwhile)) return false;
+    if (step.contains("cursor") && !readMove(step, "cursor", read.input.cursor)) return false;
+    if (step.contains("soon") && !step.at("soon").is_boolean()) return false;
+    if (step.contains("as") && !step.at("as").is_string()) return false;
+    read.soon = step.value("soon", false);
+    read.kind = step.value("as", read.kind);
+    return true;
+}
+
 std::optional<view::ReplayStep> readStep(const JsonStep& step) {
     if (!step.is_object()) return std::nullopt;
     view::ReplayStep read;
@@ -63,18 +79,13 @@ std::optional<view::ReplayStep> readStep(const JsonStep& step) {
     } else if (const auto key = step.contains("key") ? keyOf(step.at("key")) : std::nullopt) {
         read.kind = "key " + step.at("key").get<std::string>();
         read.input.keys = {*key};
-    } else if (readEdit(step, read)) {
+    } else if (readEdit(step, read) || readEditBack(step, read)) {
         read.kind = "edit";
         read.input = {};
     } else {
         return std::nullopt;
     }
-    if (step.contains("meanwhile") && !readMove(step, "meanwhile", read.meanwhile)) return std::nullopt;
-    if (step.contains("as")) {
-        if (!step.at("as").is_string()) return std::nullopt;
-        read.kind = step.at("as").get<std::string>();
-    }
-    return read;
+    return readMore(step, read) ? std::optional(read) : std::nullopt;
 }
 
 /// None where the step says no number of times that can be.

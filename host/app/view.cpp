@@ -115,8 +115,8 @@ void printReactions(const std::vector<view::Reaction>& reactions) {
     std::vector<std::vector<std::string>> rows;
     for (const view::ReactionRow& row : view::reactionRows(reactions))
         rows.push_back({row.kind, std::to_string(row.count), fmt::format("{:.1f}", row.median), fmt::format("{:.1f}", row.p95),
-                        fmt::format("{:.1f}", row.most)});
-    fmt::print("{}", table({"milliseconds to the picture", "steps", "median", "p95", "most"}, rows));
+                        fmt::format("{:.1f}", row.most), fmt::format("{:.1f}", row.unanswered)});
+    fmt::print("{}", table({"milliseconds to the picture", "steps", "median", "p95", "most", "longest without an answer"}, rows));
 }
 
 int ended(const std::vector<std::string>& messages) {

@@ -4,6 +4,7 @@
 #include "host/gpu/error.h"
 #include "host/gpu/format.h"
 #include "host/gpu/memory.h"
+#include "host/gpu/part.h"
 #include "host/gpu/recorder_state.h"
 
 #include <fmt/format.h>
@@ -98,15 +99,31 @@ Result<void> Device::upload(Texture& texture, std::span<const std::byte> pixels,
     });
 }
 
-Result<std::vector<std::byte>> Device::readback(Texture& texture, std::uint32_t mip, std::uint32_t layer) {
+Result<std::vector<std::byte>> readbackPart(Texture& texture, const TexelRect& part, std::uint32_t mip, std::uint32_t layer) {
     assert(texture.state);
     detail::TextureState& state = *texture.state;
-    if (const auto possible = detail::checkCopy(*state_, state, mip, layer); !possible) return possible.error();
+    detail::DeviceState& device = *state.device;
+    if (const auto possible = detail::checkCopy(device, state, mip, layer); !possible) return possible.error();
+    vk::BufferImageCopy2 region = detail::region(state, mip, layer);
+    const auto inside = [](std::uint32_t first, std::uint32_t count, std::uint32_t all) {
+        return count > 0 && count <= all && first <= all - count;
+    };
+    if (!inside(part.x, part.width, region.imageExtent.width) || !inside(part.y, part.height, region.imageExtent.height))
+        return detail::requestError(6014, fmt::format("{} x {} texels from {}, {} on are not all in mip {} of texture '{}'", part.width,
+                                                      part.height, part.x, part.y, mip, state.desc.name));
+    region.imageOffset = vk::Offset3D{static_cast<std::int32_t>(part.x), static_cast<std::int32_t>(part.y), 0};
+    region.imageExtent = vk::Extent3D{part.width, part.height, 1};
     return detail::guarded(fmt::format("reading back texture '{}'", state.desc.name), [&]() -> Result<std::vector<std::byte>> {
-        auto texels = detail::copyOut(*state_, state, detail::region(state, mip, layer));
+        auto texels = detail::copyOut(device, state, region);
         if (isDepth(state.desc.format)) return detail::depthAsFloats(state.desc.format, texels);
         return texels;
     });
+}
+
+Result<std::vector<std::byte>> Device::readback(Texture& texture, std::uint32_t mip, std::uint32_t layer) {
+    assert(texture.state);
+    const TextureDesc& desc = texture.state->desc;
+    return readbackPart(texture, {.width = std::max(desc.width >> mip, 1u), .height = std::max(desc.height >> mip, 1u)}, mip, layer);
 }
 
 } // namespace tegument::gpu

@@ -3,13 +3,16 @@
 #include "host/run/pixels.h"
 #include "host/run/prepare.h"
 #include "host/run/procedures.h"
+#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 
 namespace tegument::run {
 
@@ -160,6 +163,20 @@ Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& 
     return texture;
 }
 
+/// How long the file took to make stands beside it, for whoever finds it later.
+void noteBake(Bake& bake) {
+    std::filesystem::path note = bake.file;
+    note += ".ms";
+    if (!bake.fromCache) {
+        (void)writeFile(note, fmt::format("{:.1f}\n", bake.milliseconds)); // without it nobody says
+        return;
+    }
+    const auto text = readFile(note);
+    double once = 0;
+    if (text && std::from_chars(text->data(), text->data() + text->size(), once).ec == std::errc() && std::isfinite(once) && once > 0)
+        bake.once = once;
+}
+
 /// What is made from the mesh is a file from here on; a file that somebody named must have been made from this mesh.
 Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter, TextureSource source, Prepared& prepared) {
     if (const auto* made = std::get_if<GeneratorSource>(&source)) {
@@ -170,7 +187,9 @@ Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter,
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
         std::error_code unknown;
         const bool old = std::filesystem::last_write_time(*file, unknown) < written - kClockStep;
-        prepared.bakes[parameter.name] = {.milliseconds = took.count(), .fromCache = !unknown && old, .file = *file};
+        Bake bake{.milliseconds = took.count(), .fromCache = !unknown && old, .file = *file};
+        noteBake(bake);
+        prepared.bakes[parameter.name] = std::move(bake);
         return TextureSource(FileSource{*file, "its annotation Generator"});
     }
     const auto generator = parameter.annotations.string("Generator");

@@ -28,6 +28,7 @@ struct SessionPass {
 struct Bake {
     double milliseconds = 0;      // for drawing it, or for making its file; for finding that where it was there
     bool fromCache = false;       // its file was there
+    double once = 0;              // milliseconds that making that file took; 0: nobody wrote them down
     std::filesystem::path file{}; // of what is made from the mesh
 };
 

@@ -21,6 +21,7 @@ struct Beside {
     std::map<std::string, std::vector<double>> parameters;
     bool display = false; // `values` are a display's light, as 8-bit files hold it
     Image values;         // of what is shown
+    int level = 0;        // of the mip chain, that these and the error are of
     gpu::Texture stored;  // a saved picture's
     gpu::Texture picture; // as it is shown
     gpu::Texture errors;  // in false colours

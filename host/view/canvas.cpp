@@ -154,24 +154,44 @@ Result<gpu::Sampler> makeSampler(gpu::Device& device, Filter minFilter, Filter m
                                  .compare = {}});
 }
 
-/// The whole texture in the middle of the left share of the target.
+/// One side of a quad, in clip space and in texture coordinates.
+struct Side {
+    float at = 0;
+    float uv = 0;
+};
+
+/// No farther than an end of the area.
+Side clipped(const Side& side, const Side& other, double least, double most) {
+    const double at = std::clamp(static_cast<double>(side.at), least, most);
+    const double width = other.at - side.at;
+    const double uv = width == 0 ? side.uv : side.uv + (at - side.at) / width * (other.uv - side.uv);
+    return {static_cast<float>(at), static_cast<float>(uv)};
+}
+
+/// The whole texture in the middle of its area of the target, or what is seen of it there from nearer.
 std::array<CanvasVertex, 4> fittedQuad(const gpu::TextureDesc& target, const gpu::TextureDesc& texture, const std::array<float, 4>& color,
                                        const Canvas::Fit& fit) {
-    const double across = fit.share * target.width / texture.width;
-    const double down = static_cast<double>(target.height) / texture.height;
+    const auto [left, top, right, bottom] = fit.area;
+    const double across = (right - left) * target.width / texture.width;
+    const double down = (bottom - top) * target.height / texture.height;
     const double scale = std::min(across, down);
-    const auto halfWidth = static_cast<float>(fit.fill ? fit.share : fit.share * scale / across);
-    const auto halfHeight = static_cast<float>(fit.fill ? 1 : scale / down);
-    const auto share = static_cast<float>(fit.share);
-    const float stillX = 2 * share * fit.closer.at[0] - 1;
-    const float stillY = 1 - 2 * fit.closer.at[1];
-    const auto corner = [&](float x, float y, float u, float v) {
-        return CanvasVertex{stillX + fit.closer.zoom * (x - stillX), stillY + fit.closer.zoom * (y - stillY), u, v, color};
+    const double halfWidth = (right - left) * (fit.fill ? 1 : scale / across);
+    const double halfHeight = (bottom - top) * (fit.fill ? 1 : scale / down);
+    const double stillX = 2 * (left + (right - left) * static_cast<double>(fit.closer.at[0])) - 1;
+    const double stillY = 1 - 2 * (top + (bottom - top) * static_cast<double>(fit.closer.at[1]));
+    const auto zoomed = [&](double still, double at) {
+        return static_cast<float>(still + static_cast<double>(fit.closer.zoom) * (at - still));
     };
-    const float left = share - 1 - halfWidth;
-    const float right = share - 1 + halfWidth;
-    return {corner(left, halfHeight, 0, 0), corner(right, halfHeight, 1, 0), corner(right, -halfHeight, 1, 1),
-            corner(left, -halfHeight, 0, 1)};
+    const Side west{zoomed(stillX, left + right - 1 - halfWidth), 0};
+    const Side east{zoomed(stillX, left + right - 1 + halfWidth), 1};
+    const Side north{zoomed(stillY, 1 - top - bottom + halfHeight), 0};
+    const Side south{zoomed(stillY, 1 - top - bottom - halfHeight), 1};
+    const Side l = clipped(west, east, 2 * left - 1, 2 * right - 1);
+    const Side r = clipped(east, west, 2 * left - 1, 2 * right - 1);
+    const Side t = clipped(north, south, 1 - 2 * bottom, 1 - 2 * top);
+    const Side b = clipped(south, north, 1 - 2 * bottom, 1 - 2 * top);
+    return {CanvasVertex{l.at, t.at, l.uv, t.uv, color}, CanvasVertex{r.at, t.at, r.uv, t.uv, color},
+            CanvasVertex{r.at, b.at, r.uv, b.uv, color}, CanvasVertex{l.at, b.at, l.uv, b.uv, color}};
 }
 
 } // namespace

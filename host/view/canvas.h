@@ -41,6 +41,9 @@ struct Closer {
 /// Pixels: left, top, right, bottom.
 using ClipRectangle = std::array<float, 4>;
 
+/// Of a target, as shares.
+inline constexpr std::array<double, 4> kAllOfIt{0, 0, 1, 1};
+
 class Canvas {
 public:
     static Result<Canvas> create(gpu::Device& device, Compiler compiler);
@@ -49,8 +52,8 @@ public:
     ~Canvas();
 
     struct Fit {
-        double share = 1;  // of the target's width, from the left, that is the texture's
-        bool fill = false; // all of that, whatever the texture's shape, with soft edges between its texels
+        std::array<double, 4> area = kAllOfIt; // shares of the target that are the texture's: left, top, right, bottom
+        bool fill = false;                     // all of that, whatever the texture's shape, with soft edges between its texels
         Closer closer;
     };
     /// Black, then the texture in the middle, as large as its shape allows. NaN and infinity are shown in magenta.

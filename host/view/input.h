@@ -14,7 +14,9 @@ struct Input {
     std::vector<char32_t> keys; // characters, and the keys of keys.h
     glm::dvec2 camera{0};
     glm::dvec2 pan{0};
+    double dolly = 0; // nearer is positive
     glm::dvec2 light{0};
+    double surroundings = 0;      // about the vertical
     std::optional<double> border; // where it was dragged to: share of the window's width
     double wheel = 0;             // notches; up is positive
     double lightWheel = 0;
@@ -23,5 +25,12 @@ struct Input {
     bool any = false;                           // something that the overlay may want to know
     bool closed = false;
 };
+
+/// For more than where the cursor is.
+[[nodiscard]] inline bool asks(const Input& input) {
+    const glm::dvec2 none(0);
+    return !input.keys.empty() || !input.dropped.empty() || input.camera != none || input.pan != none || input.dolly != 0 ||
+           input.light != none || input.surroundings != 0 || input.wheel != 0 || input.lightWheel != 0 || input.border;
+}
 
 } // namespace tegument::view

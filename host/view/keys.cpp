@@ -39,6 +39,9 @@ constexpr std::array kKeys = {
     KeyBinding{U'e', Command::Errors, "e", "error against the kept picture in false colours"},
     KeyBinding{U'f', Command::Source, "f", "the effect's text beside the picture; Ctrl+S writes it"},
     KeyBinding{U'i', Command::Information, "i", "text on the picture on and off"},
+    KeyBinding{U'1', Command::Front, "1", "from the front, as in Blender"},
+    KeyBinding{U'3', Command::Side, "3", "from the right"},
+    KeyBinding{U'7', Command::Top, "7", "from above"},
     KeyBinding{U'r', Command::Reset, "r", "camera, light and parameters as at the start"},
     KeyBinding{U's', Command::Save, "s", "write what is shown as PNG"},
     KeyBinding{U'w', Command::SaveWorkspace, "w", "write camera, light and parameters as a workspace"},
@@ -48,12 +51,13 @@ constexpr std::array kKeys = {
 };
 
 constexpr std::array kMouse = {
-    MouseBinding{"drag", "turn the camera"},
-    MouseBinding{"wheel", "nearer, farther"},
-    MouseBinding{"drag of the border", "more of the kept picture, or less"},
-    MouseBinding{"middle or Shift drag", "move the camera"},
+    MouseBinding{"left or middle drag", "turn the camera; Alt and left, too"},
+    MouseBinding{"wheel", "nearer, farther; Ctrl and middle drag, Alt and right drag, too"},
+    MouseBinding{"Shift drag", "move the camera; Shift or Alt and middle drag, too"},
     MouseBinding{"right or Ctrl drag", "turn the light"},
     MouseBinding{"Ctrl wheel", "light nearer, farther"},
+    MouseBinding{"Shift right drag", "turn the surroundings; Ctrl and Shift drag, too"},
+    MouseBinding{"drag of the border", "more of the kept picture, or less"},
     MouseBinding{"files dropped", "a mesh, texture, effect or workspace is shown"},
 };
 

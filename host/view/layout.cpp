@@ -12,6 +12,22 @@ constexpr float kTallestStrip = 0.4F;           // of the window
 constexpr float kAboveStrip = 3 * kPanelMargin; // what stands above it keeps its margins
 constexpr float kTallestLines = 0.5F;           // of what is above the problem, where the help stands below them
 
+constexpr float kLeastPicture = 0.4F; // of the window
+
+Dock dockOf(const PanelAreas& areas, bool linesTakeRoom, float width, float height) {
+    Dock dock;
+    if (areas.strip && areas.strip->y - kPanelMargin >= kLeastPicture * height) dock.bottom = height - areas.strip->y + kPanelMargin;
+    float left = areas.help ? areas.help->x + areas.help->width + kPanelMargin : 0;
+    if (areas.lines && (areas.help || linesTakeRoom)) left = std::max(left, areas.lines->x + areas.lines->width + kPanelMargin);
+    float right = 0;
+    for (const auto& area : {areas.sliders, areas.times, areas.histogram})
+        if (area) right = std::max(right, width - area->x + kPanelMargin);
+    const float room = (1 - kLeastPicture) * width;
+    dock.right = right <= room ? right : 0;
+    dock.left = left + dock.right <= room ? left : 0;
+    return dock;
+}
+
 /// At most as large as the room, which may be none.
 Area fitted(const PanelSize& size, float x, float y, float width, float height) {
     const float across = std::clamp(size.width, 0.0F, std::max(0.0F, width));
@@ -68,6 +84,7 @@ PanelAreas arrange(float width, float height, const PanelSizes& sizes) {
         top += areas.lines->height + kPanelMargin;
     }
     if (sizes.help) areas.help = fitted(*sizes.help, kPanelMargin, top, right - kPanelMargin, bottom - top);
+    areas.dock = dockOf(areas, sizes.linesTakeRoom, width, height);
     return areas;
 }
 

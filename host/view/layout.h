@@ -1,5 +1,5 @@
 #pragma once
-// Where the panels stand on the window: none covers another. Needs no window.
+// Where the panels stand on the window: none covers another, and none the picture where both have room. Needs no window.
 
 #include <functional>
 #include <optional>
@@ -29,6 +29,15 @@ struct PanelSizes {
     std::optional<PanelSize> strip;
     std::optional<PanelSize> histogram;
     std::optional<PanelSize> times;
+    bool linesTakeRoom = false; // they are more than a note on the picture
+};
+
+/// Pixels that panels take from the picture at the sides of the window.
+struct Dock {
+    float left = 0;
+    float right = 0;
+    float bottom = 0;
+    bool operator==(const Dock&) const = default;
 };
 
 struct PanelAreas {
@@ -39,13 +48,13 @@ struct PanelAreas {
     std::optional<Area> strip;
     std::optional<Area> histogram;
     std::optional<Area> times;
+    Dock dock; // nothing at a side where the picture would be left with less than two fifths of the window
 };
 
 inline constexpr float kPanelMargin = 8;
 
-/// The problem at the bottom and the strip above it, the sliders to the right, times of passes and the
-/// histogram below them, the lines to the left and the
-/// help below them. What has no room is cut: panels scroll.
+/// The problem at the bottom and the strip above it, the sliders to the right, times of passes and the histogram below them, the lines to
+/// the left and the help below them. What has no room is cut: panels scroll. Lines and the problem lie on the picture.
 [[nodiscard]] PanelAreas arrange(float width, float height, const PanelSizes& sizes);
 
 } // namespace tegument::view

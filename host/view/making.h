@@ -1,12 +1,16 @@
 #pragma once
-// A picture that is made while another one is shown and moved: of another technique or setting, or of an edited effect.
+// A picture that is made while another one is shown and moved: of another technique or setting, of an edited effect, or of a file that was
+// dropped on the window.
 
 #include "host/view/loaded.h"
 #include "host/view/reading.h"
 #include "host/view/sharpness.h"
+#include "host/view/view.h"
 
+#include <future>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tegument::view {
@@ -22,11 +26,14 @@ struct Wanted {
 struct Making {
     std::string what; // "technique Lambert"
     Wanted wanted;
-    bool reads = false;               // the effect is read again
-    bool anew = false;                // its textures, too
-    bool picture = false;             // then the picture is shown, whatever was before
-    std::unique_ptr<Reading> reading; // then
-    std::unique_ptr<Loaded> loaded{}; // whose first frame is drawn in pieces
+    bool reads = false;                         // the effect is read again
+    bool anew = false;                          // its textures, too
+    bool picture = false;                       // then the picture is shown, whatever was before
+    std::filesystem::path file{};               // that was dropped
+    std::future<Result<ViewRequest>> opening{}; // it is read first
+    std::optional<ViewRequest> request{};       // then: what is to be shown of it
+    std::unique_ptr<Reading> reading{};         // then
+    std::unique_ptr<Loaded> loaded{};           // whose first frame is drawn in pieces
     Sharpness how{};
     int tries = 0;         // of that frame
     Workspace workspace{}; // that it is drawn with, once there were many

@@ -210,6 +210,18 @@ void drawHistogram(const Histogram& histogram, const Area& area) {
     ImGui::End();
 }
 
+/// Which panels stand, on how large a window.
+unsigned signatureOf(const PanelSizes& sizes, const ImVec2& window) {
+    unsigned number = 0;
+    for (const bool there :
+         {sizes.strip.has_value(), sizes.histogram.has_value(), sizes.times.has_value(), sizes.lines.has_value() && sizes.linesTakeRoom})
+        number = 2 * number + (there ? 1 : 0);
+    const auto width = [](const std::optional<PanelSize>& size) { return size ? size->width : 0; };
+    for (const float pixels : {width(sizes.help), width(sizes.sliders), window.x, window.y})
+        number = number * 65599U + static_cast<unsigned>(pixels);
+    return number;
+}
+
 } // namespace
 
 bool isWhole(const Parameter& parameter) {
@@ -254,6 +266,7 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
         sizes.problem = sizeOf(text.problem);
         sizes.problem->width = ImGui::GetIO().DisplaySize.x;
     }
+    sizes.linesTakeRoom = state.probe;
     const PanelAreas areas = arrange(width, height, sizes);
     if (areas.lines) drawText("shown", *areas.lines, lines);
     if (areas.problem) {
@@ -266,19 +279,21 @@ PanelOutcome drawPanel(ViewState& state, const ViewState& start, const Loaded& l
     if (areas.histogram) drawHistogram(*pictures.histogram, *areas.histogram);
     if (areas.times) drawTimes(pictures.times, *areas.times);
     PanelOutcome outcome;
+    outcome.dock = areas.dock;
+    outcome.docked = signatureOf(sizes, ImGui::GetIO().DisplaySize);
     if (areas.help && bindings) outcome.bound = drawBindings(loaded.bindings, loaded.effect, state.binds, *areas.help);
     if (areas.strip) outcome.opened = drawStrip(pictures, *areas.strip);
     if (areas.help && textures)
         drawTextures(pictures.textures, state.show == Show::Target ? state.target : std::string(), *areas.help, outcome);
     outcome.moved = areas.sliders && drawSliders(state, start, parameters, *areas.sliders);
     if (text.beside) {
-        float bottom = height;
+        float bottom = text.picture.y + text.picture.height;
         for (const auto& area : {areas.strip, areas.problem})
             if (area) bottom = std::min(bottom, area->y);
-        float right = width;
+        float right = text.picture.x + text.picture.width;
         for (const auto& area : {areas.histogram, areas.times})
             if (area) right = std::min(right, area->x - kPanelMargin);
-        drawBorder(state.border, *text.beside, width, right, bottom);
+        drawBorder(state.border, *text.beside, text.picture, right, bottom);
     }
     if (state.source) drawSource(source, {.x = width, .y = 0, .width = ImGui::GetIO().DisplaySize.x - width, .height = height});
     return outcome;

@@ -28,6 +28,7 @@ struct PanelText {
     std::string notice;             // "wrote out/Main-001.png"
     std::optional<BesideText> beside;
     float pictureShare = 1; // of the window's width, from the left; the rest is the effect's text
+    Area picture;           // where it stands now
 };
 
 /// A target as a small picture.
@@ -67,6 +68,8 @@ struct PanelOutcome {
     std::optional<std::string> opened; // a thumbnail
     std::optional<BindingChoice> bound;
     std::optional<std::string> baked; // a texture that is to be baked again
+    Dock dock;                        // what the panels take of the window
+    unsigned docked = 0;              // other panels, or a window of another size: another number
 };
 
 /// Of a parameter without fractions, by its type or because its range and step are whole numbers.
@@ -84,7 +87,7 @@ struct PanelOutcome {
                                                         const std::map<std::string, std::string>& binds, const Area& area);
 
 /// The border over the picture, the names of both sides and their error above `bottom`, left of `right`.
-void drawBorder(double border, const BesideText& text, float width, float right, float bottom);
+void drawBorder(double border, const BesideText& text, const Area& picture, float right, float bottom);
 
 [[nodiscard]] std::string nameOf(const Thumbnail& thumbnail);
 [[nodiscard]] PanelSize stripSize(const PanelPictures& pictures);

@@ -29,6 +29,10 @@ PanelSize sizeOfLines(float widest, std::size_t lines) {
     return {.width = widest + 2 * style.WindowPadding.x + style.ScrollbarSize, .height = [height](float) { return height; }};
 }
 
+std::string timeText(double milliseconds) {
+    return milliseconds < kSecond ? fmt::format("{:.1f} ms", milliseconds) : fmt::format("{:.1f} s", milliseconds / kSecond);
+}
+
 std::string sizeText(const SessionTexture& texture) {
     return fmt::format("{} x {} {}{}", texture.width, texture.height, texture.format, texture.cube ? " cube" : "");
 }
@@ -63,10 +67,10 @@ void drawLegend(const PanelPictures& pictures, const Area& area) {
 
 std::string bakeText(const SessionTexture& texture) {
     if (!texture.bake) return {};
-    const double milliseconds = texture.bake->milliseconds;
-    const std::string time =
-        milliseconds < kSecond ? fmt::format("{:.1f} ms", milliseconds) : fmt::format("{:.1f} s", milliseconds / kSecond);
-    return (texture.bake->fromCache ? "from the cache, found in " : "baked in ") + time;
+    const Bake& bake = *texture.bake;
+    if (!bake.fromCache) return "baked in " + timeText(bake.milliseconds);
+    if (bake.once <= 0) return "from the cache, found in " + timeText(bake.milliseconds);
+    return fmt::format("once baked in {}; from the cache now, found in {}", timeText(bake.once), timeText(bake.milliseconds));
 }
 
 PanelSize texturesSize(const std::vector<SessionTexture>& textures) {

@@ -10,23 +10,15 @@ namespace tegument::view {
 
 namespace {
 
-/// The texel that a share of the width lies in.
-int texelAt(double share, int size) {
-    return std::clamp(static_cast<int>(share * size), 0, std::max(size - 1, 0));
+std::string nameOf(const ProbedTexel& target) {
+    const std::string name = target.name.empty() ? "picture" : target.name;
+    return target.level > 0 ? fmt::format("{}, level {}", name, target.level) : name;
 }
 
-std::string nameOf(const ProbedTarget& target) {
-    return target.name.empty() ? "picture" : target.name;
-}
-
-std::string lineOf(const ProbedTarget& target, std::size_t width, glm::dvec2 place) {
-    const Image& image = *target.image;
-    if (image.width <= 0 || image.height <= 0) return nameOf(target);
-    const int x = texelAt(place.x, image.width);
-    const int y = texelAt(place.y, image.height);
-    std::string text = fmt::format("{:<{}} {:>4},{:>4}", nameOf(target), width, x, y);
-    for (int c = 0; c < image.channels; ++c)
-        text += fmt::format(" {:>8.4g}", image.at(x, y, c));
+std::string lineOf(const ProbedTexel& target, std::size_t width) {
+    std::string text = fmt::format("{:<{}} {:>4},{:>4}", nameOf(target), width, target.at.x, target.at.y);
+    for (const float value : target.values)
+        text += fmt::format(" {:>8.4g}", value);
     return text;
 }
 
@@ -41,27 +33,38 @@ std::optional<glm::dvec2> placeOnPicture(glm::dvec2 cursor, glm::ivec2 picture, 
     return inside ? std::optional(place) : std::nullopt;
 }
 
-std::vector<std::string> probeLines(const std::vector<ProbedTarget>& targets, const std::string& shown, glm::dvec2 place) {
+glm::ivec2 texelAt(glm::dvec2 place, glm::ivec2 size) {
+    const auto along = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, std::max(count - 1, 0)); };
+    return {along(place.x, size.x), along(place.y, size.y)};
+}
+
+ProbedTexel probedTexel(std::string name, const Image& image, glm::dvec2 place) {
+    ProbedTexel texel{.name = std::move(name), .level = 0, .at = texelAt(place, {image.width, image.height}), .values = {}};
+    if (image.width > 0 && image.height > 0)
+        for (int c = 0; c < image.channels; ++c)
+            texel.values.push_back(image.at(texel.at.x, texel.at.y, c));
+    return texel;
+}
+
+std::vector<std::string> probeLines(const std::vector<ProbedTexel>& targets, const std::string& shown, glm::dvec2 place) {
     std::vector<std::string> lines = {fmt::format("at {:.4f}, {:.4f}", place.x, place.y)};
     std::size_t width = 0;
-    for (const ProbedTarget& target : targets)
+    for (const ProbedTexel& target : targets)
         width = std::max(width, nameOf(target).size());
     for (const bool first : {true, false})
-        for (const ProbedTarget& target : targets)
-            if ((target.name == shown) == first) lines.push_back(lineOf(target, width, place));
+        for (const ProbedTexel& target : targets)
+            if ((target.name == shown) == first) lines.push_back(lineOf(target, width));
     return lines;
 }
 
-std::vector<std::string> besideLines(const Image& image, const Image& beside, glm::dvec2 place) {
-    if (image.pixels.empty() || beside.pixels.empty()) return {};
-    const glm::ivec2 here(texelAt(place.x, image.width), texelAt(place.y, image.height));
-    const glm::ivec2 there(texelAt(place.x, beside.width), texelAt(place.y, beside.height));
-    std::string values = fmt::format("beside     {:>4},{:>4}", there.x, there.y);
+std::vector<std::string> besideLines(const ProbedTexel& picture, const ProbedTexel& beside) {
+    if (picture.values.empty() || beside.values.empty()) return {};
+    std::string values = fmt::format("beside     {:>4},{:>4}", beside.at.x, beside.at.y);
     std::string less = "difference          ";
     std::string share = "relative            ";
-    for (int c = 0; c < std::min({image.channels, beside.channels, 3}); ++c) {
-        const auto value = static_cast<double>(beside.at(there.x, there.y, c));
-        const double apart = static_cast<double>(image.at(here.x, here.y, c)) - value;
+    for (std::size_t c = 0; c < std::min({picture.values.size(), beside.values.size(), std::size_t{3}}); ++c) {
+        const auto value = static_cast<double>(beside.values[c]);
+        const double apart = static_cast<double>(picture.values[c]) - value;
         values += fmt::format(" {:>8.4g}", value);
         less += fmt::format(" {:>8.2g}", apart);
         share += value == 0 ? fmt::format(" {:>8}", "-") : fmt::format(" {:>7.2f}%", 100 * apart / value);

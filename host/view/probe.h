@@ -17,18 +17,23 @@ namespace tegument::view {
 /// None beside the picture.
 [[nodiscard]] std::optional<glm::dvec2> placeOnPicture(glm::dvec2 cursor, glm::ivec2 picture, glm::ivec2 window);
 
-/// A target as it was read back.
-struct ProbedTarget {
+/// Which texel lies there.
+[[nodiscard]] glm::ivec2 texelAt(glm::dvec2 place, glm::ivec2 size);
+
+/// A texel of a target, or of what stands beside the picture.
+struct ProbedTexel {
     std::string name; // empty: the picture
-    const Image* image = nullptr;
+    int level = 0;    // of the mip chain
+    glm::ivec2 at{0};
+    std::vector<float> values;
 };
+[[nodiscard]] ProbedTexel probedTexel(std::string name, const Image& image, glm::dvec2 place);
 
-/// One line for the place and one for each target, the shown one first: its texel there and the texel's values. Targets of another size
-/// are read at the same share of their width and height.
-[[nodiscard]] std::vector<std::string> probeLines(const std::vector<ProbedTarget>& targets, const std::string& shown, glm::dvec2 place);
+/// One line for the place and one for each target, the shown one first: its texel there and the texel's values.
+[[nodiscard]] std::vector<std::string> probeLines(const std::vector<ProbedTexel>& targets, const std::string& shown, glm::dvec2 place);
 
-/// Three lines: the values beside the picture at this place, the picture's less those, and that as a share of those.
-[[nodiscard]] std::vector<std::string> besideLines(const Image& image, const Image& beside, glm::dvec2 place);
+/// Three lines: the values beside the picture, the picture's less those, and that as a share of those.
+[[nodiscard]] std::vector<std::string> besideLines(const ProbedTexel& picture, const ProbedTexel& beside);
 
 /// Of the colours, from their least to their largest finite value; texels that are 0 in all of them count as not written. Alpha, which is
 /// 1 wherever something was drawn, would hide the rest.

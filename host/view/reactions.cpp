@@ -23,8 +23,11 @@ std::vector<ReactionRow> reactionRows(const std::vector<Reaction>& reactions) {
         if (std::ranges::find(rows, reaction.kind, &ReactionRow::kind) == rows.end()) rows.push_back({.kind = reaction.kind});
     for (ReactionRow& row : rows) {
         std::vector<double> times;
-        for (const Reaction& reaction : reactions)
-            if (reaction.kind == row.kind) times.push_back(reaction.milliseconds);
+        for (const Reaction& reaction : reactions) {
+            if (reaction.kind != row.kind) continue;
+            times.push_back(reaction.milliseconds);
+            row.unanswered = std::max(row.unanswered, reaction.unanswered);
+        }
         std::ranges::sort(times);
         row.count = times.size();
         row.median = sharedBy(times, 0.5);

@@ -13,14 +13,16 @@ struct ReplayStep {
     std::string kind; // steps of one kind make one line of the table
     Input input;
     std::filesystem::path file; // of an edit
-    std::string from;           // its first occurrence in the file becomes `to`
-    std::string to;
-    glm::dvec2 meanwhile{0}; // drags of the camera, again and again, until a picture that takes a while is there
+    std::string from;           // its first occurrence in the file becomes `to`; empty: the file becomes what it was at first
+    std::string to;             // "{new}" in it: six digits that no session had before, so that no cache knows the shaders
+    bool soon = false;          // does not wait until what a first move needs is made
+    glm::dvec2 meanwhile{0};    // drags of the camera, again and again, until a picture that takes a while is there
 };
 
 struct Reaction {
     std::string kind;
     double milliseconds = 0; // from the input, or the file's writing, to the picture that answers it
+    double unanswered = 0;   // the longest part of it in which nobody was listened to
 };
 
 struct ReactionRow {
@@ -29,6 +31,7 @@ struct ReactionRow {
     double median = 0;
     double p95 = 0; // the value that 95 of 100 do not exceed
     double most = 0;
+    double unanswered = 0; // of all of them
 };
 
 /// A row for each kind, in the order in which they come first.

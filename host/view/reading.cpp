@@ -16,6 +16,7 @@ ReadAhead readAhead(ToRead asked) {
     }
     const Effect& effect = asked.source->effect;
     asked.run.technique = techniqueOf(effect, asked.run.technique);
+    std::erase_if(asked.run.parameters, [&](const auto& value) { return !effect.findParameter(value.first); }); // of the text before
     return {.source = asked.source, .ahead = run::prepareAhead(effect, asked.scene, asked.workspace, asked.run, asked.known)};
 }
 

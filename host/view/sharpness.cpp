@@ -1,5 +1,7 @@
 #include "host/view/sharpness.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,6 +30,10 @@ double fitting(double share) {
 }
 
 } // namespace
+
+std::string draftText(const Sharpness& how, std::uint32_t width, std::uint32_t height) {
+    return fmt::format("while it moves: {} x {}{}", width, height, how.drafting ? ", small maps" : "");
+}
 
 double quickShare(double whole, const QuickPicture& last) {
     if (whole <= kQuick) return 1;

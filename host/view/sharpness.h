@@ -21,6 +21,9 @@ struct Sharpness {
     [[nodiscard]] bool whole() const { return share == 1 && !drafting && !coarse && !single; }
 };
 
+/// "while it moves: 240 x 135, small maps": short, or the text's panel would be wider, and the picture darker, than at rest.
+[[nodiscard]] std::string draftText(const Sharpness& how, std::uint32_t width, std::uint32_t height);
+
 /// A picture drawn while something moves.
 struct QuickPicture {
     double share = 1;        // of each side of the window's picture

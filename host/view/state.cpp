@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kTurn = 3.14159265358979323846; // radians for a drag over the window's height
 constexpr double kNotch = 1.1;                   // of the distance for a notch of the wheel
+constexpr double kNotches = 20;                  // for a drag over the window's height: a seventh of the distance
 constexpr double kStops = 0.5;
+constexpr const char* kSurroundingsTurn = "gSurroundingsTurn"; // degrees about the vertical: docs/settings.md
 constexpr int kChannels = 5;
 constexpr float kMostZoom = 32;
 
@@ -118,6 +120,23 @@ Request brighten(ViewState& state, double stops) {
     return Request::Levels;
 }
 
+/// By a share of the window's height.
+void turnSurroundings(ViewState& state, double by) {
+    double before = 0;
+    for (const auto* values : {&state.workspace.parameters, &state.parameters})
+        if (const auto found = values->find(kSurroundingsTurn); found != values->end()) before = found->second.front();
+    state.parameters[kSurroundingsTurn] = {std::remainder(before + glm::degrees(kTurn) * by, 360.0)};
+}
+
+/// From an axis of the world, as far as before.
+Request lookFrom(ViewState& state, const glm::vec3& side) {
+    Camera& camera = state.workspace.camera;
+    const float distance = glm::length(camera.position - camera.target);
+    camera.up = {0, 1, 0};
+    camera.position = camera.target + distance * glm::normalize(side);
+    return Request::Move;
+}
+
 } // namespace
 
 Request apply(ViewState& state, Command command, const ViewState& start) {
@@ -140,6 +159,9 @@ Request apply(ViewState& state, Command command, const ViewState& start) {
     case Command::Brighter: return brighten(state, kStops);
     case Command::Darker: return brighten(state, -kStops);
     case Command::Automatic: return brighten(state, 0);
+    case Command::Front: return lookFrom(state, {0, 0, 1});
+    case Command::Side: return lookFrom(state, {1, 0, 0});
+    case Command::Top: return lookFrom(state, {0, 1, 0.02F}); // at the pole itself the picture would spin
     case Command::Reset: return reset(state, start);
     case Command::Reload: return Request::Load;
     case Command::Save: return Request::Save;
@@ -183,8 +205,12 @@ void choosePreset(ViewState& state, const std::string& name, const ViewState& st
         state.parameters[parameter] = numbers;
 }
 
+bool hasSurroundings(const ViewState& state) {
+    return indexOf(state.read, kSurroundingsTurn).has_value();
+}
+
 bool movesLight(const Input& input) {
-    return input.light != glm::dvec2(0) || input.lightWheel != 0;
+    return input.light != glm::dvec2(0) || input.lightWheel != 0 || input.surroundings != 0;
 }
 
 bool apply(ViewState& state, const Input& input) {
@@ -192,10 +218,13 @@ bool apply(ViewState& state, const Input& input) {
     Camera& camera = state.workspace.camera;
     if (input.camera != none) orbit(camera, -kTurn * input.camera.x, -kTurn * input.camera.y);
     if (input.pan != none) pan(camera, -input.pan.x, -input.pan.y);
-    if (input.wheel != 0) dolly(camera, std::pow(kNotch, -input.wheel));
+    if (input.wheel != 0 || input.dolly != 0) dolly(camera, std::pow(kNotch, -input.wheel - kNotches * input.dolly));
     if (input.light != none) orbitLight(state.workspace.light, camera, kTurn * input.light.x, kTurn * input.light.y);
     if (input.lightWheel != 0) dollyLight(state.workspace.light, camera, std::pow(kNotch, -input.lightWheel));
-    return input.camera != none || input.pan != none || input.light != none || input.wheel != 0 || input.lightWheel != 0;
+    const bool turns = input.surroundings != 0 && hasSurroundings(state);
+    if (turns) turnSurroundings(state, input.surroundings);
+    return turns || input.camera != none || input.pan != none || input.light != none || input.wheel != 0 || input.dolly != 0 ||
+           input.lightWheel != 0;
 }
 
 void adopt(ViewState& state, const SessionFrame& frame) {
@@ -204,7 +233,7 @@ void adopt(ViewState& state, const SessionFrame& frame) {
     state.read = frame.parameters;
     state.sampled.clear();
     for (const SessionTexture& texture : frame.textures)
-        if (!texture.cube) state.sampled.push_back(texture.name); // the window shows no faces
+        state.sampled.push_back(texture.name);
     state.passes.clear();
     for (const SessionPass& pass : frame.passes)
         state.passes.push_back(pass.name);

@@ -17,7 +17,7 @@ namespace tegument::view {
 enum class Show { Picture, Pass, Target };
 
 /// What a command asks of the viewer besides the changed state.
-enum class Request { None, Draw, Levels, Load, Save, SaveWorkspace, CopyCommand, Keep, Quit };
+enum class Request { None, Draw, Move, Levels, Load, Save, SaveWorkspace, CopyCommand, Keep, Quit };
 
 struct ViewState {
     Workspace workspace; // in world millimetres
@@ -62,6 +62,9 @@ struct ViewState {
 [[nodiscard]] Request apply(ViewState& state, Command command, const ViewState& start);
 /// The parameters as `start` has them, with those of the preset of this name; none for an empty name.
 void choosePreset(ViewState& state, const std::string& name, const ViewState& start);
+/// Whether what is shown has surroundings that can be turned.
+[[nodiscard]] bool hasSurroundings(const ViewState& state);
+/// Or its surroundings.
 [[nodiscard]] bool movesLight(const Input& input);
 /// Whether camera or light moved.
 [[nodiscard]] bool apply(ViewState& state, const Input& input);

@@ -27,14 +27,14 @@ void ShownTargets::forgetAll() {
     small_.clear();
 }
 
-Result<const Image*> ShownTargets::image(gpu::Device& device, EffectSession& session, const std::string& name) {
-    const auto found = images_.find(name);
+Result<const Image*> ShownTargets::image(gpu::Device& device, EffectSession& session, const std::string& name, int level) {
+    const auto found = images_.find({name, level});
     if (found != images_.end()) return &found->second;
     gpu::Texture* target = session.target(name);
     if (!target) return inputError(4029, {.file = name, .byte = {}}, "the frame has no such target");
-    auto image = run::readBack(device, *target);
+    auto image = run::readBack(device, *target, static_cast<std::uint32_t>(level));
     if (!image) return image.error();
-    return &(images_[name] = std::move(*image));
+    return &(images_[{name, level}] = std::move(*image));
 }
 
 Result<gpu::Texture*> ShownTargets::thumbnail(gpu::Device& device, Canvas& canvas, EffectSession& session, const std::string& name,
@@ -49,7 +49,7 @@ Result<gpu::Texture*> ShownTargets::thumbnail(gpu::Device& device, Canvas& canva
         small.texture = std::move(*texture);
         small.levels = {.toneMap = radiance, .encode = radiance};
         if (!name.empty() || gpu::isDepth(target.desc().format)) {
-            const auto values = image(device, session, name);
+            const auto values = image(device, session, name, 0);
             if (!values) return values.error();
             small.levels = levelsOf(**values);
         }

@@ -18,8 +18,8 @@ public:
     /// Another effect, or other targets: levels are found anew.
     void forgetAll();
 
-    /// The picture for an empty name.
-    [[nodiscard]] Result<const Image*> image(gpu::Device& device, EffectSession& session, const std::string& name);
+    /// A level of it; the picture for an empty name.
+    [[nodiscard]] Result<const Image*> image(gpu::Device& device, EffectSession& session, const std::string& name, int level);
     /// `radiance`: the picture is light, no display's colours.
     [[nodiscard]] Result<gpu::Texture*> thumbnail(gpu::Device& device, Canvas& canvas, EffectSession& session, const std::string& name,
                                                   bool radiance);
@@ -30,7 +30,7 @@ private:
         Levels levels;
         bool drawn = false; // from this frame
     };
-    std::map<std::string, Image> images_;
+    std::map<std::pair<std::string, int>, Image> images_;
     std::map<std::string, Small> small_;
 };
 

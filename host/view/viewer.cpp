@@ -25,18 +25,12 @@ constexpr auto kMostSaving = std::chrono::seconds(1);
 constexpr double kShort = 0.005;   // while the text settles, or the window changes
 constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
 constexpr int kDeviceLost = 6007;
+constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with -D TEGUMENT_SURROUNDINGS";
 constexpr std::uint32_t kUnknownBands = 4; // of a pass that was not drawn yet
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
     return device.createTexture(
         {.name = name, .format = gpu::Format::RGBA8, .width = size.width, .height = size.height, .renderTarget = true});
-}
-
-/// For more than where the cursor is.
-bool asks(const Input& input) {
-    const glm::dvec2 none(0);
-    return !input.keys.empty() || !input.dropped.empty() || input.camera != none || input.pan != none || input.light != none ||
-           input.wheel != 0 || input.lightWheel != 0 || input.border;
 }
 
 } // namespace
@@ -130,9 +124,9 @@ Result<void> Viewer::run() {
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    const double patience = settles || making_ || firstSaved_ ? kShort : kPatience;
+    const double patience = settles || making_ || stale_ || firstSaved_ ? kShort : kPatience;
     if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
-    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || firstSaved_ ? kShort : kPatience));
+    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || stale_ || firstSaved_ ? kShort : kPatience));
     return {};
 }
 
@@ -142,20 +136,20 @@ Result<void> Viewer::step(const Input& input) {
     const bool seen = pixels.width > 0 && pixels.height > 0;
     if (input.any) settling_ = kSettlingFrames;
     cursor_ = input.cursor;
-    state_.cursor = glm::clamp(glm::dvec2(cursor_.x / pictureShare(), cursor_.y), 0.0, 1.0);
+    state_.cursor = glm::clamp(onPicture(cursor_), 0.0, 1.0);
     if (input.closed) running_ = false;
-    if (input.border) state_.border = std::clamp(*input.border / pictureShare(), 0.0, 1.0);
+    if (input.border) state_.border = std::clamp(onPicture({*input.border, 0}).x, 0.0, 1.0);
     if (const auto obeyed = obey(input); !obeyed) return obeyed;
-    for (const fs::path& file : input.dropped)
-        if (const auto opened = open(file); !opened) return opened;
+    dropped_.insert(dropped_.end(), input.dropped.begin(), input.dropped.end());
+    openDropped();
     if (edited()) load("the edit");
     if (const auto resized = resize(); !resized) return resized;
     if (torn_)
         if (const auto drawn = drawAs(sharpness_); !drawn) return drawn;
-    if (const auto advanced = advance(!asks(input)); !advanced) return advanced;
-    if (!making_ || !making_->loaded)
+    if (const auto advanced = advance(!asks(input) && !stale_); !advanced) return advanced;
+    if (stale_ || !making_ || !making_->loaded)
         if (const auto sharpened = sharpen(); !sharpened) return sharpened;
-    if (!input.any && !isDraft() && !making_) { // once nothing moves
+    if (!input.any && !isDraft() && !stale_ && !making_) { // once nothing moves
         if (const auto measured = measureBeside(); !measured) return measured;
         if (const auto prepared = prepareToMove(); !prepared) return prepared;
     }
@@ -176,6 +170,7 @@ bool Viewer::edited() {
 }
 
 Result<void> Viewer::obey(const Input& input) {
+    if (input.surroundings != 0 && !hasSurroundings(state_)) notice(kNoSurroundings);
     if (apply(state_, input))
         if (const auto drawn = drawMoving(movesLight(input) ? Moving::Rest : Moving::Camera); !drawn) return drawn;
     if (state_.source && std::ranges::find(input.keys, kKeyWrite) != input.keys.end()) writeSource(source_);
@@ -204,11 +199,12 @@ Result<void> Viewer::fulfil(Request request) {
     notice_.clear();
     switch (request) {
     case Request::None: return {};
-    case Request::Draw: return draw();
-    case Request::Levels: return paint();
+    case Request::Draw: return drawSoon();
+    case Request::Move: return drawMoving(Moving::Camera);
+    case Request::Levels: return stale_ ? Result<void>() : paint();
     case Request::Load: load("all of it, read anew", true); return {};
     case Request::Save:
-        if (isDraft())
+        if (isDraft() || stale_)
             if (const auto drawn = draw(); !drawn) return drawn;
         save();
         return {};
@@ -238,58 +234,45 @@ PixelSize Viewer::windowPixels() const {
     return {static_cast<std::uint32_t>(request_.run.width), static_cast<std::uint32_t>(request_.run.height)};
 }
 
+std::array<double, 4> Viewer::pictureArea() const {
+    const PixelSize window = windowPixels();
+    const auto share = [](float pixels, std::uint32_t all) { return std::round(static_cast<double>(pixels)) / std::max(1U, all); };
+    const double left = share(dock_.left, window.width);
+    const double right = pictureShare() - share(dock_.right, window.width);
+    const double bottom = 1 - share(dock_.bottom, window.height);
+    const bool room = right > left && bottom > 0; // not in a window that has just been made small
+    return room ? std::array{left, 0.0, right, bottom} : std::array{0.0, 0.0, pictureShare(), 1.0};
+}
+
 PixelSize Viewer::picturePixels() const {
-    PixelSize pixels = windowPixels();
-    pixels.width = static_cast<std::uint32_t>(pictureShare() * pixels.width);
-    return pixels;
+    const PixelSize window = windowPixels();
+    const auto [left, top, right, bottom] = pictureArea();
+    const auto pixels = [](double share, std::uint32_t all) {
+        return all == 0 ? 0U : std::max(1U, static_cast<std::uint32_t>(std::lround(share * all)));
+    };
+    return {pixels(right - left, window.width), pixels(bottom - top, window.height)};
+}
+
+glm::dvec2 Viewer::onPicture(glm::dvec2 onWindow) const {
+    const auto [left, top, right, bottom] = pictureArea();
+    return {(onWindow.x - left) / (right - left), (onWindow.y - top) / (bottom - top)};
 }
 
 glm::dvec2 Viewer::cursorOnPicture() const {
-    return placeSeenAt(state_, {cursor_.x / pictureShare(), cursor_.y});
+    return placeSeenAt(state_, onPicture(cursor_));
 }
 
-Result<void> Viewer::open(const fs::path& file) {
-    notice_.clear();
-    if (!request_.open) return {};
-    auto next = request_.open(file, loaded_->effect);
-    if (!next) return report(nullptr, next.error());
-    dropMaking();
-    const Sharpness sharpness = std::exchange(sharpness_, {});
-    const ViewRequest before = std::exchange(request_, std::move(*next));
-    const ViewState state = state_;
-    request_.pictures = before.pictures;
-    state_.show = Show::Picture;
-    if (!request_.keepView) begin();
-    auto effect = readSource();
-    std::unique_ptr<Loaded> loaded;
-    Result<SessionFrame> frame = effect ? Result<SessionFrame>(SessionFrame{}) : Result<SessionFrame>(effect.error());
-    if (effect) {
-        loaded = std::make_unique<Loaded>(device_, std::move(*effect), request_.keeps, request_.scene);
-        adopt(state_, loaded->effect);
-        std::erase_if(state_.parameters, [&](const auto& value) { return !loaded->effect.findParameter(value.first); });
-        frame = drawWith(*loaded);
-    }
-    if (!frame) {
-        request_ = before;
-        state_ = state;
-        sharpness_ = sharpness;
-        return report(nullptr, frame.error());
-    }
-    loaded_ = std::move(loaded);
-    dropDraft();
-    dropFewer();
-    meshCanvas_.reset();
-    meshes_.clear();
-    levelled_.clear();
-    targets_.forgetAll();
-    readPresets();
-    start_ = state_;
-    wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};
-    costs_ = draftCosts_ = {};
-    broken_ = false;
-    notice("shown: " + file.string());
-    watchFiles(&loaded_->effect, nullptr);
-    return develop(std::move(*frame));
+/// While the same panels stand, what they take does not become less: numbers that change would make the picture anew.
+void Viewer::dock(const PanelOutcome& outcome) {
+    const bool same = docked_ == outcome.docked;
+    docked_ = outcome.docked;
+    const Dock before = dock_;
+    dock_ = outcome.dock;
+    if (same)
+        dock_ = {.left = std::max(dock_.left, before.left),
+                 .right = std::max(dock_.right, before.right),
+                 .bottom = std::max(dock_.bottom, before.bottom)};
+    if (dock_ != before) settling_ = kSettlingFrames;
 }
 
 Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
@@ -311,6 +294,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     times_.note(frame_);
     noteCosts();
     moved_ = std::chrono::steady_clock::now();
+    stale_ = false;
     targets_.forget();
     adopt(state_, frame_);
     state_.fur = !rootsTexture().empty();
@@ -318,11 +302,13 @@ Result<void> Viewer::develop(SessionFrame frame) {
     for (const Diagnostic& warning : frame_.warnings)
         if (std::string text = format(warning); warned_.insert(text).second) say_(text);
     const std::string name = shownTarget(state_, frame_);
-    gpu::Texture* texture = session().target(name);
+    const auto found = shownTexture();
+    if (!found) return found.error();
+    gpu::Texture* texture = *found;
     assert(texture); // the frame has drawn into it
     state_.levels = static_cast<int>(texture->desc().mips);
     state_.level = std::min(state_.level, state_.levels - 1);
-    if (const auto found = findLevels(*texture, name); !found) return found;
+    if (const auto levels = findLevels(*texture, name); !levels) return levels;
     if (const auto drawn = drawBeside(); !drawn) return report(nullptr, drawn.error());
     return paint();
 }
@@ -364,8 +350,21 @@ Result<void> Viewer::paint() {
     if (state_.mesh != MeshShow::None && (request_.scene.mesh || !request_.scene.objects.empty())) return paintMesh();
     meshCanvas_.reset();
     meshes_.clear();
-    gpu::Texture& texture = *session().target(shownTarget(state_, frame_));
-    return canvas_->show(picture_, texture, shownLevels(), fitOf(texture));
+    const auto texture = shownTexture();
+    if (!texture) return texture.error();
+    return canvas_->show(picture_, **texture, shownLevels(), fitOf(**texture));
+}
+
+Result<gpu::Texture*> Viewer::shownTexture() {
+    gpu::Texture* texture = session().target(shownTarget(state_, frame_));
+    if (!texture || !texture->desc().cube) return texture;
+    if (unfoldedFrom_ != gpu::identityOf(*texture)) {
+        auto flat = unfolded(device_, *texture);
+        if (!flat) return flat.error();
+        unfolded_ = std::move(*flat);
+        unfoldedFrom_ = gpu::identityOf(*texture);
+    }
+    return &unfolded_;
 }
 
 Result<void> Viewer::show() {
@@ -378,6 +377,7 @@ Result<void> Viewer::show() {
     }
     PanelOutcome outcome;
     if (const auto drawn = canvas_->together([&] { return composeWithText(outcome); }); !drawn) return drawn;
+    dock(outcome);
     if (!window_) return {};
     if (std::string title = titleText(); title != title_) window_->setTitle(title_ = std::move(title));
     const auto shown = presenter_->show(composed_, pixels.width, pixels.height);
@@ -413,8 +413,8 @@ void Viewer::notice(std::string text) {
     say_(notice_);
 }
 
-RunOptions Viewer::runOptions() {
-    RunOptions options = request_.run;
+RunOptions Viewer::runOptionsOf(const ViewRequest& request) {
+    RunOptions options = request.run;
     options.technique = state_.technique;
     options.parameters = state_.parameters;
     options.width = static_cast<int>(drawnPixels().width);

@@ -12,10 +12,12 @@
 #include "host/view/source_text.h"
 #include "host/view/state.h"
 #include "host/view/targets.h"
+#include "host/view/unfold.h"
 #include "host/view/view.h"
 #include "host/view/watch.h"
 
 #include <chrono>
+#include <deque>
 #include <future>
 #include <set>
 
@@ -56,8 +58,6 @@ private:
     /// Whether files have changed, and have been still for a moment.
     [[nodiscard]] bool edited();
     [[nodiscard]] Result<std::shared_ptr<const Adoption>> readSource() const;
-    /// A file that was dropped on the window.
-    [[nodiscard]] Result<void> open(const std::filesystem::path& file);
     /// Camera, light, parameters, technique and setting as the request has them.
     void begin();
     void readPresets();
@@ -69,6 +69,8 @@ private:
     /// A target of the picture's size.
     [[nodiscard]] Result<void> makePicture(gpu::Texture& picture, const char* name);
     [[nodiscard]] Levels shownLevels() const;
+    /// Of the last frame, flat: faces of a cube side by side. Null: there is none of that name.
+    [[nodiscard]] Result<gpu::Texture*> shownTexture();
 
     // viewer_making.cpp
     /// Reads the effect and draws it, in pieces; until then, or if either fails, what was there before stays. `anew`: its textures, too.
@@ -77,7 +79,7 @@ private:
     void makeAnother(Command command);
     void make(Making making);
     void dropMaking();
-    [[nodiscard]] ToRead toRead(const Wanted& wanted, LoadOptions load);
+    [[nodiscard]] ToRead toRead(const ViewRequest& request, const Wanted& wanted);
     /// The next piece of what is made. `rests`: nobody asks for anything else.
     [[nodiscard]] Result<void> advance(bool rests);
     [[nodiscard]] Result<void> takeReading();
@@ -88,6 +90,15 @@ private:
     [[nodiscard]] std::string makingText() const;
     /// What is drawn first of a picture whose costs are those of the one before.
     [[nodiscard]] Sharpness soon() const;
+
+    // viewer_open.cpp
+    /// The next of the files that were dropped on the window, once nothing else is made.
+    void openDropped();
+    [[nodiscard]] Result<void> takeOpened();
+    /// The picture of it is there.
+    void showOpened(ViewRequest request);
+    /// What is drawn of it: as it has it, or as it was turned and set.
+    void lookAt(Making& making) const;
 
     // viewer_mesh.cpp
     /// The mesh in false colours instead of the picture.
@@ -114,6 +125,8 @@ private:
     void noteCosts();
     /// What the last frame's passes took.
     [[nodiscard]] PassCosts passCosts();
+    /// Another pass or target is to be shown: what was shown before stays until it is drawn, piece by piece.
+    [[nodiscard]] Result<void> drawSoon();
     /// Draws the whole picture once nothing moves, piece by piece; given up where something moves again.
     [[nodiscard]] Result<void> sharpen();
     /// The window's or the replay's: whether a picture in pieces is to be finished.
@@ -151,6 +164,8 @@ private:
     [[nodiscard]] Result<void> paintBeside();
     /// The picture's values and those beside it, in the same kind of light.
     [[nodiscard]] Result<std::pair<Image, const Image*>> sides();
+    /// The values of both there, and how far apart they are.
+    [[nodiscard]] std::vector<std::string> probedBeside(const std::string& shown, glm::dvec2 place);
     [[nodiscard]] Result<void> measureBeside();
     [[nodiscard]] Result<void> findErrors();
     /// Picture, what is beside it, or the errors, without text.
@@ -160,8 +175,14 @@ private:
     /// Where the mouse can take it: share of the window.
     [[nodiscard]] std::optional<double> borderOfWindow() const;
 
-    /// Of the window, that is the picture's.
+    /// Of the window's width, that is not the text's.
     [[nodiscard]] double pictureShare() const;
+    /// Shares of the window that are the picture's: left, top, right, bottom.
+    [[nodiscard]] std::array<double, 4> pictureArea() const;
+    /// Share of that, from its left top, of a share of the window.
+    [[nodiscard]] glm::dvec2 onPicture(glm::dvec2 onWindow) const;
+    /// Panels may have come or gone.
+    void dock(const PanelOutcome& outcome);
     [[nodiscard]] PixelSize windowPixels() const;
     [[nodiscard]] PixelSize picturePixels() const;
     /// Share of the picture from its left top.
@@ -176,10 +197,13 @@ private:
     void notice(std::string text);
     [[nodiscard]] Result<void> bind(const BindingChoice& choice);
 
-    [[nodiscard]] RunOptions runOptions();
+    [[nodiscard]] RunOptions runOptions() { return runOptionsOf(request_); }
+    [[nodiscard]] RunOptions runOptionsOf(const ViewRequest& request);
     /// What the panels show of the targets: read back and made small only while it is asked for.
     [[nodiscard]] Result<PanelPictures> panelPictures();
     [[nodiscard]] std::vector<std::string> probed();
+    /// None: there is no such target.
+    [[nodiscard]] std::optional<ProbedTexel> probe(EffectSession& from, const std::string& name, int level, glm::dvec2 place);
     [[nodiscard]] PanelText panelText();
     [[nodiscard]] std::string titleText() const;
     /// The sources of the picture; with an error also what it points at, and their folders, where a missing file may appear.
@@ -207,12 +231,16 @@ private:
     std::vector<ColoredMesh> meshes_; // while they are shown
     std::unique_ptr<MeshCanvas> meshCanvas_;
     MeshShow meshShown_ = MeshShow::None;
-    glm::dvec2 cursor_{-1};   // share of the window
-    gpu::Texture picture_;    // as it is shown, without text
+    glm::dvec2 cursor_{-1}; // share of the window
+    gpu::Texture picture_;  // as it is shown, without text
+    gpu::Texture unfolded_; // faces of a cube
+    std::uint64_t unfoldedFrom_ = 0;
     gpu::Texture composed_;   // with text, of the window's size
     Levels levels_;           // of what is shown
     std::string levelled_;    // what they were found for
     PixelSize size_;          // of what is drawn
+    Dock dock_;               // what panels take of the window
+    unsigned docked_ = 0;     // which they are
     double milliseconds_ = 0; // from asking for the frame to having it
     std::string problem_;
     std::string notice_;
@@ -225,9 +253,11 @@ private:
     MovingCosts draftCosts_;
     std::shared_ptr<const FewerTriangles> fewer_;
     std::future<FewerTriangles> fewerMaking_;
+    std::vector<std::future<FewerTriangles>> fewerAbandoned_; // of scenes that are gone
     std::unique_ptr<Reading> draftReading_;
     Wanted wanted_;
     std::unique_ptr<Making> making_;
+    std::deque<std::filesystem::path> dropped_;                       // files that wait
     std::vector<std::unique_ptr<Reading>> abandoned_;                 // until their threads have ended
     std::string madeText_;                                            // as it is shown
     std::chrono::steady_clock::time_point told_;                      // when that was
@@ -246,6 +276,7 @@ private:
     bool draftDrawn_ = false;
     bool fewerAsked_ = false;
     bool inPieces_ = false; // what is drawn now
+    bool stale_ = false;    // what is to be shown is not drawn yet
     bool torn_ = false;     // targets of what is shown hold parts of a picture that was given up
     bool running_ = true;
 };

@@ -81,7 +81,8 @@ Result<void> Viewer::drawBeside() {
         const auto frame = drawSide();
         if (!frame) return frame.error();
         beside.times.note(*frame);
-        if (!beside.session().target(shownTarget(state_, frame_))) return {};
+        const gpu::Texture* same = beside.session().target(shownTarget(state_, frame_));
+        if (!same || same->desc().cube) return {};
     }
     beside.drawn = true;
     return paintBeside();
@@ -98,6 +99,11 @@ Result<SessionFrame> Viewer::drawSide() {
 Result<void> Viewer::paintBeside() {
     if (!beside_ || !beside_->drawn) return {};
     Beside& beside = *beside_;
+    if (std::exchange(beside.level, state_.level) != state_.level) {
+        if (beside.loaded) beside.values = {};
+        beside.error.clear();
+        beside.haveErrors = false;
+    }
     if (const auto made = makePicture(beside.picture, "picture beside"); !made) return made;
     gpu::Texture* texture = beside.loaded ? beside.session().target(shownTarget(state_, frame_)) : &beside.stored;
     Levels levels = shownLevels();
@@ -108,14 +114,29 @@ Result<void> Viewer::paintBeside() {
 Result<std::pair<Image, const Image*>> Viewer::sides() {
     Beside& beside = *beside_;
     const std::string shown = shownTarget(state_, frame_);
-    const auto now = targets_.image(device_, session(), shown);
+    const auto now = targets_.image(device_, session(), shown, state_.level);
     if (!now) return now.error();
     if (beside.values.pixels.empty()) {
-        auto values = run::readBack(device_, *beside.session().target(shown));
+        gpu::Texture& texture = *beside.session().target(shown);
+        auto values = run::readBack(device_, texture, std::min(static_cast<std::uint32_t>(state_.level), texture.desc().mips - 1));
         if (!values) return values.error();
         beside.values = std::move(*values);
     }
     return std::pair<Image, const Image*>(beside.display ? displayLight(**now) : **now, &beside.values);
+}
+
+std::vector<std::string> Viewer::probedBeside(const std::string& shown, glm::dvec2 place) {
+    if (!beside_ || !beside_->drawn) return {};
+    auto here = probe(session(), shown, state_.level, place);
+    const auto there =
+        beside_->loaded ? probe(beside_->session(), shown, state_.level, place) : std::optional(probedTexel(shown, beside_->values, place));
+    if (!here || !there) return {};
+    if (beside_->display) {
+        const Image texel{
+            .width = 1, .height = 1, .channels = static_cast<int>(here->values.size()), .pixels = here->values, .metadata = {}};
+        here->values = displayLight(texel).pixels;
+    }
+    return besideLines(*here, *there);
 }
 
 Result<void> Viewer::measureBeside() {
@@ -142,31 +163,34 @@ Result<void> Viewer::findErrors() {
 }
 
 Result<void> Viewer::compose() {
-    const double share = pictureShare();
+    const std::array<double, 4> area = pictureArea();
     const bool beside = beside_ && beside_->drawn;
     if (beside && state_.errors)
         if (const auto found = findErrors(); !found) return found;
     const bool errors = beside && state_.errors && beside_->haveErrors;
     const bool small = !errors && PixelSize{picture_.desc().width, picture_.desc().height} != size_;
-    const Canvas::Fit fit{.share = share, .fill = small, .closer = errors ? closer() : Closer{}};
+    const Canvas::Fit fit{.area = area, .fill = small, .closer = errors ? closer() : Closer{}};
     if (const auto shown = canvas_->show(composed_, errors ? beside_->errors : picture_, {}, fit); !shown) return shown;
     if (!beside || errors) return {};
-    const auto right = static_cast<float>(2 * share - 1);
-    const std::array<CanvasVertex, kCorners> quad = {CanvasVertex{-1, 1, 0, 0}, CanvasVertex{right, 1, 1, 0}, CanvasVertex{right, -1, 1, 1},
-                                                     CanvasVertex{-1, -1, 0, 1}};
+    const auto [left, top, right, bottom] = area;
+    const auto corner = [](double x, double y, float u, float v) {
+        return CanvasVertex{static_cast<float>(2 * x - 1), static_cast<float>(1 - 2 * y), u, v};
+    };
+    const std::array<CanvasVertex, kCorners> quad = {corner(left, top, 0, 0), corner(right, top, 1, 0), corner(right, bottom, 1, 1),
+                                                     corner(left, bottom, 0, 1)};
     constexpr std::array<std::uint32_t, 6> kTriangles = {0, 1, 2, 0, 2, 3};
-    const auto width = static_cast<float>(composed_.desc().width);
-    const Canvas::Mesh mesh{
-        .vertices = quad,
-        .indices = kTriangles,
-        .texture = &beside_->picture,
-        .clip = {0, 0, std::round(static_cast<float>(share * state_.border) * width), static_cast<float>(composed_.desc().height)}};
+    const double border = (left + (right - left) * state_.border) * composed_.desc().width;
+    const Canvas::Mesh mesh{.vertices = quad,
+                            .indices = kTriangles,
+                            .texture = &beside_->picture,
+                            .clip = {0, 0, static_cast<float>(std::round(border)), static_cast<float>(composed_.desc().height)}};
     return canvas_->blend(composed_, std::span(&mesh, 1));
 }
 
 std::optional<double> Viewer::borderOfWindow() const {
     const bool stands = beside_ && beside_->drawn && !state_.errors;
-    return stands ? std::optional(state_.border * pictureShare()) : std::nullopt;
+    const auto [left, top, right, bottom] = pictureArea();
+    return stands ? std::optional(left + (right - left) * state_.border) : std::nullopt;
 }
 
 std::optional<BesideText> Viewer::besideText() const {

@@ -72,10 +72,10 @@ void Viewer::readDraft() {
     draftTried_ = true;
     const std::uint32_t side = mapSide();
     if (side < kLeastSide) return;
-    LoadOptions load = request_.load;
-    divideSizes(load.defines, side);
-    draftReading_ = std::make_unique<Reading>(
-        toRead({.technique = state_.technique, .setting = state_.setting, .binds = state_.binds}, std::move(load)));
+    ToRead asked = toRead(request_, {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds});
+    divideSizes(asked.load.defines, side);
+    asked.known.uploaded = loaded_->session.known().uploaded;
+    draftReading_ = std::make_unique<Reading>(std::move(asked));
 }
 
 Result<SessionFrame> Viewer::drawDraft(bool inPieces) {
@@ -122,8 +122,9 @@ void Viewer::shareDraft() {
 
 /// Another scene.
 void Viewer::dropFewer() {
-    if (fewerMaking_.valid()) fewerMaking_.wait();
-    fewerMaking_ = {};
+    if (fewerMaking_.valid()) fewerAbandoned_.push_back(std::move(fewerMaking_));
+    std::erase_if(fewerAbandoned_,
+                  [](const auto& making) { return making.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
     fewer_ = nullptr;
     fewerAsked_ = false;
 }

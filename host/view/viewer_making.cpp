@@ -3,6 +3,8 @@
 
 #include "host/view/viewer.h"
 
+#include "host/run/scene_bounds.h"
+
 #include <algorithm>
 
 namespace tegument::view {
@@ -14,23 +16,24 @@ constexpr auto kBetweenTexts = std::chrono::milliseconds(250); // a line that ch
 
 } // namespace
 
-ToRead Viewer::toRead(const Wanted& wanted, LoadOptions load) {
+ToRead Viewer::toRead(const ViewRequest& request, const Wanted& wanted) {
+    LoadOptions load = request.load;
     load.setting = wanted.setting;
-    RunOptions options = runOptions();
+    RunOptions options = runOptionsOf(request);
     options.technique = wanted.technique;
     return {.source = nullptr,
-            .file = request_.effect,
+            .file = request.effect,
             .load = std::move(load),
-            .adopt = {.bind = wanted.binds, .technique = {}, .width = request_.run.width, .height = request_.run.height},
-            .keeps = request_.keeps,
-            .scene = request_.scene,
-            .workspace = state_.workspace,
+            .adopt = {.bind = wanted.binds, .technique = {}, .width = request.run.width, .height = request.run.height},
+            .keeps = request.keeps,
+            .scene = request.scene,
+            .workspace = &request == &request_ ? state_.workspace : run::inWorld(request.workspace, request.scene),
             .run = std::move(options),
-            .known = {.programs = {}, .uploaded = loaded_->session.known().uploaded}};
+            .known = {}};
 }
 
 void Viewer::load(std::string what, bool anew) {
-    make({.what = std::move(what), .wanted = wanted_, .reads = true, .anew = anew, .reading = nullptr});
+    make({.what = std::move(what), .wanted = wanted_, .reads = true, .anew = anew});
 }
 
 void Viewer::makeAnother(Command command) {
@@ -43,28 +46,31 @@ void Viewer::makeAnother(Command command) {
     make({.what = reads ? "setting " + next.setting : "technique " + next.technique,
           .wanted = {.technique = next.technique, .setting = next.setting, .binds = wanted_.binds},
           .reads = reads,
-          .picture = !reads,
-          .reading = nullptr});
+          .picture = !reads});
 }
 
 /// What was begun before it is not finished, but what it would have read is.
 void Viewer::make(Making making) {
+    wanted_ = making.wanted;
     if (making_) {
         making.reads = making.reads || making_->reads;
         making.anew = making.anew || making_->anew;
         making.picture = making.picture || making_->picture;
+        making.file = std::move(making_->file);
+        making.opening = std::move(making_->opening);
+        making.request = std::move(making_->request);
     }
     dropMaking();
-    wanted_ = making.wanted;
-    ToRead asked = toRead(making.wanted, request_.load);
-    if (making.anew) asked.known = {};
-    if (!making.reads) {
+    making_ = std::make_unique<Making>(std::move(making));
+    settling_ = kSettlingFrames;
+    if (making_->opening.valid()) return; // it is read once that is there
+    ToRead asked = toRead(making_->request ? *making_->request : request_, making_->wanted);
+    if (!making_->request && !making_->anew) asked.known.uploaded = loaded_->session.known().uploaded;
+    if (!making_->reads) {
         asked.source = loaded_->source;
         asked.known = loaded_->session.known();
     }
-    making.reading = std::make_unique<Reading>(std::move(asked));
-    making_ = std::make_unique<Making>(std::move(making));
-    settling_ = kSettlingFrames;
+    making_->reading = std::make_unique<Reading>(std::move(asked));
 }
 
 void Viewer::dropMaking() {
@@ -78,6 +84,8 @@ void Viewer::dropMaking() {
 Result<void> Viewer::advance(bool rests) {
     std::erase_if(abandoned_, [](const auto& reading) { return reading->done(); });
     if (!making_) return {};
+    if (making_->opening.valid() && making_->opening.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        if (const auto taken = takeOpened(); !taken || !making_) return taken;
     if (making_->reading && making_->reading->done())
         if (const auto taken = takeReading(); !taken || !making_) return taken;
     const auto now = std::chrono::steady_clock::now();
@@ -92,13 +100,15 @@ Result<void> Viewer::advance(bool rests) {
 Result<void> Viewer::takeReading() {
     ReadAhead read = making_->reading->take();
     making_->reading.reset();
+    const ViewRequest& request = making_->request ? *making_->request : request_;
+    const bool anew = making_->anew || making_->request;
     if (read.source)
-        making_->loaded = std::make_unique<Loaded>(device_, std::move(read.source), request_.keeps, request_.scene,
-                                                   making_->anew ? nullptr : loaded_.get());
+        making_->loaded =
+            std::make_unique<Loaded>(device_, std::move(read.source), request.keeps, request.scene, anew ? nullptr : loaded_.get());
     if (!read.ahead) return failMaking(read.ahead.error());
     making_->loaded->session.take(std::move(*read.ahead));
     making_->wanted.technique = techniqueOf(making_->loaded->effect, making_->wanted.technique);
-    making_->how = making_->anew ? Sharpness{} : soon(); // all of it, and its times, are to be seen
+    making_->how = anew ? Sharpness{} : soon(); // all of it, and its times, are to be seen
     return {};
 }
 
@@ -111,12 +121,11 @@ Result<void> Viewer::drawMaking() {
     Making& making = *making_;
     const Sharpness shown = std::exchange(sharpness_, making.how);
     inPieces_ = true;
-    RunOptions options = runOptions();
+    RunOptions options = runOptionsOf(making.request ? *making.request : request_);
     inPieces_ = false;
     if (making.how.share < 1) options.pieces.bands.clear(); // they are those of a whole picture
     if (++making.tries <= kPatientTries) {
-        making.workspace = state_.workspace;
-        making.parameters = state_.parameters;
+        lookAt(making);
     } else { // who gives up all the time gets whole passes done, and of one view
         options.pieces = {.goOn = options.pieces.goOn};
     }
@@ -134,6 +143,8 @@ Result<void> Viewer::drawMaking() {
 Result<void> Viewer::finishMaking(SessionFrame frame) {
     const std::unique_ptr<Making> made = std::move(making_);
     if (made->picture) (void)apply(state_, Command::Picture, start_);
+    const bool opened = made->request.has_value();
+    if (opened) showOpened(std::move(*made->request));
     state_.technique = made->wanted.technique;
     state_.binds = made->wanted.binds;
     adopt(state_, made->loaded->effect);
@@ -145,7 +156,12 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     loaded_ = std::move(made->loaded);
     levelled_.clear();
     targets_.forgetAll();
+    std::erase_if(state_.parameters, [&](const auto& value) { return !loaded_->effect.findParameter(value.first); });
     if (made->reads) readPresets();
+    if (opened) {
+        start_ = state_;
+        notice("shown: " + made->file.string());
+    }
     start_.presets = state_.presets;
     watchFiles(&loaded_->effect, nullptr);
     const bool all = std::ranges::none_of(frame.passes, &SessionPass::kept);
@@ -156,14 +172,18 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
 
 Result<void> Viewer::failMaking(const Error& error) {
     const std::unique_ptr<Making> made = std::move(making_);
-    broken_ = true;
     ++made_;
+    if (made->request) { // refused; what was there before is as good as it was
+        wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};
+        return report(nullptr, error);
+    }
+    broken_ = true;
     return report(made->loaded ? &made->loaded->effect : nullptr, error);
 }
 
 std::string Viewer::makingText() const {
     if (!making_) return {};
-    const std::string progress = making_->reading ? making_->reading->progress() : "drawing";
+    const std::string progress = making_->reading ? making_->reading->progress() : making_->loaded ? "drawing" : "reading";
     return making_->what + (progress.empty() ? "" : ", " + progress);
 }
 

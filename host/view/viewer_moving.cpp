@@ -54,25 +54,35 @@ PassCosts Viewer::passCosts() {
 
 Result<void> Viewer::drawAs(const Sharpness& how) {
     sharpness_ = how;
-    torn_ = false;
+    torn_ = stale_ = false; // an error is shown instead
     auto frame = drawWith(how.drafting ? *draft_ : *loaded_);
     if (!frame) return report(&loaded_->effect, frame.error());
     if (const auto developed = develop(std::move(*frame)); !developed) return developed;
     return {};
 }
 
+Result<void> Viewer::drawSoon() {
+    if (isDraft()) return drawAs(sharpness_);
+    stale_ = true;
+    return {};
+}
+
 Result<void> Viewer::sharpen() {
-    if (!isDraft() || std::chrono::steady_clock::now() - moved_ < kStill) return {};
+    const bool rests = std::chrono::steady_clock::now() - moved_ >= kStill;
+    if (!stale_ && (!isDraft() || !rests)) return {};
     const Sharpness shown = std::exchange(sharpness_, {});
     inPieces_ = true;
     auto frame = drawWith(*loaded_);
     const bool both = frame && !frame->givenUp && beside_ && beside_->loaded && state_.show != Show::Pass;
     const auto side = both ? drawSide() : Result<SessionFrame>(SessionFrame{}); // which develop() then finds drawn
     inPieces_ = false;
-    if (!frame) return report(&loaded_->effect, frame.error());
+    if (!frame) {
+        stale_ = false;
+        return report(&loaded_->effect, frame.error());
+    }
     if (!frame->givenUp && !(side && side->givenUp)) return develop(std::move(*frame));
     sharpness_ = shown;
-    torn_ = !shown.drafting;
+    torn_ = !stale_ && !shown.drafting;
     return {};
 }
 
@@ -83,7 +93,7 @@ void Viewer::notePiece() {
 
 bool Viewer::mayGoOn() {
     notePiece();
-    return window_ ? !window_->hears() : !interrupted_;
+    return !interrupted_ && !(window_ && window_->hears());
 }
 
 PixelSize Viewer::drawnPixels() const {
@@ -101,7 +111,7 @@ PixelSize Viewer::paintedPixels() const {
 
 Canvas::Fit Viewer::fitOf(const gpu::Texture& texture) const {
     const PixelSize pixels{texture.desc().width, texture.desc().height};
-    return {.share = 1, .fill = sharpness_.share < 1 && pixels == drawnPixels(), .closer = closer()};
+    return {.area = kAllOfIt, .fill = sharpness_.share < 1 && pixels == drawnPixels(), .closer = closer()};
 }
 
 Closer Viewer::closer() const {

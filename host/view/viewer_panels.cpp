@@ -2,6 +2,8 @@
 
 #include "host/view/viewer.h"
 
+#include "host/run/read_back.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +18,10 @@ std::string firstLine(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
+glm::ivec2 sizeOfLevel(const gpu::Texture& texture, int level) {
+    return {std::max(texture.desc().width >> level, 1U), std::max(texture.desc().height >> level, 1U)};
+}
+
 double totalMilliseconds(const SessionFrame& frame) {
     return std::accumulate(frame.passes.begin(), frame.passes.end(), 0.0,
                            [](double sum, const SessionPass& pass) { return sum + pass.milliseconds; });
@@ -27,7 +33,8 @@ Result<PanelPictures> Viewer::panelPictures() {
     PanelPictures pictures;
     const std::string shown = shownTarget(state_, frame_);
     if (state_.probe)
-        if (const auto image = targets_.image(device_, session(), shown)) pictures.histogram = histogramOf(**image);
+        if (const auto image = targets_.image(device_, session(), shown, state_.level))
+            pictures.histogram = histogramOf(**image); // of a cube the first face
     if (state_.times) {
         const bool both = beside_ && beside_->loaded && beside_->drawn;
         if (both) pictures.times.push_back({.name = beside_->name, .times = &beside_->times});
@@ -51,25 +58,37 @@ Result<PanelPictures> Viewer::panelPictures() {
     return pictures;
 }
 
+std::optional<ProbedTexel> Viewer::probe(EffectSession& from, const std::string& name, int level, glm::dvec2 place) {
+    gpu::Texture* texture = from.target(name);
+    if (!texture) return std::nullopt;
+    if (texture->desc().cube && &from == &session() && name == shownTarget(state_, frame_))
+        if (const auto flat = shownTexture()) texture = *flat;
+    level = std::min(level, static_cast<int>(texture->desc().mips) - 1); // a kept side may have fewer
+    const glm::ivec2 at = texelAt(place, sizeOfLevel(*texture, level));
+    const auto texel = run::readBackPart(*texture, {.x = static_cast<std::uint32_t>(at.x), .y = static_cast<std::uint32_t>(at.y)},
+                                         static_cast<std::uint32_t>(level));
+    if (!texel) return std::nullopt;
+    return ProbedTexel{.name = name, .level = level, .at = at, .values = texel->pixels};
+}
+
 /// Nothing while the cursor is beside the picture.
 std::vector<std::string> Viewer::probed() {
     const std::string shown = shownTarget(state_, frame_);
-    const gpu::Texture* texture = session().target(shown);
+    const auto found = shownTexture();
+    const gpu::Texture* texture = found ? *found : nullptr;
     if (!texture) return {};
     const glm::ivec2 size(texture->desc().width, texture->desc().height);
     const auto place = placeOnPicture(cursorOnPicture(), size, glm::ivec2(size_.width, size_.height));
     if (!place) return {};
-    std::vector<ProbedTarget> targets;
+    std::vector<ProbedTexel> texels;
     std::vector<std::string> names = state_.targets;
+    if (std::ranges::find(names, shown) == names.end() && !shown.empty()) names.push_back(shown); // a texture
     names.emplace_back();
     for (const std::string& name : names)
-        if (const auto image = targets_.image(device_, session(), name)) targets.push_back({name, *image});
-    std::vector<std::string> lines = probeLines(targets, shown, *place);
-    if (beside_ && beside_->drawn)
-        if (const auto both = sides()) {
-            const std::vector<std::string> more = besideLines(both->first, *both->second, *place);
-            lines.insert(lines.end(), more.begin(), more.end());
-        }
+        if (auto texel = probe(session(), name, name == shown ? state_.level : 0, *place)) texels.push_back(std::move(*texel));
+    std::vector<std::string> lines = probeLines(texels, shown, *place);
+    const std::vector<std::string> more = probedBeside(shown, *place);
+    lines.insert(lines.end(), more.begin(), more.end());
     return lines;
 }
 
@@ -88,10 +107,7 @@ PanelText Viewer::panelText() {
     if (state_.levels > 1 && state_.show != Show::Picture)
         text.lines.push_back(fmt::format("mip level {} of 0 to {}", state_.level, state_.levels - 1));
     if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
-    if (isDraft())
-        text.lines.push_back(fmt::format("drawn at {} x {},{}{} while it moves", drawnPixels().width, drawnPixels().height,
-                                         sharpness_.drafting ? " maps at a quarter of each side," : "",
-                                         sharpness_.coarse ? " in fewer triangles," : ""));
+    if (isDraft()) text.lines.push_back(draftText(sharpness_, drawnPixels().width, drawnPixels().height));
     if (making_) text.lines.push_back("being made: " + makingText());
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
@@ -101,6 +117,12 @@ PanelText Viewer::panelText() {
     }
     text.beside = besideText();
     text.pictureShare = static_cast<float>(pictureShare());
+    const auto [left, top, right, bottom] = pictureArea();
+    const PixelSize window = windowPixels();
+    text.picture = {.x = static_cast<float>(left * window.width),
+                    .y = static_cast<float>(top * window.height),
+                    .width = static_cast<float>((right - left) * window.width),
+                    .height = static_cast<float>((bottom - top) * window.height)};
     if (!state_.help) text.lines.emplace_back("h: help");
     return text;
 }

@@ -47,13 +47,24 @@ bool pressed(GLFWwindow* window, int button) {
     return glfwGetMouseButton(window, button) == GLFW_PRESS;
 }
 
-glm::dvec2* dragged(GLFWwindow* window, Input& input) {
+/// As in Blender (middle button) and Maya (Alt), and with one button alone.
+void drag(GLFWwindow* window, Input& input, const glm::dvec2& by) {
     const bool left = pressed(window, GLFW_MOUSE_BUTTON_LEFT);
+    const bool middle = pressed(window, GLFW_MOUSE_BUTTON_MIDDLE);
+    const bool right = pressed(window, GLFW_MOUSE_BUTTON_RIGHT);
     const bool control = held(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     const bool shift = held(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    if (pressed(window, GLFW_MOUSE_BUTTON_RIGHT) || (left && control)) return &input.light;
-    if (pressed(window, GLFW_MOUSE_BUTTON_MIDDLE) || (left && shift)) return &input.pan;
-    return left ? &input.camera : nullptr;
+    const bool alt = held(window, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    if ((right && alt) || (middle && control))
+        input.dolly += by.x + by.y;
+    else if ((right && shift) || (left && shift && control))
+        input.surroundings += by.x;
+    else if (right || (left && control))
+        input.light += by;
+    else if ((middle && (shift || alt)) || (left && shift))
+        input.pan += by;
+    else if (left || middle)
+        input.camera += by;
 }
 
 WindowState& stateOf(GLFWwindow* window) {
@@ -87,8 +98,7 @@ void listenToMouse(GLFWwindow* window) {
         state.mouse = {x, y};
         state.input.any = true;
         if (state.holdsBorder) state.border = state.input.border = x / widthOf(w);
-        glm::dvec2* drag = state.overlay || state.holdsBorder ? nullptr : dragged(w, state.input);
-        if (drag) *drag += glm::dvec2(moved.x, -moved.y);
+        if (!state.overlay && !state.holdsBorder) drag(w, state.input, {moved.x, -moved.y});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) { takeBorder(w, button, action); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
@@ -178,10 +188,7 @@ Input Window::wait(double seconds, bool overlay, std::optional<double> border) {
 
 bool Window::hears() {
     glfwPollEvents();
-    const Input& input = state_->input;
-    const auto moved = [](const glm::dvec2& by) { return by.x != 0 || by.y != 0; };
-    return !input.keys.empty() || moved(input.camera) || moved(input.pan) || moved(input.light) || input.border || input.wheel != 0 ||
-           input.lightWheel != 0 || !input.dropped.empty() || glfwWindowShouldClose(state_->window) == GLFW_TRUE;
+    return asks(state_->input) || glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 
 PixelSize Window::pixels() const {

@@ -1,10 +1,12 @@
 // Textures: what clears, uploads and mip chains leave in them.
 
+#include "host/gpu/part.h"
 #include "tests/gpu/fixture.h"
 
 #include "shaders/copy_frag.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace tegument::gpu {
 namespace {
@@ -72,6 +74,21 @@ INSTANTIATE_TEST_SUITE_P(Formats, ClearedDepth, ::testing::Values(Format::D16, F
                          [](const auto& instance) { return std::string(name(instance.param)); });
 
 class Textures : public Gpu {};
+
+TEST_F(Textures, some_texels_are_read_back_as_all_of_them_are) {
+    Texture image = must(device().createTexture({.name = "parts", .format = Format::R32F, .width = 8, .height = 4, .mips = 2}));
+    std::vector<float> values(8 * 4);
+    std::iota(values.begin(), values.end(), 0.0F);
+    must(device().upload(image, std::as_bytes(std::span(values))));
+    must(device().upload(image, std::as_bytes(std::span(values).first(4 * 2)), 1));
+    EXPECT_EQ(fromBytes<float>(must(readbackPart(image, {.x = 5, .y = 1, .width = 2, .height = 2}))), (std::vector<float>{13, 14, 21, 22}));
+    EXPECT_EQ(fromBytes<float>(must(readbackPart(image, {.x = 3, .y = 1}, 1))), std::vector<float>{7});
+    for (const TexelRect& outside : {TexelRect{.x = 8}, TexelRect{.y = 4}, TexelRect{.x = 7, .width = 2}, TexelRect{.width = 0}}) {
+        const auto none = readbackPart(image, outside);
+        ASSERT_FALSE(none);
+        EXPECT_EQ(none.error().diagnostics.front().code, 6014);
+    }
+}
 
 TEST_F(Textures, packed_10_bit_colour_has_red_in_the_low_bits) {
     Texture image = target(Format::RGB10A2, 1, 1);

@@ -81,12 +81,13 @@ TEST(BesideView, the_line_of_the_error_tells_where_it_is_largest_or_why_there_is
 }
 
 TEST(BesideView, values_under_the_cursor_are_those_of_both_sides_and_their_difference) {
-    const auto lines = besideLines(grey({0, 3}), grey({0, 2}), {0.75, 0.5});
+    const auto at = [](std::vector<float> values, double x) { return probedTexel("", grey(std::move(values)), {x, 0.5}); };
+    const auto lines = besideLines(at({0, 3}, 0.75), at({0, 2}, 0.75));
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_NE(lines[0].find(" 2 "), std::string::npos) << lines[0];
     EXPECT_NE(lines[1].find(" 1 "), std::string::npos) << lines[1];
     EXPECT_NE(lines[2].find("50.00%"), std::string::npos) << lines[2];
-    EXPECT_EQ(besideLines(grey({0, 3}), grey({0, 2}), {0.25, 0.5})[2].find('%'), std::string::npos) << "nothing is no share of 0";
+    EXPECT_EQ(besideLines(at({0, 3}, 0.25), at({0, 2}, 0.25))[2].find('%'), std::string::npos) << "nothing is no share of 0";
 }
 
 TEST(SourceView, an_error_opens_its_file_and_marks_its_lines_unless_there_are_edits) {

@@ -180,7 +180,9 @@ TEST(Bakes, say_how_long_they_took_and_whether_they_were_there) {
     texture.bake = Bake{.milliseconds = 2345};
     EXPECT_EQ(bakeText(texture), "baked in 2.3 s");
     texture.bake = Bake{.milliseconds = 0.5, .fromCache = true};
-    EXPECT_EQ(bakeText(texture), "from the cache, found in 0.5 ms");
+    EXPECT_EQ(bakeText(texture), "from the cache, found in 0.5 ms") << "made by a program that did not write down how long it took";
+    texture.bake->once = 2345;
+    EXPECT_EQ(bakeText(texture), "once baked in 2.3 s; from the cache now, found in 0.5 ms");
 }
 
 } // namespace tegument::view

@@ -41,7 +41,8 @@ TEST(Probe, finds_the_place_on_a_picture_that_is_fitted_into_the_window) {
 TEST(Probe, tells_the_texel_and_its_values_the_shown_target_first) {
     const Image picture = ramp(4, 2, 3);
     const Image depth = ramp(8, 4, 1);
-    const auto lines = probeLines({{"", &picture}, {"gDepth", &depth}}, "gDepth", {0.625, 0.5});
+    const auto lines =
+        probeLines({probedTexel("", picture, {0.625, 0.5}), probedTexel("gDepth", depth, {0.625, 0.5})}, "gDepth", {0.625, 0.5});
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_EQ(lines[0], "at 0.6250, 0.5000");
     EXPECT_EQ(lines[1].substr(0, 6), "gDepth");
@@ -53,7 +54,7 @@ TEST(Probe, tells_the_texel_and_its_values_the_shown_target_first) {
 
 TEST(Probe, its_last_texel_is_the_last) {
     const Image picture = ramp(2, 2, 1);
-    EXPECT_NE(probeLines({{"", &picture}}, "", {1, 1})[1].find("1,   1"), std::string::npos);
+    EXPECT_NE(probeLines({probedTexel("", picture, {1, 1})}, "", {1, 1})[1].find("1,   1"), std::string::npos);
 }
 
 TEST(Spread, counts_each_written_texel_once_and_leaves_out_what_is_not_finite) {

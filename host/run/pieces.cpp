@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kTile = 64;
 constexpr double kLongBand = 60;          // milliseconds
-constexpr std::uint32_t kLeastRows = 256; // of a band of a pass of which nothing is known
+constexpr std::uint32_t kLeastRows = 128; // of a band of a pass of which nothing is known
 
 using TimedSections = std::vector<gpu::TimedSection>;
 

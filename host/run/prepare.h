@@ -32,6 +32,13 @@ struct TextureData {
 };
 
 /// One effect on one mesh, or on none.
+/// Files that were made for meshes, by annotation Generator, and files that were found to be theirs: to know that takes a look at all of
+/// the mesh, and at all of the file.
+struct KnownFiles {
+    std::map<std::pair<const Mesh*, std::string>, std::filesystem::path> made;
+    std::set<std::tuple<const Mesh*, std::string, std::filesystem::path>> checked;
+};
+
 struct RunInput {
     const Effect& effect;
     const Mesh* mesh = nullptr;
@@ -41,6 +48,7 @@ struct RunInput {
     const Programs* compiled = nullptr;                         // of earlier frames and objects
     const std::set<std::string>* uploaded = nullptr;            // keys of textures that the GPU holds already
     const std::map<std::string, TextureData>* loaded = nullptr; // by key: read already, to be uploaded
+    KnownFiles* known = nullptr;                                // of frames before, and for the next
 };
 
 struct Prepared {

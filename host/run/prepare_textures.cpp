@@ -177,9 +177,18 @@ void noteBake(Bake& bake) {
         bake.once = once;
 }
 
+std::optional<std::filesystem::path> madeBefore(const RunInput& input, const std::string& generator) {
+    if (!input.known) return std::nullopt;
+    const auto found = input.known->made.find({input.mesh, generator});
+    std::error_code gone;
+    if (found == input.known->made.end() || !std::filesystem::exists(found->second, gone)) return std::nullopt;
+    return found->second;
+}
+
 /// What is made from the mesh is a file from here on; a file that somebody named must have been made from this mesh.
 Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter, TextureSource source, Prepared& prepared) {
     if (const auto* made = std::get_if<GeneratorSource>(&source)) {
+        if (const auto file = madeBefore(input, made->generator)) return TextureSource(FileSource{*file, "its annotation Generator"});
         const auto begin = std::chrono::steady_clock::now();
         const auto written = std::filesystem::file_time_type::clock::now();
         auto file = input.options.meshTextures.make(made->generator, *input.mesh);
@@ -189,14 +198,18 @@ Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter,
         const bool old = std::filesystem::last_write_time(*file, unknown) < written - kClockStep;
         Bake bake{.milliseconds = took.count(), .fromCache = !unknown && old, .file = *file};
         noteBake(bake);
+        if (input.known) input.known->made[{input.mesh, made->generator}] = *file;
         prepared.bakes[parameter.name] = std::move(bake);
         return TextureSource(FileSource{*file, "its annotation Generator"});
     }
     const auto generator = parameter.annotations.string("Generator");
     const auto* file = std::get_if<FileSource>(&source);
     if (!generator || !file || !input.mesh || !input.options.meshTextures.check) return source;
+    const std::tuple all(input.mesh, *generator, file->path);
+    if (input.known && input.known->checked.contains(all)) return source;
     if (const auto checked = input.options.meshTextures.check(*generator, file->path, *input.mesh); !checked)
         return namedBy(file->namedBy, parameter, checked.error());
+    if (input.known) input.known->checked.insert(all);
     return source;
 }
 

@@ -43,6 +43,7 @@ struct Store {
     std::map<const Mesh*, std::shared_ptr<FewerIndices>> coarse; // of those meshes that a frame has drawn so
     std::shared_ptr<const Geometry> quad;
     SharedPipelines shared;
+    KnownFiles known;
 };
 
 /// What the frames of one effect share, whatever their targets are.

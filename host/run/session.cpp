@@ -124,6 +124,10 @@ run::Known EffectSession::known() const {
     return state_->stage.known();
 }
 
+void EffectSession::learn(const EffectSession& other) {
+    state_->stage.learn(other.state_->stage);
+}
+
 EffectSession::EffectSession(EffectSession&&) noexcept = default;
 EffectSession& EffectSession::operator=(EffectSession&&) noexcept = default;
 EffectSession::~EffectSession() = default;

@@ -28,6 +28,8 @@ public:
     void take(run::Ahead ahead);
     /// What need not be made for this session, nor for one of the same effect that follows it.
     [[nodiscard]] run::Known known() const;
+    /// Pipelines of another session of the same effect, which need not be made for this one.
+    void learn(const EffectSession& other);
     EffectSession(EffectSession&&) noexcept;
     EffectSession& operator=(EffectSession&&) noexcept;
     ~EffectSession();

@@ -26,6 +26,7 @@ Stage::Stage(gpu::Device& device, const Effect& effect, SessionScene scene, cons
     store_.uploaded = before->store_.uploaded;
     store_.quad = before->store_.quad;
     store_.shared = before->store_.shared;
+    store_.known = before->store_.known;
     for (const auto& [name, bake] : before->bakes_)
         if (!bake.file.empty()) bakes_.emplace(name, bake);
     for (const auto& [name, texture] : before->resources_.targets)
@@ -49,6 +50,13 @@ void Stage::take(Ahead ahead) {
 
 Known Stage::known() const {
     return {.programs = kit_.programs, .uploaded = store_.uploaded};
+}
+
+void Stage::learn(const Stage& other) {
+    if (&effect_ != &other.effect_ || compiler_ != other.compiler_) return;
+    kit_.samplers.insert(other.kit_.samplers.begin(), other.kit_.samplers.end());
+    kit_.computes.insert(other.kit_.computes.begin(), other.kit_.computes.end());
+    kit_.pipelines.insert(other.kit_.pipelines.begin(), other.kit_.pipelines.end());
 }
 
 /// Of several objects the first's.
@@ -97,6 +105,7 @@ void Stage::bakeAgain(const std::string& name) {
     if (sampled == sampled_.end() || bake == bakes_.end()) return;
     std::error_code gone;
     if (!bake->second.file.empty()) std::filesystem::remove(bake->second.file, gone); // a file of the cache: whoever misses it makes it
+    std::erase_if(store_.known.made, [&](const auto& made) { return made.second == bake->second.file; });
     products_.dropDrawn(sampled->second.texture);
     store_.textures.erase(sampled->second.key);
     store_.uploaded.erase(sampled->second.key);
@@ -152,7 +161,8 @@ void Stage::addInput(StagedFrame& staged, const Mesh* mesh, const Workspace& wor
                              .placed = staged.placed.empty() ? nullptr : &staged.placed.back(),
                              .compiled = &kit_.programs,
                              .uploaded = &store_.uploaded,
-                             .loaded = &store_.loaded});
+                             .loaded = &store_.loaded,
+                             .known = &store_.known});
 }
 
 StagedFrame Stage::inputsOf(const Workspace& workspace, const RunOptions& options) {

@@ -28,6 +28,8 @@ public:
     /// What another thread has made for the next frame.
     void take(Ahead ahead);
     [[nodiscard]] Known known() const;
+    /// See EffectSession.
+    void learn(const Stage& other);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 

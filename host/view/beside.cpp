@@ -52,6 +52,7 @@ Image displayLight(const Image& radiance) {
 
 std::string errorLine(const Result<Difference>& difference) {
     if (!difference) return difference.error().diagnostics.front().text;
+    if (difference->largest == 0 && difference->bias == 0) return "no difference";
     return fmt::format("relative L2 {:.3g}, 99 % within {:.3g}, bias {:+.2g}, largest {:.3g} at ({}, {})", difference->relativeL2,
                        difference->p99, difference->bias, difference->largest, difference->largestX, difference->largestY);
 }

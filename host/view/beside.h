@@ -5,6 +5,7 @@
 #include "host/image/compare.h"
 #include "host/view/loaded.h"
 #include "host/view/pass_times.h"
+#include "host/view/sharpness.h"
 
 #include <map>
 #include <optional>
@@ -26,9 +27,12 @@ struct Beside {
     gpu::Texture picture; // as it is shown
     gpu::Texture errors;  // in false colours
     PassTimes times;
+    PassCosts costs;         // of the last frame
     std::string error;       // a line; empty: not measured yet
     bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
     bool haveErrors = false; // of this frame
+    bool rehearsed = false;  // a small picture was drawn, and the next one is quick
+    bool draftDrawn = false; // likewise, with fewer texels in its maps
 
     /// Of what was drawn.
     [[nodiscard]] EffectSession& session() { return (drafting ? draft : loaded)->session; }

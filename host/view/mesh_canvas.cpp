@@ -154,16 +154,19 @@ Result<std::unique_ptr<MeshCanvas>> MeshCanvas::create(gpu::Device& device, Comp
                                                             .depthFormat = gpu::Format::D32F,
                                                             .state = state});
     if (!pipeline) return pipeline.error();
+    std::unique_ptr<MeshCanvas> canvas(new MeshCanvas(std::unique_ptr<State>(new State{
+        .device = device, .vertex = std::move(*vertex), .pixel = std::move(*pixel), .pipeline = std::move(*pipeline), .vertices = {}})));
+    if (const auto colored = canvas->color(meshes, show); !colored) return colored.error();
+    return canvas;
+}
+
+Result<void> MeshCanvas::color(const std::vector<ColoredMesh>& meshes, MeshShow show) {
     const std::vector<MeshVertex> vertices = verticesOf(meshes, show);
-    auto buffer = device.createBuffer(gpu::BufferUsage::Vertex, std::as_bytes(std::span(vertices)));
+    auto buffer = state_->device.createBuffer(gpu::BufferUsage::Vertex, std::as_bytes(std::span(vertices)));
     if (!buffer) return buffer.error();
-    return std::unique_ptr<MeshCanvas>(
-        new MeshCanvas(std::unique_ptr<State>(new State{.device = device,
-                                                        .vertex = std::move(*vertex),
-                                                        .pixel = std::move(*pixel),
-                                                        .pipeline = std::move(*pipeline),
-                                                        .vertices = std::move(*buffer),
-                                                        .count = static_cast<std::uint32_t>(vertices.size())})));
+    state_->vertices = std::move(*buffer);
+    state_->count = static_cast<std::uint32_t>(vertices.size());
+    return {};
 }
 
 Result<void> MeshCanvas::draw(gpu::Texture& target, const Matrices& camera) {

@@ -24,6 +24,8 @@ public:
     static Result<std::unique_ptr<MeshCanvas>> create(gpu::Device& device, Compiler compiler, const std::vector<ColoredMesh>& meshes,
                                                       MeshShow show);
     ~MeshCanvas();
+    /// Other colours, or other meshes.
+    [[nodiscard]] Result<void> color(const std::vector<ColoredMesh>& meshes, MeshShow show);
     /// On black; `target` is of the format that a picture is shown from.
     [[nodiscard]] Result<void> draw(gpu::Texture& target, const Matrices& camera);
 

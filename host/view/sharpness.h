@@ -56,6 +56,12 @@ struct MovingCosts {
     [[nodiscard]] double share(Moving moving) const;
 };
 
+/// Milliseconds of passes that do not have the picture's size: of those that a move of the camera draws, and of all.
+struct RehearsalCosts {
+    double camera = 0;
+    double anything = 0;
+};
+
 /// Into how many bands passes are cut, so that a picture in pieces can be left soon; learnt from what they took.
 class PieceTimes {
 public:

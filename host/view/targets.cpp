@@ -8,7 +8,9 @@ namespace tegument::view {
 
 namespace {
 
-constexpr std::uint32_t kHeight = 96; // of a small picture, in texels: a little more than it is shown with
+constexpr int kRows = 64;                          // of a target, that say how bright its small picture is to be
+constexpr std::chrono::milliseconds kPatience(30); // for what small pictures need, in one picture of the panels
+constexpr std::uint32_t kHeight = 96;              // of a small picture, in texels: a little more than it is shown with
 
 std::uint32_t widthFor(const gpu::TextureDesc& desc) {
     return std::max(1U, kHeight * desc.width / std::max(1U, desc.height));
@@ -25,6 +27,11 @@ void ShownTargets::forget() {
 void ShownTargets::forgetAll() {
     images_.clear();
     small_.clear();
+}
+
+void ShownTargets::begin() {
+    begun_ = std::chrono::steady_clock::now();
+    waits_ = false;
 }
 
 Result<const Image*> ShownTargets::image(gpu::Device& device, EffectSession& session, const std::string& name, int level) {
@@ -48,11 +55,16 @@ Result<gpu::Texture*> ShownTargets::thumbnail(gpu::Device& device, Canvas& canva
         if (!texture) return texture.error();
         small.texture = std::move(*texture);
         small.levels = {.toneMap = radiance, .encode = radiance};
-        if (!name.empty() || gpu::isDepth(target.desc().format)) {
-            const auto values = image(device, session, name, 0);
-            if (!values) return values.error();
-            small.levels = levelsOf(**values);
-        }
+        small.known = name.empty() && !gpu::isDepth(target.desc().format);
+        small.drawn = false;
+    }
+    if (!small.known) {
+        waits_ = waits_ || std::chrono::steady_clock::now() - begun_ > kPatience;
+        if (waits_) return &small.texture;
+        const auto values = run::readBackRows(device, target, kRows);
+        if (!values) return values.error();
+        small.levels = levelsOf(*values);
+        small.known = true;
         small.drawn = false;
     }
     if (!small.drawn)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 namespace tegument::view {
@@ -24,9 +25,10 @@ constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in t
 constexpr auto kMostSaving = std::chrono::seconds(1);
 constexpr double kShort = 0.005;   // while the text settles, or the window changes
 constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
+constexpr double kWidestFov = 170; // degrees, as in workspaces
 constexpr int kDeviceLost = 6007;
 constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with -D TEGUMENT_SURROUNDINGS";
-constexpr std::uint32_t kUnknownBands = 4; // of a pass that was not drawn yet
+constexpr std::uint32_t kUnknownBands = 8; // of a pass that was not drawn yet
 
 Result<gpu::Texture> makeTarget(gpu::Device& device, const char* name, PixelSize size) {
     return device.createTexture(
@@ -124,9 +126,10 @@ Result<void> Viewer::run() {
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    const double patience = settles || making_ || stale_ || firstSaved_ ? kShort : kPatience;
+    const double patience = settles || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience;
     if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
-    std::this_thread::sleep_for(std::chrono::duration<double>(making_ || stale_ || firstSaved_ ? kShort : kPatience));
+    std::this_thread::sleep_for(
+        std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience));
     return {};
 }
 
@@ -146,6 +149,8 @@ Result<void> Viewer::step(const Input& input) {
     if (const auto resized = resize(); !resized) return resized;
     if (torn_)
         if (const auto drawn = drawAs(sharpness_); !drawn) return drawn;
+    if (meshesMaking_.valid() && !stale_ && haveMeshes())
+        if (const auto painted = paint(); !painted) return painted;
     if (const auto advanced = advance(!asks(input) && !stale_); !advanced) return advanced;
     if (stale_ || !making_ || !making_->loaded)
         if (const auto sharpened = sharpen(); !sharpened) return sharpened;
@@ -158,12 +163,17 @@ Result<void> Viewer::step(const Input& input) {
     return shown;
 }
 
-bool Viewer::edited() {
-    const auto now = std::chrono::steady_clock::now();
+bool Viewer::saving() {
     if (watch_.changed()) {
-        lastSaved_ = now;
-        if (!firstSaved_) firstSaved_ = now;
+        lastSaved_ = std::chrono::steady_clock::now();
+        if (!firstSaved_) firstSaved_ = lastSaved_;
     }
+    return firstSaved_.has_value();
+}
+
+bool Viewer::edited() {
+    (void)saving();
+    const auto now = std::chrono::steady_clock::now();
     const bool whole = firstSaved_ && (now - lastSaved_ >= kSaving || now - *firstSaved_ >= kMostSaving);
     if (whole) firstSaved_.reset();
     return whole;
@@ -262,6 +272,17 @@ glm::dvec2 Viewer::cursorOnPicture() const {
     return placeSeenAt(state_, onPicture(cursor_));
 }
 
+/// The field of view is across the picture, which is wider for its height where something stands below it.
+Workspace Viewer::seen(Workspace workspace) const {
+    const PixelSize window = windowPixels();
+    if (dock_ == Dock{} || size_.height == 0 || window.width == 0) return workspace;
+    const double whole = pictureShare() * window.width / window.height;
+    const double wider = std::max(1.0, static_cast<double>(size_.width) / size_.height / whole);
+    const double half = glm::radians(0.5 * static_cast<double>(workspace.camera.horizontalFov));
+    workspace.camera.horizontalFov = static_cast<float>(std::min(kWidestFov, glm::degrees(2 * std::atan(wider * std::tan(half)))));
+    return workspace;
+}
+
 /// While the same panels stand, what they take does not become less: numbers that change would make the picture anew.
 void Viewer::dock(const PanelOutcome& outcome) {
     const bool same = docked_ == outcome.docked;
@@ -277,7 +298,7 @@ void Viewer::dock(const PanelOutcome& outcome) {
 
 Result<SessionFrame> Viewer::drawWith(Loaded& loaded) {
     const auto begin = std::chrono::steady_clock::now();
-    auto frame = loaded.session.draw(state_.workspace, runOptions(), passCount(state_));
+    auto frame = loaded.session.draw(seen(state_.workspace), runOptions(), passCount(state_));
     milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     settling_ = kSettlingFrames;
     return frame;
@@ -292,7 +313,6 @@ Result<void> Viewer::develop(SessionFrame frame) {
     }
     frame_ = std::move(frame);
     times_.note(frame_);
-    noteCosts();
     moved_ = std::chrono::steady_clock::now();
     stale_ = false;
     targets_.forget();
@@ -310,6 +330,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     state_.level = std::min(state_.level, state_.levels - 1);
     if (const auto levels = findLevels(*texture, name); !levels) return levels;
     if (const auto drawn = drawBeside(); !drawn) return report(nullptr, drawn.error());
+    noteCosts();
     return paint();
 }
 
@@ -347,9 +368,8 @@ Result<void> Viewer::paint() {
     if (const auto made = makePicture(picture_, "picture in the window"); !made) return made;
     settling_ = kSettlingFrames;
     if (const auto painted = paintBeside(); !painted) return painted;
-    if (state_.mesh != MeshShow::None && (request_.scene.mesh || !request_.scene.objects.empty())) return paintMesh();
-    meshCanvas_.reset();
-    meshes_.clear();
+    if (state_.mesh != MeshShow::None && (request_.scene.mesh || !request_.scene.objects.empty()) && haveMeshes()) return paintMesh();
+    if (state_.mesh == MeshShow::None) dropMeshes();
     const auto texture = shownTexture();
     if (!texture) return texture.error();
     return canvas_->show(picture_, **texture, shownLevels(), fitOf(**texture));

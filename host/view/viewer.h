@@ -55,6 +55,8 @@ private:
     [[nodiscard]] Result<void> fulfil(Request request);
     [[nodiscard]] Result<void> resize();
 
+    /// Whether files have changed, and may not be whole yet.
+    [[nodiscard]] bool saving();
     /// Whether files have changed, and have been still for a moment.
     [[nodiscard]] bool edited();
     [[nodiscard]] Result<std::shared_ptr<const Adoption>> readSource() const;
@@ -101,6 +103,9 @@ private:
     void lookAt(Making& making) const;
 
     // viewer_mesh.cpp
+    /// What false colours need is there; begins to make it.
+    [[nodiscard]] bool haveMeshes();
+    void dropMeshes();
     /// The mesh in false colours instead of the picture.
     [[nodiscard]] Result<void> paintMesh();
     /// Texels along each side of the largest map that does not follow the picture's size.
@@ -123,8 +128,9 @@ private:
     [[nodiscard]] EffectSession& session() { return (sharpness_.drafting ? draft_ : loaded_)->session; }
     /// Of a whole picture.
     void noteCosts();
-    /// What the last frame's passes took.
+    /// What the last frame's passes took, of both sides.
     [[nodiscard]] PassCosts passCosts();
+    [[nodiscard]] PassCosts costsOf(const SessionFrame& frame, EffectSession& of) const;
     /// Another pass or target is to be shown: what was shown before stays until it is drawn, piece by piece.
     [[nodiscard]] Result<void> drawSoon();
     /// Draws the whole picture once nothing moves, piece by piece; given up where something moves again.
@@ -143,6 +149,13 @@ private:
     [[nodiscard]] Result<void> prepareToMove();
     [[nodiscard]] bool preparing() const;
     [[nodiscard]] bool wantsDraft() const;
+    /// Draws small pictures of each side that nobody sees: what a device makes for its first one is then there, and which passes a move of
+    /// the camera draws, and what they take, is known. True: both sides are done.
+    [[nodiscard]] bool rehearse();
+    /// Of one side. None: it was given up.
+    [[nodiscard]] std::optional<RehearsalCosts> rehearse(Loaded& side, const std::string& technique,
+                                                         const std::map<std::string, std::vector<double>>& parameters);
+    void rehearseDraftBeside();
     /// Meshes in fewer triangles, made by another thread; takes them once they are there.
     void takeFewer();
     /// Begins to read the effect with fewer texels in the maps that do not follow the picture's size, where it has such.
@@ -181,6 +194,8 @@ private:
     [[nodiscard]] std::array<double, 4> pictureArea() const;
     /// Share of that, from its left top, of a share of the window.
     [[nodiscard]] glm::dvec2 onPicture(glm::dvec2 onWindow) const;
+    /// With a field of view that panels cut nothing off.
+    [[nodiscard]] Workspace seen(Workspace workspace) const;
     /// Panels may have come or gone.
     void dock(const PanelOutcome& outcome);
     [[nodiscard]] PixelSize windowPixels() const;
@@ -229,6 +244,8 @@ private:
     ShownTargets targets_; // of the last good one
     PassTimes times_;
     std::vector<ColoredMesh> meshes_; // while they are shown
+    std::future<std::vector<ColoredMesh>> meshesMaking_;
+    std::vector<std::future<std::vector<ColoredMesh>>> meshesAbandoned_;
     std::unique_ptr<MeshCanvas> meshCanvas_;
     MeshShow meshShown_ = MeshShow::None;
     glm::dvec2 cursor_{-1}; // share of the window
@@ -272,6 +289,7 @@ private:
     std::chrono::steady_clock::time_point moved_; // when the last picture was there
     int settling_ = 0;                            // Dear ImGui's layout follows its input by a frame or two
     std::set<std::string> warned_;
+    bool rehearsed_ = false;
     bool draftTried_ = false; // there is one, or none can be
     bool draftDrawn_ = false;
     bool fewerAsked_ = false;

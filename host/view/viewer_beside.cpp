@@ -81,6 +81,7 @@ Result<void> Viewer::drawBeside() {
         const auto frame = drawSide();
         if (!frame) return frame.error();
         beside.times.note(*frame);
+        beside.costs = costsOf(*frame, beside.session());
         const gpu::Texture* same = beside.session().target(shownTarget(state_, frame_));
         if (!same || same->desc().cube) return {};
     }
@@ -93,7 +94,7 @@ Result<SessionFrame> Viewer::drawSide() {
     options.technique = beside_->technique;
     options.parameters = beside_->parameters;
     beside_->drafting = sharpness_.drafting && beside_->draft;
-    return beside_->session().draw(state_.workspace, options);
+    return beside_->session().draw(seen(state_.workspace), options);
 }
 
 Result<void> Viewer::paintBeside() {

@@ -2,6 +2,8 @@
 
 #include "host/view/viewer.h"
 
+#include "host/view/orbit.h"
+
 #include <algorithm>
 
 namespace tegument::view {
@@ -11,6 +13,8 @@ namespace {
 constexpr std::chrono::milliseconds kRested(400);
 constexpr double kSlowPicture = 70;            // milliseconds: whoever is quicker needs nothing
 constexpr double kSlowMaps = 100;              // likewise: what a smaller picture does not mend
+constexpr double kLittle = 0.02;               // radians
+constexpr double kLeastShare = 0.125;          // of each side of a picture
 constexpr std::uint32_t kFewerTexels = 4;      // along each side
 constexpr std::uint32_t kLeastSide = 256;      // of a map that has fewer in a draft
 constexpr std::size_t kDraftTriangles = 12000; // of a mesh while it moves: five milliseconds of a processor for each pass
@@ -41,16 +45,78 @@ Result<void> Viewer::prepareToMove() {
     if (costs_.pixels + costs_.anything <= kSlowPicture) return {};
     takeFewer();
     if (std::chrono::steady_clock::now() - moved_ < kRested) return {}; // the next edit may come at once, and wants the processor
-    if (!fewerMaking_.valid() && wantsDraft()) (void)haveDraft(true);
+    if (!fewerMaking_.valid() && rehearse() && wantsDraft() && haveDraft(true)) rehearseDraftBeside();
     return {};
 }
 
-bool Viewer::wantsDraft() const {
-    return costs_.pixels + costs_.anything > kSlowPicture && costs_.anything > kSlowMaps;
+bool Viewer::rehearse() {
+    const bool other = beside_ && beside_->loaded;
+    if (!rehearsed_) {
+        const auto costs = rehearse(*loaded_, state_.technique, state_.parameters);
+        if (!costs) return false;
+        rehearsed_ = true;
+        costs_.camera = costs->camera;
+        costs_.anything = costs->anything;
+        return !other;
+    }
+    if (!other || beside_->rehearsed) return true;
+    const auto costs = rehearse(*beside_->loaded, beside_->technique, beside_->parameters);
+    if (!costs) return false;
+    beside_->rehearsed = true;
+    costs_.camera += costs->camera;
+    costs_.anything += costs->anything;
+    return true;
 }
 
+/// Given up, it begins anew: what passes take is to be seen of all of them.
+std::optional<RehearsalCosts> Viewer::rehearse(Loaded& side, const std::string& technique,
+                                               const std::map<std::string, std::vector<double>>& parameters) {
+    Loaded rehearsal(device_, side.source, request_.keeps, request_.scene, &side);
+    const Sharpness shown =
+        std::exchange(sharpness_, {.share = kLeastShare, .drafting = false, .coarse = fewer_ != nullptr, .single = true});
+    inPieces_ = true;
+    RunOptions options = runOptions();
+    options.technique = technique;
+    options.parameters = parameters;
+    Workspace workspace = seen(state_.workspace);
+    const auto take = [&]() -> std::optional<double> {
+        const auto frame = rehearsal.session.draw(workspace, options);
+        if (!frame) return 0; // the whole picture has said why, or will
+        return frame->givenUp ? std::nullopt : std::optional(costsOf(*frame, rehearsal.session).others);
+    };
+    orbit(workspace.camera, kLittle, 0);
+    const auto camera = take();
+    orbitLight(workspace.light, workspace.camera, kLittle, 0);
+    const auto anything = camera ? take() : std::nullopt;
+    inPieces_ = false;
+    sharpness_ = shown;
+    side.session.learn(rehearsal.session);
+    return anything ? std::optional(RehearsalCosts{*camera, *anything}) : std::nullopt;
+}
+
+/// The kept side's session with fewer texels has drawn nothing yet.
+void Viewer::rehearseDraftBeside() {
+    if (!beside_ || !beside_->draft || beside_->draftDrawn) return;
+    const Sharpness shown =
+        std::exchange(sharpness_, {.share = costs_.share(Moving::Camera), .drafting = true, .coarse = fewer_ != nullptr, .single = true});
+    inPieces_ = true;
+    const auto frame = drawSide();
+    inPieces_ = false;
+    sharpness_ = shown;
+    beside_->drafting = false; // nobody has seen it
+    beside_->draftDrawn = !(frame && frame->givenUp);
+}
+
+bool Viewer::wantsDraft() const {
+    return costs_.pixels + costs_.anything > kSlowPicture && std::max(costs_.camera, costs_.anything) > kSlowMaps;
+}
+
+/// As prepareToMove() goes on.
 bool Viewer::preparing() const {
-    return fewerMaking_.valid() || draftReading_ || (draft_ && !draftDrawn_) || (!draftTried_ && wantsDraft());
+    if (costs_.pixels + costs_.anything <= kSlowPicture) return false;
+    if (fewerMaking_.valid() || !rehearsed_ || (beside_ && beside_->loaded && !beside_->rehearsed)) return true;
+    if (!wantsDraft()) return false;
+    return !draftTried_ || draftReading_ || (draft_ && !draftDrawn_) || (draftDrawn_ && beside_ && beside_->draft && !beside_->draftDrawn);
 }
 
 void Viewer::takeFewer() {
@@ -131,6 +197,7 @@ void Viewer::dropFewer() {
 
 void Viewer::dropDraft() {
     draft_.reset();
+    rehearsed_ = false;
     if (draftReading_) {
         draftReading_->giveUp();
         abandoned_.push_back(std::move(draftReading_));

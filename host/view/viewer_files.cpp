@@ -55,7 +55,7 @@ void Viewer::save() {
 }
 
 std::optional<fs::path> Viewer::saveWorkspace() {
-    Workspace workspace = state_.workspace;
+    Workspace workspace = seen(state_.workspace);
     settle(workspace, state_.parameters, request_.run.textures);
     const bool known = !workspaceFile_.empty() && workspaceJson(workspace, workspaceFile_) == workspaceText_;
     if (known) return workspaceFile_;

@@ -12,6 +12,7 @@ namespace tegument::view {
 namespace {
 
 constexpr int kPatientTries = 3;
+constexpr double kUnknownShare = 0.375;                        // of each side of a picture
 constexpr auto kBetweenTexts = std::chrono::milliseconds(250); // a line that changes costs a picture of the text
 
 } // namespace
@@ -166,12 +167,15 @@ Result<void> Viewer::finishMaking(SessionFrame frame) {
     watchFiles(&loaded_->effect, nullptr);
     const bool all = std::ranges::none_of(frame.passes, &SessionPass::kept);
     const auto developed = develop(std::move(frame));
+    costs_.quick = {}; // of another technique, or another text
     costs_.note(passCosts(), 0, sharpness_.share, all ? std::optional(Moving::Rest) : std::nullopt, isDraft());
-    return developed && made->tries > kPatientTries ? drawMoving(Moving::Rest, false) : developed;
+    if (made->tries > kPatientTries) stale_ = true; // it is of an older view
+    return developed;
 }
 
 Result<void> Viewer::failMaking(const Error& error) {
     const std::unique_ptr<Making> made = std::move(making_);
+    if (made->reads && !made->request && saving()) return {}; // it may have been read half written, and is read again
     ++made_;
     if (made->request) { // refused; what was there before is as good as it was
         wanted_ = {.technique = state_.technique, .setting = state_.setting, .binds = state_.binds};

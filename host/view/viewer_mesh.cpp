@@ -11,6 +11,7 @@ namespace tegument::view {
 
 namespace {
 
+constexpr std::chrono::milliseconds kMoment(20);
 constexpr std::uint32_t kUsualSide = 1024; // of maps, where the technique has none
 
 } // namespace
@@ -48,25 +49,43 @@ Result<void> Viewer::bakeAgain(const std::string& name) {
     notice("baking " + name);
     loaded_->session.bakeAgain(name);
     dropDraft();
-    meshes_.clear(); // roots of fur are counted anew
-    meshCanvas_.reset();
+    dropMeshes(); // roots of fur are counted anew
     targets_.forgetAll();
     const auto drawn = draw();
     if (!problem_.empty() && !session().target(shownTarget(state_, frame_))) state_.show = Show::Picture;
     return drawn;
 }
 
+void Viewer::dropMeshes() {
+    if (meshesMaking_.valid()) meshesAbandoned_.push_back(std::move(meshesMaking_));
+    std::erase_if(meshesAbandoned_,
+                  [](const auto& making) { return making.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+    meshes_.clear();
+    meshCanvas_.reset();
+}
+
+/// Large meshes are looked at by another thread; small ones are there at once.
+bool Viewer::haveMeshes() {
+    if (!meshes_.empty()) return true;
+    if (!meshesMaking_.valid())
+        meshesMaking_ = std::async(std::launch::async, [scene = request_.scene, keeps = request_.keeps] { return coloredMeshes(scene); });
+    if (meshesMaking_.wait_for(kMoment) != std::future_status::ready) return false;
+    meshes_ = meshesMaking_.get();
+    return !meshes_.empty();
+}
+
 Result<void> Viewer::paintMesh() {
-    if (meshes_.empty()) meshes_ = coloredMeshes(request_.scene);
     if (state_.mesh == MeshShow::Fur)
         if (const auto counted = countFur(); !counted) return counted;
-    if (!meshCanvas_ || meshShown_ != state_.mesh) {
+    if (meshCanvas_ && meshShown_ != state_.mesh)
+        if (const auto colored = meshCanvas_->color(meshes_, state_.mesh); !colored) return colored;
+    meshShown_ = state_.mesh;
+    if (!meshCanvas_) {
         auto made = MeshCanvas::create(device_, request_.run.compiler, meshes_, state_.mesh);
         if (!made) return made.error();
         meshCanvas_ = std::move(*made);
-        meshShown_ = state_.mesh;
     }
-    const PlacedScene placed = placeScene(state_.workspace, run::boundsOf(request_.scene));
+    const PlacedScene placed = placeScene(seen(state_.workspace), run::boundsOf(request_.scene));
     return meshCanvas_->draw(picture_, cameraMatrices(placed.camera, static_cast<double>(size_.width) / size_.height));
 }
 

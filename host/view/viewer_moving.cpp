@@ -39,15 +39,24 @@ void Viewer::noteCosts() {
     const bool all = std::ranges::none_of(frame_.passes, &SessionPass::kept);
     costs_.note(passCosts(), 0, 1, all ? std::optional(Moving::Rest) : std::nullopt, false);
     for (const SessionPass& pass : frame_.passes)
-        if (!pass.kept) pieces_.note(pass.name, pass.milliseconds);
+        if (!pass.kept && pass.milliseconds > 0) pieces_.note(pass.name, pass.milliseconds); // those behind the shown one were not drawn
+}
+
+PassCosts Viewer::costsOf(const SessionFrame& frame, EffectSession& of) const {
+    PassCosts costs{.pixels = frame.resolveMilliseconds.value_or(0), .others = 0};
+    for (const SessionPass& pass : frame.passes) {
+        const gpu::Texture* target = pass.targets.empty() ? nullptr : of.target(pass.targets.front());
+        const bool picture = target && PixelSize{target->desc().width, target->desc().height} == drawnPixels();
+        (picture ? costs.pixels : costs.others) += pass.milliseconds;
+    }
+    return costs;
 }
 
 PassCosts Viewer::passCosts() {
-    PassCosts costs{.pixels = frame_.resolveMilliseconds.value_or(0), .others = 0};
-    for (const SessionPass& pass : frame_.passes) {
-        const gpu::Texture* target = pass.targets.empty() ? nullptr : session().target(pass.targets.front());
-        const bool picture = target && PixelSize{target->desc().width, target->desc().height} == drawnPixels();
-        (picture ? costs.pixels : costs.others) += pass.milliseconds;
+    PassCosts costs = costsOf(frame_, session());
+    if (beside_ && beside_->drawn && beside_->loaded) {
+        costs.pixels += beside_->costs.pixels;
+        costs.others += beside_->costs.others;
     }
     return costs;
 }

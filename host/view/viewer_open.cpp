@@ -43,6 +43,7 @@ Result<void> Viewer::takeOpened() {
 void Viewer::lookAt(Making& making) const {
     const bool anew = making.request && !making.request->keepView;
     making.workspace = anew ? run::inWorld(making.request->workspace, making.request->scene) : state_.workspace;
+    making.workspace = seen(std::move(making.workspace));
     making.parameters = anew ? making.request->run.parameters : state_.parameters;
     std::erase_if(making.parameters, [&](const auto& value) { return !making.loaded->effect.findParameter(value.first); });
 }
@@ -51,8 +52,7 @@ void Viewer::showOpened(ViewRequest request) {
     request_ = std::move(request);
     if (!request_.keepView) begin();
     dropFewer();
-    meshCanvas_.reset();
-    meshes_.clear();
+    dropMeshes();
     costs_ = draftCosts_ = {};
 }
 

@@ -44,6 +44,7 @@ Result<PanelPictures> Viewer::panelPictures() {
     if (state_.textures) pictures.textures = frame_.textures;
     if (!state_.strip) return pictures;
     pictures.arrows = arrowsOf(frame_);
+    targets_.begin();
     for (const std::string& name : inOrderOfFlow(frame_)) {
         const gpu::Texture* target = session().target(name);
         if (!target) continue; // of a part of the frame
@@ -55,6 +56,7 @@ Result<PanelPictures> Viewer::panelPictures() {
              .texture = *small,
              .shown = state_.show == Show::Target ? name == state_.target : state_.show == Show::Picture && name.empty()});
     }
+    if (targets_.waits()) settling_ = kSettlingFrames;
     return pictures;
 }
 
@@ -109,6 +111,7 @@ PanelText Viewer::panelText() {
     if (state_.zoom != 1) text.lines.push_back(fmt::format("{:.0f} times as large", state_.zoom));
     if (isDraft()) text.lines.push_back(draftText(sharpness_, drawnPixels().width, drawnPixels().height));
     if (making_) text.lines.push_back("being made: " + makingText());
+    if (meshesMaking_.valid()) text.lines.emplace_back("being made: the mesh in false colours");
     if (state_.channel != 0) text.lines.push_back(fmt::format("channel {}", kChannels.at(static_cast<std::size_t>(state_.channel))));
     if (const auto found = frame_.metadata.find("attribution"); found != frame_.metadata.end()) text.lines.push_back(found->second);
     if (state_.probe) {

@@ -75,7 +75,7 @@ Result<void> Viewer::awaitReady(std::vector<Reaction>& reactions) {
 Result<void> Viewer::awaitMade(const ReplayStep& next, std::size_t before, std::vector<Reaction>& reactions) {
     const Input drag{.camera = next.meanwhile, .any = true};
     const bool drags = next.meanwhile != glm::dvec2(0);
-    while (making_ || stale_ || (!next.file.empty() && made_ == before)) {
+    while (making_ || stale_ || meshesMaking_.valid() || (!next.file.empty() && made_ == before)) {
         Input nothing = wait();
         interrupted_ = drags && making_; // from the worst moment, the beginning of a piece
         const auto begin = Clock::now();
@@ -97,7 +97,8 @@ Result<std::vector<Reaction>> Viewer::replay(const std::vector<ReplayStep>& step
     bool ready = false;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const ReplayStep& next = steps[i];
-        if (!ready && !next.soon) {
+        const bool begins = i == 0 || steps[i - 1].kind != next.kind; // as after a look at what the step before has shown
+        if (begins && !next.soon && (!ready || preparing())) {
             if (const auto awaited = awaitReady(reactions); !awaited) return awaited.error();
             ready = true;
         }

@@ -75,6 +75,7 @@ TEST(BesideView, what_a_display_shows_of_light_is_what_its_saved_bytes_hold) {
 
 TEST(BesideView, the_line_of_the_error_tells_where_it_is_largest_or_why_there_is_none) {
     EXPECT_NE(errorLine(compareImages(grey({1, 1, 1.5F}), grey({1, 1, 1}))).find("largest 0.5 at (2, 0)"), std::string::npos);
+    EXPECT_EQ(errorLine(compareImages(grey({1, 2}), grey({1, 2}))), "no difference");
     const Result<Difference> none = compareImages(grey({1, 1}), grey({1}));
     ASSERT_FALSE(none);
     EXPECT_EQ(errorLine(none), none.error().diagnostics.front().text);

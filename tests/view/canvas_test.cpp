@@ -1,6 +1,8 @@
 // Pictures one after another take no memory, as a viewer that stays open shows them.
 
+#include "host/run/read_back.h"
 #include "host/view/canvas.h"
+#include "host/view/unfold.h"
 
 #include "tests/gpu/with_device.h"
 
@@ -58,6 +60,57 @@ TEST_F(Canvases, pictures_in_a_row_make_no_code_and_take_no_memory) {
     showPictures(*canvas, window, picture, kMore);
     EXPECT_EQ(madeCode(), code) << "the driver compiled shaders anew";
     EXPECT_LT(mallinfo2().uordblks, bytes + kMostBytes);
+}
+
+TEST_F(Canvases, what_is_enlarged_stays_in_its_area_of_the_window) {
+    auto canvas = Canvas::create(*device_, Compiler::Dxc);
+    ASSERT_TRUE(canvas) << format(canvas.error());
+    constexpr std::uint32_t kSide = 40;
+    gpu::Texture picture = target(*device_, 20);
+    gpu::Texture window = target(*device_, kSide);
+    std::vector<std::byte> columns; // red goes from 0 to 190 in steps of 10
+    for (int i = 0; i < 20 * 20; ++i)
+        for (const int value : {i % 20 * 10, 255, 255, 255})
+            columns.push_back(static_cast<std::byte>(value));
+    ASSERT_TRUE(device_->upload(picture, columns));
+    const Canvas::Fit fit{.area = {0.25, 0, 0.75, 0.5}, .fill = false, .closer = {.zoom = 4, .at = {1, 0}}};
+    ASSERT_TRUE(canvas->show(window, picture, {}, fit));
+    const auto seen = device_->readback(window);
+    ASSERT_TRUE(seen);
+    const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t channel) {
+        return std::to_integer<int>(seen->at(4 * (y * kSide + x) + channel));
+    };
+    for (std::uint32_t y = 0; y < kSide; ++y)
+        for (std::uint32_t x = 0; x < kSide; ++x)
+            EXPECT_EQ(at(x, y, 1), x >= 10 && x < 30 && y < 20 ? 255 : 0) << x << ", " << y;
+    EXPECT_EQ(at(29, 3, 0), 190) << "the right end stays";
+    EXPECT_EQ(at(10, 3, 0), 150) << "a quarter of its columns is seen";
+}
+
+TEST_F(Canvases, a_cube_unfolds_into_a_cross_of_its_faces_level_by_level) {
+    auto cube = device_->createTexture({.name = "c", .format = gpu::Format::R32F, .width = 4, .height = 4, .mips = 3, .cube = true});
+    ASSERT_TRUE(cube);
+    for (std::uint32_t level = 0; level < 3; ++level)
+        for (std::uint32_t face = 0; face < 6; ++face) {
+            const std::vector<float> texels(std::size_t{4U >> level} * (4U >> level), static_cast<float>(10 * (face + 1) + level));
+            ASSERT_TRUE(device_->upload(*cube, std::as_bytes(std::span(texels)), level, face));
+        }
+    auto flat = unfolded(*device_, *cube);
+    ASSERT_TRUE(flat);
+    EXPECT_EQ(flat->desc().mips, 3U);
+    for (int level = 0; level < 3; ++level) {
+        const auto image = run::readBack(*device_, *flat, static_cast<std::uint32_t>(level));
+        ASSERT_TRUE(image);
+        const int side = 4 >> level;
+        ASSERT_EQ(image->width, 4 * side);
+        ASSERT_EQ(image->height, 3 * side);
+        const std::array<std::array<int, 4>, 3> faces{{{0, 3, 0, 0}, {2, 5, 1, 6}, {0, 4, 0, 0}}}; // +X is 1, -Z is 6
+        for (int y = 0; y < 3 * side; ++y)
+            for (int x = 0; x < 4 * side; ++x) {
+                const int face = faces.at(static_cast<std::size_t>(y / side)).at(static_cast<std::size_t>(x / side));
+                EXPECT_EQ(image->at(x, y, 0), face == 0 ? 0 : static_cast<float>(10 * face + level)) << level << ": " << x << ", " << y;
+            }
+    }
 }
 
 TEST_F(Canvases, what_is_drawn_together_is_what_is_drawn_one_after_another) {

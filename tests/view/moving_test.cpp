@@ -112,6 +112,12 @@ TEST(WhileItMoves, a_pass_is_cut_until_no_band_is_long_and_joined_again_once_it_
     EXPECT_LE(take(1, 10), 2U);
 }
 
+TEST(WhileItMoves, the_line_that_says_so_is_no_wider_than_what_stands_there_at_rest) {
+    const Sharpness draft{.share = 0.25, .drafting = true, .coarse = true, .single = true};
+    const std::string usual = "Main.fx  technique DEonLuebke  setting corrected";
+    EXPECT_LE(draftText(draft, 1920, 1080).size(), usual.size()) << "its panel would cover, and darken, more of the picture";
+}
+
 TEST(Zoom, keeps_what_is_under_the_cursor_and_ends_at_32) {
     ViewState state;
     const ViewState start = state;
@@ -141,6 +147,23 @@ TEST(MipLevels, go_round_and_begin_anew_with_another_target) {
 }
 
 class AfterAnEdit : public test::Run {};
+
+TEST_F(AfterAnEdit, some_rows_of_a_target_are_spread_over_its_height) {
+    auto texture = device_->createTexture({.name = "t", .format = gpu::Format::R32F, .width = 3, .height = 100});
+    ASSERT_TRUE(texture);
+    std::vector<float> values;
+    for (int i = 0; i < 300; ++i)
+        values.push_back(static_cast<float>(i / 3));
+    ASSERT_TRUE(device_->upload(*texture, std::as_bytes(std::span(values))));
+    const auto some = run::readBackRows(*device_, *texture, 10);
+    ASSERT_TRUE(some);
+    ASSERT_EQ(some->height, 10);
+    for (int y = 0; y < 10; ++y)
+        EXPECT_EQ(some->at(2, y, 0), static_cast<float>(10 * y + 5));
+    const auto all = run::readBackRows(*device_, *texture, 1000);
+    ASSERT_TRUE(all);
+    EXPECT_EQ(all->pixels, values);
+}
 
 TEST_F(AfterAnEdit, a_session_takes_over_what_the_device_holds_and_draws_the_same) {
     const Mesh mesh = test::square();

@@ -240,6 +240,48 @@ TEST(Presets, are_laid_over_what_was_given_and_leave_nothing_of_each_other) {
     EXPECT_EQ(apply(none, Command::NextPreset, none), Request::None);
 }
 
+TEST(Surroundings, turn_about_the_vertical_where_the_effect_has_them_and_are_light_that_moves) {
+    ViewState state;
+    const Input drag{.surroundings = 0.75};
+    EXPECT_FALSE(apply(state, drag)) << "nothing to turn";
+    state.read = {"gSurroundingsTurn"};
+    state.workspace.parameters["gSurroundingsTurn"] = {90};
+    EXPECT_TRUE(movesLight(drag));
+    EXPECT_TRUE(apply(state, drag));
+    EXPECT_NEAR(state.parameters.at("gSurroundingsTurn").front(), 90 + 0.75 * 180 - 360, 1e-9) << "within what its slider has";
+    EXPECT_TRUE(apply(state, {.surroundings = -0.75}));
+    EXPECT_NEAR(state.parameters.at("gSurroundingsTurn").front(), 90, 1e-9) << "what was dragged last, not the workspace";
+}
+
+TEST(Views, of_the_digits_are_those_of_other_programs_and_as_far_as_before) {
+    ViewState state;
+    state.workspace.camera = {.position = {100, 200, 300}, .target = {0, 50, 0}, .up = {0, 1, 0}};
+    const double distance = distanceOf(state.workspace.camera);
+    const ViewState start = state;
+    const auto back = [&](char32_t key) {
+        const auto command = commandOf(key);
+        EXPECT_TRUE(command);
+        EXPECT_EQ(apply(state, *command, start), Request::Move);
+        EXPECT_NEAR(distanceOf(state.workspace.camera), distance, kFloat);
+        EXPECT_EQ(state.workspace.camera.target, start.workspace.camera.target);
+        return axesOf(state.workspace.camera).back;
+    };
+    EXPECT_NEAR(back(U'1').z, 1, 1e-6);
+    EXPECT_NEAR(back(U'3').x, 1, 1e-6);
+    EXPECT_GT(back(U'7').y, 0.999);
+    const auto right = axesOf(state.workspace.camera).right;
+    EXPECT_NEAR(right.x, 1, 1e-3) << "from above, right is right";
+}
+
+TEST(Mouse, a_drag_that_dollies_is_nearer_to_the_right_and_up_and_undone_by_its_opposite) {
+    ViewState state;
+    state.workspace.camera = frontCamera();
+    EXPECT_TRUE(apply(state, {.dolly = 0.2}));
+    EXPECT_LT(distanceOf(state.workspace.camera), 400);
+    EXPECT_TRUE(apply(state, {.dolly = -0.2}));
+    EXPECT_NEAR(distanceOf(state.workspace.camera), 500, kFloat);
+}
+
 TEST(Panels, stand_inside_the_window_and_none_covers_another) {
     const auto panel = [](float width, float height) {
         return std::optional(PanelSize{.width = width, .height = [height](float) { return height; }});
@@ -274,6 +316,29 @@ TEST(Panels, stand_inside_the_window_and_none_covers_another) {
                         EXPECT_LE(all[i]->y + all[i]->height, height);
                     }
                 }
+}
+
+TEST(Panels, take_room_from_the_picture_where_enough_is_left_and_lie_on_it_otherwise) {
+    const auto panel = [](float width, float height) { return PanelSize{.width = width, .height = [height](float) { return height; }}; };
+    PanelSizes sizes;
+    sizes.lines = panel(300, 100);
+    EXPECT_EQ(arrange(900, 900, sizes).dock, Dock{}) << "a note lies on the picture";
+    sizes.linesTakeRoom = true;
+    EXPECT_EQ(arrange(900, 900, sizes).dock.left, 300 + 2 * kPanelMargin);
+    sizes.help = panel(420, 430);
+    EXPECT_EQ(arrange(900, 900, sizes).dock.left, 420 + 2 * kPanelMargin);
+    sizes.sliders = panel(380, 500);
+    sizes.strip = panel(900, 120);
+    const Dock wide = arrange(1920, 1080, sizes).dock;
+    EXPECT_EQ(wide.left, 420 + 2 * kPanelMargin);
+    EXPECT_EQ(wide.right, 380 + 2 * kPanelMargin);
+    EXPECT_EQ(wide.bottom, 120 + 2 * kPanelMargin);
+    const Dock narrow = arrange(900, 900, sizes).dock;
+    EXPECT_EQ(narrow.right, wide.right) << "there is room for one side";
+    EXPECT_EQ(narrow.left, 0);
+    EXPECT_EQ(arrange(300, 150, sizes).dock.right, 0);
+    sizes.problem = panel(900, 60);
+    EXPECT_EQ(arrange(900, 900, sizes).dock.right, narrow.right);
 }
 
 TEST(Panels, have_room_for_what_they_hold_in_a_window_of_the_usual_size) {

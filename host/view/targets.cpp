@@ -10,10 +10,11 @@ namespace {
 
 constexpr int kRows = 64;                          // of a target, that say how bright its small picture is to be
 constexpr std::chrono::milliseconds kPatience(30); // for what small pictures need, in one picture of the panels
+constexpr std::uint32_t kMostShape = 8;            // times as wide as high; a window of two rows of pixels has a picture, too
 constexpr std::uint32_t kHeight = 96;              // of a small picture, in texels: a little more than it is shown with
 
 std::uint32_t widthFor(const gpu::TextureDesc& desc) {
-    return std::max(1U, kHeight * desc.width / std::max(1U, desc.height));
+    return std::clamp(kHeight * desc.width / std::max(1U, desc.height), 1U, kMostShape * kHeight);
 }
 
 } // namespace

@@ -25,6 +25,7 @@ constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in t
 constexpr auto kMostSaving = std::chrono::seconds(1);
 constexpr double kShort = 0.005;   // while the text settles, or the window changes
 constexpr double kTextShare = 0.5; // of the window, where the effect's text stands beside the picture
+constexpr int kMostFailures = 5;
 constexpr double kWidestFov = 170; // degrees, as in workspaces
 constexpr int kDeviceLost = 6007;
 constexpr const char* kNoSurroundings = "nothing to turn here: skin stands in surroundings with -D TEGUMENT_SURROUNDINGS";
@@ -117,9 +118,18 @@ Result<std::shared_ptr<const Adoption>> Viewer::readSource() const {
     return std::make_shared<const Adoption>(std::move(*effect));
 }
 
+/// What goes wrong is shown, as an error of the effect is. It may be in what the panels need: they go.
 Result<void> Viewer::run() {
-    while (running_)
-        if (const auto stepped = step(wait()); !stepped) return stepped;
+    int failed = 0; // in a row
+    while (running_) {
+        const auto stepped = step(wait());
+        if (stepped) failed = 0;
+        if (stepped || !running_) continue;
+        if (++failed > kMostFailures) return stepped;
+        state_.strip = state_.probe = state_.times = state_.errors = false;
+        state_.mesh = MeshShow::None;
+        if (const auto reported = report(nullptr, stepped.error()); !reported) return reported;
+    }
     return {};
 }
 

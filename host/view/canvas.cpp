@@ -289,7 +289,7 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
 
 Result<void> Canvas::blend(gpu::Texture& target, std::span<const Mesh> meshes) {
     for (const Mesh& mesh : meshes)
-        state_->add(state_->blend, state_->smooth, mesh, {.clip = mesh.clip}, target, false);
+        state_->add(state_->blend, mesh.soft ? state_->soft : state_->smooth, mesh, {.clip = mesh.clip}, target, false);
     return state_->together ? Result<void>() : draw();
 }
 

@@ -65,6 +65,7 @@ public:
         std::span<const std::uint32_t> indices;
         gpu::Texture* texture = nullptr;
         ClipRectangle clip{};
+        bool soft = false; // edges between texels that are enlarged
     };
     /// Blended over what is there.
     [[nodiscard]] Result<void> blend(gpu::Texture& target, std::span<const Mesh> meshes);

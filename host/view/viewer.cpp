@@ -325,6 +325,7 @@ Result<void> Viewer::develop(SessionFrame frame) {
     times_.note(frame_);
     moved_ = std::chrono::steady_clock::now();
     stale_ = false;
+    ++frames_;
     targets_.forget();
     adopt(state_, frame_);
     state_.fur = !rootsTexture().empty();

@@ -180,6 +180,7 @@ private:
     /// The values of both there, and how far apart they are.
     [[nodiscard]] std::vector<std::string> probedBeside(const std::string& shown, glm::dvec2 place);
     [[nodiscard]] Result<void> measureBeside();
+    void forgetError();
     [[nodiscard]] Result<void> findErrors();
     /// Picture, what is beside it, or the errors, without text.
     [[nodiscard]] Result<void> compose();
@@ -214,6 +215,8 @@ private:
 
     [[nodiscard]] RunOptions runOptions() { return runOptionsOf(request_); }
     [[nodiscard]] RunOptions runOptionsOf(const ViewRequest& request);
+    /// How the values of what is shown are spread: the last that is known, while another thread counts.
+    [[nodiscard]] std::optional<Histogram> histogram(const std::string& shown);
     /// What the panels show of the targets: read back and made small only while it is asked for.
     [[nodiscard]] Result<PanelPictures> panelPictures();
     [[nodiscard]] std::vector<std::string> probed();
@@ -235,6 +238,13 @@ private:
     std::optional<Overlay> overlay_;
     std::unique_ptr<Loaded> loaded_;
     std::unique_ptr<Beside> beside_;
+    std::size_t besideViews_ = 0;        // pictures that there were to compare
+    std::future<std::string> measuring_; // the error
+    std::size_t measuredView_ = 0;       // of which
+    std::optional<Histogram> histogram_; // the last one
+    std::future<Histogram> histogramMaking_;
+    std::string histogramOf_; // what that is of
+    std::size_t frames_ = 0;  // that were shown
     SourceText source_;
     FileWatch watch_;
     ViewState state_;

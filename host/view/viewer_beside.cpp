@@ -15,6 +15,7 @@ namespace tegument::view {
 namespace {
 
 constexpr std::size_t kCorners = 4;
+constexpr std::chrono::milliseconds kMoment(10);
 
 Result<gpu::Texture> floatTexture(gpu::Device& device, const char* name, const Image& image) {
     auto texture = device.createTexture({.name = name,
@@ -73,8 +74,8 @@ Result<void> Viewer::openBeside(const std::filesystem::path& file) {
 Result<void> Viewer::drawBeside() {
     if (!beside_) return {};
     Beside& beside = *beside_;
-    beside.drawn = beside.haveErrors = false;
-    beside.error.clear();
+    beside.drawn = false;
+    forgetError();
     if (state_.show == Show::Pass) return {}; // the other side has other passes
     if (beside.loaded) {
         beside.values = {};
@@ -102,8 +103,7 @@ Result<void> Viewer::paintBeside() {
     Beside& beside = *beside_;
     if (std::exchange(beside.level, state_.level) != state_.level) {
         if (beside.loaded) beside.values = {};
-        beside.error.clear();
-        beside.haveErrors = false;
+        forgetError();
     }
     if (const auto made = makePicture(beside.picture, "picture beside"); !made) return made;
     gpu::Texture* texture = beside.loaded ? beside.session().target(shownTarget(state_, frame_)) : &beside.stored;
@@ -140,13 +140,29 @@ std::vector<std::string> Viewer::probedBeside(const std::string& shown, glm::dve
     return besideLines(*here, *there);
 }
 
+/// By another thread: of a large picture it takes longer than a window may be silent.
 Result<void> Viewer::measureBeside() {
     if (!beside_ || !beside_->drawn || !beside_->error.empty()) return {};
-    const auto both = sides();
-    if (!both) return both.error();
-    beside_->error = errorLine(compareImages(both->first, *both->second));
+    if (!measuring_.valid()) {
+        const auto both = sides();
+        if (!both) return both.error();
+        measuredView_ = besideViews_;
+        measuring_ =
+            std::async(std::launch::async, [now = both->first, before = *both->second] { return errorLine(compareImages(now, before)); });
+    }
+    if (measuring_.wait_for(kMoment) != std::future_status::ready) return {};
+    std::string line = measuring_.get();
+    if (measuredView_ != besideViews_) return {}; // of another picture
+    beside_->error = std::move(line);
     settling_ = kSettlingFrames;
     return {};
+}
+
+/// What is known of the error is that of another picture.
+void Viewer::forgetError() {
+    ++besideViews_;
+    beside_->error.clear();
+    beside_->haveErrors = false;
 }
 
 Result<void> Viewer::findErrors() {
@@ -184,7 +200,8 @@ Result<void> Viewer::compose() {
     const Canvas::Mesh mesh{.vertices = quad,
                             .indices = kTriangles,
                             .texture = &beside_->picture,
-                            .clip = {0, 0, static_cast<float>(std::round(border)), static_cast<float>(composed_.desc().height)}};
+                            .clip = {0, 0, static_cast<float>(std::round(border)), static_cast<float>(composed_.desc().height)},
+                            .soft = small};
     return canvas_->blend(composed_, std::span(&mesh, 1));
 }
 

@@ -112,10 +112,11 @@ PixelSize Viewer::drawnPixels() const {
     return {side(size_.width), side(size_.height)};
 }
 
-/// What is enlarged, or stands beside another, needs the window's.
+/// What is enlarged, or stands beside a saved picture, needs the window's.
 PixelSize Viewer::paintedPixels() const {
-    const bool alone = state_.zoom == 1 && !beside_ && state_.show == Show::Picture && state_.mesh == MeshShow::None;
-    return alone ? drawnPixels() : size_;
+    const bool alone = !beside_ || (beside_->loaded && !state_.errors);
+    const bool plain = state_.zoom == 1 && state_.show == Show::Picture && state_.mesh == MeshShow::None;
+    return alone && plain ? drawnPixels() : size_;
 }
 
 Canvas::Fit Viewer::fitOf(const gpu::Texture& texture) const {

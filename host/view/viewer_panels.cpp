@@ -14,6 +14,8 @@ namespace tegument::view {
 
 namespace {
 
+constexpr std::chrono::milliseconds kMoment(10);
+
 std::string firstLine(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
@@ -29,12 +31,23 @@ double totalMilliseconds(const SessionFrame& frame) {
 
 } // namespace
 
+std::optional<Histogram> Viewer::histogram(const std::string& shown) {
+    const std::string what = fmt::format("{} {} {}", frames_, shown, state_.level);
+    if (!histogramMaking_.valid() && what != histogramOf_) {
+        const auto image = targets_.image(device_, session(), shown, state_.level); // of a cube the first face
+        if (!image) return std::nullopt;
+        histogramOf_ = what;
+        histogramMaking_ = std::async(std::launch::async, [values = **image] { return histogramOf(values); });
+    }
+    if (histogramMaking_.valid() && histogramMaking_.wait_for(kMoment) == std::future_status::ready) histogram_ = histogramMaking_.get();
+    if (histogramMaking_.valid() || what != histogramOf_) settling_ = kSettlingFrames; // there will be a newer one
+    return histogram_ ? histogram_ : Histogram{};
+}
+
 Result<PanelPictures> Viewer::panelPictures() {
     PanelPictures pictures;
     const std::string shown = shownTarget(state_, frame_);
-    if (state_.probe)
-        if (const auto image = targets_.image(device_, session(), shown, state_.level))
-            pictures.histogram = histogramOf(**image); // of a cube the first face
+    if (state_.probe) pictures.histogram = histogram(shown);
     if (state_.times) {
         const bool both = beside_ && beside_->loaded && beside_->drawn;
         if (both) pictures.times.push_back({.name = beside_->name, .times = &beside_->times});

@@ -147,8 +147,8 @@ Result<void> Viewer::measureBeside() {
         const auto both = sides();
         if (!both) return both.error();
         measuredView_ = besideViews_;
-        measuring_ =
-            std::async(std::launch::async, [now = both->first, before = *both->second] { return errorLine(compareImages(now, before)); });
+        measuring_ = std::async(std::launch::async,
+                                [now = std::move(both->first), before = *both->second] { return errorLine(compareImages(now, before)); });
     }
     if (measuring_.wait_for(kMoment) != std::future_status::ready) return {};
     std::string line = measuring_.get();

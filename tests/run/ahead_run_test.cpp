@@ -1,5 +1,6 @@
 // What another thread makes for a session, and a first frame that is made in pieces.
 
+#include "host/image/image.h"
 #include "host/run/ahead.h"
 #include "host/run/pause.h"
 #include "host/run/read_back.h"
@@ -8,7 +9,11 @@
 #include "tests/run/sphere.h"
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <future>
+#include <random>
 
 namespace tegument::test {
 namespace {
@@ -163,6 +168,116 @@ TEST_F(MadeAhead, the_session_before_moves_while_the_next_one_is_made_in_pieces)
     EXPECT_EQ(pixels(next), pixels(one));
     EXPECT_EQ(pixels(before), pixels(other));
     EXPECT_EQ(pixels(before, "gIrradianceMap"), pixels(other, "gIrradianceMap"));
+}
+
+class MadeOfAMesh : public Run {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        folder_ = std::filesystem::temp_directory_path() / ("tegument-made-" + std::to_string(std::random_device{}()));
+        std::filesystem::create_directories(folder_);
+        auto effect = loadEffect(kFixtures / "made.fx", {});
+        ASSERT_TRUE(succeeded(effect));
+        effect_ = std::make_unique<Effect>(std::move(*effect));
+        options_ = row(4, "Made");
+        options_.keepUnchanged = true;
+        options_.meshTextures.make = [this](const std::string&, const Mesh&) -> Result<std::filesystem::path> {
+            ++asked_;
+            if (!std::filesystem::exists(folder_ / "map.png")) {
+                const Image image{.width = 1, .height = 1, .channels = 3, .pixels = {0.5F, 0.5F, 0.5F}, .metadata = {}};
+                if (auto written = writePng(folder_ / "map.png", image, PngEncoding::Raw); !written) return written.error();
+            }
+            return folder_ / "map.png";
+        };
+        options_.meshTextures.check = [this](const std::string&, const std::filesystem::path&, const Mesh&) -> Result<void> {
+            ++checked_;
+            return {};
+        };
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path folder_;
+    std::unique_ptr<Effect> effect_;
+    Mesh mesh_ = square();
+    RunOptions options_;
+    int asked_ = 0;
+    int checked_ = 0;
+};
+
+TEST_F(MadeOfAMesh, is_asked_for_once_by_all_frames_of_sessions_that_follow_each_other_and_anew_where_it_is_gone) {
+    EffectSession session(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(succeeded(session.draw({}, options_)));
+    EXPECT_EQ(asked_, 1) << "who makes it looks at all of the mesh first";
+    EffectSession next(*device_, *effect_, {.mesh = &mesh_, .objects = {}}, &session);
+    ASSERT_TRUE(succeeded(next.draw({}, options_)));
+    EXPECT_EQ(asked_, 1);
+    next.bakeAgain("gMadeMap");
+    ASSERT_TRUE(succeeded(next.draw({}, options_)));
+    EXPECT_EQ(asked_, 2);
+    EffectSession other(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    ASSERT_TRUE(succeeded(other.draw({}, options_)));
+    EXPECT_EQ(asked_, 3);
+}
+
+TEST_F(MadeOfAMesh, says_how_long_it_took_to_whoever_finds_it_later) {
+    EffectSession first(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    const auto made = first.draw({}, options_);
+    ASSERT_TRUE(succeeded(made));
+    const auto bake = made->textures.front().bake;
+    ASSERT_TRUE(bake);
+    EXPECT_FALSE(bake->fromCache);
+    EXPECT_EQ(bake->once, 0);
+    std::filesystem::last_write_time(folder_ / "map.png", std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    const auto found = [&] {
+        EffectSession later(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+        const auto frame = later.draw({}, options_);
+        EXPECT_TRUE(succeeded(frame));
+        EXPECT_TRUE(frame->textures.front().bake->fromCache);
+        return frame->textures.front().bake->once;
+    };
+    EXPECT_NEAR(found(), bake->milliseconds, 0.051) << "it is written with one digit";
+    for (const char* damaged : {"", "soon", "-3", "nan", "inf"}) {
+        std::ofstream(folder_ / "map.png.ms") << damaged;
+        EXPECT_EQ(found(), 0) << damaged;
+    }
+}
+
+TEST_F(MadeOfAMesh, is_held_against_the_mesh_once_where_it_is_given) {
+    ASSERT_TRUE(succeeded(options_.meshTextures.make("", mesh_)));
+    options_.textures["gMadeMap"] = (folder_ / "map.png").string();
+    EffectSession session(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(succeeded(session.draw({}, options_)));
+    EXPECT_EQ(checked_, 1);
+}
+
+class OfFewerTexels : public Run {};
+
+/// As the viewer draws while the light moves: maps of a quarter of the texels along each side, one sample a pixel, a small picture.
+TEST_F(OfFewerTexels, a_picture_with_half_of_a_body_in_shadow_is_as_bright_as_the_whole_one) {
+    const Mesh mesh = sphere();
+    const auto mean = [&](const char* side, int pixels, int samples, const glm::vec3& light) {
+        const auto effect = loadEffect("effects/Main.fx", {.defines = {{"TEGUMENT_MAP_SIZE", side}}, .includeFolders = {}});
+        EXPECT_TRUE(succeeded(effect));
+        EffectSession session(*device_, *effect, {.mesh = &mesh, .objects = {}});
+        Workspace workspace = closeUp();
+        workspace.light.position = light;
+        const RunOptions options{
+            .technique = "DEonLuebke", .width = pixels, .height = pixels, .samples = samples, .compiler = defaultCompiler()};
+        EXPECT_TRUE(succeeded(session.draw(workspace, options)));
+        const auto image = run::readBack(*device_, *session.target(""));
+        EXPECT_TRUE(image);
+        double sum = 0;
+        for (std::size_t i = 0; i < image->pixels.size(); ++i)
+            sum += i % 4 == 3 ? 0 : static_cast<double>(image->pixels[i]);
+        return sum / (pixels * pixels);
+    };
+    for (const glm::vec3& light : {glm::vec3(-600, 100, 0), glm::vec3(100, 500, -400)}) {
+        const double whole = mean("512", 256, 4, light);
+        EXPECT_GT(whole, 0);
+        EXPECT_NEAR(mean("128", 96, 1, light) / whole, 1, 0.03) << "nobody sees a few percent while something moves";
+    }
 }
 
 } // namespace

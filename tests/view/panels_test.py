@@ -136,7 +136,50 @@ class Fur(base.WideWindow):
         self.assertEqual(self.view.still(), self.start)
 
 
+CUBE = """#include "hlsl/platform.fxh"
+float4x4 gWorldViewProjection : WORLDVIEWPROJECTION;
+TextureCube gCubeMap < string Generator = "studio"; >;
+TG_SAMPLERCUBE(gCube, LINEAR, CLAMP);
+struct In { float3 position : POSITION; float3 normal : NORMAL; };
+struct Out { float4 position : SV_Position; float3 normal : TEXCOORD0; };
+Out CubeVS(In input) { Out output; output.position = mul(float4(input.position, 1.0), gWorldViewProjection); output.normal = input.normal; return output; }
+float4 CubePS(Out input) : SV_Target0 { return gCubeMap.SampleLevel(gCube, input.normal, 0.0); }
+#ifdef FX_TECHNIQUES
+technique Cube
+{ pass Draw { VertexShader = compile TG_VS_MODEL CubeVS(); PixelShader = compile TG_PS_MODEL CubePS(); TG_STATE_SOLID; } }
+#endif
+"""
+
+
+class Faces(base.WideWindow):
+    ARGUMENTS = ("cube.fx", "-w", "ball.json")
+    FILES = (("cube.fx", CUBE),)
+    TITLE = "cube.fx Cube"
+
+    def test_a_cube_is_opened_as_a_cross_of_its_faces(self):
+        self.view.screen.press("o")
+        listed = base.keep(self.view.still(unlike=self.start), "key_o_cube")
+        self.view.screen.drag((60, 22), (60, 22))
+        self.view.title("texture gCubeMap")
+        self.view.screen.press("o")
+        cross = base.keep(self.view.still(unlike=listed), "cube_faces")
+        # 4 by 3 faces, as high as the window: its corners are empty.
+        left, side = (2 * base.SIZE - base.SIZE * 4 // 3) // 2, base.SIZE // 3
+        face = lambda x, y: sum(sum(cross.pixels[((y * side + side // 2) * cross.width + left + x * side + side // 2) * 3:][:3]) for _ in (0,))
+        self.assertEqual([face(0, 0), face(2, 0), face(3, 2)], [0, 0, 0])
+        self.assertGreater(face(1, 0), 100, "the studio's ceiling")
+        self.view.screen.press("Escape")
+        self.assertEqual(self.view.still(unlike=cross), self.start)
+
+
 class Levels(unittest.TestCase):
+    def bars(self, picture):
+        """Of a spread at the bottom to the right: bars side by side count as one."""
+        y = picture.height - 60
+        row = [picture.pixels[(y * picture.width + x) * 3:(y * picture.width + x) * 3 + 3] for x in range(base.SIZE // 3, base.SIZE)]
+        lit = [max(texel) > 100 and max(texel) - min(texel) > 20 for texel in row]
+        return sum(now and not before for before, now in zip([False] + lit, lit))
+
     def test_l_goes_through_the_mip_levels_and_back(self):
         view = base.View(("stripes.fx",), (("stripes.fx", STRIPES),))
         self.addCleanup(view.end)
@@ -146,11 +189,22 @@ class Levels(unittest.TestCase):
         view.screen.press("Down")
         view.title("target gStripesMap")
         first = base.keep(view.still(), "level_0")
+        self.assertEqual(view.screen.title().split(",")[0], "stripes.fx Stripes [] target gStripesMap")
         greys = lambda p: set(p.pixels[(p.height // 2 * p.width + 16) * 3:(p.height // 2 * p.width + base.SIZE - 16) * 3])
         self.assertEqual(len(greys(first)), 2, "columns")
         self.assertGreater(max(greys(first)) - min(greys(first)), 200)
         view.screen.press("l")
         second = base.keep(view.still(unlike=first), "level_1")
+        view.screen.press("x")  # of one value there is one bar
+        view.screen.move(10, 10)
+        spread = base.keep(view.still(unlike=second), "level_1_spread")
+        self.assertEqual(self.bars(spread), 1)
+        for _ in range(5):
+            view.screen.press("l")
+        self.assertEqual(self.bars(base.keep(view.still(unlike=spread), "level_0_spread")), 2)
+        view.screen.press("x")
+        view.screen.press("l")
+        self.assertEqual(view.still(), second)
         self.assertEqual(len(greys(second)), 1, "one grey")
         self.assertTrue(100 < max(greys(second)) < 200, f"half of the light, or of the spread: {greys(second)}")
         for _ in range(5):  # 32 texels have six levels

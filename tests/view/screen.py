@@ -122,13 +122,18 @@ class Screen:
         xtest.fake_input(self.display, X.MotionNotify, x=x, y=y)
         self.display.sync()
 
-    def drag(self, start, end, button=1):
+    def drag(self, start, end, button=1, held=()):
         self.move(*start)
+        codes = [self.display.keysym_to_keycode(XK.string_to_keysym(key)) for key in held]
+        for code in codes:
+            xtest.fake_input(self.display, X.KeyPress, code)
         xtest.fake_input(self.display, X.ButtonPress, button)
         for step in range(1, 5):
             self.move(start[0] + (end[0] - start[0]) * step // 4, start[1] + (end[1] - start[1]) * step // 4)
             time.sleep(0.05)
         xtest.fake_input(self.display, X.ButtonRelease, button)
+        for code in reversed(codes):
+            xtest.fake_input(self.display, X.KeyRelease, code)
         self.display.sync()
 
     def wheel(self, up):

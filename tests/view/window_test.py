@@ -202,6 +202,39 @@ class Window(unittest.TestCase):
         right = [sum(p.pixels[(160 * p.width + x) * 3] for x in range(180, 260)) for p in (self.start, lit)]
         self.assertGreater(left[1] / max(1, right[1]), left[0] / max(1, right[0]))  # the light went where the mouse did
 
+    def test_drags_of_other_programs_turn_move_and_come_nearer(self):
+        lit = lambda picture: sum(value > 24 for value in picture.pixels)
+        drags = (("turned as in Blender", 2, ()), ("turned as in Maya", 1, ("Alt_L",)))
+        turned = []
+        for name, button, held in drags:
+            self.view.screen.drag((160, 160), (240, 130), button=button, held=held)
+            turned.append(self.keep(self.view.still(unlike=self.start), name.replace(" ", "_")))
+            self.assertEqual(self.view.start_again(), self.start)
+        self.assertEqual(turned[0], turned[1], "both turn the camera")
+        for name, button, held in (("nearer as in Blender", 2, ("Control_L",)), ("nearer as in Maya", 3, ("Alt_L",))):
+            self.view.screen.drag((160, 200), (160, 100), button=button, held=held)
+            near = self.keep(self.view.still(unlike=self.start), name.replace(" ", "_"))
+            self.assertGreater(lit(near), 1.15 * lit(self.start), name)
+            self.assertEqual(self.view.start_again(), self.start)
+        for name, button, held in (("moved as in Blender", 2, ("Shift_L",)), ("moved as in Maya", 2, ("Alt_L",)), ("moved by one button", 1, ("Shift_L",))):
+            self.view.screen.drag((100, 160), (180, 160), button=button, held=held)
+            moved = self.keep(self.view.still(unlike=self.start), name.replace(" ", "_"))
+            columns = [sum(sum(p.pixels[(y * p.width + 40) * 3:(y * p.width + 44) * 3]) for y in range(p.height)) for p in (self.start, moved)]
+            self.assertLess(columns[1], 0.5 * columns[0], f"{name}: the ball went with the mouse, to the right")
+            self.assertEqual(self.view.start_again(), self.start)
+
+    def test_the_digits_look_from_the_front_the_side_and_above(self):
+        seen = [self.start]
+        for key in ("1", "3", "7"):
+            self.view.screen.press(key)
+            seen.append(self.keep(self.view.still(unlike=seen[-1]), f"view_{key}"))
+        self.assertEqual(self.view.start_again(), self.start)
+
+    def test_where_there_are_no_surroundings_a_drag_of_them_says_what_is_missing(self):
+        self.view.screen.drag((160, 160), (220, 160), button=3, held=("Shift_L",))
+        self.view.wait("a word", lambda: "TEGUMENT_SURROUNDINGS" in self.view.said())
+        self.assertEqual(self.view.start_again(), self.start)
+
     def test_the_wheel_brings_the_camera_nearer(self):
         for _ in range(4):
             self.view.screen.wheel(up=True)

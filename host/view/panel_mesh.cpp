@@ -92,9 +92,11 @@ void drawTextures(const std::vector<SessionTexture>& textures, const std::string
         if (ImGui::Selectable(label.c_str(), texture.name == shown)) outcome.opened = texture.name;
         ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
         if (!texture.bake) continue;
-        ImGui::TextColored(kSourceText, "    %s", bakeText(texture).c_str());
+        ImGui::TextUnformatted("   ");
         ImGui::SameLine();
         if (ImGui::SmallButton(fmt::format("{}##{}", kOnceMore, texture.name).c_str())) outcome.baked = texture.name;
+        ImGui::SameLine();
+        ImGui::TextColored(kSourceText, "%s", bakeText(texture).c_str());
     }
     ImGui::TextUnformatted(kBakeAgain);
     ImGui::End();

@@ -14,34 +14,47 @@ constexpr ImU32 kLine = IM_COL32(255, 255, 255, 220);
 constexpr ImU32 kBehind = IM_COL32(15, 15, 15, 190);
 constexpr ImU32 kLetters = IM_COL32(255, 255, 255, 255);
 
-/// One line with its right or left end at x.
-void label(const std::string& text, float x, float y, bool endsThere, float least, float most) {
+/// From `least` to `most`, where a label may stand.
+struct Span {
+    float least = 0;
+    float most = 0;
+    [[nodiscard]] float width() const { return std::max(1.0F, most - least); }
+};
+
+float heightOf(const std::string& text, const Span& span) {
+    return ImGui::CalcTextSize(text.c_str(), nullptr, false, span.width()).y;
+}
+
+/// With its right or left end at x, and its lower one at `bottom`; of several lines where there is no room for one.
+void label(const std::string& text, float x, float bottom, bool endsThere, const Span& span) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float left = std::clamp(endsThere ? x - size.x : x, least, std::max(least, most - size.x));
-    list.AddRectFilled(ImVec2(left - 3, y - 1), ImVec2(left + size.x + 3, y + size.y + 1), kBehind);
-    list.AddText(ImVec2(left, y), kLetters, text.c_str());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, span.width());
+    const float left = std::clamp(endsThere ? x - size.x : x, span.least, std::max(span.least, span.most - size.x));
+    const float top = bottom - size.y;
+    list.AddRectFilled(ImVec2(left - 3, top - 1), ImVec2(left + size.x + 3, bottom + 1), kBehind);
+    list.AddText(nullptr, 0, ImVec2(left, top), kLetters, text.c_str(), nullptr, span.width());
 }
 
 } // namespace
 
 void drawBorder(double border, const BesideText& text, const Area& picture, float right, float bottom) {
-    const float left = picture.x;
-    const float end = picture.x + picture.width;
-    const float x = left + static_cast<float>(border) * picture.width;
+    const Span all{.least = picture.x + 3, .most = std::min(picture.x + picture.width, right) - 3};
+    const float x = picture.x + static_cast<float>(border) * picture.width;
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    label(text.error, left + kPanelMargin, bottom - line - kPanelMargin / 2, false, left, end);
+    bottom -= kPanelMargin;
+    label(text.error, all.least + kPanelMargin, bottom, false, all);
+    bottom -= heightOf(text.error, all) + 0.4F * line;
     if (text.colours) {
-        label("error of " + text.right + " against " + text.left, left + kPanelMargin, bottom - 2 * line - kPanelMargin / 2, false, left,
-              end);
-        label("black: a thousandth of the mean, red: all of it", left + kPanelMargin, bottom - 3 * line - kPanelMargin / 2, false, left,
-              end);
+        const std::string what = "error of " + text.right + " against " + text.left;
+        label(what, all.least + kPanelMargin, bottom, false, all);
+        label("black: a thousandth of the mean, red: all of it", all.least + kPanelMargin, bottom - heightOf(what, all) - 0.4F * line,
+              false, all);
         return;
     }
-    label(text.left, x - kPanelMargin, bottom - 2 * line - kPanelMargin, true, left, end);
+    label(text.left, x - kPanelMargin, bottom, true, all);
     const float needs = x + 2 * kPanelMargin + ImGui::CalcTextSize(text.right.c_str()).x;
     // Above the other's name where there is no room.
-    label(text.right, x + kPanelMargin, bottom - (needs > right ? 3 : 2) * line - kPanelMargin, false, left, right);
+    label(text.right, x + kPanelMargin, needs > all.most ? bottom - heightOf(text.left, all) - 0.4F * line : bottom, false, all);
     ImGui::GetBackgroundDrawList()->AddLine(ImVec2(x, picture.y), ImVec2(x, picture.y + picture.height), kLine, 1);
 }
 

@@ -163,11 +163,13 @@ class Faces(base.WideWindow):
         self.view.title("texture gCubeMap")
         self.view.screen.press("o")
         cross = base.keep(self.view.still(unlike=listed), "cube_faces")
-        # 4 by 3 faces, as high as the window: its corners are empty.
-        left, side = (2 * base.SIZE - base.SIZE * 4 // 3) // 2, base.SIZE // 3
-        face = lambda x, y: sum(sum(cross.pixels[((y * side + side // 2) * cross.width + left + x * side + side // 2) * 3:][:3]) for _ in (0,))
-        self.assertEqual([face(0, 0), face(2, 0), face(3, 2)], [0, 0, 0])
-        self.assertGreater(face(1, 0), 100, "the studio's ceiling")
+        # 4 by 3 faces, as high as the window: +Y, -Y above and below the second, and nothing else in those rows.
+        side, left = base.SIZE // 3, (2 * base.SIZE - base.SIZE * 4 // 3) // 2
+        lit = {(x, y): sum(cross.pixels[(v * cross.width + u) * 3] > 20 for v in range(y * side + 2, y * side + side - 2)
+                           for u in range(left + x * side + 2, left + x * side + side - 2)) for x in range(4) for y in range(3)}
+        self.assertEqual([lit[x, y] for x in (0, 2, 3) for y in (0, 2)], [0] * 6)
+        self.assertGreater(sum(lit[x, 1] for x in range(4)), 500, "the studio's lamps")
+        self.assertGreater(lit[1, 0], 50, "and one above")
         self.view.screen.press("Escape")
         self.assertEqual(self.view.still(unlike=cross), self.start)
 

@@ -14,6 +14,7 @@ namespace {
 const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
 constexpr const char* kBakeAgain = "F5 reads files, and draws what effects bake, again";
 constexpr const char* kOnceMore = "bake again";
+constexpr std::size_t kMostLetters = 64;
 constexpr double kSecond = 1000; // milliseconds
 
 float widestOf(const std::vector<std::string>& lines) {
@@ -35,6 +36,12 @@ std::string timeText(double milliseconds) {
 
 std::string sizeText(const SessionTexture& texture) {
     return fmt::format("{} x {} {}{}", texture.width, texture.height, texture.format, texture.cube ? " cube" : "");
+}
+
+/// Its beginning and its end: names of files in the cache are long.
+std::string shortened(const std::string& text) {
+    if (text.size() <= kMostLetters) return text;
+    return text.substr(0, kMostLetters / 3) + "..." + text.substr(text.size() - (kMostLetters - kMostLetters / 3 - 3));
 }
 
 } // namespace
@@ -77,7 +84,7 @@ PanelSize texturesSize(const std::vector<SessionTexture>& textures) {
     std::vector<std::string> lines{kBakeAgain};
     for (const SessionTexture& texture : textures) {
         lines.push_back(texture.name + "  " + sizeText(texture));
-        lines.push_back("    " + texture.source);
+        lines.push_back("    " + shortened(texture.source));
         if (texture.bake) lines.push_back(fmt::format("    {}  {}  ", bakeText(texture), kOnceMore));
     }
     return sizeOfLines(widestOf(lines), lines.size());
@@ -90,7 +97,8 @@ void drawTextures(const std::vector<SessionTexture>& textures, const std::string
     for (const SessionTexture& texture : textures) {
         const std::string label = fmt::format("{}  {}##{}", texture.name, sizeText(texture), texture.name);
         if (ImGui::Selectable(label.c_str(), texture.name == shown)) outcome.opened = texture.name;
-        ImGui::TextColored(kSourceText, "    %s", texture.source.c_str());
+        ImGui::TextColored(kSourceText, "    %s", shortened(texture.source).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", texture.source.c_str());
         if (!texture.bake) continue;
         ImGui::TextUnformatted("   ");
         ImGui::SameLine();

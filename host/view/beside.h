@@ -31,6 +31,7 @@ struct Beside {
     std::string error;       // a line; empty: not measured yet
     bool drawn = false;      // from this frame; false: there is nothing to hold the picture against
     bool haveErrors = false; // of this frame
+    RehearsalCosts moves;    // once it was rehearsed
     bool rehearsed = false;  // a small picture was drawn, and the next one is quick
     bool draftDrawn = false; // likewise, with fewer texels in its maps
 

@@ -55,14 +55,16 @@ bool Viewer::rehearse() {
         const auto costs = rehearse(*loaded_, state_.technique, state_.parameters);
         if (!costs) return false;
         rehearsed_ = true;
-        costs_.camera = costs->camera;
-        costs_.anything = costs->anything;
+        const RehearsalCosts beside = other ? beside_->moves : RehearsalCosts{};
+        costs_.camera = costs->camera + beside.camera;
+        costs_.anything = costs->anything + beside.anything;
         return !other;
     }
     if (!other || beside_->rehearsed) return true;
     const auto costs = rehearse(*beside_->loaded, beside_->technique, beside_->parameters);
     if (!costs) return false;
     beside_->rehearsed = true;
+    beside_->moves = *costs;
     costs_.camera += costs->camera;
     costs_.anything += costs->anything;
     return true;

@@ -66,7 +66,14 @@ Result<void> Viewer::drawAs(const Sharpness& how) {
     torn_ = stale_ = false; // an error is shown instead
     auto frame = drawWith(how.drafting ? *draft_ : *loaded_);
     if (!frame) return report(&loaded_->effect, frame.error());
-    if (const auto developed = develop(std::move(*frame)); !developed) return developed;
+    const auto developed = develop(std::move(*frame));
+    moved_ = std::chrono::steady_clock::now(); // the other side and the window's picture take a while, too
+    return developed;
+}
+
+Result<void> Viewer::drawSoon() {
+    if (isDraft()) return drawAs(sharpness_);
+    stale_ = true;
     return {};
 }
 

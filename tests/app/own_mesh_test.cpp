@@ -74,11 +74,12 @@ std::string rod(int axis, double radius, double length) {
     return text;
 }
 
+/// Textures; beside each stands how long it took.
 std::vector<fs::path> madeFiles() {
     std::vector<fs::path> files;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(scratch() / "fresh" / "fur" / "made", none))
-        files.push_back(entry.path().filename());
+        if (entry.path().extension() == ".dds") files.push_back(entry.path().filename());
     std::ranges::sort(files);
     return files;
 }

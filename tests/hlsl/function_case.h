@@ -145,6 +145,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> computePassCases();
 [[nodiscard]] std::vector<FunctionCase> furShellCases();
 [[nodiscard]] std::vector<FunctionCase> furSweepCases();
+[[nodiscard]] std::vector<FunctionCase> furLayerCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -4,10 +4,10 @@ namespace tegument::test {
 
 std::vector<FunctionCase> allCases() {
     std::vector<FunctionCase> all;
-    for (auto make : {specularCases,   lightCases,      softShadowCases,  surfaceCases,   workspaceCases, shadowCases,
-                      gaussianCases,   poissonCases,    scatterCases,     pyramidCases,   cullCases,      furCases,
-                      furRootsCases,   furRibbonCases,  peerScreenCases,  peerTableCases, lockCases,      lockLightCases,
-                      ribbonPassCases, strandPassCases, computePassCases, furShellCases,  furSweepCases,  furLayerCases})
+    for (auto make : {specularCases,   lightCases,     softShadowCases, surfaceCases,   workspaceCases,  shadowCases,     gaussianCases,
+                      poissonCases,    scatterCases,   pyramidCases,    cullCases,      furCases,        furRootsCases,   furRibbonCases,
+                      peerScreenCases, peerTableCases, lockCases,       lockLightCases, ribbonPassCases, strandPassCases, computePassCases,
+                      furShellCases,   furSweepCases,  furLayerCases,   furMotionCases})
         for (FunctionCase& function : make())
             all.push_back(std::move(function));
     return all;

@@ -7,7 +7,7 @@ std::vector<FunctionCase> allCases() {
     for (auto make : {specularCases,   lightCases,     softShadowCases, surfaceCases,   workspaceCases,  shadowCases,     gaussianCases,
                       poissonCases,    scatterCases,   pyramidCases,    cullCases,      furCases,        furRootsCases,   furRibbonCases,
                       peerScreenCases, peerTableCases, lockCases,       lockLightCases, ribbonPassCases, strandPassCases, computePassCases,
-                      furShellCases,   furSweepCases,  furLayerCases,   furMotionCases})
+                      furShellCases,   furSweepCases,  furLayerCases,   furMotionCases, lockPassCases})
         for (FunctionCase& function : make())
             all.push_back(std::move(function));
     return all;

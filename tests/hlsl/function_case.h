@@ -147,6 +147,7 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> furSweepCases();
 [[nodiscard]] std::vector<FunctionCase> furLayerCases();
 [[nodiscard]] std::vector<FunctionCase> furMotionCases();
+[[nodiscard]] std::vector<FunctionCase> lockPassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

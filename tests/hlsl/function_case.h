@@ -148,6 +148,8 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> furLayerCases();
 [[nodiscard]] std::vector<FunctionCase> furMotionCases();
 [[nodiscard]] std::vector<FunctionCase> lockPassCases();
+[[nodiscard]] std::vector<FunctionCase> strandRibbonCases();
+[[nodiscard]] std::vector<FunctionCase> furNotedCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -296,7 +296,7 @@ std::vector<FunctionCase> opacities() {
             const double faint = radius / halfOf(x) * (4 + 0.3 * 3) / 2; // as opaque as all of the lock
             return values(s.side * (halfOf(x) + 0.4), halfOf(x), faint, glm::length(kLamp - s.position));
         },
-        {.forward = 32, .backward = 2, .absolute = 1e-2, .why = "ranks of addresses to 5e-4, by two strands, by a share of 0.3, eight times, of 2.45"});
+        {.forward = 32, .backward = 2, .absolute = 1e-2, .why = "ranks to 5e-4, of two strands, by a share of 0.3, eight times, of 2.45"});
     add("float4(v.place.xyz, 0)",
         [=](const Inputs& x) {
             if (!drawn(x)) return values(0, 0, 1);

@@ -145,6 +145,11 @@ class Attempts(unittest.TestCase):
         result = self.attempt(self.plan([("first", 1, shaders), ("dear", 99, {"e.fx PS 1": ["d"]})], 5), Made(self.folder, compiled={"first": shaders}))
         self.assertEqual((result["same"], result["left"]), (False, 1))
 
+    def test_where_no_picture_is_asked_for_nothing_is_known_to_be_the_same_code(self):
+        shaders = {"e.fx PS 1": ["a"]}
+        plan = self.plan([("PublishedValues.first", 1, shaders)], 0)
+        self.assertFalse(self.attempt(plan, Made(self.folder, compiled={"PublishedValues.first": shaders}))["same"])
+
     def test_one_that_is_red_without_it_too_kills_nothing(self):
         trial = Made(self.folder, always=["broken"])
         result = self.attempt(self.plan([("broken", 1, {"e.fx PS 1": ["a"]}), ("sound", 2, {"e.fx PS 1": ["a"]})]), trial)

@@ -74,6 +74,15 @@ class Shaders(unittest.TestCase):
         self.assertEqual(len(set(found["a b.fx MainPS 1"])), 1)
 
 
+class Records(unittest.TestCase):
+    def test_what_was_found_of_functions_is_read_again(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        arguments = types.SimpleNamespace(build=pathlib.Path(scratch.name))
+        mutate.Record(arguments).add((mutate.FUNCTIONS, "Hlsl/* (7)"), "", 0, {})
+        self.assertIn("Hlsl/* (7)", mutate.Record(arguments).tests)
+
+
 class Made:
     """A worker's copy whose tests end, and compile, as the case says."""
 

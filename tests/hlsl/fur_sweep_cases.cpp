@@ -288,11 +288,115 @@ std::vector<FunctionCase> rootVertices() {
     return cases;
 }
 
+/// A ray through a flat layer of upright strands, straight but for the least bow. Arguments: place, way of the ray (along the skin, and
+/// down), height.
+struct FlatSweep {
+    static constexpr double kBow = 1e-3;
+    static constexpr double kThick = 8; // of the coat, spacings
+    glm::dvec3 place, travel;
+    double height, end, step, steps;
+
+    explicit FlatSweep(const Inputs& x) : place(x.vec3(0)), height(x.scalar(2)) {
+        const glm::dvec3 view = glm::normalize(glm::dvec3(x.vec2(1), -1));
+        const double grazing = view.z * view.z / (view.z * view.z + 1e-4);
+        travel = kThick * grazing * glm::dvec3(view.x, view.y, 0) / -view.z;
+        const double depth = std::min(height, 0.25); // of eight layers, for so many are one here
+        end = (1 - std::sqrt(1 - 2 * kBow * depth)) / kBow;
+        const double way = glm::length(travel) * end;
+        step = end / std::max(way, 1.0);
+        steps = std::min(way, 7.0) + 1;
+    }
+    /// The piece that ends after so many steps.
+    [[nodiscard]] MetPiece piece(double i) const {
+        const auto dropAt = [&](double n) { return std::min(n * step, end); };
+        const auto heightAt = [&](double drop) { return height - (drop - kBow * drop * drop / 2); };
+        MetPiece piece;
+        piece.normal = {0, 0, 1};
+        piece.begin = place + travel * dropAt(i - 1);
+        piece.along = travel * (dropAt(i) - dropAt(i - 1));
+        piece.top = heightAt(dropAt(i - 1));
+        piece.low = heightAt(dropAt(i));
+        return piece;
+    }
+    [[nodiscard]] static double reach(const MetPiece& piece) { return kRadius * (1 - piece.low) + 0.3 + glm::length(piece.along) / 2; }
+
+    /// By what `met` says of a piece: its own way to be nothing yet, then what is met. Coverage, or how near anything is to a leap.
+    template <class Met>
+    [[nodiscard]] double coverage(double& edge, Met met) const {
+        double free = 1;
+        edge = std::min(edge, std::abs(steps - std::round(steps)) < 1e-4 ? 0.0 : 1.0);
+        for (double i = 1; i <= steps && free > 0.01; ++i) {
+            free *= 1 - met(piece(i), edge).x;
+            edge = std::min(edge, std::abs(free - 0.01));
+        }
+        edge = std::min(edge, std::abs(1 - free - 0.004));
+        return 1 - free;
+    }
+};
+
+/// The texture of roots with cells of 2 mm, of which those beyond 2 mm along x have no list.
+const TestMap& narrowRoots() {
+    static const TestMap kMap = [] {
+        TestMap map = rootsMap();
+        map.texels[0] = {-4, -4, -4, 2};
+        const auto list = static_cast<float>(kListAt);
+        for (std::size_t cells = 0; cells < 16; ++cells)
+            map.texels[kBrickAt + cells] = {0, list, list, 0};
+        return map;
+    }();
+    return kMap;
+}
+
+double coverageOf(const FlatSweep& sweep, bool roots, double& edge) {
+    return sweep.coverage(edge, [&](const MetPiece& piece, double& near) {
+        if (!roots) return metCells(piece, FlatSweep::reach(piece), near);
+        const double mm = (piece.begin.x + piece.along.x / 2) * kRootsSpacing;
+        near = std::min(near, std::abs(std::abs(mm) - 2));
+        return std::abs(mm) < 2 ? metRoots(piece, FlatSweep::reach(piece), near) : glm::dvec4(0);
+    });
+}
+
+/// Pixels whose strands neither bend nor are expected beyond the sweep.
+std::vector<FunctionCase> pixels() {
+    std::vector<FunctionCase> cases;
+    for (const bool roots : {false, true}) {
+        const std::string entry = roots ? "RootsPS" : "CellularPS";
+        const double far = roots ? 1.5 : 20;
+        cases.push_back(sweepCase(
+            entry.c_str(),
+            "float2 q = fmod(pixel, 2.0); float3 slope = float3(0.05 * q, 0); StrandsVarying v = (StrandsVarying)0; v.position.xy = 3.5; "
+            "v.rest = float4(a0, 8.5); v.normal = float4(0, 0, 1, a2); v.fromEye = float4(150.0 * float3(a1, -1), 0.3); "
+            "v.toLight = float4(0, 0, 200, 3.5); v.lightClip = float4(2, 0, 0.5, 1); v.coat = float4(1e-4, 8, 0.5, 1); "
+            "v.plainRest = float4(slope, 0.4); v.plainNormal.w = 0.75; v.plainFromEye = float4(slope, -0.2); return float4(" +
+                entry + "(v).w, 0, 0, 0);",
+            {linear(-far, far, 3), linear(-1.5, 1.5, 2), linear(0.2, roots ? 0.7 : 1)},
+            [=](const Inputs& x) {
+                double edge = 1;
+                const double covered = coverageOf(FlatSweep(x), roots, edge);
+                return covered < 0.004 ? kDiscarded : values(covered);
+            },
+            {.forward = 16, .backward = 0, .absolute = 1e-2, .why = "roots of differences, of many strands"}));
+        cases.back().perQuad = true;
+        cases.back().discards = true;
+        cases.back().map = roots ? &narrowRoots() : cases.back().map;
+        cases.back().domain = [=](const Inputs& x) {
+            double edge = 1;
+            coverageOf(FlatSweep(x), roots, edge);
+            return edge > 3e-4;
+        };
+        for (const char* name : {"gFurScatter", "gFurCurls", "gFurTufts"})
+            cases.back().globals[name] = {0};
+        cases.back().globals["gFurTuftSize"] = {4};
+        cases.back().globals["gFurTurns"] = {1};
+    }
+    return cases;
+}
+
 } // namespace
 
 std::vector<FunctionCase> furSweepCases() {
     std::vector<FunctionCase> all = {meeting(), cells()};
-    for (auto make : {roots, rootVertices})
+    for (auto make : {roots, rootVertices, pixels})
         for (FunctionCase& each : make())
             all.push_back(std::move(each));
     return all;

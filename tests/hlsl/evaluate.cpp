@@ -162,8 +162,24 @@ struct Draw {
 };
 
 Result<gpu::Texture> texture(gpu::Device& device, const TestMap& map) {
-    const int height = map.height == 0 ? map.size : map.height;
-    return texture(device, static_cast<std::uint32_t>(map.size), static_cast<std::uint32_t>(height), map.texels);
+    const auto width = static_cast<std::uint32_t>(map.size);
+    const auto height = static_cast<std::uint32_t>(map.height == 0 ? map.size : map.height);
+    auto made = device.createTexture({.name = "map",
+                                      .format = gpu::Format::RGBA32F,
+                                      .width = width,
+                                      .height = height,
+                                      .mips = static_cast<std::uint32_t>(map.mips),
+                                      .cube = map.cube});
+    if (!made) return made;
+    std::span<const std::array<float, 4>> left(map.texels);
+    for (std::uint32_t layer = 0; layer < (map.cube ? 6U : 1U); ++layer)
+        for (std::uint32_t mip = 0; mip < static_cast<std::uint32_t>(map.mips); ++mip) {
+            const std::size_t count = static_cast<std::size_t>(std::max(width >> mip, 1U)) * std::max(height >> mip, 1U);
+            if (const auto uploaded = device.upload(*made, std::as_bytes(left.first(count)), mip, layer); !uploaded)
+                return uploaded.error();
+            left = left.subspan(count);
+        }
+    return made;
 }
 
 Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Samples& samples, const Grid& grid, const Shader& pixel) {

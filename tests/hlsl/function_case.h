@@ -81,7 +81,9 @@ private:
 struct TestMap {
     int size = 0;
     std::vector<std::array<float, 4>> texels;
-    int height = 0; // 0: as `size`
+    int height = 0;    // 0: as `size`
+    int mips = 1;      // their texels follow each other; the references below know the first alone
+    bool cube = false; // six faces, one after the other: +X -X +Y -Y +Z -Z
 
     /// Nearest texel, as a POINT look-up at uv.
     [[nodiscard]] glm::dvec4 at(glm::dvec2 uv) const;

@@ -328,10 +328,46 @@ std::vector<FunctionCase> pixels() {
     return cases;
 }
 
+/// A cube whose alpha tells the level that it was read from.
+const TestMap& leveledCube() {
+    static const TestMap kMap = [] {
+        TestMap map{.size = 256, .texels = {}, .mips = 9, .cube = true};
+        for (int face = 0; face < 6; ++face)
+            for (int mip = 0; mip < map.mips; ++mip)
+                map.texels.insert(map.texels.end(), std::size_t{1} << (16 - 2 * mip), {1, 1, 1, 0.1F * static_cast<float>(mip + 1)});
+        return map;
+    }();
+    return kMap;
+}
+
+/// Of a pixel that covers the map by a0 and a1 radians: the level of its shorter side, which here is the nearest one.
+FunctionCase cubes() {
+    const auto levelOf = [](const Inputs& x) { return std::log2(128 * std::max(std::min(x.scalar(0), x.scalar(1)), 1.0 / 128)); };
+    FunctionCase made =
+        shellCase("cubeShell",
+                  "float2 q = fmod(pixel, 2.0); FurVarying v = (FurVarying)0; v.coat = float4(0.5, 0, 0, 0.6); v.world = 1.0; "
+                  "v.plainRest.w = 1; return float4(cubeShell(v, float2(3.5, 4.5), float3(0, 0, 1), float3(q.x * a0, q.y * "
+                  "a1, 1)).w, 0, 0, 0);",
+                  {linear(0.02, 0.4), linear(0.02, 0.4)}, [=](const Inputs& x) { return values(0.1 * (1 + std::round(levelOf(x)))); },
+                  {.forward = 8, .backward = 0, .absolute = 1e-6, .why = "a level's own number"});
+    static const TestMap kNoEnd{.size = 1, .texels = {{0, 0, 0, 0}}};
+    made.maps["gFurCubeMap"] = &leveledCube();
+    made.maps["gCoatEndMap"] = &kNoEnd;
+    made.globals["gFurTaper"] = {0};
+    made.globals["gFurAlphaTest"] = {0};
+    made.globals["gFurCurl"] = {0};
+    made.defines.emplace_back("TEGUMENT_FUR_VERTEX_LIGHT", "1");
+    made.perQuad = true;
+    made.domain = [=](const Inputs& x) { // a device may round the level to an eighth and more
+        return std::abs(levelOf(x) - std::floor(levelOf(x)) - 0.5) > 0.15;
+    };
+    return made;
+}
+
 } // namespace
 
 std::vector<FunctionCase> furShellCases() {
-    std::vector<FunctionCase> all;
+    std::vector<FunctionCase> all = {cubes()};
     for (auto make : {radiances, hulls, vertices, pixels})
         for (FunctionCase& each : make())
             all.push_back(std::move(each));

@@ -399,11 +399,43 @@ std::vector<FunctionCase> pixels() {
     return cases;
 }
 
+/// Sums of opacity that tell the level that they were read from.
+const TestMap& leveledMap() {
+    static const TestMap kMap = [] {
+        TestMap map{.size = 256, .texels = {}, .mips = 9};
+        for (int mip = 0; mip < map.mips; ++mip) {
+            const auto sum = static_cast<float>(mip + 1);
+            map.texels.insert(map.texels.end(), std::size_t{1} << (16 - 2 * mip), {sum, sum, sum, sum});
+        }
+        return map;
+    }();
+    return kMap;
+}
+
+/// Light is blurred across 1.25 pixels of the picture, and at least 1.4 texels of the map. Here the nearest level is read.
+std::vector<FunctionCase> levels() {
+    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
+    static const TestMap kFront{.size = 1, .texels = {{1, 0, 0, 0}}};
+    std::vector<FunctionCase> cases;
+    for (const bool parallel : {false, true}) {
+        const double texel = parallel ? 2.0 / 256 * 100 : 2.0 / 256 * 300 / 2.5; // mm, amid the mesh
+        const auto levelOf = [=](const Inputs& x) { return std::log2(std::max(1.25 * x.scalar(0) / texel, 1.4)); };
+        cases.push_back(lockCase("coatOpen", "return float4(coatOpen(0.0, a0), 0, 0, 0);", {linear(0.1, 8)},
+                                 [=](const Inputs& x) { return values(std::exp(-0.1 * (1 + std::round(levelOf(x))))); },
+                                 {.forward = 8, .backward = 0, .why = "an exponential"}));
+        cases.back().maps = {{"gCoatSkinMap", &kNone}, {"gCoatFrontMap", &kFront}, {"gCoatOpacityMap", &leveledMap()}};
+        cases.back().globals["gCoatShadow"] = {0.1};
+        if (parallel) cases.back().globals["gLightViewProjection"] = {0.01, 0, 0, 0, 0, 0.01, 0, 0, 0, 0, -0.002, 0, 0, 0, 0.9, 1};
+        cases.back().domain = [=](const Inputs& x) { return std::abs(levelOf(x) - std::floor(levelOf(x)) - 0.5) > 0.01; };
+    }
+    return cases;
+}
+
 } // namespace
 
 std::vector<FunctionCase> lockPassCases() {
     std::vector<FunctionCase> all = {lamps()};
-    for (auto make : {colours, vertices, opacities, pixels})
+    for (auto make : {colours, vertices, opacities, pixels, levels})
         for (FunctionCase& each : make())
             all.push_back(std::move(each));
     return all;

@@ -14,23 +14,35 @@ bool isUnit(const glm::dvec3& v) {
     return std::abs(glm::length(v) - 1) < 1e-3;
 }
 
+constexpr double kFirst = 3 * 4096 + 5; // address of the first root
+
 /// Column and row of a root in the maps.
 glm::dvec2 columnOf(double address) {
     const std::int64_t whole = std::llround(address);
-    return {static_cast<double>(whole % 4096 / 3), static_cast<double>(whole / 4096 - 1)};
+    return {static_cast<double>(whole % 4096 / 3), static_cast<double>(whole / 4096 - 3)};
+}
+
+/// A header of which the address of the first root alone is read.
+const TestMap& placesMap() {
+    static const TestMap kMap = [] {
+        TestMap map{.size = 4096, .texels = std::vector<std::array<float, 4>>(4096), .height = 1};
+        map.texels[6] = {static_cast<float>(kFirst), 0, 0, 0};
+        return map;
+    }();
+    return kMap;
 }
 
 std::vector<FunctionCase> places() {
     const Tolerance exact{.forward = 0, .backward = 0, .why = "whole numbers"};
     std::vector<FunctionCase> cases;
     cases.push_back(strandRootCase(
-        "ribbonColumn", "return float4(ribbonColumn(a0), 0, 0);", {whole(4100, 1000000)},
+        "ribbonColumn", "return float4(ribbonColumn(a0), 0, 0);", {whole(3 * 4096 + 5, 1000000)},
         [](const Inputs& x) { return values(columnOf(x.scalar(0))); }, exact));
     cases.push_back(strandRootCase(
         "ribbonAddress", "return float4(ribbonAddress(float2(a0, a1)), 0, 0, 0);", {whole(0, 1364), whole(0, 255)},
         [](const Inputs& x) { // of the first row the texels before the first root are the header's
-            const double column = 3 * std::round(x.scalar(0)) + (x.scalar(1) < 0.5 ? 1 : 0);
-            return values(4096 * (1 + std::round(x.scalar(1))) + column);
+            const double column = 3 * std::round(x.scalar(0)) + (x.scalar(1) < 0.5 ? 2 : 0);
+            return values(4096 * (3 + std::round(x.scalar(1))) + column);
         },
         exact));
     cases.push_back(strandRootCase(
@@ -57,9 +69,11 @@ std::vector<FunctionCase> places() {
         const glm::dvec2 at = columnOf(x.scalar(0)) + glm::dvec2(side, 0.15 + 0.8 * std::round(x.scalar(1)) / 31);
         return values(2 * at.x / kColumns - 1, 1 - 2 * at.y / kRootRows, 0.5, 1);
     });
-    cases.back().domain = [](const Inputs& x) { return x.scalar(0) < 4095.5 || x.scalar(0) > 4099.5; };
+    cases.back().domain = [](const Inputs& x) { return x.scalar(0) < 4095.5 || x.scalar(0) > kFirst - 0.5; };
     add("float4(v.place.xyz, v.place.w)", [](const Inputs& x) { return values(glm::dvec4(x.vec3(3), 70.5)); });
     add("v.flow", [](const Inputs& x) { return values(x.scalar(3, 1), x.scalar(3, 2), x.scalar(3, 0), 1); });
+    for (FunctionCase& each : cases)
+        each.maps["gFurRootsMap"] = &placesMap();
     return cases;
 }
 

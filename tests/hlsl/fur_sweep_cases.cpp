@@ -112,7 +112,7 @@ glm::dvec4 metCells(const MetPiece& piece, double reach, double& edge) {
     return met;
 }
 
-/// Of a way along the skin.
+/// Of a way along the skin. Cases ask for reaches that are shorter than what a ray meets, so that what counts as near decides.
 MetPiece flatPiece(const Inputs& x) {
     MetPiece piece = pieceAt(x, 0);
     piece.along -= piece.normal * glm::dot(piece.along, piece.normal);
@@ -124,7 +124,7 @@ FunctionCase cells() {
     FunctionCase made = sweepCase("furCells",
                                   std::string(kPieceBody) + "p.along = a1 - a0 * dot(a0, a1); p.begin = a4; p.reach = a5; "
                                                             "return furCells(0.0, s, p);",
-                                  {unit(), vector(3, 0.2, 1), linear(0.2, 1), linear(0.02, 0.2), linear(-20, 20, 3), linear(0.4, 1.2)},
+                                  {unit(), vector(3, 0.4, 1.6), linear(0.2, 1), linear(0.02, 0.2), linear(-20, 20, 3), linear(0.3, 0.9)},
                                   [](const Inputs& x) {
                                       double edge = 1;
                                       return values(metCells(flatPiece(x), x.scalar(5), edge));
@@ -215,7 +215,7 @@ std::vector<FunctionCase> roots() {
                                   "p.along = a1 - a0 * dot(a0, a1); p.begin = a4; p.reach = a5; p.bend = float2(0.1, 0.05); "
                                   "p.bendLow = float2(0.02, -0.03); FurRootGrid grid = furRootGrid(); "
                                   "return furRoots(0.0, s, p, grid, float3(0.4, 0.75, -0.2), 100.0);",
-                              {unit(), vector(3, 0.2, 1), linear(0.2, 0.6), linear(0.02, 0.2), linear(-1, 1, 3), linear(0.4, 1.5)},
+                              {unit(), vector(3, 0.2, 1), linear(0.2, 0.6), linear(0.02, 0.2), linear(-1, 1, 3), linear(0.2, 0.8)},
                               [](const Inputs& x) {
                                   double edge = 1;
                                   MetPiece piece = flatPiece(x);

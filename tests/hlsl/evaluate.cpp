@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <optional>
+#include <regex>
 
 namespace tegument::test {
 
@@ -66,12 +67,19 @@ std::vector<std::pair<std::string, std::string>> definesOf(const FunctionCase& f
     return defines;
 }
 
+/// What compute shaders store is a variable here, which the body reads: of each store the texel of the last one does not count.
+std::string storesAsVariables(const std::string& code) {
+    static const std::regex kDeclared(R"(RWTexture2D\s*<\s*float4\s*>\s*(\w+)\s*(?:<[^;]*>)?\s*;)");
+    static const std::regex kStored(R"(\b(\w+Store)\s*\[[^\]]*\])");
+    return std::regex_replace(std::regex_replace(code, kDeclared, "static float4 $1 = 0.0;"), kStored, "$1");
+}
+
 /// The source that the function stands in, its own way of naming files and all.
 Result<std::string> source(const FunctionCase& function, int setting) {
     if (function.effect.empty()) return std::string(kLibrary);
     auto effect = loadEffect("effects/" + function.effect, {.defines = definesOf(function, setting), .includeFolders = {}});
     if (!effect) return effect.error();
-    return std::move(effect->code);
+    return storesAsVariables(effect->code);
 }
 
 std::string pixelShader(std::string code, const FunctionCase& function, const Samples& samples, const Grid& grid) {
@@ -147,18 +155,46 @@ std::vector<std::byte> globals(const UniformBlock& block, const std::map<std::st
 struct Draw {
     gpu::Texture inputs;
     gpu::Texture map;
+    std::map<std::string, gpu::Texture> maps;
     gpu::Texture target;
     gpu::Sampler sampler;
     std::vector<std::byte> globals;
 };
+
+Result<gpu::Texture> texture(gpu::Device& device, const TestMap& map) {
+    const auto width = static_cast<std::uint32_t>(map.size);
+    const auto height = static_cast<std::uint32_t>(map.height == 0 ? map.size : map.height);
+    auto made = device.createTexture({.name = "map",
+                                      .format = gpu::Format::RGBA32F,
+                                      .width = width,
+                                      .height = height,
+                                      .mips = static_cast<std::uint32_t>(map.mips),
+                                      .cube = map.cube});
+    if (!made) return made;
+    std::span<const std::array<float, 4>> left(map.texels);
+    for (std::uint32_t layer = 0; layer < (map.cube ? 6U : 1U); ++layer)
+        for (std::uint32_t mip = 0; mip < static_cast<std::uint32_t>(map.mips); ++mip) {
+            const std::size_t count = static_cast<std::size_t>(std::max(width >> mip, 1U)) * std::max(height >> mip, 1U);
+            if (const auto uploaded = device.upload(*made, std::as_bytes(left.first(count)), mip, layer); !uploaded)
+                return uploaded.error();
+            left = left.subspan(count);
+        }
+    return made;
+}
 
 Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Samples& samples, const Grid& grid, const Shader& pixel) {
     auto inputs = texture(device, kWidth, grid.rows * grid.texels, inputTexels(samples, grid));
     if (!inputs) return inputs.error();
     const TestMap none{.size = 1, .texels = {{0, 0, 0, 0}}};
     const TestMap& map = function.map ? *function.map : none;
-    auto sampled = texture(device, static_cast<std::uint32_t>(map.size), static_cast<std::uint32_t>(map.size), map.texels);
+    auto sampled = texture(device, map);
     if (!sampled) return sampled.error();
+    std::map<std::string, gpu::Texture> named;
+    for (const auto& [name, texels] : function.maps) {
+        auto made = texture(device, *texels);
+        if (!made) return made.error();
+        named.emplace(name, std::move(*made));
+    }
     auto target = device.createTexture({.name = "results",
                                         .format = gpu::Format::RGBA32F,
                                         .width = kWidth * grid.quad,
@@ -173,7 +209,7 @@ Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Sa
                                          .addressV = Address::Clamp,
                                          .compare = {}});
     if (!sampler) return sampler.error();
-    Draw draw{std::move(*inputs), std::move(*sampled), std::move(*target), std::move(*sampler), {}};
+    Draw draw{std::move(*inputs), std::move(*sampled), std::move(named), std::move(*target), std::move(*sampler), {}};
     if (pixel.reflection.globals) draw.globals = globals(*pixel.reflection.globals, function.globals);
     return draw;
 }
@@ -188,6 +224,12 @@ struct Bound {
     }
 };
 
+gpu::Texture* textureOf(const std::string& name, Draw& draw) {
+    if (name == "gInputMap") return &draw.inputs;
+    const auto found = draw.maps.find(name);
+    return found == draw.maps.end() ? &draw.map : &found->second;
+}
+
 Bound bind(const Reflection& reflection, Draw& draw) {
     Bound bound;
     if (reflection.globals)
@@ -197,7 +239,7 @@ Bound bind(const Reflection& reflection, Draw& draw) {
         if (resource.kind == ResourceKind::Sampler)
             bound.add(resource.set, resource.binding, gpu::BindingKind::Sampler, &draw.sampler);
         else
-            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, resource.name == "gInputMap" ? &draw.inputs : &draw.map);
+            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, textureOf(resource.name, draw));
     }
     return bound;
 }
@@ -223,7 +265,7 @@ Result<void> run(gpu::Device& device, const Shader& vertex, const Shader& pixel,
     return {};
 }
 
-Evaluated collect(const std::vector<std::byte>& bytes, const Samples& samples, const Grid& grid) {
+Evaluated collect(const std::vector<std::byte>& bytes, const Samples& samples, const Grid& grid, bool discards) {
     std::vector<std::array<float, 4>> pixels(bytes.size() / sizeof(std::array<float, 4>));
     std::memcpy(pixels.data(), bytes.data(), bytes.size());
     Evaluated evaluated;
@@ -235,8 +277,10 @@ Evaluated collect(const std::vector<std::byte>& bytes, const Samples& samples, c
             evaluated.overwritten += !poisoned;
             continue;
         }
-        evaluated.unwritten += poisoned;
-        evaluated.results.push_back(pixel);
+        const bool left = poisoned && discards;
+        evaluated.unwritten += poisoned && !left;
+        const auto nothing = static_cast<float>(kDiscarded[0]);
+        evaluated.results.push_back(left ? std::array{nothing, nothing, nothing, nothing} : pixel);
     }
     return evaluated;
 }
@@ -269,7 +313,7 @@ Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, in
     if (const auto ran = run(device, *vertex, *pixel, *draw); !ran) return ran.error();
     const auto bytes = device.readback(draw->target);
     if (!bytes) return bytes.error();
-    return collect(*bytes, samples, grid);
+    return collect(*bytes, samples, grid, function.discards);
 }
 
 } // namespace tegument::test

@@ -81,6 +81,9 @@ private:
 struct TestMap {
     int size = 0;
     std::vector<std::array<float, 4>> texels;
+    int height = 0;    // 0: as `size`
+    int mips = 1;      // their texels follow each other; the references below know the first alone
+    bool cube = false; // six faces, one after the other: +X -X +Y -Y +Z -Z
 
     /// Nearest texel, as a POINT look-up at uv.
     [[nodiscard]] glm::dvec4 at(glm::dvec2 uv) const;
@@ -98,6 +101,9 @@ struct Tolerance {
 
 using Values = std::array<double, 4>;
 
+/// What a pixel that the function leaves without a colour counts as, where a case says that it may (FunctionCase::discards).
+inline constexpr Values kDiscarded = {-7, -7, -7, -7};
+
 struct FunctionCase {
     std::string function; // its name
     std::string body;     // HLSL that returns float4 from arguments a0, a1, ...; `pixel` is the place in a 2 x 2 quad
@@ -113,6 +119,8 @@ struct FunctionCase {
     std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps
     std::function<bool(const Inputs&)> domain = {};                // elsewhere only finiteness is asked; default: everywhere
     std::string effect = {}; // of whose passes the function is, in effects/; its textures are `map`. Empty: a function of hlsl/
+    std::map<std::string, const TestMap*> maps = {}; // by name, of textures that are not `map`
+    bool discards = false;                           // a pixel that is left out is kDiscarded, not a failure
 };
 
 /// Every case of every function.
@@ -137,6 +145,13 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> ribbonPassCases();
 [[nodiscard]] std::vector<FunctionCase> strandPassCases();
 [[nodiscard]] std::vector<FunctionCase> computePassCases();
+[[nodiscard]] std::vector<FunctionCase> furShellCases();
+[[nodiscard]] std::vector<FunctionCase> furSweepCases();
+[[nodiscard]] std::vector<FunctionCase> furLayerCases();
+[[nodiscard]] std::vector<FunctionCase> furMotionCases();
+[[nodiscard]] std::vector<FunctionCase> lockPassCases();
+[[nodiscard]] std::vector<FunctionCase> strandRibbonCases();
+[[nodiscard]] std::vector<FunctionCase> furNotedCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

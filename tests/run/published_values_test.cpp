@@ -43,13 +43,18 @@ constexpr std::array<std::array<double, 4>, 6> kPrintedProfile = {{{.233, .455, 
 using Defaults = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
 
 void addDefaults(const std::filesystem::path& file, Defaults& defaults) {
-    const auto effect =
-        loadEffect(file, {.defines = {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_LOBES", "1"}, {"TEGUMENT_MOTION", "1"}}, .includeFolders = {}});
+    const std::vector<std::pair<std::string, std::string>> defines = {
+        {"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_LOBES", "1"}, {"TEGUMENT_MOTION", "1"}, {"TEGUMENT_FUR_POSE", "1"}};
+    const auto effect = loadEffect(file, {.defines = defines, .includeFolders = {}});
     ASSERT_TRUE(effect) << format(effect.error());
-    for (const Parameter& parameter : effect->parameters)
+    const auto note = [&](const Parameter& parameter, const char* what, const std::vector<double>& numbers) {
+        defaults[{parameter.name, fmt::format("{}{:.7g}", what, fmt::join(numbers, " "))}].insert(file.stem().string());
+    };
+    for (const Parameter& parameter : effect->parameters) {
+        if (const auto texel = parameter.annotations.numbers("Fallback")) note(parameter, "texel ", *texel);
         if (parameter.annotations.find("UIName") && parameter.defaultValue)
-            if (const auto* numbers = std::get_if<std::vector<double>>(&*parameter.defaultValue))
-                defaults[{parameter.name, fmt::format("{:.7g}", fmt::join(*numbers, " "))}].insert(file.stem().string());
+            if (const auto* numbers = std::get_if<std::vector<double>>(&*parameter.defaultValue)) note(parameter, "", *numbers);
+    }
 }
 
 std::set<std::string> rowsOf(const Defaults& defaults) {

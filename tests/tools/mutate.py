@@ -173,7 +173,7 @@ class Record:
         left_out = {program: but for program, but in PROGRAMS}
         for line in self.file.read_text().splitlines() if self.file.exists() else []:
             entry = json.loads(line)
-            if entry["of"] == self.shaders and not re.search(left_out.get(entry["program"], ""), entry["test"]):
+            if entry["of"] == self.shaders and not re.search(left_out.get(entry["program"], "^$"), entry["test"]):
                 self.tests[entry["test"]] = entry
 
     def check_functions(self, trial):
@@ -188,12 +188,13 @@ class Record:
             self.add((FUNCTIONS, name), ":".join(red), 0, {})
         return [case for case in cases if case not in self.tests[name]["red"].split(":")]
 
-    def make(self, trials):
+    def make(self, trials, wanted=""):
+        """wanted: of which tests, a pattern; all by default."""
         for program, _ in PROGRAMS:
-            if not (self.build / program).exists():
+            if not wanted and not (self.build / program).exists():
                 print(f"not asked, for it is not built: {program}", flush=True)
         names = [(program, test) for program, but in PROGRAMS if (self.build / program).exists() for test in tests_of(self.build, program)
-                 if not re.search(but, test) and test not in self.tests]
+                 if re.search(wanted, test) and not re.search(but, test) and test not in self.tests]
         if names:
             print(f"{len(names)} tests to look at first", flush=True)
         with concurrent.futures.ThreadPoolExecutor(len(trials)) as pool:
@@ -328,7 +329,8 @@ class Attempt:
         stage, test = self.by_functions()
         if not stage:
             stage, test = self.by_pictures()
-        same = not stage and not self.changed and self.left == 0 and self.mutant.is_code and self.drawn
+        # Without tests of pictures nobody knows whether others would compile something else.
+        same = bool(self.plan.arguments.seconds) and not stage and not self.changed and self.left == 0 and self.mutant.is_code and self.drawn
         return {"id": self.mutant.id, "mutant": self.mutant.describe(), "stage": stage, "test": test, "seconds": round(self.seconds, 1),
                 "left": self.left, "budget": self.plan.arguments.seconds, "same": same}
 
@@ -424,8 +426,7 @@ def run(mutants, arguments, results):
     free, lock = list(trials), threading.Lock()
     try:
         record = Record(arguments)
-        if arguments.seconds:
-            record.make(trials)
+        record.make(trials, "" if arguments.seconds else VALUES)
         plan = Plan(arguments, record, record.check_functions(trials[0]))
 
         def attempt(mutant):

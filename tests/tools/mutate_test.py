@@ -74,6 +74,15 @@ class Shaders(unittest.TestCase):
         self.assertEqual(len(set(found["a b.fx MainPS 1"])), 1)
 
 
+class Records(unittest.TestCase):
+    def test_what_was_found_of_functions_is_read_again(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        arguments = types.SimpleNamespace(build=pathlib.Path(scratch.name))
+        mutate.Record(arguments).add((mutate.FUNCTIONS, "Hlsl/* (7)"), "", 0, {})
+        self.assertIn("Hlsl/* (7)", mutate.Record(arguments).tests)
+
+
 class Made:
     """A worker's copy whose tests end, and compile, as the case says."""
 
@@ -144,6 +153,11 @@ class Attempts(unittest.TestCase):
             self.assertFalse(self.attempt(self.plan([("first", 1, shaders)]), Made(self.folder, compiled={"first": now}))["same"])
         result = self.attempt(self.plan([("first", 1, shaders), ("dear", 99, {"e.fx PS 1": ["d"]})], 5), Made(self.folder, compiled={"first": shaders}))
         self.assertEqual((result["same"], result["left"]), (False, 1))
+
+    def test_where_no_picture_is_asked_for_nothing_is_known_to_be_the_same_code(self):
+        shaders = {"e.fx PS 1": ["a"]}
+        plan = self.plan([("PublishedValues.first", 1, shaders)], 0)
+        self.assertFalse(self.attempt(plan, Made(self.folder, compiled={"PublishedValues.first": shaders}))["same"])
 
     def test_one_that_is_red_without_it_too_kills_nothing(self):
         trial = Made(self.folder, always=["broken"])

@@ -1,0 +1,273 @@
+// A layer of strands that a ray falls through (effects/passes/fur_strands.fxh, fur_cellular.fxh) in double precision: what vertices hand
+// on, how far and in which steps the ray is followed, what the layer sends.
+
+#include "tests/hlsl/fur_light.h"
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kRadius = 0.3; // of a root, spacings
+constexpr double kLayers = 32;
+constexpr double kSegment = 3; // spacings
+constexpr double kFewest = 4;
+constexpr double kNearEnd = 0.01;              // 1 / distance of the coat's end, spacings
+const double kPixel = 2 * std::tan(0.3) / 640; // at distance 1
+
+double share(double x) {
+    return std::clamp(x, 0.0, 1.0);
+}
+
+bool isUnit(const glm::dvec3& v) {
+    return std::abs(glm::length(v) - 1) < 1e-3;
+}
+
+FunctionCase layerCase(const char* function, std::string body, std::vector<Argument> arguments,
+                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
+    static const TestMap kEnd{.size = 1, .texels = {{static_cast<float>(kNearEnd), 0, 0, 0}}};
+    static const TestMap kDepth{.size = 1, .texels = {{250, 0, 0, 0}}};
+    FunctionCase made{.function = function,
+                      .body = std::move(body),
+                      .arguments = std::move(arguments),
+                      .expected = std::move(expected),
+                      .tolerance = std::move(tolerance),
+                      .samples = 1024,
+                      .globals = furScene(),
+                      .effect = "FurRoots.fx",
+                      .maps = {{"gCoatEndMap", &kEnd}, {"gShadowMap", &kDepth}}};
+    for (const auto& [name, value] : std::map<std::string, double>{{"gFurRadius", kRadius},
+                                                                   {"gFurLayers", kLayers},
+                                                                   {"gFurSegment", kSegment},
+                                                                   {"gFurFewest", kFewest},
+                                                                   {"gFurSpacing", 0.02},
+                                                                   {"gFurShortest", 0.55}})
+        made.globals[name] = {value};
+    return made;
+}
+
+/// Arguments: normal and place in the mesh, layer, lean, spacing.
+struct Layer {
+    glm::dvec3 normal, world, fromEye;
+    double height, spacing, width, fade, thickness;
+
+    explicit Layer(const Inputs& x) : normal(x.vec3(0)), height((std::round(x.scalar(2)) + 1) / kLayers), spacing(x.scalar(4)) {
+        const glm::dvec3 hanging = furTurned(normal + height * x.vec3(3)) + kFurLean * height * kFurDown;
+        world = furWorld(x.vec3(1)) + hanging * (kFurLength * kFurMesh * height);
+        fromEye = furTurnedBack(world - kFurEye) / spacing;
+        width = kPixel * glm::length(fromEye);
+        fade = share(width - 1);
+        thickness = std::max(kFurLength * kFurMesh / spacing, 1.0);
+    }
+    /// Layers may be halved so often, logarithm: until a segment of an upright coat is as long as it may be, or the fewest are left.
+    [[nodiscard]] double spare() const {
+        const double cosine = glm::dot(glm::normalize(fromEye), normal);
+        const double way = thickness * std::sqrt(1 - cosine * cosine) / std::max(-cosine, 0.01);
+        return std::log2(kLayers / std::max(way / (kSegment + 64 * fade), kFewest));
+    }
+    [[nodiscard]] double least() const { return std::pow(glm::mix(0.01, 1.0 / 6, fade), 2); }
+};
+
+std::vector<FunctionCase> vertices() {
+    const char* body = "VertexInput i = (VertexInput)0; i.normal = a0; i.position = a1; FurGrowth g; g.place = a3.yzx; g.lean = a3; "
+                       "g.density = a5; g.spacing = a4; g.shortest = a5; g.data = float3(0.2, 0.3, 0.4); "
+                       "StrandsVarying v = strandsVarying(i, a2, g, -1.0); ";
+    const std::vector<Argument> arguments = {unit(), linear(-40, 40, 3), whole(0, 31), linear(-1, 1, 3), linear(0.1, 10), linear(0.3, 1)};
+    std::vector<FunctionCase> cases;
+    const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
+        cases.push_back(layerCase("strandsVarying", std::string(body) + "return " + returned + ";", arguments, std::move(expected),
+                                  {.forward = 32, .backward = 4, .absolute = 2e-4, .why = "sums of up to 400, lengths"}));
+        cases.back().domain = [](const Inputs& x) { return isUnit(x.vec3(0)) && x.scalar(4) >= 0.1; };
+    };
+    add("v.lightClip", [](const Inputs& x) {
+        const glm::dvec3 p = Layer(x).world;
+        return values(2.5 * p.x - 50, 2.5 * p.y + 75, 350 - 1.2 * p.z, 300 - p.z);
+    });
+    add("v.rest", [](const Inputs& x) {
+        return values(glm::dvec4(x.scalar(3, 1), x.scalar(3, 2), x.scalar(3, 0), kLayers - 0.5 - std::round(x.scalar(2))));
+    });
+    add("v.fromEye / 100.0", [](const Inputs& x) { return values(glm::dvec4(Layer(x).fromEye, Layer(x).width) / 100.0); });
+    add("v.lean", [](const Inputs& x) { return values(glm::dvec4(x.vec3(3) + kFurLean * furTurnedBack(kFurDown), x.scalar(5))); });
+    add("v.coat / float4(0.01, 1, 1, 1)", [](const Inputs& x) {
+        const double shortest = x.scalar(5);
+        return values(100 * Layer(x).least(), Layer(x).thickness, std::min(shortest, 0.999), 2 / (1 + shortest));
+    });
+    add("float4(strandsData(v), v.normal.w)", [](const Inputs& x) { return values(0.2, 0.3, -0.4, Layer(x).height); });
+    add("float4(v.toLight.w, v.toLight.xyz / 100.0)", [](const Inputs& x) {
+        const Layer layer(x);
+        return values(glm::dvec4(layer.spare(), furTurnedBack(kFurLamp - layer.world) * kFurUnit / 100.0));
+    });
+    cases.back().domain = [](const Inputs& x) { // not where a ray that grazes decides
+        const Layer layer(x);
+        return isUnit(x.vec3(0)) && x.scalar(4) >= 0.1 && std::abs(glm::dot(glm::normalize(layer.fromEye), layer.normal)) < 0.999;
+    };
+    cases.push_back(layerCase("cellularVarying",
+                              "VertexInput i = (VertexInput)0; i.position = a0; StrandsVarying v = cellularVarying(i, a1, -1.0); "
+                              "return float4(v.rest.xyz, strandsShortest(v) + strandsDensity(v)) + 0.0 * strandsRound(v);",
+                              {linear(-40, 40, 3), whole(0, 31)},
+                              [](const Inputs& x) { // cells as wide as the spacing, from the ball's centre on
+                                  return values(glm::dvec4(furTurnedBack(furWorld(x.vec3(0)) - kFurCentre) / 1.6, 1.55));
+                              },
+                              {.forward = 8, .backward = 2, .absolute = 2e-5, .why = "sums of up to 100, by 1.6"}));
+    return cases;
+}
+
+/// Slopes of a layer's triangle from pixel to pixel: of the coat's point, of the skin below it, and of the normal.
+const glm::dvec3 kAcross = {0.05, 0.01, -0.02};
+const glm::dvec3 kDown = {-0.01, 0.06, 0.015};
+const glm::dvec3 kPlaceAcross = {0.045, 0.012, -0.018};
+const glm::dvec3 kPlaceDown = {-0.008, 0.055, 0.017};
+const glm::dvec3 kNormalAcross = {0.004, 0.0005, 0.001};
+const glm::dvec3 kNormalDown = {0.0005, 0.003, -0.001};
+constexpr double kThick = 8; // of the coat, spacings
+
+/// Arguments: way from the eye, normal, height, width of a pixel, lean, logarithm of the stride, layers above.
+struct Sweep {
+    double bottom, end, step, beyond, steps, bow, depth, cosine;
+
+    explicit Sweep(const Inputs& x) {
+        const glm::dvec3 view = glm::normalize(x.vec3(0));
+        const glm::dvec3 normal = x.vec3(1);
+        const double height = x.scalar(2);
+        const double fade = share(x.scalar(3) - 1);
+        const double stride = std::pow(2, std::round(x.scalar(5)));
+        bottom = std::max(height - stride / kLayers, 0.0);
+        depth = height - bottom;
+        // The triangle that is moved down by the strand meets the ray again there.
+        const glm::dvec3 strand = normal + (height + bottom) * x.vec3(4);
+        const glm::dvec3 plane = glm::cross(kAcross, kDown);
+        cosine = glm::dot(view, glm::normalize(plane));
+        const double way = -glm::dot(strand, plane) / glm::dot(view, plane) * cosine * cosine / (cosine * cosine + 1e-4);
+        const glm::dvec3 along = strand + view * way;
+        const double mixed = glm::dot(kAcross, kDown);
+        const glm::dmat2 squares(glm::dot(kAcross, kAcross), mixed, mixed, glm::dot(kDown, kDown));
+        const glm::dvec2 pixels = glm::inverse(squares) * glm::dvec2(glm::dot(along, kAcross), glm::dot(along, kDown)) * kThick;
+        const glm::dvec3 travel = kPlaceAcross * pixels.x + kPlaceDown * pixels.y;
+        bow = std::max(glm::dot(view, kNormalAcross * pixels.x + kNormalDown * pixels.y) * way, 1e-3);
+        end = 1 - 2 * bow * depth > 0 ? (1 - std::sqrt(1 - 2 * bow * depth)) / bow : 2 / bow;
+        const double over = glm::length(travel) * end;
+        step = end / std::max(over, 1.0);
+        beyond = std::max(over - 8, over * fade);
+        const double above = std::round(x.scalar(6)) + 0.5;
+        const bool own = std::fmod(above, stride) < 1; // one layer of so many is drawn
+        const bool otherRound = 1 / glm::length(x.vec3(0)) > kNearEnd;
+        steps = !own || otherRound ? -1 : fade < 1 ? std::min(over, 7.0) + 1 : 0;
+    }
+};
+
+std::vector<FunctionCase> sweeps() {
+    const char* body = "float2 q = fmod(pixel, 2.0); StrandsVarying v = (StrandsVarying)0; v.fromEye = float4(dot(a0, a0) > 1.0 ? a0 : "
+                       "float3(0, 0, 99), a3); v.normal = float4(a1, a2); "
+                       "v.lean.xyz = a4; v.toLight.w = a5 + 0.5; v.rest = float4(1, 2, 3, a6 + 0.5); v.coat = float4(1e-4, 8, 0.5, 1); "
+                       "v.plainFromEye = float4(q.x * float3(0.05, 0.01, -0.02) + q.y * float3(-0.01, 0.06, 0.015), -1); "
+                       "v.plainRest.xyz = q.x * float3(0.045, 0.012, -0.018) + q.y * float3(-0.008, 0.055, 0.017); "
+                       "v.plainNormal.xyz = q.x * float3(0.004, 0.0005, 0.001) + q.y * float3(0.0005, 0.003, -0.001); "
+                       "FurSweep s = furSweep(v, float2(3.5, 4.5)); ";
+    const std::vector<Argument> arguments = {vector(3, 50, 1000),  unit(),      linear(0.05, 1), linear(0.2, 2.5),
+                                             linear(-0.3, 0.3, 3), whole(0, 4), whole(0, 31)};
+    std::vector<FunctionCase> cases;
+    const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
+        cases.push_back(
+            layerCase("furSweep", std::string(body) + "return float4(" + returned + ");", arguments, std::move(expected),
+                      {.forward = 64, .backward = 16, .absolute = 2e-3, .why = "quotients by a cosine of 0.3, of ways up to 100"}));
+        cases.back().perQuad = true;
+        cases.back().domain = [](const Inputs& x) { // not where a ray grazes, or a number of steps leaps
+            const Sweep s(x);
+            return isUnit(x.vec3(1)) && glm::length(x.vec3(0)) > 10 && s.cosine < -0.3 && std::abs(1 - 2 * s.bow * s.depth) > 0.05 &&
+                   std::abs(x.scalar(3) - 2) > 1e-4 && std::abs(glm::length(x.vec3(0)) * kNearEnd - 1) > 1e-4;
+        };
+    };
+    add("s.bottom, s.end, s.step, s.steps",
+        [](const Inputs& x) { return values(Sweep(x).bottom, Sweep(x).end, Sweep(x).step, Sweep(x).steps); });
+    add("0.1 * s.beyond, s.height, s.width, s.fade",
+        [](const Inputs& x) { return values(0.1 * Sweep(x).beyond, x.scalar(2), x.scalar(3), share(x.scalar(3) - 1)); });
+    add("s.view, s.place.z", [](const Inputs& x) { return values(glm::dvec4(glm::normalize(x.vec3(0)), 3)); });
+    add("s.normal, 0", [](const Inputs& x) { return values(x.vec3(1)); });
+    return cases;
+}
+
+/// Mean of max(1 - h / L, 0) over lengths between the shortest and 1, times a root's radius.
+double meanRadius(double height, double shortest) {
+    constexpr int kLengths = 400;
+    double sum = 0;
+    for (int i = 0; i < kLengths; ++i)
+        sum += std::max(1 - height / (shortest + (1 - shortest) * (i + 0.5) / kLengths), 0.0);
+    return kRadius * sum / kLengths;
+}
+
+/// Arguments: coverage met, its means, heights, (fade, density, beyond), steps.
+glm::dvec4 withExpected(const Inputs& x) {
+    const double fade = std::max(2 * x.scalar(3) - 1, 0.0);
+    const double top = glm::mix(0.5 * x.scalar(2), x.scalar(2), fade);
+    const glm::dvec2 heights(top, 0.4 * x.scalar(2));
+    const glm::dvec2 r(meanRadius(heights.x, 0.55), meanRadius(heights.y, 0.55));
+    const double swept = (r.x + r.y) * x.scalar(3, 2) + std::numbers::pi * (r.y * r.y - r.x * r.x);
+    const double height = ((2 * r.x + r.y) * heights.x + (2 * r.y + r.x) * heights.y) / (3 * (r.x + r.y) + 1e-4);
+    const double density = std::max(2 * x.scalar(3, 1) - 1, 0.0) * 0.8;
+    const glm::dvec4 met = (1 - fade) * x.scalar(0) * glm::dvec4(1, x.vec3(1));
+    return met + (1 - met.x) * (1 - std::exp(-density * swept)) * glm::dvec4(1, height, share(height / 0.775), 1);
+}
+
+std::vector<FunctionCase> colours() {
+    const char* body =
+        "StrandsVarying v = (StrandsVarying)0; v.lean = float4(0, 0, 0, 0.8); v.coat = float4(0, 8, 0.55, 1.0 / 0.775); "
+        "v.toLight.xyz = float3(0, 0, 200); v.lightClip = float4(2, 0, 0.5, 1); FurSweep s = (FurSweep)0; "
+        "s.normal = float3(0.6, 0, 0.8); s.view = float3(0, 0.6, -0.8); s.height = a2; s.bottom = 0.4 * a2; "
+        "s.fade = max(2.0 * a3.x - 1.0, 0.0); s.beyond = a3.z; s.steps = a4; FurPiece p = furFirstPiece(); p.low = 0.5 * a2; "
+        "return furStrandColor(v, s, p, a0 * float4(1, a1), max(2.0 * a3.y - 1.0, 0.0));";
+    std::vector<FunctionCase> cases;
+    cases.push_back(layerCase(
+        "furStrandColor", body, {logarithmic(1e-3, 0.9), linear(0.2, 1, 3), linear(0.1, 0.9), linear(0, 1, 3), linear(-0.5, 4)},
+        [](const Inputs& x) {
+            const glm::dvec4 met = withExpected(x);
+            if (x.scalar(4) < 0 || met.x < 0.004) return kDiscarded;
+            const glm::dvec3 mean(met.y / met.x, met.z / met.x, met.w / met.x);
+            const glm::dvec3 albedo = glm::mix(kFurDark, kFurPale, mean.y) * mean.z;
+            const glm::dvec3 direct = strandsLit(albedo, {0.6, 0, 0.8}, {0, 0, 1}, {0, -0.6, 0.8}) * kFurColour * coatLeaves(mean.x, 0.8);
+            return values(glm::dvec4(direct + albedo * kFurAround * coatFilled(mean.x), met.x));
+        },
+        {.forward = 64, .backward = 4, .absolute = 1e-3, .why = "a sum over 400 lengths"}));
+    cases.back().discards = true;
+    cases.back().samples = 4096; // a tenth of the threshold is a hundredth of them
+    cases.back().domain = [](const Inputs& x) {
+        return x.scalar(0) >= 1e-3 && std::abs(withExpected(x).x - 0.004) > 2e-6 && x.scalar(4) != 0.0;
+    };
+    cases.push_back(
+        layerCase("furStrandRadiance",
+                  "StrandsVarying v = (StrandsVarying)0; v.toLight.xyz = float3(0, 0, a0); v.lightClip = float4(0.1, 0.2, 0.5, 1); "
+                  "FurSweep s = (FurSweep)0; s.normal = float3(0.6, 0, 0.8); s.view = float3(0, 0.6, -0.8); "
+                  "return float4(furStrandRadiance(v, s, float4(0.5, 0.25, 0.25, 0.5)), 0);",
+                  {linear(220, 280), linear(0, 1)},
+                  [](const Inputs& x) { // a surface 250 mm from the light; what is 0.6 mm behind it still counts as it
+                      const glm::dvec3 albedo = glm::mix(kFurDark, kFurPale, 0.5);
+                      const double lit = x.scalar(0) - 0.005 * kFurMesh * kFurUnit > 250 ? 0 : coatLeaves(0.5, 0.8);
+                      return values(strandsLit(albedo, {0.6, 0, 0.8}, {0, 0, 1}, {0, -0.6, 0.8}) * kFurColour * lit +
+                                    albedo * kFurAround * coatFilled(0.5));
+                  },
+                  {.forward = 32, .backward = 0, .absolute = 1e-5, .why = "exponentials, the 40th power of a cosine"}));
+    cases.back().domain = [](const Inputs& x) { return std::abs(x.scalar(0) - 250.6) > 1e-3; };
+    cases.push_back(layerCase("furFade", "return float4(furFade(a0), 0, 0, 0);", {linear(-1, 4)},
+                              [](const Inputs& x) { return values(share(x.scalar(0) - 1)); },
+                              {.forward = 1, .backward = 1, .why = "a difference"}));
+    cases.push_back(layerCase("furFirstPiece", "FurPiece p = furFirstPiece(); return float4(p.bend + p.bendLow, p.low + a0, p.top);",
+                              {linear(1, 2)}, [](const Inputs& x) { return values(0, 0, 1 + x.scalar(0), 0); },
+                              {.forward = 1, .backward = 0, .why = "nothing has been met, and the skin is below"}));
+    cases.push_back(
+        layerCase("CoatEndPS",
+                  "StrandsVarying v = (StrandsVarying)0; v.fromEye.xyz = dot(a0, a0) > 0.1 ? a0 : float3(0, 0, 99); return CoatEndPS(v);",
+                  {vector(3, 1, 500)}, [](const Inputs& x) { return values(1 / glm::length(x.vec3(0)), 0, 0, 1); },
+                  {.forward = 8, .backward = 2, .why = "an inverse root"}));
+    cases.back().domain = [](const Inputs& x) { return glm::length(x.vec3(0)) > 0.5; };
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> furLayerCases() {
+    std::vector<FunctionCase> all;
+    for (auto make : {vertices, sweeps, colours})
+        for (FunctionCase& each : make())
+            all.push_back(std::move(each));
+    return all;
+}
+
+} // namespace tegument::test

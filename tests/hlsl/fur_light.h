@@ -1,0 +1,117 @@
+#pragma once
+// Light on strands and in their coat by angles and lengths, and the scene that cases of fur's passes share: a mesh that is turned and
+// scaled, so that no axis and no unit stands for another.
+
+#include "tests/hlsl/function_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tegument::test {
+
+inline constexpr double kFurMesh = 80;     // the mesh's radius
+inline constexpr double kFurLength = 0.06; // of the coat, radii
+inline constexpr double kFurUnit = 1.5;    // mm
+inline constexpr double kFurLean = 0.25;   // how far tips hang
+inline constexpr double kFurStrands = 0.8; // how much light knows of strands (gFurKajiyaKay)
+inline constexpr double kFurMultiple = 0.7;
+inline constexpr double kFurMirrored = 0.08;
+inline constexpr double kFurSharpness = 40;
+inline constexpr double kFurDense = 1.2;
+inline const glm::dvec3 kFurCentre = {3, -5, 7};
+inline const glm::dvec3 kFurDown = {0.6, -0.8, 0};
+inline const glm::dvec3 kFurEye = {100, -200, 250};
+inline const glm::dvec3 kFurLamp = {20, -30, 300}; // the light of the workspace
+inline const glm::dvec3 kFurDark = {0.16, 0.085, 0.04};
+inline const glm::dvec3 kFurPale = {0.72, 0.52, 0.33};
+inline const glm::dvec3 kFurColour = {0.9, 0.8, 0.7}; // of that light
+inline const glm::dvec3 kFurAround = {0.1, 0.2, 0.3};
+
+/// A quarter turn about z, twice as large, and moved.
+inline glm::dvec3 furTurned(const glm::dvec3& v) {
+    return {-v.y, v.x, v.z};
+}
+inline glm::dvec3 furTurnedBack(const glm::dvec3& v) {
+    return {v.y, -v.x, v.z};
+}
+inline glm::dvec3 furWorld(const glm::dvec3& v) {
+    return 2.0 * furTurned(v) + glm::dvec3(7, 8, 9);
+}
+
+inline std::map<std::string, std::vector<double>> furScene() {
+    const auto three = [](const glm::dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; };
+    return {{"gWorld", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 8, 9, 1}},
+            {"gWorldInverseTranspose", {0, 0.5, 0, 0, -0.5, 0, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1}},
+            {"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400}},
+            {"gLightViewProjection", {2.5, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, -1.2, -1, -50, 75, 350, 300}},
+            {"gViewportSize", {640, 480}},
+            {"gCameraFov", {0.6}},
+            {"gUnitMm", {kFurUnit}},
+            {"gMeshRadius", {kFurMesh}},
+            {"gBoundingCenter", three(kFurCentre)},
+            {"gCameraPosition", three(kFurEye)},
+            {"gLightPosition", three(kFurLamp)},
+            {"gLightColor", three(kFurColour)},
+            {"gLightNear", {100}},
+            {"gLightFar", {500}},
+            {"gFurLength", {kFurLength}},
+            {"gFurLean", {kFurLean}},
+            {"gFurDown", three(kFurDown)},
+            {"gFurRootColor", three(kFurDark)},
+            {"gFurTipColor", three(kFurPale)},
+            {"gFurFill", three(kFurAround)},
+            {"gFurKajiyaKay", {kFurStrands}},
+            {"gFurMultiple", {kFurMultiple}},
+            {"gFurSpecular", {kFurMirrored}},
+            {"gFurExponent", {kFurSharpness}},
+            {"gFurDensity", {kFurDense}}};
+}
+
+/// Three lamps of parallel light: where they come from, and their colours.
+inline const std::array<glm::dvec3, 3> kFurLampWays = {glm::dvec3(0.6, 0, 0.8), glm::dvec3(-0.36, 0.48, 0.8), glm::dvec3(0, -0.8, 0.6)};
+inline const std::array<glm::dvec3, 3> kFurLampColours = {glm::dvec3(0.5, 0.6, 0.7), glm::dvec3(0.3, 0.2, 0.1), glm::dvec3(0.2, 0.4, 0.9)};
+
+inline void addLamps(FunctionCase& made) {
+    made.defines.emplace_back("TEGUMENT_LAMPS", "3");
+    made.defines.emplace_back("TEGUMENT_LAMP_SHADOWS", "0");
+    for (const glm::dvec3& way : kFurLampWays)
+        made.globals["gLampPlace"].insert(made.globals["gLampPlace"].end(), {way.x, way.y, way.z, 0});
+    for (const glm::dvec3& colour : kFurLampColours)
+        made.globals["gLampColor"].insert(made.globals["gLampColor"].end(), {colour.x, colour.y, colour.z, 0});
+    made.globals["gLampAxis"] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    made.globals["gLampSpot"] = {-1, -2, 1, 1, -1, -2, 1, 1, -1, -2, 1, 1};
+}
+
+/// Of strands of this albedo in light of colour 1: what they scatter, and what the cone of mirrors around them sends to the eye.
+inline glm::dvec3 strandsLit(const glm::dvec3& albedo, const glm::dvec3& strand, const glm::dvec3& toLight, const glm::dvec3& toEye) {
+    const double light = std::asin(std::clamp(glm::dot(strand, toLight), -1.0, 1.0));
+    const double eye = std::asin(std::clamp(glm::dot(strand, toEye), -1.0, 1.0));
+    const glm::dvec3 diffuse = albedo * std::cos(light) * (kFurMultiple + (1 - kFurMultiple) / std::numbers::pi);
+    const double cone = std::pow(std::max(std::cos(light + eye), 0.0), kFurSharpness);
+    const double mirrored = std::cos(light) * cone * 0.5 * std::sqrt((kFurSharpness + 2.0 / 3) / (2 * std::numbers::pi));
+    return (1 - kFurMirrored) * diffuse + kFurMirrored * mirrored;
+}
+
+/// Way out of the coat of a ball of radius 1, in its thicknesses.
+inline double wayThroughCoat(double height, double cosine) {
+    const double radius = 1 + height * kFurLength;
+    const double across = (1 - cosine * cosine) * radius * radius;
+    return (std::sqrt(std::max(std::pow(1 + kFurLength, 2) - across, 0.0)) - radius * cosine) / kFurLength;
+}
+
+/// Share of the light that the coat above leaves.
+inline double coatLeaves(double height, double cosine) {
+    return std::exp(-kFurDense * wayThroughCoat(height, cosine) * std::sqrt(std::max(1 - cosine * cosine, 0.0)));
+}
+
+/// What light from all sides leaves of white.
+inline double coatFilled(double height) {
+    return std::exp(-kFurDense * (1 - height)) * (0.5 + 0.5 * kFurMultiple);
+}
+
+inline double furFromLamp(const glm::dvec3& world) {
+    return kFurUnit * glm::length(kFurLamp - world);
+}
+
+} // namespace tegument::test

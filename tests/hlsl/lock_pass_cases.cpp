@@ -1,0 +1,444 @@
+// What vertices and pixels of a coat of locks come to (effects/passes/fur_locks.fxh, fur_opacity.fxh, fur_ribbons.fxh) in double precision.
+// Where a whole vertex shader is asked, the coat has no thickness: strands stand upright on their roots, and only what is asked for is
+// left.
+
+#include "tests/hlsl/fur_light.h"
+#include "tests/hlsl/lock_scene.h"
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kWide = 640;
+constexpr double kThick = kLockLength * kLockMesh;
+const double kPixel = 2 * std::tan(0.3) / kWide; // at distance 1
+const glm::dvec3 kWarm = {0.9, 0.8, 0.7};        // colour of the light
+const glm::dvec3 kLamp = {20, -30, 300};
+constexpr double kEyeHeight = 600;
+
+double share(double x) {
+    return std::clamp(x, 0.0, 1.0);
+}
+
+bool isUnit(const glm::dvec3& v) {
+    return std::abs(glm::length(v) - 1) < 1e-3;
+}
+
+FunctionCase lockCase(const char* function, std::string body, std::vector<Argument> arguments,
+                      std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
+    FunctionCase made{.function = function,
+                      .body = std::move(body),
+                      .arguments = std::move(arguments),
+                      .expected = std::move(expected),
+                      .tolerance = std::move(tolerance),
+                      .samples = 1024,
+                      .globals = kLockScene,
+                      .effect = "FurCoat.fx"};
+    const std::map<std::string, std::vector<double>> more = {
+        {"gWorldInverseTranspose", kLockScene.at("gWorld")},
+        {"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400}},
+        {"gLightViewProjection", {2.5, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, -1.2, -1, -50, 75, 350, 300}},
+        {"gLightPosition", {kLamp.x, kLamp.y, kLamp.z}},
+        {"gLightColor", {kWarm.x, kWarm.y, kWarm.z}},
+        {"gLightNear", {100}},
+        {"gLightFar", {500}},
+        {"gCameraPosition", {0, 0, kEyeHeight}},
+        {"gCameraFov", {0.6}},
+        {"gViewportSize", {kWide, 480}},
+        {"gFurDown", {0, -1, 0}},
+        {"gFurEdge", {0.4}},
+        {"gFurCut", {0.3}},
+        {"gRibbonThin", {0.7}},
+        {"gCoatShadowStrands", {2}}};
+    for (const auto& [name, value] : more)
+        made.globals[name] = value;
+    return made;
+}
+
+/// White everywhere but where the strand brings a colour, no light: what a case sets comes back alone.
+void whiten(FunctionCase& made) {
+    for (const char* name :
+         {"gCoatRootColor", "gCoatMidColor", "gCoatTipColor", "gCoatUnderColor", "gCoatBellyColor", "gCoatGuardColor", "gCoatShortColor"})
+        made.globals[name] = {1, 1, 1};
+    for (const char* name : {"gCoatSky", "gCoatGround", "gCoatRim", "gLightColor"})
+        made.globals[name] = {0, 0, 0};
+    made.globals["gCoatBelly"] = {0};
+    made.globals["gCoatPainted"] = {0.5};
+    made.globals["gCoatVariation"] = {0.4};
+}
+
+double sineBetween(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::abs(std::sin(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))));
+}
+
+/// Of underfur, which is dull.
+double dull(const glm::dvec3& normal, const glm::dvec3& tangent, const glm::dvec3& light) {
+    return sineBetween(tangent, light) * (0.2 + 0.8 * share((glm::dot(normal, light) + 0.4) / 1.4));
+}
+
+FunctionCase lamps() {
+    FunctionCase made = lockCase(
+        "lockLamps",
+        "LockPoint p = (LockPoint)0; p.normal = a0; p.tangent = a1; p.toEye = a0; p.albedo = a2; p.along = 0.5; p.height = a3; "
+        "return float4(lockLamps(p, float3(1, 2, 3), 1.0, (VertexInput)0), 0);",
+        {unit(), unit(), linear(0, 1, 3), linear(0, 1)},
+        [](const Inputs& x) {
+            glm::dvec3 sum(0);
+            for (std::size_t i = 0; i < kFurLampWays.size(); ++i) {
+                const double over = share(1 + glm::dot(x.vec3(0), kFurLampWays[i]) / 0.4); // beyond the horizon it ends
+                const double open = std::exp(-0.9 * (1 - x.scalar(3))) * over;
+                sum += kFurLampColours[i] * open * dull(x.vec3(0), x.vec3(1), kFurLampWays[i]);
+            }
+            return values(sum * x.vec3(2));
+        },
+        {.forward = 16, .backward = 8, .absolute = 1e-3, .why = "sines are roots of differences that are 1e-7 off, of three lamps"});
+    addLamps(made);
+    made.domain = [](const Inputs& x) { return isUnit(x.vec3(0)) && isUnit(x.vec3(1)); };
+    return made;
+}
+
+constexpr const char* kColourBody =
+    "LockLooks l = (LockLooks)0; l.strand.normal = a0; l.waves = -1.0; l.more = float3(a5.x, 0, 0); l.lock = float3(0, a5.y, 0); "
+    "l.random = 0.5; TgRibbon r; r.along = a3.x; r.shortness = a3.y; r.color = 0.25; RibbonFrame f = (RibbonFrame)0; f.toEye = a4; "
+    "f.toLight = a6; float3 color = lockColor(l, r, f, a2, a1, a7, (VertexInput)0); return float4(color, 0);";
+
+/// Arguments as they stand in the body.
+struct Coloured {
+    glm::dvec3 normal, tangent, offset, toEye, toLight;
+    double far, along, height, albedo;
+
+    explicit Coloured(const Inputs& x)
+        : normal(x.vec3(0)), tangent(x.vec3(1)), offset(x.vec3(2)), toEye(x.vec3(4)), toLight(x.vec3(6)),
+          far(share((kPixel * glm::length(toEye) / kThick - 0.05) / 0.2)), along(glm::mix(x.scalar(3), 0.5, far)),
+          height(0.8 * kThick * (1 - 0.55 * x.scalar(3, 1))) {
+        const double vary = 0.4 * (1 - far); // no place of a strand shows from afar, but what many are on average
+        albedo = (0.5 + 0.5 * 0.25 * (0.35 + 0.65 * along)) * (1 + vary * (x.scalar(5) - 0.5)) * (1 + vary * (x.scalar(5, 1) - 0.5));
+    }
+    /// Between the bottom and the top of the coat.
+    [[nodiscard]] double up() const { return share(glm::mix(glm::dot(offset, normal) / height, 0.5, far)); }
+    [[nodiscard]] bool plain() const {
+        return isUnit(normal) && isUnit(tangent) && glm::length(toEye) > 10 && glm::length(toLight - offset) > 1;
+    }
+};
+
+std::vector<FunctionCase> colours() {
+    const std::vector<Argument> arguments = {unit(),          unit(),           linear(-3, 3, 3), linear(0, 1, 2), vector(3, 100, 1500),
+                                             linear(0, 1, 2), vector(3, 8, 20), whole(0, 1)};
+    std::vector<FunctionCase> cases;
+    const auto add = [&](std::function<Values(const Inputs&)> expected) {
+        cases.push_back(
+            lockCase("lockColor", kColourBody, arguments, std::move(expected),
+                     {.forward = 32, .backward = 8, .absolute = 1e-3, .why = "sines are roots of differences; gaps of a coat squared"}));
+        whiten(cases.back());
+        cases.back().domain = [](const Inputs& x) { return Coloured(x).plain(); };
+    };
+    add([](const Inputs& x) { // light alone, on strands without highlights
+        const Coloured c(x);
+        return values(kWarm * c.albedo * dull(c.normal, c.tangent, glm::normalize(c.toLight - c.offset)));
+    });
+    cases.back().globals["gLightColor"] = {kWarm.x, kWarm.y, kWarm.z};
+    for (const char* name : {"gCoatShine", "gCoatSheen", "gCoatThrough"})
+        cases.back().globals[name] = {0};
+    add([](const Inputs& x) { // sky and ground alike: what the coat around leaves of them
+        const Coloured c(x);
+        const double gap = (0.2 + 0.8 * share(1.1 * c.up())) * (0.55 + 0.45 * share(1.4 * c.along));
+        return values(glm::dvec3(0.5, 0.6, 0.7) * c.albedo * gap * gap);
+    });
+    cases.back().globals["gCoatSky"] = cases.back().globals["gCoatGround"] = {0.5, 0.6, 0.7};
+    add([](const Inputs& x) { // the rim, which underfur has none of
+        const Coloured c(x);
+        const double edge = 1 - share(glm::dot(c.normal, glm::normalize(c.toEye - c.offset)));
+        const double above = share(0.6 + 0.4 * c.normal.y);
+        return values(x.scalar(7) > 0.5 ? glm::dvec3(0) : kLockRim * (0.05 + c.albedo) * edge * edge * c.along * above);
+    });
+    cases.back().globals["gCoatRim"] = {kLockRim.x, kLockRim.y, kLockRim.z};
+    return cases;
+}
+
+/// Roots so dense that nothing stands beside its own, and strands of no length. Header and root are one texel.
+constexpr std::array<float, 4> kRootTexel = {1, 0, 0, 1e6F};
+
+void flatten(FunctionCase& made) {
+    static const TestMap kRoots{.size = 1, .texels = {kRootTexel}};
+    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
+    made.map = &kRoots;
+    for (const char* name : {"gCoatSkinMap", "gCoatFrontMap", "gCoatOpacityMap", "gShadowMap"})
+        made.maps[name] = &kNone;
+    for (const char* name : {"gCoatLean", "gCoatStray", "gCoatCurl", "gCoatWaves", "gCoatLocks"})
+        made.globals[name] = {0};
+    made.globals["gCoatWind"] = {0, 0, 0};
+    made.globals["gCoatGuard"] = {0.5};
+    made.globals["gFurLength"] = {1e-6};
+}
+
+constexpr const char* kVertexBody =
+    "VertexInput i = (VertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = a2 > 0.5 ? 1 : "
+    "-1; i.uv = float2(a3 / 32.0, a1); ";
+
+/// Arguments: position, address, side, row of 31, child.
+struct Strand {
+    glm::dvec3 position;
+    double address, side, along, child;
+
+    explicit Strand(const Inputs& x)
+        : position(x.vec3(0)), address(std::round(x.scalar(1))), side(x.scalar(2) > 0.5 ? 1 : -1), along(std::round(x.scalar(3)) / 31),
+          child(std::round(x.scalar(4))) {}
+
+    /// Of half of the strand: even to two thirds of its length, then a point. number: in its lock, underfur from 64 on.
+    [[nodiscard]] double radius(double under, double place) const {
+        const glm::dvec3 random = lockNumbers(address, child + 64 * under);
+        const glm::dvec3 more =
+            glm::fract(13.37 * glm::dvec3(random.z, random.x, random.y) + 7.91 * glm::dvec3(random.y, random.z, random.x));
+        const double guard = under < 0.5 && random.z <= 0.5 ? 1 : 0;
+        return kLockRadius * kLockMesh * (0.75 + 0.5 * more.y) * (1 + 0.3 * guard - 0.25 * under) * (1 - place * place * place);
+    }
+};
+
+/// How many of a lock's strands are drawn where pixels are so wide, and how much wider: docs/design/fur.md.
+struct Shared {
+    double share, begin, width, rank;
+
+    Shared(double pixel, double thinnest, double strands, double number) {
+        const double thin = 2 * kLockRadius * kLockMesh / (thinnest * pixel);
+        share = 0.9 * std::clamp(thin, 0.33, 1.0);
+        begin = std::min({-1.75 * (thin - kLockAfar / thinnest), 1.05 * thin - 0.175, 0.35});
+        rank = number / strands;
+        width = std::clamp(8 - 8 * rank / share, 0.0, 1.0) * 8 / 7.5 / share;
+    }
+};
+
+std::vector<Argument> strandArguments(int children) {
+    return {linear(-300, 300, 3), whole(4096, 4000000), whole(0, 1), whole(0, 31), whole(0, children)};
+}
+
+bool seen(const Strand& s) { // what looks away by more than a strand reaches is left out; the coat is at least 0.28 / 4 long for that
+    const glm::dvec3 toEye = glm::dvec3(0, 0, kEyeHeight) - s.position;
+    return toEye.z > -std::sin(std::acos(1 / 1.42)) * glm::length(toEye);
+}
+
+std::vector<FunctionCase> vertices() {
+    std::vector<FunctionCase> cases;
+    for (const int under : {0, 1}) {
+        const auto sharedOf = [=](const Inputs& x) {
+            const Strand s(x);
+            const double pixel = kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position);
+            return under ? Shared(pixel, 1.05, 3, s.child + rootRank(s.address)) : Shared(pixel, 0.7, 4, s.child + rootRank(s.address));
+        };
+        cases.push_back(lockCase("lockVarying",
+                                 std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") +
+                                     "); return float4(v.edge, v.color.w, 0);",
+                                 strandArguments(under ? 2 : 3),
+                                 [=](const Inputs& x) {
+                                     const Strand s(x);
+                                     const Shared shared = sharedOf(x);
+                                     if (shared.rank >= shared.share || !seen(s)) return values(0);
+                                     const double place = under ? s.along : std::max(s.along, shared.begin);
+                                     const double pixel = kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position);
+                                     const double radius = shared.width * s.radius(under, place) / pixel;
+                                     const double half = std::max(radius, 0.5);
+                                     const double thin = 2 * kLockRadius * kLockMesh / pixel;
+                                     const bool afar = !under && thin / 0.7 < kLockAfar / 0.7 * shared.share;
+                                     return values(s.side * (half + 0.4), half, (afar ? -1 : 1) * radius / half);
+                                 },
+                                 {.forward = 32, .backward = 2, .absolute = 2e-3, .why = "ranks of addresses to 1e-3, eight times"}));
+        flatten(cases.back());
+        cases.back().domain = [=](const Inputs& x) {
+            const Strand s(x);
+            const Shared shared = sharedOf(x);
+            const double fraction = rootRank(s.address);
+            const double pixel = kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position);
+            const glm::dvec3 toEye = glm::dvec3(0, 0, kEyeHeight) - s.position;
+            return std::abs(shared.rank - shared.share) > 2e-3 && std::min(fraction, 1 - fraction) > 2e-3 && glm::length(toEye) > 50 &&
+                   std::abs(toEye.z / glm::length(toEye) + 0.71) > 0.01 &&
+                   std::abs(2 * kLockRadius * kLockMesh / pixel - kLockAfar * shared.share) > 1e-3;
+        };
+    }
+    return cases;
+}
+
+/// From the light; a texel of the map of 1,024 is a pixel, or one of the picture where that is coarser.
+std::vector<FunctionCase> opacities() {
+    const auto pixelOf = [](const Strand& s) {
+        const double texel = 2 * (300 - s.position.z) / 2.5 / 256;
+        return std::max(texel, 0.0);
+    };
+    const auto sharedOf = [=](const Inputs& x) {
+        const Strand s(x);
+        const double rank = rootRank(s.address) + 0.5;
+        const double coarser = std::max(pixelOf(s), kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position));
+        return Shared(coarser, 0.7, 2, s.child + rank - std::floor(rank));
+    };
+    const auto drawn = [=](const Inputs& x) { return sharedOf(x).rank < sharedOf(x).share; };
+    const auto domain = [=](const Inputs& x) {
+        const double rank = rootRank(Strand(x).address) + 0.5;
+        const double fraction = rank - std::floor(rank);
+        return std::abs(sharedOf(x).rank - sharedOf(x).share) > 2e-3 && std::min(fraction, 1 - fraction) > 2e-3 &&
+               pixelOf(Strand(x)) > 0.01;
+    };
+    std::vector<FunctionCase> cases;
+    const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
+        cases.push_back(lockCase(
+            "OpacityVS", std::string(kVertexBody) + "OpacityVarying v = OpacityVS(i, (uint)a4); return " + returned + ";",
+            {linear(-90, 90, 3), whole(4096, 4000000), whole(0, 1), whole(0, 31), whole(0, 1)}, std::move(expected), std::move(tolerance)));
+        flatten(cases.back());
+        cases.back().defines.emplace_back("TEGUMENT_SHADOW_SIZE", "256");
+        cases.back().globals["gCoatRadius"] = {kLockRadius};
+        cases.back().domain = domain;
+    };
+    const auto halfOf = [=](const Inputs& x) {
+        return std::max(sharedOf(x).width * Strand(x).radius(0, Strand(x).along) / pixelOf(Strand(x)), 0.5);
+    };
+    add("float4(v.edge, v.place.w)",
+        [=](const Inputs& x) {
+            if (!drawn(x)) return values(0);
+            const Strand s(x);
+            const double radius = sharedOf(x).width * s.radius(0, s.along) / pixelOf(s);
+            const double faint = radius / halfOf(x) * (4 + 0.3 * 3) / 2; // as opaque as all of the lock
+            return values(s.side * (halfOf(x) + 0.4), halfOf(x), faint, glm::length(kLamp - s.position));
+        },
+        {.forward = 32, .backward = 2, .absolute = 1e-2, .why = "ranks to 5e-4, of two strands, by a share of 0.3, eight times, of 2.45"});
+    add("float4(v.place.xyz, 0)",
+        [=](const Inputs& x) {
+            if (!drawn(x)) return values(0, 0, 1);
+            const Strand s(x);
+            const glm::dvec3 aside = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), kLamp - s.position));
+            const glm::dvec3 world = s.position + s.side * (halfOf(x) + 0.4) * pixelOf(s) * aside;
+            return values(2.5 * (world.x - kLamp.x), 2.5 * (world.y - kLamp.y), 300 - world.z);
+        },
+        {.forward = 16, .backward = 2, .absolute = 0.02, .why = "as above, in mm of up to 1.6, times 2.5"});
+    return cases;
+}
+
+/// A map of depths that differ from texel to texel.
+const TestMap& steppedMap() {
+    static const TestMap kMap = [] {
+        TestMap map{.size = 256, .texels = {}};
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x)
+                map.texels.push_back({y % 3 == 0 ? 0.0F : static_cast<float>(285 + (7 * y + 3 * x) % 23), 0, 0, 0});
+        return map;
+    }();
+    return kMap;
+}
+
+bool insideTexel(double coordinate) {
+    const double t = 256 * coordinate - std::floor(256 * coordinate);
+    return std::min(t, 1 - t) > 0.01;
+}
+
+std::vector<FunctionCase> pixels() {
+    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
+    const auto coverage = [](const Inputs& x) { return std::abs(x.scalar(2)) * share(x.scalar(1) + 0.5 - std::abs(x.scalar(0))); };
+    const char* made = "RibbonVarying r = (RibbonVarying)0; r.color = float4(0.1, 0.2, 0.3, a2); r.edge = float2(a0, a1); ";
+    const std::vector<Argument> edges = {linear(-2, 2), linear(0.5, 1), linear(-1, 1)};
+    std::vector<FunctionCase> cases;
+    const auto add = [&](const char* function, auto kept) {
+        cases.push_back(lockCase(function, std::string(made) + "return " + function + "(r);", edges,
+                                 [=](const Inputs& x) {
+                                     const double alpha = kept(coverage(x), x.scalar(2));
+                                     return alpha < 0 ? kDiscarded : values(0.1, 0.2, 0.3, alpha);
+                                 },
+                                 {.forward = 8, .backward = 4, .absolute = 1e-6, .why = "sums of numbers up to 2"}));
+        cases.back().discards = true;
+        cases.back().domain = [=](const Inputs& x) { // from where something is left out or not
+            const double c = coverage(x);
+            return std::min({std::abs(c - 0.5), std::abs(c - 0.3), std::abs(c - 0.004), std::abs(x.scalar(2) - 0.7)}) > 1e-5;
+        };
+    };
+    add("UnderfurPS", [](double c, double) { return c < 0.5 ? -1.0 : 1.0; });
+    add("UnderfurSoftPS", [](double c, double) { return c < 0.3 ? -1 : c; });
+    add("RibbonCorePS", [](double c, double faint) { return c < 0.5 || faint < 0.7 ? -1.0 : 1.0; });
+    add("RibbonSoftCorePS", [](double c, double faint) { return c < 0.3 || faint < 0.7 ? -1 : c; });
+    add("RibbonFringePS", [](double c, double faint) { return (c < 0.5 || faint < 0.7) && c > 0.004 ? c : -1; });
+    add("RibbonSoftFringePS", [](double c, double faint) { return (c < 0.3 || faint < 0.7) && c > 0.004 ? c : -1; });
+
+    cases.push_back(lockCase("OpacityPS",
+                             "OpacityVarying o; o.position = 0; o.edge = float3(0, 1, 1); "
+                             "o.place = float4(a0 * a1, a2 * a1, a1, a3); return OpacityPS(o);",
+                             {linear(-1, 1), linear(1, 300), linear(-1, 1), linear(280, 310)},
+                             [](const Inputs& x) {
+                                 const double front = steppedMap().at({0.5 + 0.5 * x.scalar(0), 0.5 - 0.5 * x.scalar(2)}).x;
+                                 const double depth = front > 0 ? (x.scalar(3) - front) / kThick : 0;
+                                 const auto layer = [&](double end) { return share(16 * (end - depth) + 0.5); };
+                                 return values(layer(0.25), layer(0.6), layer(1.2), layer(2.4));
+                             },
+                             {.forward = 8, .backward = 4, .absolute = 2e-4, .why = "a depth to 1e-5, 16 times"}));
+    cases.back().maps["gCoatFrontMap"] = &steppedMap();
+    cases.back().domain = [](const Inputs& x) { return insideTexel(0.5 + 0.5 * x.scalar(0)) && insideTexel(0.5 - 0.5 * x.scalar(2)); };
+    cases.push_back(lockCase("coatOpen", "return float4(coatOpen(a0, 0.01), 0, 0, 0);", {linear(-60, 60, 3)},
+                             [](const Inputs& x) { // two taps, 1.05 texels above and below: the skin's shadow alone
+                                 const glm::dvec3 from = x.vec3(0) - kLamp;
+                                 const glm::dvec2 place(0.5 + 1.25 * from.x / -from.z, 0.5 - 1.25 * from.y / -from.z);
+                                 double open = 1;
+                                 for (const double side : {-1.05, 1.05}) {
+                                     const double skin = steppedMap().at(place + glm::dvec2(0, side / 256)).x;
+                                     if (skin > 0) open -= 0.5 * share((glm::length(from) - skin) / (0.5 * kThick));
+                                 }
+                                 return values(open);
+                             },
+                             {.forward = 8, .backward = 2, .absolute = 1e-4, .why = "distances of 300 mm to 3e-5, by 2.4"}));
+    for (const char* name : {"gCoatFrontMap", "gCoatOpacityMap"})
+        cases.back().maps[name] = &kNone;
+    cases.back().maps["gCoatSkinMap"] = &steppedMap();
+    cases.back().domain = [](const Inputs& x) {
+        const glm::dvec3 from = x.vec3(0) - kLamp;
+        const glm::dvec2 place(0.5 + 1.25 * from.x / -from.z, 0.5 - 1.25 * from.y / -from.z);
+        return insideTexel(place.x) && insideTexel(place.y + 1.05 / 256) && insideTexel(place.y - 1.05 / 256);
+    };
+    cases.push_back(lockCase("CoatFrontVS",
+                             "VertexInput i = (VertexInput)0; i.normal = a0; i.position = a1; "
+                             "return float4(CoatFrontVS(i).distance, CoatSkinVS(i).distance, 0, 0);",
+                             {unit(), linear(-80, 80, 3)},
+                             [](const Inputs& x) { // moved out by the coat, whose tips hang
+                                 const glm::dvec3 tip = x.vec3(1) + kThick * (x.vec3(0) + glm::dvec3(0, -0.25, 0));
+                                 return values(glm::length(kLamp - tip), glm::length(kLamp - x.vec3(1)));
+                             },
+                             {.forward = 8, .backward = 2, .absolute = 1e-4, .why = "lengths of 400"}));
+    cases.back().globals["gFurLean"] = {0.25};
+    cases.back().domain = [](const Inputs& x) { return isUnit(x.vec3(0)); };
+    return cases;
+}
+
+/// Sums of opacity that tell the level that they were read from.
+const TestMap& leveledMap() {
+    static const TestMap kMap = [] {
+        TestMap map{.size = 256, .texels = {}, .mips = 9};
+        for (int mip = 0; mip < map.mips; ++mip) {
+            const auto sum = static_cast<float>(mip + 1);
+            map.texels.insert(map.texels.end(), std::size_t{1} << (16 - 2 * mip), {sum, sum, sum, sum});
+        }
+        return map;
+    }();
+    return kMap;
+}
+
+/// Light is blurred across 1.25 pixels of the picture, and at least 1.4 texels of the map. Here the nearest level is read.
+std::vector<FunctionCase> levels() {
+    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
+    static const TestMap kFront{.size = 1, .texels = {{1, 0, 0, 0}}};
+    std::vector<FunctionCase> cases;
+    for (const bool parallel : {false, true}) {
+        const double texel = parallel ? 2.0 / 256 * 100 : 2.0 / 256 * 300 / 2.5; // mm, amid the mesh
+        const auto levelOf = [=](const Inputs& x) { return std::log2(std::max(1.25 * x.scalar(0) / texel, 1.4)); };
+        cases.push_back(lockCase("coatOpen", "return float4(coatOpen(0.0, a0), 0, 0, 0);", {linear(0.1, 8)},
+                                 [=](const Inputs& x) { return values(std::exp(-0.1 * (1 + std::round(levelOf(x))))); },
+                                 {.forward = 8, .backward = 0, .why = "an exponential"}));
+        cases.back().maps = {{"gCoatSkinMap", &kNone}, {"gCoatFrontMap", &kFront}, {"gCoatOpacityMap", &leveledMap()}};
+        cases.back().globals["gCoatShadow"] = {0.1};
+        if (parallel) cases.back().globals["gLightViewProjection"] = {0.01, 0, 0, 0, 0, 0.01, 0, 0, 0, 0, -0.002, 0, 0, 0, 0.9, 1};
+        cases.back().domain = [=](const Inputs& x) { return std::abs(levelOf(x) - std::floor(levelOf(x)) - 0.5) > 0.01; };
+    }
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> lockPassCases() {
+    std::vector<FunctionCase> all = {lamps()};
+    for (auto make : {colours, vertices, opacities, pixels, levels})
+        for (FunctionCase& each : make())
+            all.push_back(std::move(each));
+    return all;
+}
+
+} // namespace tegument::test

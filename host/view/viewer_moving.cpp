@@ -77,12 +77,6 @@ Result<void> Viewer::drawSoon() {
     return {};
 }
 
-Result<void> Viewer::drawSoon() {
-    if (isDraft()) return drawAs(sharpness_);
-    stale_ = true;
-    return {};
-}
-
 Result<void> Viewer::sharpen() {
     const bool rests = std::chrono::steady_clock::now() - moved_ >= kStill;
     if (!stale_ && (!isDraft() || !rests)) return {};

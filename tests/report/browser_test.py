@@ -4,6 +4,7 @@
 Each page opens without an error or a request, passes axe-core in light and dark, and works by keyboard. Exit code 77: no browser, or no axe-core.
 """
 
+import io
 import json
 import os
 import pathlib
@@ -13,6 +14,11 @@ import tempfile
 import unittest
 
 import browser
+
+try:
+    from PIL import Image, ImageChops
+except ImportError:
+    Image = None
 
 TEGUMENT, SAMPLE, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 PICTURES = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
@@ -133,6 +139,40 @@ class Report(unittest.TestCase):
         for _ in range(60):
             self.page.press("ArrowRight")
         self.assertEqual(self.page.evaluate(centre.format(30)), difference)
+
+    def seen(self, whole=False):
+        """What a person sees, as a picture."""
+        return Image.open(io.BytesIO(self.page.screenshot(whole=whole))).convert("RGB")
+
+    def test_the_page_looks_the_same_whenever_it_is_opened(self):
+        pictures = []
+        for changed in ("", "", "document.querySelector('#section-2').style.visibility = 'hidden'"):
+            self.open(self.sample)
+            self.page.wait("document.body.dataset.opened === 'ball'")
+            self.page.evaluate(f"{changed or '0'};0")
+            self.assertLessEqual(self.page.evaluate("document.documentElement.scrollWidth"), 1400, "nothing is beside the page")
+            pictures.append(self.seen(whole=True))
+        first, again, without = pictures
+        self.assertIsNone(ImageChops.difference(first, again).getbbox(), "not one pixel is another one")
+        self.assertGreater(sum(ImageChops.difference(first, without).convert("L").histogram()[8:]), 5000, "a section that is not there would be seen")
+
+    def test_the_screen_shows_the_picture_the_reference_and_the_difference(self):
+        self.open(self.sample)
+        self.page.wait("document.body.dataset.opened === 'ball'")
+        self.page.evaluate("document.querySelector('.stage').scrollIntoView({block: 'center', behavior: 'instant'})")
+        stage, canvas = "document.querySelector('.stage')", "document.querySelector('.stage canvas')"
+        box = self.page.evaluate(f"(b => [b.x, b.y, b.width, b.height])({stage}.getBoundingClientRect())")
+        for key in "123":
+            self.focus(".stage")
+            self.page.press(f"Digit{key}", key)
+            data = self.page.evaluate(f"[...{canvas}.getContext('2d').getImageData(0, 0, 48, 48).data]")
+            screen = self.seen()
+            wrong = 0
+            for x, y in ((x, y) for x in range(48) for y in range(48)):
+                shown = screen.getpixel((int(box[0] + box[2] * (x + 0.5) / 48), int(box[1] + box[3] * (y + 0.5) / 48)))
+                wrong += max(abs(a - b) for a, b in zip(shown, data[4 * (48 * y + x):])) > 2
+            # Frames and the mark of the worst pixel may lie on some.
+            self.assertLess(wrong, 48 * 48 // 20, f"pixels of the screen that are not the canvas's, key {key}")
 
     def test_the_probe_tells_the_values_of_a_pixel(self):
         self.open(self.sample)
@@ -259,8 +299,9 @@ class Report(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not browser.program() or not axe():
-        print("skipped: " + ("axe-core is not there" if browser.program() else "Chromium is not installed") + "; ./bootstrap test brings it")
+    missing = [what for what, there in (("Chromium", browser.program()), ("axe-core", axe()), ("Pillow", Image)) if not there]
+    if missing:
+        print(f"skipped: {' and '.join(missing)} missing; ./bootstrap test brings it")
         sys.exit(77)
     if PICTURES:
         PICTURES.mkdir(parents=True, exist_ok=True)

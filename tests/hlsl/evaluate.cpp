@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 
@@ -60,8 +61,9 @@ TG_SAMPLER2D(gTest, POINT, CLAMP);
 )";
 
 std::vector<std::pair<std::string, std::string>> definesOf(const FunctionCase& function, int setting) {
-    std::vector<std::pair<std::string, std::string>> defines = {{"TEGUMENT_SETTING", std::to_string(setting)},
-                                                                {"TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize)}};
+    std::vector<std::pair<std::string, std::string>> defines = {{"TEGUMENT_SETTING", std::to_string(setting)}};
+    const auto isSize = [](const auto& define) { return define.first == "TEGUMENT_MAP_SIZE"; };
+    if (std::ranges::none_of(function.defines, isSize)) defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize));
     defines.insert(defines.end(), function.defines.begin(), function.defines.end());
     return defines;
 }
@@ -118,11 +120,19 @@ std::vector<std::array<float, 4>> inputTexels(const Samples& samples, const Grid
 }
 
 Result<gpu::Texture> texture(gpu::Device& device, std::uint32_t width, std::uint32_t height,
-                             const std::vector<std::array<float, 4>>& texels) {
-    auto made = device.createTexture({.name = "inputs", .format = gpu::Format::RGBA32F, .width = width, .height = height});
+                             const std::vector<std::array<float, 4>>& texels, bool cube = false) {
+    auto made = device.createTexture({.name = "inputs", .format = gpu::Format::RGBA32F, .width = width, .height = height, .cube = cube});
     if (!made) return made;
-    if (const auto uploaded = device.upload(*made, std::as_bytes(std::span(texels))); !uploaded) return uploaded.error();
+    const std::size_t face = texels.size() / (cube ? 6 : 1);
+    for (std::uint32_t layer = 0; layer < (cube ? 6U : 1U); ++layer) {
+        const auto part = std::span(texels).subspan(layer * face, face);
+        if (const auto uploaded = device.upload(*made, std::as_bytes(part), 0, layer); !uploaded) return uploaded.error();
+    }
     return made;
+}
+
+Result<gpu::Texture> texture(gpu::Device& device, const TestMap& map) {
+    return texture(device, static_cast<std::uint32_t>(map.size), static_cast<std::uint32_t>(map.rows()), map.texels, map.cube);
 }
 
 /// A column-major matrix is stored transposed (docs/conventions.md); a vector lies as it is written.
@@ -150,6 +160,13 @@ struct Draw {
     gpu::Texture target;
     gpu::Sampler sampler;
     std::vector<std::byte> globals;
+    std::map<std::string, gpu::Texture> maps;
+
+    [[nodiscard]] gpu::Texture* named(const std::string& name) {
+        if (name == "gInputMap") return &inputs;
+        const auto found = maps.find(name);
+        return found == maps.end() ? &map : &found->second;
+    }
 };
 
 Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Samples& samples, const Grid& grid, const Shader& pixel) {
@@ -157,7 +174,7 @@ Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Sa
     if (!inputs) return inputs.error();
     const TestMap none{.size = 1, .texels = {{0, 0, 0, 0}}};
     const TestMap& map = function.map ? *function.map : none;
-    auto sampled = texture(device, static_cast<std::uint32_t>(map.size), static_cast<std::uint32_t>(map.size), map.texels);
+    auto sampled = texture(device, map);
     if (!sampled) return sampled.error();
     auto target = device.createTexture({.name = "results",
                                         .format = gpu::Format::RGBA32F,
@@ -173,7 +190,12 @@ Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Sa
                                          .addressV = Address::Clamp,
                                          .compare = {}});
     if (!sampler) return sampler.error();
-    Draw draw{std::move(*inputs), std::move(*sampled), std::move(*target), std::move(*sampler), {}};
+    Draw draw{std::move(*inputs), std::move(*sampled), std::move(*target), std::move(*sampler), {}, {}};
+    for (const auto& [name, texels] : function.maps) {
+        auto made = texture(device, texels);
+        if (!made) return made.error();
+        draw.maps.emplace(name, std::move(*made));
+    }
     if (pixel.reflection.globals) draw.globals = globals(*pixel.reflection.globals, function.globals);
     return draw;
 }
@@ -197,7 +219,7 @@ Bound bind(const Reflection& reflection, Draw& draw) {
         if (resource.kind == ResourceKind::Sampler)
             bound.add(resource.set, resource.binding, gpu::BindingKind::Sampler, &draw.sampler);
         else
-            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, resource.name == "gInputMap" ? &draw.inputs : &draw.map);
+            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, draw.named(resource.name));
     }
     return bound;
 }
@@ -245,14 +267,14 @@ Evaluated collect(const std::vector<std::byte>& bytes, const Samples& samples, c
 
 glm::dvec4 TestMap::texel(int x, int y) const {
     const auto column = static_cast<std::size_t>(glm::clamp(x, 0, size - 1));
-    const auto row = static_cast<std::size_t>(glm::clamp(y, 0, size - 1));
+    const auto row = static_cast<std::size_t>(glm::clamp(y, 0, rows() - 1));
     const auto& t = texels[row * static_cast<std::size_t>(size) + column];
     return {t[0], t[1], t[2], t[3]};
 }
 
 glm::dvec4 TestMap::at(glm::dvec2 uv) const {
-    const auto place = [&](double x) { return static_cast<int>(std::floor(glm::clamp(x, -1.0, 2.0) * size)); };
-    return texel(place(uv.x), place(uv.y));
+    const auto place = [](double x, int count) { return static_cast<int>(std::floor(glm::clamp(x, -1.0, 2.0) * count)); };
+    return texel(place(uv.x, size), place(uv.y, rows()));
 }
 
 Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, int setting, const Samples& samples, Compiler compiler) {

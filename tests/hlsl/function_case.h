@@ -80,7 +80,11 @@ private:
 /// Texels given to functions that sample; read by the shader through gTest (POINT, CLAMP), by the reference through `texel`.
 struct TestMap {
     int size = 0;
-    std::vector<std::array<float, 4>> texels;
+    std::vector<std::array<float, 4>> texels; // of a cube map six faces, one behind the other
+    int height = 0;                           // 0: as many rows as columns
+    bool cube = false;
+
+    [[nodiscard]] int rows() const { return height > 0 ? height : size; }
 
     /// Nearest texel, as a POINT look-up at uv.
     [[nodiscard]] glm::dvec4 at(glm::dvec2 uv) const;
@@ -113,6 +117,7 @@ struct FunctionCase {
     std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps
     std::function<bool(const Inputs&)> domain = {};                // elsewhere only finiteness is asked; default: everywhere
     std::string effect = {}; // of whose passes the function is, in effects/; its textures are `map`. Empty: a function of hlsl/
+    std::map<std::string, TestMap> maps = {}; // textures by their names, in place of `map`
 };
 
 /// Every case of every function.
@@ -137,6 +142,12 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> ribbonPassCases();
 [[nodiscard]] std::vector<FunctionCase> strandPassCases();
 [[nodiscard]] std::vector<FunctionCase> computePassCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidPassCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidLinkCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidFinalCases();
+[[nodiscard]] std::vector<FunctionCase> skinPassCases();
+[[nodiscard]] std::vector<FunctionCase> skinMapCases();
+[[nodiscard]] std::vector<FunctionCase> lampPassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -162,13 +162,13 @@ float4 anySource(float4 link)
 }
 
 // Light of the fifth and sixth Gaussian by the list at `slot`, of each `apart`th link from `first` on, none where `lists` is below 0.5. A
-// list ends the loop by its 0.
+// list ends the loop by its 0, and the sheet by its last tile: beyond it a look-up would find the tiles' lowest row again.
 #define LINKED_LIST(name, sourceOf) \
 float4 name(float2 uv, float2 slot, float3 sheet, float lists, float first, float apart) \
 { \
     float fifth = 1.0 - fifthByLevels(tex2Dlod(gAtlasMetric, float4(uv, 0.0, 0.0)).z); \
     float3 sum = 0.0; \
-    float last = lists > 0.5 ? kMostLinks - 1.0 : -1.0; \
+    float last = lists > 0.5 ? min(sheet.x * sheet.x, kMostLinks) - 1.0 : -1.0; \
     [loop] for (float k = first; k <= last; k += apart) \
     { \
         float4 link = linkOf(slot, k, sheet.x); \

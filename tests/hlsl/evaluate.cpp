@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <regex>
@@ -61,8 +62,9 @@ TG_SAMPLER2D(gTest, POINT, CLAMP);
 )";
 
 std::vector<std::pair<std::string, std::string>> definesOf(const FunctionCase& function, int setting) {
-    std::vector<std::pair<std::string, std::string>> defines = {{"TEGUMENT_SETTING", std::to_string(setting)},
-                                                                {"TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize)}};
+    std::vector<std::pair<std::string, std::string>> defines = {{"TEGUMENT_SETTING", std::to_string(setting)}};
+    const auto isSize = [](const auto& define) { return define.first == "TEGUMENT_MAP_SIZE"; };
+    if (std::ranges::none_of(function.defines, isSize)) defines.emplace_back("TEGUMENT_MAP_SIZE", std::to_string(kTestMapSize));
     defines.insert(defines.end(), function.defines.begin(), function.defines.end());
     return defines;
 }
@@ -125,14 +127,6 @@ std::vector<std::array<float, 4>> inputTexels(const Samples& samples, const Grid
     return texels;
 }
 
-Result<gpu::Texture> texture(gpu::Device& device, std::uint32_t width, std::uint32_t height,
-                             const std::vector<std::array<float, 4>>& texels) {
-    auto made = device.createTexture({.name = "inputs", .format = gpu::Format::RGBA32F, .width = width, .height = height});
-    if (!made) return made;
-    if (const auto uploaded = device.upload(*made, std::as_bytes(std::span(texels))); !uploaded) return uploaded.error();
-    return made;
-}
-
 /// A column-major matrix is stored transposed (docs/conventions.md); a vector lies as it is written.
 void store(const BlockMember& member, const std::vector<double>& value, std::vector<std::byte>& bytes) {
     const std::uint32_t rows = value.size() == 16 ? 4 : 1;
@@ -159,11 +153,17 @@ struct Draw {
     gpu::Texture target;
     gpu::Sampler sampler;
     std::vector<std::byte> globals;
+
+    [[nodiscard]] gpu::Texture* named(const std::string& name) {
+        if (name == "gInputMap") return &inputs;
+        const auto found = maps.find(name);
+        return found == maps.end() ? &map : &found->second;
+    }
 };
 
 Result<gpu::Texture> texture(gpu::Device& device, const TestMap& map) {
     const auto width = static_cast<std::uint32_t>(map.size);
-    const auto height = static_cast<std::uint32_t>(map.height == 0 ? map.size : map.height);
+    const auto height = static_cast<std::uint32_t>(map.rows());
     auto made = device.createTexture({.name = "map",
                                       .format = gpu::Format::RGBA32F,
                                       .width = width,
@@ -183,7 +183,9 @@ Result<gpu::Texture> texture(gpu::Device& device, const TestMap& map) {
 }
 
 Result<Draw> prepare(gpu::Device& device, const FunctionCase& function, const Samples& samples, const Grid& grid, const Shader& pixel) {
-    auto inputs = texture(device, kWidth, grid.rows * grid.texels, inputTexels(samples, grid));
+    auto inputs = texture(device, TestMap{.size = static_cast<int>(kWidth),
+                                          .texels = inputTexels(samples, grid),
+                                          .height = static_cast<int>(grid.rows * grid.texels)});
     if (!inputs) return inputs.error();
     const TestMap none{.size = 1, .texels = {{0, 0, 0, 0}}};
     const TestMap& map = function.map ? *function.map : none;
@@ -224,12 +226,6 @@ struct Bound {
     }
 };
 
-gpu::Texture* textureOf(const std::string& name, Draw& draw) {
-    if (name == "gInputMap") return &draw.inputs;
-    const auto found = draw.maps.find(name);
-    return found == draw.maps.end() ? &draw.map : &found->second;
-}
-
 Bound bind(const Reflection& reflection, Draw& draw) {
     Bound bound;
     if (reflection.globals)
@@ -239,7 +235,7 @@ Bound bind(const Reflection& reflection, Draw& draw) {
         if (resource.kind == ResourceKind::Sampler)
             bound.add(resource.set, resource.binding, gpu::BindingKind::Sampler, &draw.sampler);
         else
-            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, textureOf(resource.name, draw));
+            bound.add(resource.set, resource.binding, gpu::BindingKind::Texture, draw.named(resource.name));
     }
     return bound;
 }
@@ -289,14 +285,14 @@ Evaluated collect(const std::vector<std::byte>& bytes, const Samples& samples, c
 
 glm::dvec4 TestMap::texel(int x, int y) const {
     const auto column = static_cast<std::size_t>(glm::clamp(x, 0, size - 1));
-    const auto row = static_cast<std::size_t>(glm::clamp(y, 0, size - 1));
+    const auto row = static_cast<std::size_t>(glm::clamp(y, 0, rows() - 1));
     const auto& t = texels[row * static_cast<std::size_t>(size) + column];
     return {t[0], t[1], t[2], t[3]};
 }
 
 glm::dvec4 TestMap::at(glm::dvec2 uv) const {
-    const auto place = [&](double x) { return static_cast<int>(std::floor(glm::clamp(x, -1.0, 2.0) * size)); };
-    return texel(place(uv.x), place(uv.y));
+    const auto place = [](double x, int count) { return static_cast<int>(std::floor(glm::clamp(x, -1.0, 2.0) * count)); };
+    return texel(place(uv.x, size), place(uv.y, rows()));
 }
 
 Result<Evaluated> evaluate(gpu::Device& device, const FunctionCase& function, int setting, const Samples& samples, Compiler compiler) {

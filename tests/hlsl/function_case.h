@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -81,13 +82,27 @@ private:
 struct TestMap {
     int size = 0;
     std::vector<std::array<float, 4>> texels;
-    int height = 0;    // 0: as `size`
+    int height = 0;    // 0: as many rows as columns
     int mips = 1;      // their texels follow each other; the references below know the first alone
     bool cube = false; // six faces, one after the other: +X -X +Y -Y +Z -Z
+
+    [[nodiscard]] int rows() const { return height > 0 ? height : size; }
 
     /// Nearest texel, as a POINT look-up at uv.
     [[nodiscard]] glm::dvec4 at(glm::dvec2 uv) const;
     [[nodiscard]] glm::dvec4 texel(int x, int y) const; // clamped
+};
+
+/// A texture of a case: its own, or one that lives as long as the program and that many cases have.
+class GivenMap {
+public:
+    GivenMap() = default;
+    GivenMap(TestMap own) : map_(std::make_shared<const TestMap>(std::move(own))) {}    // NOLINT(google-explicit-constructor)
+    GivenMap(const TestMap* shared) : map_(std::shared_ptr<const TestMap>(), shared) {} // NOLINT(google-explicit-constructor)
+    [[nodiscard]] const TestMap& operator*() const { return *map_; }
+
+private:
+    std::shared_ptr<const TestMap> map_;
 };
 
 /// A result passes if it is exact for arguments changed by `backward` ULP (and their slack), then rounded by `forward` ULP, or within
@@ -119,8 +134,8 @@ struct FunctionCase {
     std::vector<std::pair<std::string, std::string>> defines = {}; // besides setting and size of the maps
     std::function<bool(const Inputs&)> domain = {};                // elsewhere only finiteness is asked; default: everywhere
     std::string effect = {}; // of whose passes the function is, in effects/; its textures are `map`. Empty: a function of hlsl/
-    std::map<std::string, const TestMap*> maps = {}; // by name, of textures that are not `map`
-    bool discards = false;                           // a pixel that is left out is kDiscarded, not a failure
+    std::map<std::string, GivenMap> maps = {}; // textures by their names, in place of `map`
+    bool discards = false;                     // a pixel that is left out is kDiscarded, not a failure
 };
 
 /// Every case of every function.
@@ -152,6 +167,12 @@ struct FunctionCase {
 [[nodiscard]] std::vector<FunctionCase> lockPassCases();
 [[nodiscard]] std::vector<FunctionCase> strandRibbonCases();
 [[nodiscard]] std::vector<FunctionCase> furNotedCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidPassCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidLinkCases();
+[[nodiscard]] std::vector<FunctionCase> pyramidFinalCases();
+[[nodiscard]] std::vector<FunctionCase> skinPassCases();
+[[nodiscard]] std::vector<FunctionCase> skinMapCases();
+[[nodiscard]] std::vector<FunctionCase> lampPassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 

@@ -2,28 +2,47 @@
 
 #include "host/support/file.h"
 
-#include <algorithm>
 #include <regex>
 #include <set>
 
 namespace tegument::test {
 
-std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder) {
+namespace {
+
+std::set<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
     std::set<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".fxh") files.insert(entry.path());
+    return files;
+}
+
+} // namespace
+
+std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder) {
     // A type (a struct's name begins with a capital) and a name at the start of a line, a parameter list, and a body: declarations of
     // variables have no body.
     static const std::regex kDefinition(
         R"((?:^|\n)(?:static |inline )?(?:(?:void|bool|int|uint|half|float)(?:[1-4](?:x[1-4])?)?|[A-Z]\w*) (\w+)\([^;{}]*\)\s*(?::\s*\w+\s*)?\{)");
     std::vector<ShaderFunction> functions;
-    for (const auto& path : files) {
+    for (const auto& path : filesIn(folder)) {
         const auto text = readFile(path);
         if (!text) continue;
         for (auto match = std::sregex_iterator(text->begin(), text->end(), kDefinition); match != std::sregex_iterator(); ++match)
             functions.push_back({(*match)[1], std::filesystem::relative(path, folder).string()});
     }
     return functions;
+}
+
+std::set<std::string> macrosIn(const std::filesystem::path& folder) {
+    static const std::regex kMacro(R"((?:^|\n)#define (\w+)\()");
+    std::set<std::string> macros;
+    for (const auto& path : filesIn(folder)) {
+        const auto text = readFile(path);
+        if (!text) continue;
+        for (auto match = std::sregex_iterator(text->begin(), text->end(), kMacro); match != std::sregex_iterator(); ++match)
+            macros.insert((*match)[1]);
+    }
+    return macros;
 }
 
 } // namespace tegument::test

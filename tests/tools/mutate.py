@@ -56,6 +56,7 @@ SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">"
 CALLS = {"min": "max", "max": "min", "saturate": "", "abs": "", "ddx": "ddy", "ddy": "ddx", "sin": "cos", "cos": "sin", "normalize": "",
          "sqrt": "", "exp": "exp2"}
 TOKEN = re.compile(r"(?P<number>(?<![\w.])\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<op>&&|\|\||[-+*/<>=!]=|\+\+|--|[-+*/<>])|(?P<rest>\S)")
+INVOCATION = re.compile(r"^([A-Z][A-Z_0-9]*)\([^;{}]*\)$")  # a macro alone in its line, which defines functions
 DEFINITION = re.compile(r"^(?:static |inline )?(?:void|bool|int|uint|half|float|[A-Z]\w*)(?:[1-4](?:x[1-4])?)? (\w+)\(", re.M)
 
 
@@ -108,6 +109,8 @@ class Mutant:
         self.source = text.split("\n")[self.line - 1].strip()
         functions = [m for m in DEFINITION.finditer(text) if m.start() <= start]
         self.function = functions[-1].group(1) if functions and "\n}" not in text[functions[-1].start():start] else ""
+        made = INVOCATION.match(self.source) if not self.function else None
+        self.macro = made.group(1) if made else ""
         macro = re.match(r"#define\s+(\w+)", self.source)
         name, constant = (macro.group(1), False) if macro else declared(code or text, start)
         self.name = self.function or name
@@ -232,9 +235,9 @@ class Plan:
         self.kills, self.asked, self.base, self.sure = {}, {}, {}, {}
 
     def of_functions(self, mutant):
-        """Cases of the function itself, then of those that call it."""
-        if mutant.function in self.cases:
-            yield "function", self.cases[mutant.function]
+        """Cases of the function itself, or of what this macro defines, then of those that call it."""
+        if (mutant.function or mutant.macro) in self.cases:
+            yield "function", self.cases[mutant.function or mutant.macro]
         others = [test for name, tests in self.cases.items() if name != mutant.function and self.reach.leads(name, mutant.name) for test in tests]
         if self.arguments.seconds or len(others) <= 4 * CHUNK:
             for begin in range(0, len(others), CHUNK):

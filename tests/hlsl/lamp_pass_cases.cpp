@@ -1,0 +1,323 @@
+// Lamps and surroundings beside the light of the workspace (effects/passes/lamp_light.fxh, lamps.fxh, more_light.fxh, more_light_sum.fxh,
+// light_by_light.fxh) in double precision: docs/design/light.md.
+
+#include "tests/hlsl/maps.h"
+#include "tests/hlsl/skin_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr double kBody = 50; // radius of what lamps look at, world units
+const glm::dvec3 kCentre = {5, -3, 2};
+constexpr double kTurn = 50; // of the surroundings, degrees
+constexpr double kSky = 1.3;
+constexpr double kMirrors = 0.7;
+constexpr double kOcclusion = 0.6;
+
+struct LampValues {
+    glm::dvec4 place, colour, axis, spot;
+};
+/// A spot in the world, parallel light, and a point whose light falls off from 200 units on.
+const std::array<LampValues, 3> kLamps = {{{{60, 120, 160, 1}, {0.9, 0.7, 0.5, 150}, {-0.3, -0.6, -0.7416198, 6}, {0.9, 0.6, 0.7, 0.8}},
+                                           {{-0.7, 0.45, 0.55, 0}, {0.3, 0.5, 0.8, 0}, {0, 0, 1, 0.15}, {-1, -2, 0.9, 0.6}},
+                                           {{-90, 40, 140, 1}, {0.6, 0.2, 0.4, 200}, {0, 0, 1, 4}, {-1, -2, 0.4, 1.2}}}};
+const std::vector<glm::dvec4> kSeen = {{0.2, 0.3, 0.4, 0.5}, {0, 0, 0, 0}, {0.9, 0.1, 0.6, 1}, {0.25, 0.05, 0.1, 0.25}};
+/// Of the cube map: +X -X +Y -Y +Z -Z.
+const std::array<glm::dvec3, 6> kFaces = {
+    {{0.1, 0.2, 0.3}, {0.9, 0.5, 0.1}, {0.4, 0.8, 0.7}, {0.6, 0.3, 0.9}, {0.2, 0.6, 0.5}, {0.7, 0.1, 0.4}}};
+const glm::dvec4 kOpen = {0.8, 0.9, 0.62, 0.45}; // a texel of the occlusion map
+
+const std::vector<std::pair<std::string, std::string>> kAll = {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SURROUNDINGS", "1"}};
+
+FunctionCase lampCase(const char* function, std::string body, std::vector<Argument> arguments,
+                      std::function<Values(const Inputs&)> expected, std::vector<std::pair<std::string, std::string>> defines = kAll) {
+    FunctionCase made =
+        skinCase("Main.fx", function, std::move(body), std::move(arguments), std::move(expected),
+                 {.forward = 64, .backward = 8, .absolute = 1e-5, .why = "roots and quotients of numbers up to 300, sums of three lamps"});
+    made.defines = std::move(defines);
+    const auto add = [&](const char* name, glm::dvec4 LampValues::*member) {
+        for (const LampValues& lamp : kLamps)
+            for (glm::length_t c = 0; c < 4; ++c)
+                made.globals[name].push_back((lamp.*member)[c]);
+    };
+    add("gLampPlace", &LampValues::place);
+    add("gLampColor", &LampValues::colour);
+    add("gLampAxis", &LampValues::axis);
+    add("gLampSpot", &LampValues::spot);
+    made.globals["gLampBody"] = {kCentre.x, kCentre.y, kCentre.z};
+    made.globals["gLampBodyRadius"] = {kBody};
+    made.globals["gSurroundings"] = {kSky};
+    made.globals["gSurroundingsTurn"] = {kTurn};
+    made.globals["gReflections"] = {kMirrors};
+    made.globals["gOcclusionShare"] = {kOcclusion};
+    made.maps["gLampsSeenMap"] = rowOfTexels(kSeen);
+    made.maps["gOcclusionMap"] = oneTexel(kOpen.x, kOpen.y, kOpen.z, kOpen.w);
+    TestMap cube{.size = 1, .texels = {}, .cube = true};
+    for (const glm::dvec3& face : kFaces)
+        cube.texels.push_back({static_cast<float>(face.x), static_cast<float>(face.y), static_cast<float>(face.z), 1});
+    made.maps["gEnvironmentMap"] = cube;
+    return made;
+}
+
+glm::dvec3 seenAt(double place) {
+    const glm::dvec4 texel = kSeen[static_cast<std::size_t>(std::round(place))];
+    return texel.w > 0 ? glm::dvec3(texel) / texel.w : glm::dvec3(1);
+}
+
+struct Arriving {
+    glm::dvec3 toLight, light;
+};
+
+/// Inverse square from the distance that its colour holds at, a spot between its cosines, and what hides it by the shadow's weight.
+Arriving arriving(std::size_t i, const glm::dvec3& world, const glm::dvec3& seen) {
+    const LampValues& lamp = kLamps[i];
+    const bool point = lamp.place.w > 0.5;
+    const glm::dvec3 towards = point ? glm::dvec3(lamp.place) - world : glm::dvec3(lamp.place);
+    const glm::dvec3 toLight = glm::normalize(towards);
+    const double falloff = lamp.colour.w > 0 ? std::pow(lamp.colour.w / glm::length(towards), 2) : 1;
+    const double t = std::clamp((-glm::dot(toLight, glm::dvec3(lamp.axis)) - lamp.spot.y) / (lamp.spot.x - lamp.spot.y), 0.0, 1.0);
+    const double share = falloff * t * t * (3 - 2 * t);
+    return {toLight, glm::dvec3(lamp.colour) * share * (1 - lamp.spot.z * (1 - seen[static_cast<glm::length_t>(i)]))};
+}
+
+/// Of the face that a direction leads to, once the surroundings are turned about the vertical.
+glm::dvec3 skyAt(const glm::dvec3& direction) {
+    const double turn = kTurn * std::numbers::pi / 180;
+    const glm::dvec3 d(direction.x * std::cos(turn) - direction.z * std::sin(turn), direction.y,
+                       direction.x * std::sin(turn) + direction.z * std::cos(turn));
+    const glm::dvec3 a = glm::abs(d);
+    const glm::length_t axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    return kSky * kFaces[static_cast<std::size_t>(2 * axis + (d[axis] < 0 ? 1 : 0))];
+}
+
+/// How far from where two faces meet.
+double fromEdge(const glm::dvec3& direction) {
+    const double turn = kTurn * std::numbers::pi / 180;
+    const glm::dvec3 d(direction.x * std::cos(turn) - direction.z * std::sin(turn), direction.y,
+                       direction.x * std::sin(turn) + direction.z * std::cos(turn));
+    std::array<double, 3> a = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+    std::ranges::sort(a);
+    return a[2] - a[1];
+}
+
+glm::dvec4 openAt(const glm::dvec3& meshNormal, double weight) {
+    const glm::dvec3 stored = glm::dvec3(kOpen) * 2.0 - 1.0; // longer than a half: a direction
+    return {glm::mix(meshNormal, glm::normalize(stored), weight), 1 - weight * (1 - kOpen.w)};
+}
+
+glm::dvec3 skyDirection(const glm::dvec3& normal, const glm::dvec3& meshNormal) {
+    return glm::normalize(normal + glm::dvec3(openAt(meshNormal, kOcclusion)) - meshNormal);
+}
+
+glm::dvec4 skyLight(const glm::dvec3& normal, const glm::dvec3& meshNormal) {
+    const double open = openAt(meshNormal, kOcclusion).w;
+    return {open * skyAt(skyDirection(normal, meshNormal)), open};
+}
+
+constexpr const char* kPoint =
+    "LitPoint p = (LitPoint)0; p.uv = float2((a0 + 0.5) / 4.0, 0.5); p.normal = a1; p.meshNormal = a2; p.world = a3; "
+    "p.albedo = a4; p.scatters = a5; ";
+
+std::vector<Argument> pointArguments() {
+    return {whole(0, 3), unit(), unit(), linear(-40, 40, 3), linear(0.05, 1, 3), linear(0, 1)};
+}
+
+bool isPoint(const Inputs& x) {
+    const glm::dvec3 n = x.vec3(1);
+    const glm::dvec3 m = x.vec3(2);
+    if (std::abs(glm::length(n) - 1) > 1e-3 || std::abs(glm::length(m) - 1) > 1e-3) return false;
+    if (glm::length(n + glm::dvec3(openAt(m, kOcclusion)) - m) < 0.05 || fromEdge(skyDirection(n, m)) < 1e-3) return false;
+    const glm::dvec3 toEye = glm::normalize(kSkinCamera - x.vec3(3));
+    return fromEdge(glm::reflect(-toEye, n)) > 1e-3 && std::abs(glm::dot(n, toEye)) > 1e-3;
+}
+
+glm::dvec3 lampSum(const Inputs& x, bool crossing) {
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < kLamps.size(); ++i) {
+        const Arriving a = arriving(i, x.vec3(3), seenAt(x.scalar(0)));
+        sum += a.light * std::clamp(glm::dot(x.vec3(1), a.toLight), 0.0, 1.0) * (crossing ? kSkinLeft : 1);
+    }
+    return sum + glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * (crossing ? kSkinLeft : 1);
+}
+
+double intensityOf(const Inputs& x) {
+    return glm::mix(kPlainIntensity, kSkinIntensity, x.scalar(5));
+}
+double roughnessOf(const Inputs& x) {
+    return glm::mix(kPlainRoughness, kSkinRoughness, x.scalar(5));
+}
+
+/// By a lobe's albedo, and the share of it that is open (Lagarde and de Rousiers 2014).
+glm::dvec3 skyMirrored(const Inputs& x) {
+    const glm::dvec3 toEye = glm::normalize(kSkinCamera - x.vec3(3));
+    const double cosine = glm::dot(x.vec3(1), toEye);
+    const double open = openAt(x.vec3(2), kOcclusion).w;
+    const double share =
+        std::clamp(std::pow(std::clamp(cosine, 0.0, 1.0) + open, std::exp2(-16 * roughnessOf(x) - 1)) - 1 + open, 0.0, 1.0);
+    return kMirrors * intensityOf(x) * kTableAlbedo * share * skyAt(glm::reflect(-toEye, x.vec3(1)));
+}
+
+glm::dvec3 lampMirrored(const Inputs& x, std::size_t i) {
+    const Arriving a = arriving(i, x.vec3(3), seenAt(x.scalar(0)));
+    const glm::dvec3 toEye = glm::normalize(kSkinCamera - x.vec3(3));
+    return a.light * kLamps[i].spot.w * mirrored(x.vec3(1), a.toLight, toEye, roughnessOf(x), intensityOf(x));
+}
+
+std::vector<FunctionCase> sums() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(lampCase("moreIrradiance", std::string(kPoint) + "return float4(moreIrradiance(p), 0);", pointArguments(),
+                             [](const Inputs& x) { return values(lampSum(x, false)); }));
+    cases.push_back(lampCase("moreEntering", std::string(kPoint) + "return float4(moreEntering(p), 0);", pointArguments(),
+                             [](const Inputs& x) { return values(skinColour(x.vec3(4), kSkinMix) * lampSum(x, true)); }));
+    cases.push_back(
+        lampCase("moreReflected", std::string(kPoint) + "return float4(moreReflected(p, tgSafeNormalize(gCameraPosition - p.world)), 0);",
+                 pointArguments(),
+                 [](const Inputs& x) { return values(skyMirrored(x) + lampMirrored(x, 0) + lampMirrored(x, 1) + lampMirrored(x, 2)); }));
+    const std::vector<std::pair<std::string, std::string>> alone = {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SURROUNDINGS", "1"}};
+    const std::string share = std::string(kPoint) + "LitShare s = skinShare(p, float3(0.4, 0.5, 0.6)); ";
+    const auto shown = [](const Inputs& x) { // of light that falls on the point
+        return x.vec3(4) * (1 - x.scalar(5)) + glm::dvec3(0.4, 0.5, 0.6) * x.vec3(4) * x.scalar(5) * kSkinLeft * kSkinLeft;
+    };
+    cases.push_back(lampCase(
+        "aloneSurroundings", share + "return aloneSurroundings(s);", pointArguments(),
+        [=](const Inputs& x) { return values(glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * shown(x) + skyMirrored(x)); }, alone));
+    for (std::size_t i = 0; i < 3; ++i)
+        cases.push_back(lampCase(
+            "ALONE_LAMP", share + "return aloneLamp" + std::to_string(i + 1) + "(s);", pointArguments(),
+            [=](const Inputs& x) {
+                const Arriving a = arriving(i, x.vec3(3), seenAt(x.scalar(0)));
+                const double cosine = std::clamp(glm::dot(x.vec3(1), a.toLight), 0.0, 1.0);
+                return values(a.light * cosine * shown(x) + lampMirrored(x, i));
+            },
+            alone));
+    for (FunctionCase& each : cases) {
+        if (each.function.starts_with("alone") || each.function == "ALONE_LAMP") addLightByLight(each);
+        each.domain = isPoint;
+        each.tolerance.absolute = 4e-5;
+        each.tolerance.backward = 16;
+    }
+    return cases;
+}
+
+std::vector<FunctionCase> parts() {
+    std::vector<FunctionCase> cases;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string lamp = "Lamp l = lampAt(" + std::to_string(i) + ", a0, a1); ";
+        cases.push_back(lampCase("lampAt", lamp + "return float4(l.light, 0);", {linear(-40, 40, 3), linear(0, 1, 3)},
+                                 [=](const Inputs& x) { return values(arriving(i, x.vec3(0), x.vec3(1)).light); }));
+        cases.push_back(lampCase("lampAt", lamp + "return float4(l.toLight, 0);", {linear(-40, 40, 3), linear(0, 1, 3)},
+                                 [=](const Inputs& x) { return values(arriving(i, x.vec3(0), x.vec3(1)).toLight); }));
+        // Those beyond the ones that throw shadows are seen everywhere.
+        cases.push_back(
+            lampCase("lampAt", lamp + "return float4(l.light, 0);", {linear(-40, 40, 3), linear(0, 1, 3)},
+                     [=](const Inputs& x) { return values(arriving(i, x.vec3(0), glm::dvec3(i == 0 ? x.scalar(1) : 1, 1, 1)).light); },
+                     {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_LAMP_SHADOWS", "1"}}));
+    }
+    cases.push_back(lampCase("lampsSeen", "return float4(lampsSeen(float2((a0 + 0.5) / 4.0, 0.5)), 0);", {whole(0, 3)},
+                             [](const Inputs& x) { return values(seenAt(x.scalar(0))); }));
+    cases.push_back(lampCase("openSky", "return openSky(float2(0.5, 0.5), a0, a1);", {unit(), linear(0, 1)},
+                             [](const Inputs& x) { return values(openAt(x.vec3(0), x.scalar(1))); }));
+    cases.push_back(lampCase("surroundingsAt", "return float4(surroundingsAt(a0, a1), 0);", {unit(), linear(0, 4)},
+                             [](const Inputs& x) { return values(skyAt(x.vec3(0))); }));
+    cases.back().domain = [](const Inputs& x) { return std::abs(glm::length(x.vec3(0)) - 1) < 1e-3 && fromEdge(x.vec3(0)) > 1e-3; };
+    return cases;
+}
+
+/// A square that is fitted to the body's sphere: where a lamp stands and what it calls right and up, half its width for each mm of depth.
+struct View {
+    glm::dvec3 eye, axis, right, up;
+    double spread;
+    bool point;
+
+    explicit View(std::size_t i) {
+        const glm::dvec4& place = kLamps[i].place;
+        point = place.w > 0.5;
+        axis = glm::normalize(point ? kCentre - glm::dvec3(place) : -glm::dvec3(place));
+        eye = point ? glm::dvec3(place) : kCentre - 2 * kBody * axis;
+        right = glm::normalize(glm::cross(axis, glm::dvec3(0, 1, 0)));
+        up = glm::cross(right, axis);
+        spread = point ? std::tan(std::asin(kBody / glm::length(kCentre - eye))) : kBody;
+    }
+};
+
+std::vector<FunctionCase> seen() {
+    std::vector<FunctionCase> cases;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string n = std::to_string(i);
+        const std::string vertex =
+            "VertexInput v = (VertexInput)0; v.position = a0; v.normal = a1; v.uv = a2; LampsSeenVarying o = LampsSeenVS(v); ";
+        const std::vector<Argument> arguments = {linear(-20, 20, 3), unit(), linear(0, 1, 2)};
+        cases.push_back(lampCase("LampsSeenVS", vertex + "return o.place[" + n + "];", arguments, [=](const Inputs& x) {
+            const View view(i);
+            const glm::dvec3 from = kSkinScale * x.vec3(0) + kSkinOrigin - view.eye;
+            const double depth = glm::dot(from, view.axis);
+            const double footprint = 2 * view.spread * kSkinUnit / kTestMapSize; // mm for each unit of w
+            const glm::dvec2 across = glm::dvec2(glm::dot(from, view.right), glm::dot(from, view.up)) / view.spread;
+            return values(glm::dvec4(across * footprint, depth * kSkinUnit, (view.point ? depth : 1) * footprint));
+        }));
+        cases.back().tolerance.absolute = 1e-4;
+        cases.push_back(lampCase("LampsSeenVS", vertex + "return float4(o.right[" + n + "], o.uv.x);", arguments,
+                                 [=](const Inputs& x) { return values(glm::dvec4(View(i).right, x.scalar(2))); }));
+        cases.push_back(lampCase("LampsSeenVS", vertex + "return o.position;", arguments, [](const Inputs& x) {
+            return values(2 * x.scalar(2) - 1, 1 - 2 * x.scalar(2, 1), 0, 1); // the map's own place
+        }));
+    }
+    return cases;
+}
+
+constexpr const char* kReceiver =
+    "LampReceiver r = (LampReceiver)0; r.place = float4(a0 * 0.4, 0.0, 0.4); r.depth = a1; r.slope = a2; r.cosine = a3; "
+    "r.texel = a4; r.way = float2(0.6, 0.8); ";
+
+/// Regression checks: the same calls of functions of hlsl/shadow, which have cases of their own, with sizes worked out here.
+std::vector<FunctionCase> open() {
+    std::vector<FunctionCase> cases;
+    const std::vector<Argument> arguments = {linear(-0.8, 0.8, 2), linear(590, 610), linear(-0.5, 0.5, 2), linear(0.1, 1), linear(0.5, 30)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const View view(i);
+        const double radius = kLamps[i].axis.w;
+        const double near = kSkinUnit * ((view.point ? glm::length(kCentre - view.eye) : 2 * kBody) - kBody);
+        // Parallel light: the tangent of the half angle whose sine is given.
+        const double wide = view.point ? radius * kSkinUnit : std::tan(std::asin(radius));
+        char size[200];
+        std::snprintf(size, sizeof size, "float2(%.9g, %s), %.9g", wide, view.point ? "1.0" : "0.0",
+                      view.point ? std::max(near, 2 * wide) : near);
+        const std::string n = std::to_string(i);
+        const std::string maps = "gTsmMap, gTsm, gShadowMap, gShadow, ";
+        cases.push_back(lampCase("lampOpen",
+                                 std::string(kReceiver) + "return float4(lampOpen(" + maps + n + ", r) - tgShadowSoft(" + maps +
+                                     "tgShadowCoordinate(r.place), r.depth, r.slope, 0.4, " + size + ", r.way), 0, 0, 0);",
+                                 arguments, [](const Inputs&) { return values(0); },
+                                 {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SOFT_SHADOWS", "1"}}));
+        cases.push_back(lampCase("lampOpen",
+                                 std::string(kReceiver) + "return float4(lampOpen(" + maps + n + ", r) - tgShadowDiscSpared(" + maps +
+                                     "tgShadowCoordinate(r.place), r.depth, r.slope, float2(0.0, " + (view.point ? "1.0" : "0.0") +
+                                     "), clamp(0.56 * a4 * a3 / 0.4, 1.7, 13.0), float2(1.0, 0.0)), 0, 0, 0);",
+                                 arguments, [](const Inputs&) { return values(0); }, {{"TEGUMENT_LAMPS", "3"}}));
+    }
+    for (FunctionCase& each : cases) {
+        each.map = &shadowMap();
+        each.maps["gShadowMap"] = oneTexel(1, 0, 0, 1000); // blocks that settle nothing
+        // A radius that differs by its last digit may move a tap over the border of a texel.
+        each.tolerance = {.forward = 0, .backward = 0, .absolute = 0.07, .why = "the same taps, but for one"};
+    }
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> lampPassCases() {
+    std::vector<FunctionCase> all;
+    for (auto make : {sums, parts, seen, open})
+        for (FunctionCase& each : make())
+            all.push_back(std::move(each));
+    return all;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,297 @@
+// Light along links (effects/passes/pyramid_links.fxh) against what docs/design/modules/Pyramid.md says of a sheet of links: tile k holds
+// link k of each texel of a map of 256 x 256, the last tile where the lists of a texel's quarters are, the last texel how many tiles there
+// are. Sheets are filled with numbers that no mesh would give.
+
+#include "tests/hlsl/pyramid_pass_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr int kSide = 256;    // texels of the links' map
+constexpr int kQuarters = 16; // rows of quarters below it
+constexpr int kTileRows = kSide + kQuarters;
+constexpr int kTiles = 2; // along a side
+constexpr double kHigh = double{kTileRows} / kSide;
+
+std::uint32_t bitsOf(int x, int y, int k) {
+    auto h = static_cast<std::uint32_t>(x) * 0x9e3779b1U ^ static_cast<std::uint32_t>(y) * 0x85ebca77U ^
+             static_cast<std::uint32_t>(k) * 0xc2b2ae3dU;
+    h ^= h >> 15U;
+    h *= 0x2c1b3c6dU;
+    return h ^ (h >> 12U);
+}
+
+/// Link k of a list, (0, 0, 0, 0) at its end. coarse: maps of 64 to 16 texels send, too.
+glm::dvec4 linkIn(int x, int y, int k, bool coarse) {
+    const std::uint32_t bits = bitsOf(x, y, k);
+    if (k > 2 || bits % 5 == 0) return glm::dvec4(0);
+    const auto part = [&](int shift) { return 0.05 + 0.9 * static_cast<double>(bits >> shift & 255U) / 255; };
+    const std::uint32_t map = bits / 5 % (coarse && y < kSide ? 6 : 3); // halves, quarters, a sixteenth
+    return {(map & 1U) != 0 ? -part(4) : part(4), (map & 2U) != 0 ? -part(8) : part(8), 0.3 * part(12),
+            (map & 4U) != 0 ? -part(16) : part(16)};
+}
+
+/// Where the quarters of a texel are in the rows below, and whether their lists serve instead.
+glm::dvec4 quartersAt(int x, int y) {
+    const std::uint32_t bits = bitsOf(x, y, 9);
+    if (bits % 3 == 0) return glm::dvec4(0);
+    return {0, 1 + static_cast<int>(bits >> 3U) % (kSide / 2), static_cast<int>(bits >> 11U & 1023U) % (kQuarters / 2),
+            bits % 3 == 1 ? 1 : 0};
+}
+
+TestMap sheetOf(bool coarse, double fourth) {
+    TestMap sheet{.size = kTiles * kSide, .texels = {}, .height = kTiles * kTileRows};
+    for (int y = 0; y < sheet.height; ++y)
+        for (int x = 0; x < sheet.size; ++x) {
+            const int k = y / kTileRows * kTiles + x / kSide;
+            const bool last = k == kTiles * kTiles - 1;
+            const glm::dvec4 t = !last                   ? linkIn(x % kSide, y % kTileRows, k, coarse)
+                                 : y % kTileRows < kSide ? quartersAt(x % kSide, y % kTileRows)
+                                                         : glm::dvec4(0);
+            sheet.texels.push_back({static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
+        }
+    sheet.texels.back() = {kTiles, static_cast<float>(fourth), static_cast<float>(kHigh), 0};
+    return sheet;
+}
+
+glm::dvec4 fullLink(int x, int y, int k) {
+    return {0.5, 0.5, 0.001 * (1 + bitsOf(x, y, k) % 100), 0.002 * (1 + bitsOf(y, x, k) % 50)};
+}
+
+TestMap fullSheet() {
+    TestMap sheet{.size = kTiles * kSide, .texels = {}};
+    for (int y = 0; y < sheet.size; ++y)
+        for (int x = 0; x < sheet.size; ++x) {
+            const glm::dvec4 t = fullLink(x % kSide, y % kSide, y / kSide * kTiles + x / kSide);
+            sheet.texels.push_back({static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
+        }
+    sheet.texels.back() = {kTiles, 0, 1, 0};
+    return sheet;
+}
+
+/// Of maps of 512 to 16 texels the level that is as large, or the nearest one that there is.
+int levelOfSize(int size, int mapSize) {
+    return std::clamp(static_cast<int>(std::lround(std::log2(double(mapSize) / size))), 0, 6);
+}
+
+int sizeOf(const glm::dvec4& link) {
+    return 512 / (link.x < 0 ? 2 : 1) / (link.y < 0 ? 4 : 1) / (link.w < 0 ? 16 : 1);
+}
+
+glm::dvec3 sentBy(const glm::dvec4& link, const glm::dvec4& source, double fifth) {
+    const glm::dvec3 share = fifth * std::abs(link.z) * glm::dvec3(kSkinGaussians[4]) + std::abs(link.w) * glm::dvec3(kSkinGaussians[5]);
+    return share * glm::dvec3(source) / std::max(source.w, 1e-4);
+}
+
+glm::dvec3 listAt(int x, int y, bool coarse, int mapSize, double density) {
+    glm::dvec3 sum(0);
+    for (int k = 0; k < kTiles * kTiles; ++k) {
+        const glm::dvec4 link = linkIn(x, y, k, coarse);
+        if (link.x == 0) break;
+        sum += sentBy(link, entryOf(levelOfSize(sizeOf(link), mapSize)), 1 - fifthBrought(density, mapSize));
+    }
+    return sum;
+}
+
+/// Of a texel's own list; where there are quarters, they may serve instead.
+glm::dvec3 ownList(int x, int y, bool coarse, int mapSize, double density) {
+    const bool replaced = mapSize >= 512 && quartersAt(x, y).w > 0.5;
+    return replaced ? glm::dvec3(0) : listAt(x, y, coarse, mapSize, density);
+}
+
+glm::dvec3 quarterList(int x, int y, int mapSize, double density) { // of the map's quarters, 512 x 512
+    const glm::dvec4 at = quartersAt(x / 2, y / 2);
+    if (at.y < 0.5) return glm::dvec3(0);
+    return listAt(2 * (static_cast<int>(at.y) - 1) + x % 2, kSide + 2 * static_cast<int>(at.z) + y % 2, false, mapSize, density);
+}
+
+std::vector<FunctionCase> parts() {
+    std::vector<FunctionCase> cases;
+    const Tolerance exact{.forward = 8, .backward = 2, .absolute = 1e-6, .why = "a few products and a quotient"};
+    cases.push_back(pyramidCase("linkMap", "return float4(linkMap(a0), 0, 0, 0);", {linear(-1, 1, 4)}, [](const Inputs& x) {
+        return values((x.scalar(0) < 0 ? 1 : 0) + (x.scalar(0, 1) < 0 ? 2 : 0) + (x.scalar(0, 3) < 0 ? 4 : 0)); // a bit for each sign
+    }));
+    cases.back().tolerance = exact;
+    cases.push_back(pyramidCase("linkSlot", "return float4(linkSlot(a0, a1), 0, 0);", {linear(0, 1, 2), linear(1, 2)},
+                                [](const Inputs& x) { return values(x.scalar(0), x.scalar(0, 1) / x.scalar(1)); }));
+    cases.back().tolerance = exact;
+    // An empty sheet: no list, no quarters, and a tile is as high as wide.
+    cases.push_back(pyramidCase("linkSheet", "return float4(linkSheet() + a0, 0);", {linear(0, 1)},
+                                [](const Inputs& x) { return values(x.scalar(0), x.scalar(0), 1 + x.scalar(0)); }));
+    cases.back().tolerance = exact;
+    cases.back().maps["gLinksMap"] = oneTexel(0);
+    cases.push_back(pyramidCase("linkOf", "return linkOf((float2(a0, a1) + 0.5) / float2(256, 272), a2, 2.0);",
+                                {whole(0, 255), whole(0, 271), whole(0, 2)}, [](const Inputs& x) {
+                                    return values(linkIn(static_cast<int>(x.scalar(0)), static_cast<int>(x.scalar(1)),
+                                                         static_cast<int>(x.scalar(2)), true));
+                                }));
+    cases.back().maps["gLinksMap"] = sheetOf(true, 0);
+    cases.back().filtered = false;
+    cases.back().tolerance = exact;
+    cases.push_back(pyramidCase("linkLight", "return float4(linkLight(a0, float4(a1, a2), a3), 0);",
+                                {linear(-1, 1, 4), linear(0, 1, 3), logarithmic(1e-5, 1), linear(0, 1)}, [](const Inputs& x) {
+                                    return values(sentBy(x.vec4(0), glm::dvec4(x.vec3(1), x.scalar(2)), x.scalar(3)));
+                                }));
+    cases.back().tolerance = exact;
+    for (int size : {128, 256, 512, 1024, 2048}) {
+        for (const char* of : {"anySource", "fineSource"}) {
+            const bool fine = of[0] == 'f';
+            cases.push_back(pyramidCase(
+                of, std::string("return ") + of + "(float4(a0, 0, a1));", {linear(-1, 1, 2), linear(-1, 1)},
+                [=](const Inputs& x) {
+                    const glm::dvec4 link(x.vec2(0), 0, x.scalar(1));
+                    const int level = levelOfSize(std::max(sizeOf(link), fine ? 128 : 16), size);
+                    return values(entryOf(level) * (1 + 0.1 * std::floor(8 * std::abs(link.x)) + std::floor(8 * std::abs(link.y))));
+                },
+                size));
+            for (int level = 0; level < 7; ++level) { // 8 x 8 texels, each another light
+                TestMap& map = cases.back().maps["gEntry" + std::to_string(level) + "Map"] = TestMap{.size = 8, .texels = {}};
+                for (int i = 0; i < 64; ++i) {
+                    const glm::dvec4 t = entryOf(level) * (1 + 0.1 * (i % 8) + i / 8);
+                    map.texels.push_back(
+                        {static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
+                }
+            }
+            cases.back().filtered = false;
+            cases.back().domain = [](const Inputs& x) { // links name no map smaller than 16 texels; -0 is no sign
+                const glm::dvec2 within = glm::fract(8.0 * glm::abs(x.vec2(0)));
+                return sizeOf({x.vec2(0), 0, x.scalar(1)}) >= 16 && std::min(within.x, within.y) > 1e-3 &&
+                       std::max(within.x, within.y) < 0.999;
+            };
+        }
+    }
+    return cases;
+}
+
+constexpr const char* kPlace = "float2 uv = (float2(a0, a1) + 0.5) / 512.0; ";
+
+FunctionCase sheetCase(const char* function, const std::string& body, int size, bool coarse, double fourth,
+                       std::function<Values(int x, int y, double density, const Inputs&)> expected, std::vector<Argument> more = {}) {
+    std::vector<Argument> arguments = {whole(0, 511), whole(0, 511)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    FunctionCase made = pyramidCase(
+        function, kPlace + body, arguments,
+        [=](const Inputs& x) {
+            const auto column = static_cast<int>(std::round(x.scalar(0)));
+            const auto row = static_cast<int>(std::round(x.scalar(1)));
+            return expected(column, row, texelOfRow(metricRow(), column / 64).z, x);
+        },
+        size);
+    made.maps["gLinksMap"] = sheetOf(coarse, fourth);
+    made.filtered = false;
+    // Steps of the metric are read at their nearest texel; the ladder's row at its middle, and its columns not between.
+    made.tolerance.absolute = 1e-2;
+    made.tolerance.why = "the ladder's nearest column is half of one away";
+    return made;
+}
+
+std::vector<FunctionCase> lists() {
+    std::vector<FunctionCase> cases;
+    for (int size : {256, 512}) {
+        for (const char* of : {"anyLinks", "fineLinks"}) {
+            const bool any = of[0] == 'a';
+            cases.push_back(
+                sheetCase(of, std::string("return ") + of + "(uv, 0.0, 1.0);", size, any, 0,
+                          [=](int x, int y, double density, const Inputs&) { return values(ownList(x / 2, y / 2, any, size, density)); }));
+            // Threads that share a list take a part of it each.
+            cases.push_back(
+                sheetCase(of, std::string("return ") + of + "(uv, 0.0, 2.0) + " + of + "(uv, 1.0, 2.0);", size, any, 0,
+                          [=](int x, int y, double density, const Inputs&) { return values(ownList(x / 2, y / 2, any, size, density)); }));
+            // A thread does not see the end that another has met: it begins behind it, and must meet one itself.
+            cases.back().domain = [=](const Inputs& x) {
+                const auto column = static_cast<int>(std::round(x.scalar(0))) / 2;
+                const auto row = static_cast<int>(std::round(x.scalar(1))) / 2;
+                return linkIn(column, row, 0, any).x != 0 && linkIn(column, row, 1, any).x != 0;
+            };
+        }
+        cases.push_back(sheetCase("quarterLinks", "return quarterLinks(uv);", size, false, 0,
+                                  [=](int x, int y, double density, const Inputs&) { return values(quarterList(x, y, size, density)); }));
+        cases.push_back(sheetCase("quartersOf", "return quartersOf(uv, linkSheet());", size, false, 0,
+                                  [](int x, int y, double, const Inputs&) { return values(quartersAt(x / 2, y / 2)); }));
+        for (std::size_t i = cases.size() - 6; i < cases.size(); ++i)
+            cases[i].tolerance = {.forward = 16, .backward = 0, .absolute = 1e-5, .why = "a sum of three lights"};
+    }
+    // A sheet that is full: no list has an end in it, and none goes on beyond it.
+    for (int parts : {1, 2, 4}) {
+        std::string body = "float4 sum = 0.0; ";
+        for (int first = 0; first < parts; ++first)
+            body += "sum += anyLinks(uv, " + std::to_string(first) + ".0, " + std::to_string(parts) + ".0); ";
+        cases.push_back(sheetCase("anyLinks", body + "return sum;", 256, true, 0, [](int x, int y, double density, const Inputs&) {
+            glm::dvec3 sum(0);
+            for (int k = 0; k < kTiles * kTiles; ++k)
+                sum += sentBy(fullLink(x / 2, y / 2, k), entryOf(0), 1 - fifthBrought(density, 256));
+            return values(sum);
+        }));
+        cases.back().maps["gLinksMap"] = fullSheet();
+        cases.back().domain = [](const Inputs& x) {
+            return x.scalar(0) < 509.5 || x.scalar(1) < 509.5;
+        }; // what the last texel says instead
+        cases.back().tolerance = {.forward = 16, .backward = 0, .absolute = 1e-5, .why = "a sum of four lights"};
+    }
+    // A mesh without links: an empty sheet is one texel of zeros.
+    for (const char* of : {"anyLinks(uv, 0.0, 1.0)", "fineLinks(uv, 0.0, 1.0)", "quarterLinks(uv)"}) {
+        const std::string name(of, std::string(of).find('('));
+        cases.push_back(sheetCase(name == "anyLinks"    ? "anyLinks"
+                                  : name == "fineLinks" ? "fineLinks"
+                                                        : "quarterLinks",
+                                  std::string("return ") + of + ";", 512, false, 0,
+                                  [](int, int, double, const Inputs&) { return values(0); }));
+        cases.back().maps["gLinksMap"] = oneTexel(0);
+    }
+    return cases;
+}
+
+/// What an entry point of a level adds by links: at the level as large as their map, or the base where that is smaller, lists of texels;
+/// at the next finer one those of quarters.
+glm::dvec3 linksOf(int level, int mapSize, bool fine, int x, int y, double density) {
+    const int wide = levelOfSize(kSide, mapSize);
+    if (level == wide) return ownList(x / 2, y / 2, !fine, mapSize, density);
+    if (level == wide - 1) return quarterList(x, y, mapSize, density);
+    return glm::dvec3(0);
+}
+
+Values levelWithLinks(int level, int mapSize, bool top, bool fine, int x, int y, double density, double near) {
+    if (level <= 2 && near < 0.5) return values(0);
+    glm::dvec4 light = levelAlone(entryOf(level), level, density, true, true, mapSize);
+    if (!top) light += glm::dvec4(glm::dvec3(lightOf(level + 1)), 0);
+    return values(light + glm::dvec4(linksOf(level, mapSize, fine, x, y, density), 0));
+}
+
+std::vector<FunctionCase> levels() {
+    std::vector<FunctionCase> cases;
+    const auto add = [&](const std::string& entry, int level, int size, bool top, bool fine) {
+        cases.push_back(sheetCase("LINKED_LEVEL", "QuadVarying q = (QuadVarying)0; q.uv = uv; return " + entry + "(q);", size, !fine, 1,
+                                  [=](int x, int y, double density, const Inputs&) {
+                                      return levelWithLinks(level, size, top, fine, x, y, density, texelOfRow(metricRow(), x / 64).w);
+                                  }));
+        cases.back().samples = 256;
+    };
+    for (int size : {256, 512, 1024, 2048}) {
+        const int wide = levelOfSize(kSide, size);
+        for (int level = 0; level < 7; ++level)
+            if (size == 256 || std::abs(level - wide) <= 1)
+                add("LinkedLight" + std::to_string(level) + "PS", level, size, level == 6, false);
+        add("FineTopPS", std::max(wide, 2), size, true, true); // the last level without the coarse ones
+        if (size <= 512) add("FineLightPS", wide, size, false, true);
+    }
+    cases.push_back(
+        sheetCase("linkedLevel", "return linkedLevel(gEntry3Map, gEntry3, uv, 32.0, 3.0);", 256, false, 0,
+                  [](int, int, double density, const Inputs&) { return values(levelAlone(entryOf(3), 3, density, true, false, 256)); }));
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> pyramidLinkCases() {
+    std::vector<FunctionCase> all;
+    for (auto make : {parts, lists, levels})
+        for (FunctionCase& each : make())
+            all.push_back(std::move(each));
+    return all;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,186 @@
+// Levels of the pyramid and the light that enters it (effects/passes/pyramid.fxh, pyramid_compute.fxh) against
+// docs/design/modules/Pyramid.md.
+
+#include "tests/hlsl/maps.h"
+#include "tests/hlsl/pyramid_pass_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr const char* kQuad = "QuadVarying q = (QuadVarying)0; q.uv = float2((a0 + 0.5) / 8.0, 0.5); ";
+
+Argument metricPlace() {
+    return whole(0, kMetricTexels - 1);
+}
+
+std::vector<FunctionCase> weights() {
+    std::vector<FunctionCase> cases;
+    for (int size : {256, 512}) {
+        cases.push_back(pyramidCase(
+            "fifthByLevels", "return float4(fifthByLevels(a0), 0, 0, 0);", {logarithmic(0.01, 2)},
+            [=](const Inputs& x) { return values(fifthBrought(x.scalar(0), size)); }, size));
+        cases.push_back(pyramidCase(
+            "linkedWeight", "return float4(linkedWeight(a0, a1), 0);", {whole(0, 7), logarithmic(0.02, 2)},
+            [=](const Inputs& x) { return values(weightBesideLinks(x.scalar(0), std::max(x.scalar(1), 1e-6), size)); }, size));
+    }
+    cases.push_back(pyramidCase("levelLight", "return levelLight(gEntry0Map, gEntry0, float2((a0 + 0.5) / 8.0, 0.5), 256.0, a1, a2, a3);",
+                                {metricPlace(), whole(0, 6), whole(0, 1), whole(0, 1)}, [](const Inputs& x) {
+                                    const glm::dvec4 light =
+                                        levelAlone(texelOfRow(entryRow(), x.scalar(0)), x.scalar(1), texelOfRow(metricRow(), x.scalar(0)).z,
+                                                   x.scalar(2) > 0.5, x.scalar(3) > 0.5, kTestMapSize);
+                                    return values(light);
+                                }));
+    cases.back().maps["gEntry0Map"] = entryRow();
+    cases.back().tolerance.forward = 64;
+    // Where no texel around knows its light there is none; around means the row's ends here.
+    cases.back().domain = [](const Inputs& x) { return texelOfRow(entryRow(), x.scalar(0)).w > 0; };
+    return cases;
+}
+
+/// A body that answers by the entry point of level a1.
+std::string byLevel(const char* before, int first, int last) {
+    std::string body = std::string(kQuad) + "float4 r = 0.0; ";
+    for (int level = first; level <= last; ++level)
+        body += "if (a1 > " + std::to_string(level) + " - 0.5) r = " + before + std::to_string(level) + "PS(q); ";
+    return body + "return r;";
+}
+
+std::vector<FunctionCase> entryPoints() {
+    std::vector<FunctionCase> cases;
+    // Each reduces the map before it, of one texel here.
+    cases.push_back(pyramidCase("PYRAMID_REDUCE", byLevel("Reduce", 1, 6), {metricPlace(), whole(1, 6)},
+                                [](const Inputs& x) { return values(entryOf(static_cast<int>(std::round(x.scalar(1))) - 1)); }));
+    // Each weighs its own map, and adds what the coarser ones have come to. Levels 0 to 2 are spared where no chart is near.
+    for (const char* name : {"PYRAMID_LEVEL", "Light6PS"}) {
+        cases.push_back(pyramidCase(name, byLevel("Light", 0, 6), {metricPlace(), whole(0, 6)}, [](const Inputs& x) {
+            const auto level = static_cast<int>(std::round(x.scalar(1)));
+            const glm::dvec4 metric = texelOfRow(metricRow(), x.scalar(0));
+            if (level <= 2 && metric.w < 0.5) return values(0);
+            glm::dvec4 light = levelAlone(entryOf(level), level, metric.z, false, false, kTestMapSize);
+            if (level < 6) light += glm::dvec4(glm::dvec3(lightOf(level + 1)), 0);
+            return values(light);
+        }));
+    }
+    return cases;
+}
+
+/// A texel of the base. Arguments: colour and whether it scatters, the map's normal, the mesh's cosine, and the texel.
+const std::vector<glm::dvec4> kPlaces = {{3, -4, 5, 1}, {-6, 7, -8, 0.5}, {1, 1, 1, 0.25}, {0, 0, 0, 0}};
+const std::vector<glm::dvec4> kColours = {{0.8, 0.6, 0.5, 1}, {0.3, 0.7, 0.2, 1}, {0.1, 0.9, 0.4, 0}, {1, 1, 1, 1}};
+const std::vector<glm::dvec4> kNormals = {{0, 0.6, 0.8, 1}, {0, 0.8, 0.6, 0.5}, {0.28, 0, 0.96, 0.75}, {0, 0, 1, 1}};
+/// N.L of the mesh: above its horizon of .01, half of the way to it, and as far.
+const std::vector<glm::dvec4> kMeshNormals = {{0, 0, 1, 1}, {0.99998749992187402, 0, 0.005, 1}, {0.99997, 0, 0.00774, 1}, {0, 0, 1, 1}};
+
+double horizonOf(double cosine) {
+    return std::clamp(cosine / 0.01, 0.0, 1.0);
+}
+
+std::vector<FunctionCase> entering() {
+    std::vector<FunctionCase> cases;
+    // A shadow map without a surface: what the texel says itself is all.
+    cases.push_back(pyramidCase("entryLight", "return entryLight(float2((a0 + 0.5) / 4.0, 0.5));", {whole(0, 3)}, [](const Inputs& x) {
+        const auto at = static_cast<std::size_t>(std::round(x.scalar(0)));
+        const double covered = kPlaces[at].w * kNormals[at].w;
+        const double shadow = horizonOf(glm::normalize(glm::dvec3(kMeshNormals[at])).z);
+        if (covered <= 0) return values(0);
+        return values(glm::dvec4(enteringSkin(kColours[at], kNormals[at].z, shadow) * covered, covered));
+    }));
+    FunctionCase& light = cases.back();
+    light.maps["gAtlasPositionMap"] = rowOfTexels(kPlaces);
+    light.maps["gSkinMap"] = rowOfTexels(kColours);
+    light.maps["gAtlasNormalMap"] = rowOfTexels(kNormals);
+    light.maps["gAtlasMeshNormalMap"] = rowOfTexels(kMeshNormals);
+    light.maps["gShadowMap"] = oneTexel(0);
+    light.samples = 64;
+    light.tolerance.absolute = 2e-4; // a horizon a hundredth high, from a cosine to 1e-7, times its rounding in the map's texel
+    return cases;
+}
+
+/// 4 x 4 taps over a square that is turned by atan(1/4), `apart` mm from each other, on a plane that faces the light.
+double tapsLit(const glm::dvec2& uv, double depth, double footprint, double apart) {
+    double lit = 0;
+    const double turn = std::atan(0.25);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec2 square = apart * glm::dvec2(i - 1.5, j - 1.5);
+            const double right = std::cos(turn) * square.x - std::sin(turn) * square.y;
+            const double up = std::sin(turn) * square.x + std::cos(turn) * square.y;
+            const double stored = shadowMap().at(uv + glm::dvec2(right, -up) / (footprint * kTestMapSize)).x;
+            lit += stored <= 0 || depth <= stored ? 1.0 / 16 : 0;
+        }
+    return lit;
+}
+
+constexpr const char* kPoint =
+    "LitPoint p = (LitPoint)0; p.normal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); p.axisX = float3(1, 0, 0); "
+    "p.axisY = float3(0, 1, 0); p.cosine = 1.0; p.meshNormal = float3(0, 0, 1); ";
+const Tolerance kTapTolerance = {.forward = 4, .backward = 16, .absolute = 0.07, .why = "a tap on the border of a texel may see either"};
+
+std::vector<FunctionCase> shadows() {
+    std::vector<FunctionCase> cases;
+    // Taps a quarter of a texel of the base from each other, three quarters to six texels of the shadow map.
+    cases.push_back(pyramidCase(
+        "entryShadow", std::string(kPoint) + "p.lightUv = a0; p.depth = a1; p.footprint = a3; return float4(entryShadow(p, a2), 0, 0, 0);",
+        {linear(0.1, 0.9, 2), linear(596, 604), logarithmic(0.002, 4), linear(0.1, 2)}, [](const Inputs& x) {
+            const double f = x.scalar(3);
+            const double apart = std::clamp(0.25 / std::sqrt(x.scalar(2)), 0.75 * f, 6 * f);
+            return values(tapsLit(x.vec2(0), x.scalar(1) - kSkinTolerance, f, apart));
+        }));
+    cases.back().map = &shadowMap();
+    cases.back().filtered = false;
+    cases.back().tolerance = kTapTolerance;
+    cases.back().samples = 2048;
+    cases.back().domain = [](const Inputs& x) { return x.scalar(2) > 1e-5 && x.scalar(3) > 0.05; };
+    // Where it turns away by its own mesh or its normal map nothing arrives; near the mesh's horizon part of it.
+    const auto own = [](const Inputs& x) {
+        const double mesh = x.scalar(0);
+        return values(std::min(mesh, x.scalar(1)) > 0 ? horizonOf(mesh) : 0);
+    };
+    const std::string low = std::string(kPoint) + "p.meshNormal = float3(sqrt(1.0 - a0 * a0), 0, a0); p.cosine = a1; p.footprint = 0.2; ";
+    cases.push_back(
+        pyramidCase("entryShadow", low + "return float4(entryShadow(p, 1.0), 0, 0, 0);", {linear(-0.01, 0.02), linear(-0.1, 1)}, own));
+    cases.push_back(pyramidCase("finalShadow", low + "p.scatters = a2; return float4(finalShadow(p), 0, 0, 0);",
+                                {linear(-0.01, 0.02), linear(-0.1, 1), whole(0, 1)}, own));
+    cases.push_back(pyramidCase("facesLight", low + "return float4(facesLight(p) ? 1.0 : 0.0, 0, 0, 0);",
+                                {linear(-0.01, 0.02), linear(-0.1, 1)},
+                                [](const Inputs& x) { return values(std::min(x.scalar(0), x.scalar(1)) > 0 ? 1 : 0); }));
+    for (std::size_t i = cases.size() - 3; i < cases.size(); ++i)
+        cases[i].maps["gShadowMap"] = oneTexel(0);
+    return cases;
+}
+
+std::vector<FunctionCase> computed() {
+    const Tolerance exact{.forward = 2, .backward = 0, .why = "quotients of whole numbers"};
+    std::vector<FunctionCase> cases;
+    cases.push_back(pyramidCase("texelAt", "return float4(texelAt(uint3(a0, a1, 3), 100.0).uv, 0, 0);", {whole(0, 99), whole(0, 99)},
+                                [](const Inputs& x) { return values((x.scalar(0) + 0.5) / 100, (x.scalar(1) + 0.5) / 100); }));
+    cases.back().tolerance = exact;
+    // The nearest of the four texels of a finer map, whose middles lie 1.25 before and behind where the texel's middle is.
+    cases.push_back(pyramidCase("reducedFrom", "return float4(reducedFrom(int2(a0, a1), 16.0, 32.0), 0, 0);", {whole(0, 15), whole(0, 15)},
+                                [](const Inputs& x) { return values((x.scalar(0) + 0.5) * 2 - 1.25, (x.scalar(1) + 0.5) * 2 - 1.25); }));
+    cases.back().tolerance = exact;
+    cases.push_back(pyramidCase("reducesTexel", "return float4(reducesTexel(int2(a0, a1), int2(a2, a3), 4) ? 1.0 : 0.0, 0, 0, 0);",
+                                {whole(0, 15), whole(0, 15), whole(0, 3), whole(0, 3)}, [](const Inputs& x) {
+                                    const bool mine =
+                                        std::floor(x.scalar(0) / 4) == x.scalar(2) && std::floor(x.scalar(1) / 4) == x.scalar(3);
+                                    return values(mine ? 1 : 0);
+                                }));
+    cases.back().tolerance = exact;
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> pyramidPassCases() {
+    std::vector<FunctionCase> all;
+    for (auto make : {weights, entryPoints, entering, shadows, computed})
+        for (FunctionCase& each : make())
+            all.push_back(std::move(each));
+    return all;
+}
+
+} // namespace tegument::test

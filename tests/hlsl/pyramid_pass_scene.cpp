@@ -1,0 +1,105 @@
+#include "tests/hlsl/pyramid_pass_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+constexpr int kTable = 32; // rows, as the ladder has; columns, a fifth of its
+
+glm::dvec3 rowOfTable(double row) {
+    return {0.3 + 0.4 * std::sin(2.1 * row), 0.3 + 0.4 * std::sin(1.3 * row + 1), 0.3 + 0.4 * std::cos(1.7 * row)};
+}
+const glm::dvec3 kColumn = {0.004, -0.003, 0.002};
+
+} // namespace
+
+const TestMap& ladderTable() {
+    static const TestMap kMade = [] {
+        TestMap map{.size = kTable, .texels = {}};
+        for (int row = 0; row < kTable; ++row)
+            for (int column = 0; column < kTable; ++column) {
+                const glm::dvec3 v = rowOfTable(row) + double(column) * kColumn;
+                map.texels.push_back({static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 1});
+            }
+        return map;
+    }();
+    return kMade;
+}
+
+glm::dvec3 ladderAt(double row, double density) {
+    const double column = (std::log2(density) + 6) * 8 / 160; // of all columns
+    return rowOfTable(row) + std::clamp(column * kTable - 0.5, 0.0, kTable - 1.0) * kColumn;
+}
+
+const TestMap& metricRow() {
+    static const TestMap kMade = rowOfTexels({{0, 0, 2e-5, 1},
+                                              {0, 0, 0.01, 0},
+                                              {0, 0, 0.08, 1},
+                                              {0, 0, 0.11, 0},
+                                              {0, 0, 0.13, 1},
+                                              {0, 0, 0.6, 0},
+                                              {0, 0, 9, 1},
+                                              {0, 0, 70000, 0}});
+    return kMade;
+}
+
+const TestMap& entryRow() {
+    static const TestMap kMade = rowOfTexels({{0.1, 0.2, 0.3, 0.4},
+                                              {0.5, 0.4, 0.2, 1},
+                                              {0.3, 0.2, 0.1, 0.9},
+                                              {0.05, 0.07, 0.1, 0.2},
+                                              {0.8, 0.9, 0.7, 1},
+                                              {0.2, 0.3, 0.1, 0.5},
+                                              {0, 0, 0, 0},
+                                              {0.6, 0.5, 0.3, 0.7}});
+    return kMade;
+}
+
+glm::dvec4 entryOf(int level) {
+    return {0.1 + 0.07 * level, 0.6 - 0.06 * level, 0.2 + 0.05 * level * level, 0.95 - 0.1 * level};
+}
+
+glm::dvec4 lightOf(int level) {
+    return {0.31 + 0.11 * level, 0.9 - 0.1 * level, 0.05 + 0.03 * level * level, 3};
+}
+
+double fifthBrought(double density, int mapSize) {
+    const double side = mapSize / 256.0 / std::sqrt(std::max(density, 1e-4));
+    const double first = mapSize >= 512 ? 5.2 : 2.6;
+    const double second = mapSize >= 512 ? 6.8 : 3.4;
+    return std::clamp((side - first) / (second - first), 0.0, 1.0);
+}
+
+glm::dvec3 weightBesideLinks(double step, double density, int mapSize) {
+    return ladderAt(8 + step, density) + fifthBrought(density, mapSize) * ladderAt(24 + step, density);
+}
+
+glm::dvec4 levelAlone(const glm::dvec4& texel, double level, double density, bool linked, bool fourth, int mapSize) {
+    const double d = std::clamp(density, 1e-4, 60000.0);
+    glm::dvec3 weight = linked ? weightBesideLinks(level + 1, d, mapSize) : ladderAt(level + 1, d);
+    if (fourth) weight -= (1 - texel.w) * ladderAt(16 + level + 1, d); // what other charts send comes along links
+    const glm::dvec3 light = texel.w > 0 ? glm::dvec3(texel) / texel.w : glm::dvec3(0);
+    return {light * weight, linked ? -d : d};
+}
+
+FunctionCase pyramidCase(const char* function, std::string body, std::vector<Argument> arguments,
+                         std::function<Values(const Inputs&)> expected, int mapSize) {
+    FunctionCase made = skinCase("Pyramid.fx", function, std::move(body), std::move(arguments), std::move(expected),
+                                 {.forward = 32, .backward = 4, .absolute = 4e-4, .why = "weights of a linear filter have 8 bits"});
+    made.filtered = true;
+    made.defines = {{"TEGUMENT_MAP_SIZE", std::to_string(mapSize)}};
+    made.maps["gLadderMap"] = ladderTable();
+    made.maps["gAtlasMetricMap"] = metricRow();
+    for (int level = 0; level < 7; ++level) {
+        const glm::dvec4 e = entryOf(level);
+        const glm::dvec4 l = lightOf(level);
+        made.maps["gEntry" + std::to_string(level) + "Map"] = oneTexel(e.x, e.y, e.z, e.w);
+        made.maps["gLight" + std::to_string(level) + "Map"] = oneTexel(l.x, l.y, l.z, l.w);
+    }
+    return made;
+}
+
+} // namespace tegument::test

@@ -1,0 +1,196 @@
+// Passes that fill or spare maps (effects/passes/convolution.fxh, poisson.fxh, cull.fxh, reach.fxh) and those seen from the light
+// (shadow_map.fxh, planar_shadow.fxh).
+
+#include "tests/hlsl/maps.h"
+#include "tests/hlsl/skin_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tegument::test {
+
+namespace {
+
+const Tolerance kPlaces = {.forward = 16, .backward = 4, .absolute = 2e-5, .why = "sums of up to 500 that may cancel, over 64"};
+
+FunctionCase mapCase(const char* effect, const char* function, std::string body, std::vector<Argument> arguments,
+                     std::function<Values(const Inputs&)> expected) {
+    return skinCase(effect, function, std::move(body), std::move(arguments), std::move(expected), kPlaces);
+}
+
+glm::dvec3 inWorld(const glm::dvec3& p) {
+    return kSkinScale * p + kSkinOrigin;
+}
+
+/// By the light's matrix, of parallel light: w is 1 everywhere.
+glm::dvec4 inLight(const glm::dvec3& world) {
+    return {world.x / kSkinLightHalf + kSkinLightShift.x, world.y / kSkinLightHalf + kSkinLightShift.y, (kSkinLightAt - world.z) / 600, 1};
+}
+
+glm::dvec4 inView(const glm::dvec3& w) {
+    return {1.5 * w.x + 0.25 * w.z + 3, 0.1 * w.x + 2 * w.y - 5, 0.3 * w.y + 0.5 * w.z + 7, 0.2 * w.x - 0.01 * w.z + 40};
+}
+
+constexpr const char* kVertex =
+    "VertexInput v = (VertexInput)0; v.position = a0; v.normal = float3(0, 0, 1); v.tangent = float4(1, 0, 0, 1); ";
+
+std::vector<FunctionCase> fromTheLight() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(mapCase("Main.fx", "ShadowMapVS", std::string(kVertex) + "return ShadowMapVS(v).lightClip;", {linear(-50, 50, 3)},
+                            [](const Inputs& x) { return values(inLight(inWorld(x.vec3(0)))); }));
+    cases.push_back(mapCase("Main.fx", "TsmVS", std::string(kVertex) + "return TsmVS(v).position;", {linear(-50, 50, 3)},
+                            [](const Inputs& x) { return values(inLight(inWorld(x.vec3(0)))); }));
+    cases.push_back(mapCase("Pyramid.fx", "PlanarShadowVS", std::string(kVertex) + "return PlanarShadowVS(v).position;",
+                            {linear(-50, 50, 3)}, [](const Inputs& x) { return values(inLight(inWorld(x.vec3(0)))); }));
+    cases.push_back(mapCase("Pyramid.fx", "PlanarShadowVS", std::string(kVertex) + "return float4(PlanarShadowVS(v).depth, 0, 0, 0);",
+                            {linear(-50, 50, 3)},
+                            [](const Inputs& x) { return values(kSkinUnit * (kSkinLightAt - inWorld(x.vec3(0)).z)); }));
+    // Where the surface is steeper than it is followed, the look-up moves up its slope by `texels`, all of it from N.L of 0.075 down.
+    cases.push_back(mapCase("Pyramid.fx", "planarPlace",
+                            "LitPoint p = (LitPoint)0; p.meshNormal = float3(sqrt(1.0 - a0 * a0), 0, a0); p.toLight = float3(0, 0, 1); "
+                            "p.lightUv = a1; p.depth = a2; PlanarPlace at = planarPlace(p, a3, 0.7); return float4(at.uv, at.depth, 0);",
+                            {linear(0.02, 0.3), linear(0, 1, 2), linear(100, 200), linear(-2, 2, 2)}, [](const Inputs& x) {
+                                const glm::dvec2 slope = x.vec2(3);
+                                const glm::dvec2 aside = 0.7 * std::clamp((0.15 - x.scalar(0)) / 0.075, 0.0, 1.0) * glm::normalize(slope);
+                                const glm::dvec2 uv = x.vec2(1) + aside / double{kTestMapSize};
+                                const double facets = 0.25 * (std::abs(slope.x) + std::abs(slope.y));
+                                return values(uv.x, uv.y, x.scalar(2) + glm::dot(slope, aside) - kSkinTolerance - facets);
+                            }));
+    cases.back().domain = [](const Inputs& x) { return glm::length(x.vec2(3)) > 1e-3; };
+    return cases;
+}
+
+/// Mostly black; here and there a colour.
+TestMap blackMap() {
+    TestMap map{.size = kTestMapSize, .texels = {}};
+    for (int y = 0; y < kTestMapSize; ++y)
+        for (int x = 0; x < kTestMapSize; ++x)
+            map.texels.push_back({(x * 7 + y * 13) % 23 == 0 ? 0.2F : 0, (x * 5 + y * 3) % 29 == 0 ? 0.1F : 0, 0, 1});
+    return map;
+}
+
+std::vector<FunctionCase> culling() {
+    std::vector<FunctionCase> cases;
+    cases.push_back(mapCase("Main.fx", "cullVarying",
+                            "TgMeshInput m = (TgMeshInput)0; m.position = a0; m.normal = float3(0, 1, 0); return cullVarying(m).clip;",
+                            {linear(-50, 50, 3)}, [](const Inputs& x) { return values(inView(inWorld(x.vec3(0)))); }));
+    cases.back().tolerance.absolute = 1e-4;
+    cases.push_back(mapCase("Main.fx", "blackAround", "return float4(blackAround((float2(a0, a1) + 0.5) / 256.0) ? 1.0 : 0.0, 0, 0, 0);",
+                            {whole(0, 255), whole(0, 255)}, [](const Inputs& x) {
+                                static const TestMap kMap = blackMap();
+                                bool black = true; // the texel, and those two texels away
+                                for (int j = -2; j <= 2; j += 2)
+                                    for (int i = -2; i <= 2; i += 2) {
+                                        const glm::dvec4 t =
+                                            kMap.texel(static_cast<int>(x.scalar(0)) + i, static_cast<int>(x.scalar(1)) + j);
+                                        black = black && t.x == 0 && t.y == 0;
+                                    }
+                                return values(black ? 1 : 0);
+                            }));
+    cases.back().maps["gSkinMap"] = blackMap();
+    // Fragments are culled by corrected, whole vertices as printed: by depth 1, or 0 where they may show.
+    cases.push_back(mapCase("Main.fx", "PrePass2VS", std::string(kVertex) + "return float4(PrePass2VS(v).position.z, 0, 0, 0);",
+                            {linear(-50, 50, 3)}, [](const Inputs& x) {
+                                const glm::dvec4 clip = inView(inWorld(x.vec3(0)));
+                                const bool outside = clip.x / clip.w > 1 || clip.y / clip.w > 1;
+                                const bool away = kSkinCamera.z < inWorld(x.vec3(0)).z;
+                                return values(x.corrected() || outside || away ? 1 : 0);
+                            }));
+    cases.back().settings = {0, 2};
+    for (const char* name : {"BlurNeedVS", "PrePass2ReachVS", "IrradianceVS"}) { // where the map has it; culled at depth 1
+        const double z = name[0] == 'P' ? 1 : 0;
+        cases.push_back(mapCase("Main.fx", name, "VertexInput v = (VertexInput)0; v.uv = a0; return " + std::string(name) + "(v).position;",
+                                {linear(0, 1, 2)},
+                                [=](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), z, 1); }));
+    }
+    // A texel is needed if it shows, or if light enters there: no more than 2 mm behind what the light sees first.
+    cases.push_back(
+        mapCase("Main.fx", "CullNeedPS",
+                "NeedVarying n = (NeedVarying)0; n.cull.clip = float4(a0, 0, 1); n.cull.normal = a1; n.cull.toEye = float3(0, 0, 9); "
+                "n.lightClip = float4(0, 0, 0.5, 1); n.toLight = float3(0, 0, a2); return float4(CullNeedPS(n).x, 0, 0, 0);",
+                {linear(-1.5, 1.5, 2), unit(), linear(145, 155)}, [](const Inputs& x) {
+                    const bool shows = std::max(std::abs(x.scalar(0)), std::abs(x.scalar(0, 1))) <= 1 && x.scalar(1, 2) >= -0.25;
+                    return values(shows || x.scalar(2) - 2 <= 150 ? 1 : 0);
+                }));
+    cases.back().maps["gTsmMap"] = oneTexel(150, 0, 0, 1);
+    cases.push_back(mapCase("Main.fx", "BlurNeedPS",
+                            "CullVarying c = (CullVarying)0; c.clip = float4(a0, 0, 1); c.normal = a1; c.toEye = float3(0, 0, 9); "
+                            "return float4(BlurNeedPS(c).x, 0, 0, 0);",
+                            {linear(-1.5, 1.5, 2), unit()}, [](const Inputs& x) {
+                                const bool shows =
+                                    std::max(std::abs(x.scalar(0)), std::abs(x.scalar(0, 1))) <= 1 && x.scalar(1, 2) >= -0.25;
+                                return values(shows ? 1 : 0);
+                            }));
+    return cases;
+}
+
+/// Of light, another one for each map: what reads the wrong one is seen.
+TestMap lightOfMap(int number) {
+    TestMap map = irradianceMap();
+    for (auto& texel : map.texels)
+        for (std::size_t c = 0; c < 3; ++c)
+            texel[c] *= 1 + 0.3F * static_cast<float>(number);
+    return map;
+}
+
+/// Regression checks: an entry point less the call of hlsl/ that it stands for, with numbers written out; what is called has cases of its
+/// own.
+std::vector<FunctionCase> entryPoints() {
+    std::vector<FunctionCase> cases;
+    const std::vector<Argument> places = {whole(0, 255), whole(0, 255)};
+    const auto add = [&](const char* function, const std::string& entry, const std::string& call, const TestMap& map) {
+        cases.push_back(
+            mapCase("Main.fx", function,
+                    "QuadVarying q = (QuadVarying)0; q.uv = (float2(a0, a1) + 0.5) / 256.0; return " + entry + "(q) - " + call + ";",
+                    places, [](const Inputs&) { return values(0); }));
+        cases.back().map = &map;
+        cases.back().globals["gBlurSize"] = {1.7};
+        cases.back().globals["gBlurTurn"] = {0.9};
+        cases.back().maps["gStretchMap"] = oneTexel(1.1, 1.6, 0, 0); // 2.75 and 4 texels for each mm
+        cases.back().tolerance = {.forward = 0, .backward = 0, .absolute = 1e-5, .why = "the same calls; numbers rounded once more"};
+    };
+    const std::vector<std::string> sigma = {"0.0", "0.22", "0.432", "0.753", "1.411", "2.722"};
+    for (int step = 1; step <= 5; ++step) {
+        const std::string n = std::to_string(step);
+        const std::string map = step == 1 ? "gIrradiance" : "gIrradiance" + n;
+        const auto call = [&](const std::string& of, const std::string& density, const std::string& axis) {
+            const auto at = static_cast<std::size_t>(step);
+            return "tgGaussianConvolve(" + of + "Map, " + of + ", q.uv, " + axis +
+                   ", tgGaussianReach(tgGaussianSpacing(tgGaussianIncrement(" + sigma[at - 1] + ", " + sigma[at] + ", " + density +
+                   ", tgGaussianPresent(0.25, " + density + "))), float4(1.1, 1.6, 0, 0)))";
+        };
+        add("CASCADE_STEP", "ConvolutionU" + n + "PS", call(map, "2.75", "float2(1.0 / 256.0, 0.0)"), irradianceMap());
+        add("CASCADE_STEP", "ConvolutionUV" + n + "PS", call("gIrradianceU", "4.0", "float2(0.0, 1.0 / 256.0)"), irradianceMap());
+        cases[cases.size() - 2].maps[map + "Map"] = lightOfMap(step);
+    }
+    for (int blur = 1; blur <= 6; ++blur) {
+        const std::string map = blur == 1 ? "gIrradiance" : blur % 2 == 0 ? "gBlurOdd" : "gBlurEven";
+        const std::string turn = std::to_string(0.9 * (blur - 1));
+        add("BLUR_STEP", "Blur" + std::to_string(blur) + "PS",
+            "tgPoissonBlur(" + map + "Map, " + map + ", q.uv, " + map + "Map.SampleLevel(" + map + ", q.uv, 0), tgPoissonRadius(1.7, " +
+                map + "Map.SampleLevel(" + map + ", q.uv, 0), float2(2.75, 4.0)), float2(cos(" + turn + "), sin(" + turn + ")))",
+            irradianceMap());
+        cases.back().tolerance.absolute = 0.05;
+        cases.back().tolerance.why = "a tap of thirteen on the border of a texel may see either";
+        cases.back().maps[map + "Map"] = lightOfMap(blur);
+    }
+    const std::string cascade = "tgReachOfCascade(float4(0.08, 0.22, 0.432, 0.753), float2(1.411, 2.722)))";
+    const std::string blurs = "tgReachOfBlurs(1.7, 0.0))"; // gBlurCount, a whole number, stays 0
+    add("CullReachUPS", "CullReachUPS", "tgReachAlong(gCullTilesMap, gCullTiles, q.uv, float2(1.0, 0.0), " + cascade, needMap());
+    add("CullReachVPS", "CullReachVPS", "tgReachAlong(gCullReachUMap, gCullReachU, q.uv, float2(0.0, 1.0), " + cascade, needMap());
+    add("BlurReachUPS", "BlurReachUPS", "tgReachAlong(gCullTilesMap, gCullTiles, q.uv, float2(1.0, 0.0), " + blurs, needMap());
+    add("BlurReachVPS", "BlurReachVPS", "tgReachAlong(gCullReachUMap, gCullReachU, q.uv, float2(0.0, 1.0), " + blurs, needMap());
+    return cases;
+}
+
+} // namespace
+
+std::vector<FunctionCase> skinMapCases() {
+    std::vector<FunctionCase> all;
+    for (auto make : {fromTheLight, culling, entryPoints})
+        for (FunctionCase& each : make())
+            all.push_back(std::move(each));
+    return all;
+}
+
+} // namespace tegument::test

@@ -107,6 +107,9 @@ glm::dvec4 metCells(const MetPiece& piece, double reach, double& edge) {
                 if (std::abs(distance) >= 0.5 || away >= reach || share <= piece.low) continue;
                 const MetCone cone = piece.cone(root, share, kRadius, 1, point.random);
                 edge = std::min(edge, std::abs(cone.inside(cone.nearest())) / 20);
+                // Begun above the tip, in the cone's other half, and passing by: tgFurCone takes the root there, and the height of the
+                // begin.
+                if (glm::length(cone.from) < -cone.radius && cone.inside(cone.nearest()) < 0) edge = 0;
                 met = piece.meet(met, cone, share, point.random);
             }
     return met;
@@ -120,21 +123,27 @@ MetPiece flatPiece(const Inputs& x) {
     return piece;
 }
 
-FunctionCase cells() {
+/// A pixel this wide, so that strands are met from further away.
+FunctionCase cells(double width, const Argument& top, const Argument& reach) {
+    const auto metAt = [=](const Inputs& x, double& edge) {
+        MetPiece piece = flatPiece(x);
+        piece.width = width;
+        return metCells(piece, x.scalar(5), edge);
+    };
     FunctionCase made = sweepCase("furCells",
-                                  std::string(kPieceBody) + "p.along = a1 - a0 * dot(a0, a1); p.begin = a4; p.reach = a5; "
-                                                            "return furCells(0.0, s, p);",
-                                  {unit(), vector(3, 0.4, 1.6), linear(0.2, 1), linear(0.02, 0.2), linear(-20, 20, 3), linear(0.3, 0.9)},
-                                  [](const Inputs& x) {
+                                  std::string(kPieceBody) + "s.width = " + std::to_string(width) +
+                                      "; p.along = a1 - a0 * dot(a0, a1); p.begin = a4; p.reach = a5; return furCells(0.0, s, p);",
+                                  {unit(), vector(3, 0.4, 1.6), top, linear(0.02, 0.2), linear(-20, 20, 3), reach},
+                                  [=](const Inputs& x) {
                                       double edge = 1;
-                                      return values(metCells(flatPiece(x), x.scalar(5), edge));
+                                      return values(metAt(x, edge));
                                   },
                                   {.forward = 16, .backward = 0, .absolute = 5e-3, .why = "roots of differences, of several strands"});
-    made.domain = [](const Inputs& x) {
+    made.domain = [=](const Inputs& x) {
         double edge = 1;
         if (!isUnit(x.vec3(0)) || glm::length(flatPiece(x).along) < 0.1) return false;
-        metCells(flatPiece(x), x.scalar(5), edge);
-        return edge > 1e-3;
+        metAt(x, edge);
+        return edge > 1e-3 / (1 + width); // of more strands some are always near
     };
     return made;
 }
@@ -395,7 +404,7 @@ std::vector<FunctionCase> pixels() {
 } // namespace
 
 std::vector<FunctionCase> furSweepCases() {
-    std::vector<FunctionCase> all = {meeting(), cells()};
+    std::vector<FunctionCase> all = {meeting(), cells(0.3, linear(0.2, 1), linear(0.3, 0.9)), cells(2, linear(0.2, 0.4), linear(1.5, 2.5))};
     for (auto make : {roots, rootVertices, pixels})
         for (FunctionCase& each : make())
             all.push_back(std::move(each));

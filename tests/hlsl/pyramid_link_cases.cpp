@@ -149,12 +149,13 @@ std::vector<FunctionCase> parts() {
                 },
                 size));
             for (int level = 0; level < 7; ++level) { // 8 x 8 texels, each another light
-                TestMap& map = cases.back().maps["gEntry" + std::to_string(level) + "Map"] = TestMap{.size = 8, .texels = {}};
+                TestMap map{.size = 8, .texels = {}};
                 for (int i = 0; i < 64; ++i) {
                     const glm::dvec4 t = entryOf(level) * (1 + 0.1 * (i % 8) + i / 8);
                     map.texels.push_back(
                         {static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
                 }
+                cases.back().maps["gEntry" + std::to_string(level) + "Map"] = std::move(map);
             }
             cases.back().filtered = false;
             cases.back().domain = [](const Inputs& x) { // links name no map smaller than 16 texels; -0 is no sign

@@ -164,7 +164,7 @@ std::vector<FunctionCase> entryPoints() {
         };
         add(step == 2 ? "convolveU" : "CASCADE_STEP", "ConvolutionU" + n + "PS", call(map, "2.75", "float2(1.0 / 256.0, 0.0)"),
             irradianceMap());
-        add(step == 1 ? "convolveV" : "CASCADE_STEP", "ConvolutionUV" + n + "PS", call("gIrradianceU", "4.0", "float2(0.0, 1.0 / 256.0)"),
+        add(step == 4 ? "convolveV" : "CASCADE_STEP", "ConvolutionUV" + n + "PS", call("gIrradianceU", "4.0", "float2(0.0, 1.0 / 256.0)"),
             irradianceMap());
         cases[cases.size() - 2].maps[map + "Map"] = lightOfMap(step);
     }

@@ -154,6 +154,15 @@ class Attempts(unittest.TestCase):
         result = self.attempt(self.plan([("first", 1, shaders), ("dear", 99, {"e.fx PS 1": ["d"]})], 5), Made(self.folder, compiled={"first": shaders}))
         self.assertEqual((result["same"], result["left"]), (False, 1))
 
+    def test_nothing_is_proven_where_no_picture_is_asked(self):
+        plan = self.plan([], 0)
+        plan.cases, plan.reach = {"f": ["case"]}, shader_tests.Reach({"f": set()})
+        shaders = {"effects/function_test.hlsl FunctionPS 1": ["a"]}
+        trial = Made(self.folder, compiled={"case": shaders})
+        self.assertEqual(self.attempt(plan, trial)["same"], False)
+        plan.arguments.seconds = 600
+        self.assertEqual(self.attempt(plan, trial)["same"], True)
+
     def test_one_that_is_red_without_it_too_kills_nothing(self):
         trial = Made(self.folder, always=["broken"])
         result = self.attempt(self.plan([("broken", 1, {"e.fx PS 1": ["a"]}), ("sound", 2, {"e.fx PS 1": ["a"]})]), trial)

@@ -189,7 +189,7 @@ std::vector<FunctionCase> sums() {
         [=](const Inputs& x) { return values(glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * shown(x) + skyMirrored(x)); }, alone));
     for (std::size_t i = 0; i < 3; ++i)
         cases.push_back(lampCase(
-            "ALONE_LAMP", share + "return aloneLamp" + std::to_string(i + 1) + "(s);", pointArguments(),
+            i == 0 ? "aloneLamp" : "ALONE_LAMP", share + "return aloneLamp" + std::to_string(i + 1) + "(s);", pointArguments(),
             [=](const Inputs& x) {
                 const Arriving a = arriving(i, x.vec3(3), seenAt(x.scalar(0)));
                 const double cosine = std::clamp(glm::dot(x.vec3(1), a.toLight), 0.0, 1.0);
@@ -275,10 +275,20 @@ constexpr const char* kReceiver =
     "LampReceiver r = (LampReceiver)0; r.place = float4(a0 * 0.4, 0.0, 0.4); r.depth = a1; r.slope = a2; r.cosine = a3; "
     "r.texel = a4; r.way = float2(0.6, 0.8); ";
 
+/// Squares of 16 texels at 600 mm, and nothing between them: what lets light through depends on how wide a penumbra is.
+TestMap chequered() {
+    TestMap map{.size = kTestMapSize, .texels = {}};
+    for (int y = 0; y < kTestMapSize; ++y)
+        for (int x = 0; x < kTestMapSize; ++x)
+            map.texels.push_back({(x / 16 + y / 16) % 2 == 0 ? 600.0F : 0, 0, 0, 0});
+    return map;
+}
+
 /// Regression checks: the same calls of functions of hlsl/shadow, which have cases of their own, with sizes worked out here.
 std::vector<FunctionCase> open() {
     std::vector<FunctionCase> cases;
-    const std::vector<Argument> arguments = {linear(-0.8, 0.8, 2), linear(590, 610), linear(-0.5, 0.5, 2), linear(0.1, 1), linear(0.5, 30)};
+    const std::vector<Argument> arguments = {linear(-0.8, 0.8, 2), linear(640, 1200), linear(-0.5, 0.5, 2), linear(0.1, 1),
+                                             linear(0.5, 30)};
     for (std::size_t i = 0; i < 3; ++i) {
         const View view(i);
         const double radius = kLamps[i].axis.w;
@@ -301,7 +311,29 @@ std::vector<FunctionCase> open() {
                                      "), clamp(0.56 * a4 * a3 / 0.4, 1.7, 13.0), float2(1.0, 0.0)), 0, 0, 0);",
                                  arguments, [](const Inputs&) { return values(0); }, {{"TEGUMENT_LAMPS", "3"}}));
     }
+    // What hides a point from a lamp is held against its depth, less the tolerance, in setting seed a share of the body, and less what the
+    // surface falls within a texel.
+    for (int setting : {0, 2}) {
+        const double tolerance = kSkinTolerance * (setting == 0 ? 2 * kBody * kSkinUnit : 1);
+        const std::string body =
+            "LampReceiver r = (LampReceiver)0; r.texel = 3.0; LampsSeenVarying v = (LampsSeenVarying)0; v.place[0] = float4(a0 * 0.4, a1, "
+            "0.4); "
+            "v.right[0] = float3(0.8, 0, 0.6); v.world = float3(10, 20, 30); float3 axis = tgLampAxis(gLampPlace[0], gLampBody); "
+            "float3 toLight = tgSafeNormalize(gLampPlace[0].xyz - v.world); float seen = lampSeen(gTsmMap, gTsm, gShadowMap, gShadow, 0, "
+            "v, a2, r); "
+            "r.place = v.place[0]; r.cosine = dot(a2, toLight); "
+            "r.slope = tgShadowPlanarSlope(a2, v.right[0], cross(v.right[0], axis), toLight, axis, 0.4); r.depth = a1 - abs(r.slope.x) - "
+            "abs(r.slope.y) - " +
+            std::to_string(tolerance) +
+            "; float open = r.cosine > 0.0 ? saturate(100.0 * r.cosine) * lampOpen(gTsmMap, gTsm, gShadowMap, gShadow, 0, r) : 0.0; "
+            "return float4(seen - open, 0, 0, 0);";
+        cases.push_back(lampCase("lampSeen", body,
+                                 {linear(-0.8, 0.8, 2), linear(setting == 0 ? 610 : 596, setting == 0 ? 640 : 606), unit()},
+                                 [](const Inputs&) { return values(0); }, {{"TEGUMENT_LAMPS", "3"}}));
+        cases.back().settings = {setting};
+    }
     for (FunctionCase& each : cases) {
+        if (each.function == "lampOpen") each.maps["gTsmMap"] = chequered();
         each.map = &shadowMap();
         each.maps["gShadowMap"] = oneTexel(1, 0, 0, 1000); // blocks that settle nothing
         // A radius that differs by its last digit may move a tap over the border of a texel.

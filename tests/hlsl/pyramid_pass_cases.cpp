@@ -54,6 +54,14 @@ std::vector<FunctionCase> entryPoints() {
     // Each reduces the map before it, of one texel here.
     cases.push_back(pyramidCase("PYRAMID_REDUCE", byLevel("Reduce", 1, 6), {metricPlace(), whole(1, 6)},
                                 [](const Inputs& x) { return values(entryOf(static_cast<int>(std::round(x.scalar(1))) - 1)); }));
+    for (int size : {256, 1000}) { // each map has half the texels of the one before along a side, rounded up
+        std::string body = "float r = 0.0; ";
+        for (int level = 0; level < 7; ++level)
+            body += "if (a0 > " + std::to_string(level) + " - 0.5) r = kPyramidSize" + std::to_string(level) + "; ";
+        cases.push_back(pyramidCase(
+            "PYRAMID_MAPS", body + "return float4(r, 0, 0, 0);", {whole(0, 6)},
+            [=](const Inputs& x) { return values(std::ceil(size / std::exp2(x.scalar(0)))); }, size));
+    }
     // Each weighs its own map, and adds what the coarser ones have come to. Levels 0 to 2 are spared where no chart is near.
     for (const char* name : {"PYRAMID_LEVEL", "Light6PS"}) {
         cases.push_back(pyramidCase(name, byLevel("Light", 0, 6), {metricPlace(), whole(0, 6)}, [](const Inputs& x) {
@@ -81,6 +89,9 @@ double horizonOf(double cosine) {
 
 std::vector<FunctionCase> entering() {
     std::vector<FunctionCase> cases;
+    cases.push_back(pyramidCase("skinOpen", "return float4(skinOpen(a0), 0, 0, 0);", {linear(-100, 100, 3)},
+                                [](const Inputs&) { return values(1); })); // nothing grows on it
+    cases.back().tolerance = {.forward = 0, .backward = 0, .why = "a constant"};
     // A shadow map without a surface: what the texel says itself is all.
     cases.push_back(pyramidCase("entryLight", "return entryLight(float2((a0 + 0.5) / 4.0, 0.5));", {whole(0, 3)}, [](const Inputs& x) {
         const auto at = static_cast<std::size_t>(std::round(x.scalar(0)));

@@ -103,6 +103,9 @@ std::vector<FunctionCase> culling() {
                                 {linear(0, 1, 2)},
                                 [=](const Inputs& x) { return values(2 * x.scalar(0) - 1, 1 - 2 * x.scalar(0, 1), z, 1); }));
     }
+    cases.push_back(mapCase("Main.fx", "PrePass1VS",
+                            "TgQuadInput v = (TgQuadInput)0; v.position = float3(a0, 0.5); return PrePass1VS(v).position;",
+                            {linear(-1, 1, 2)}, [](const Inputs& x) { return values(x.scalar(0), x.scalar(0, 1), 1, 1); }));
     // A texel is needed if it shows, or if light enters there: no more than 2 mm behind what the light sees first.
     cases.push_back(
         mapCase("Main.fx", "CullNeedPS",
@@ -159,8 +162,10 @@ std::vector<FunctionCase> entryPoints() {
                    ", tgGaussianReach(tgGaussianSpacing(tgGaussianIncrement(" + sigma[at - 1] + ", " + sigma[at] + ", " + density +
                    ", tgGaussianPresent(0.25, " + density + "))), float4(1.1, 1.6, 0, 0)))";
         };
-        add("CASCADE_STEP", "ConvolutionU" + n + "PS", call(map, "2.75", "float2(1.0 / 256.0, 0.0)"), irradianceMap());
-        add("CASCADE_STEP", "ConvolutionUV" + n + "PS", call("gIrradianceU", "4.0", "float2(0.0, 1.0 / 256.0)"), irradianceMap());
+        add(step == 2 ? "convolveU" : "CASCADE_STEP", "ConvolutionU" + n + "PS", call(map, "2.75", "float2(1.0 / 256.0, 0.0)"),
+            irradianceMap());
+        add(step == 4 ? "convolveV" : "CASCADE_STEP", "ConvolutionUV" + n + "PS", call("gIrradianceU", "4.0", "float2(0.0, 1.0 / 256.0)"),
+            irradianceMap());
         cases[cases.size() - 2].maps[map + "Map"] = lightOfMap(step);
     }
     for (int blur = 1; blur <= 6; ++blur) {

@@ -231,15 +231,15 @@ std::vector<FunctionCase> shares() {
     };
     cases.push_back(mainCase("SkinShare", std::string(kSurface) + "return float4(SkinShare(s).skin, 0);", surfaceArguments(), skin));
     cases.push_back(
-        mainCase("SkinShare", std::string(kSurface) + "return float4(SkinShare(s).plain, 0);", surfaceArguments(), [](const Inputs& x) {
+        mainCase("skinShare", std::string(kSurface) + "return float4(SkinShare(s).plain, 0);", surfaceArguments(), [](const Inputs& x) {
             const Lit lit(x);
             return values(lit.albedo * (1 - lit.scatters));
         }));
-    cases.push_back(mainCase("LambertShare", std::string(kSurface) + "return float4(LambertShare(s).skin, 0);", surfaceArguments(),
-                             [](const Inputs& x) {
-                                 const Lit lit(x);
-                                 return values(lit.albedo * lit.scatters * kSkinLeft);
-                             }));
+    cases.push_back(
+        mainCase("skinShare", std::string(kSurface) + "return float4(LambertShare(s).skin, 0);", surfaceArguments(), [](const Inputs& x) {
+            const Lit lit(x);
+            return values(lit.albedo * lit.scatters * kSkinLeft);
+        }));
     for (FunctionCase& each : cases) {
         each.defines = alone;
         addLightByLight(each);

@@ -332,8 +332,8 @@ class Attempt:
         stage, test = self.by_functions()
         if not stage:
             stage, test = self.by_pictures()
-        # Without tests of pictures nobody knows whether others would compile something else.
-        same = bool(self.plan.arguments.seconds) and not stage and not self.changed and self.left == 0 and self.mutant.is_code and self.drawn
+        all_asked = self.left == 0 and self.plan.arguments.seconds > 0  # without tests of pictures nothing is said of what they compile
+        same = not stage and not self.changed and all_asked and self.mutant.is_code and self.drawn
         return {"id": self.mutant.id, "mutant": self.mutant.describe(), "stage": stage, "test": test, "seconds": round(self.seconds, 1),
                 "left": self.left, "budget": self.plan.arguments.seconds, "same": same}
 

@@ -51,6 +51,15 @@ class Shaders(unittest.TestCase):
         self.assertEqual(mutate.declared(code, code.index("2.0")), ("kSteps", True))
         self.assertEqual(mutate.declared(code, code.index("3.0")), ("gWidth", False))
 
+    def test_one_in_a_line_that_makes_functions_meets_the_cases_of_its_macro(self):
+        text = "#define STEP(n) float Step##n() { return n; }\nSTEP(7)\nfloat f()\n{\n    return SCALED(2);\n}\n"
+        made = [mutate.Mutant("hlsl/made.fxh", text.index(number), text.index(number) + 1, text, "9") for number in "72"]
+        self.assertEqual([(mutant.macro, mutant.function) for mutant in made], [("STEP", ""), ("", "f")])
+        plan = object.__new__(mutate.Plan)
+        plan.arguments, plan.cases = types.SimpleNamespace(seconds=0), {"STEP": ["case"]}
+        plan.reach = shader_tests.Reach({"STEP": set()})
+        self.assertEqual(next(plan.of_functions(made[0])), ("function", ["case"]))
+
     def test_a_name_leads_to_all_that_it_uses_and_to_nothing_else(self):
         reach = shader_tests.Reach(shader_tests.uses_of_names(self.root))
         self.assertTrue(reach.leads("outer", "kSteps"))
@@ -154,10 +163,14 @@ class Attempts(unittest.TestCase):
         result = self.attempt(self.plan([("first", 1, shaders), ("dear", 99, {"e.fx PS 1": ["d"]})], 5), Made(self.folder, compiled={"first": shaders}))
         self.assertEqual((result["same"], result["left"]), (False, 1))
 
-    def test_where_no_picture_is_asked_for_nothing_is_known_to_be_the_same_code(self):
-        shaders = {"e.fx PS 1": ["a"]}
-        plan = self.plan([("PublishedValues.first", 1, shaders)], 0)
-        self.assertFalse(self.attempt(plan, Made(self.folder, compiled={"PublishedValues.first": shaders}))["same"])
+    def test_nothing_is_proven_where_no_picture_is_asked(self):
+        plan = self.plan([], 0)
+        plan.cases, plan.reach = {"f": ["case"]}, shader_tests.Reach({"f": set()})
+        shaders = {"effects/function_test.hlsl FunctionPS 1": ["a"]}
+        trial = Made(self.folder, compiled={"case": shaders})
+        self.assertEqual(self.attempt(plan, trial)["same"], False)
+        plan.arguments.seconds = 600
+        self.assertEqual(self.attempt(plan, trial)["same"], True)
 
     def test_one_that_is_red_without_it_too_kills_nothing(self):
         trial = Made(self.folder, always=["broken"])

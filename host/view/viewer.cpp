@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPatience = 0.05;                      // seconds between two looks at the files
+constexpr double kBetweenLooks = 0.05;                  // seconds between two looks at the files
 constexpr auto kSaving = std::chrono::milliseconds(40); // an editor may be in the middle of a file
 constexpr auto kMostSaving = std::chrono::seconds(1);
 constexpr double kShort = 0.005;   // while the text settles, or the window changes
@@ -136,10 +136,10 @@ Result<void> Viewer::run() {
 Input Viewer::wait() {
     const PixelSize pixels = windowPixels();
     const bool settles = pixels.width > 0 && pixels.height > 0 && settling_ > 0;
-    const double patience = settles || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience;
+    const double patience = settles || making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kBetweenLooks;
     if (window_) return window_->wait(patience, overlay_->wantsMouse(), borderOfWindow());
     std::this_thread::sleep_for(
-        std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kPatience));
+        std::chrono::duration<double>(making_ || stale_ || meshesMaking_.valid() || firstSaved_ ? kShort : kBetweenLooks));
     return {};
 }
 

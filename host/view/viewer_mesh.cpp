@@ -11,7 +11,7 @@ namespace tegument::view {
 
 namespace {
 
-constexpr std::chrono::milliseconds kMoment(20);
+constexpr std::chrono::milliseconds kFiguresMoment(20);
 constexpr std::uint32_t kUsualSide = 1024; // of maps, where the technique has none
 
 } // namespace
@@ -69,7 +69,7 @@ bool Viewer::haveMeshes() {
     if (!meshes_.empty()) return true;
     if (!meshesMaking_.valid())
         meshesMaking_ = std::async(std::launch::async, [scene = request_.scene, keeps = request_.keeps] { return coloredMeshes(scene); });
-    if (meshesMaking_.wait_for(kMoment) != std::future_status::ready) return false;
+    if (meshesMaking_.wait_for(kFiguresMoment) != std::future_status::ready) return false;
     meshes_ = meshesMaking_.get();
     return !meshes_.empty();
 }

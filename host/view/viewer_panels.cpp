@@ -14,7 +14,7 @@ namespace tegument::view {
 
 namespace {
 
-constexpr std::chrono::milliseconds kMoment(10);
+constexpr std::chrono::milliseconds kErrorsMoment(10);
 
 std::string firstLine(const std::string& text) {
     return text.substr(0, text.find('\n'));
@@ -39,7 +39,8 @@ std::optional<Histogram> Viewer::histogram(const std::string& shown) {
         histogramOf_ = what;
         histogramMaking_ = std::async(std::launch::async, [values = **image] { return histogramOf(values); });
     }
-    if (histogramMaking_.valid() && histogramMaking_.wait_for(kMoment) == std::future_status::ready) histogram_ = histogramMaking_.get();
+    if (histogramMaking_.valid() && histogramMaking_.wait_for(kErrorsMoment) == std::future_status::ready)
+        histogram_ = histogramMaking_.get();
     if (histogramMaking_.valid() || what != histogramOf_) settling_ = kSettlingFrames; // there will be a newer one
     return histogram_ ? histogram_ : Histogram{};
 }

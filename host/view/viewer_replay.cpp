@@ -13,7 +13,7 @@ namespace tegument::view {
 namespace {
 
 constexpr int kNoReplay = 8049;
-constexpr const char* kNew = "{new}";
+constexpr const char* kNewDigits = "{new}";
 
 using Clock = std::chrono::steady_clock;
 
@@ -42,7 +42,8 @@ public:
             return inputError(kNoReplay, {.file = edit.file.string(), .byte = {}},
                               "a step of the replay looks for what is not there: " + edit.from);
         std::string to = edit.to;
-        if (const std::size_t asks = to.find(kNew); asks != std::string::npos) to.replace(asks, std::string_view(kNew).size(), digits_);
+        if (const std::size_t asks = to.find(kNewDigits); asks != std::string::npos)
+            to.replace(asks, std::string_view(kNewDigits).size(), digits_);
         return writeFile(edit.file, text->replace(at, edit.from.size(), to));
     }
 

@@ -1,6 +1,7 @@
 // Strands that grow on the surface (hlsl/fur/cells, cones, sweep, roots) against whole-number arithmetic, searches and sums of their own.
 
 #include "tests/hlsl/function_case.h"
+#include "tests/hlsl/fur_cone.h"
 #include "tests/hlsl/fur_numbers.h"
 #include "tests/hlsl/maps.h"
 
@@ -78,36 +79,7 @@ double section(double radius, double distance, double width) {
     return std::clamp((wide - distance) / width + 0.5, 0.0, 1.0) * std::clamp(radius / wide, 0.0, 1.0);
 }
 
-/// A piece of a ray and a cone, searched instead of solved: radius - distance is concave along the piece.
-struct Meeting {
-    glm::dvec3 from;
-    glm::dvec3 along;
-    double radius = 0;
-    double growth = 0;
-
-    [[nodiscard]] double inside(double t) const { return radius + growth * t - glm::length(from + along * t); }
-    [[nodiscard]] double nearest() const {
-        double low = 0;
-        double high = 1;
-        for (int i = 0; i < 80; ++i) {
-            const double a = low + (high - low) / 3;
-            const double b = high - (high - low) / 3;
-            (inside(a) < inside(b) ? low : high) = inside(a) < inside(b) ? a : b;
-        }
-        return (low + high) / 2;
-    }
-    [[nodiscard]] double entry(double nearest) const {
-        if (inside(nearest) < 0) return nearest;
-        if (inside(0) >= 0) return 0;
-        double low = 0;
-        double high = nearest;
-        for (int i = 0; i < 60; ++i)
-            (inside((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
-        return high;
-    }
-};
-
-Meeting meeting(const Inputs& x) {
+MetCone meeting(const Inputs& x) {
     return {x.vec3(0), x.vec3(1), x.scalar(2), x.scalar(3) * glm::length(x.vec3(1))};
 }
 
@@ -131,7 +103,7 @@ std::vector<FunctionCase> cones() {
                            above ? linear(1.1, 4) : linear(0, 0.9), logarithmic(0.05, 1)},
              .expected =
                  [](const Inputs& x) {
-                     const Meeting m = meeting(x);
+                     const MetCone m = meeting(x);
                      const double nearest = m.nearest();
                      const double already = section(m.radius, glm::length(m.from), x.scalar(4));
                      const double covered = section(m.radius + m.growth * nearest, glm::length(m.from + m.along * nearest), x.scalar(4));
@@ -145,7 +117,7 @@ std::vector<FunctionCase> cones() {
              .samples = 2048,
              .domain =
                  [](const Inputs& x) {
-                     const Meeting m = meeting(x);
+                     const MetCone m = meeting(x);
                      const double nearest = m.nearest();
                      // Grazing: whether and where the ray enters is the rounding's.
                      if (glm::length(m.along) < 1e-3) return false;

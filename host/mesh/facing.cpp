@@ -28,7 +28,7 @@ Corners placesOf(const Mesh& mesh, std::span<const std::uint32_t> places, std::s
 
 /// The same three places, whatever the corner that it begins with: the least first.
 Corners turned(Corners c) {
-    std::ranges::rotate(c, std::ranges::min_element(c));
+    std::rotate(c.begin(), std::ranges::min_element(c), c.end()); // not ranges::rotate: clang 14 cannot read libstdc++ 12's
     return c;
 }
 

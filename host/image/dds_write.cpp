@@ -1,6 +1,7 @@
-// Floats -> DDS, and the mip chains of what is written.
+// Floats -> DDS.
 
 #include "host/image/dds_layout.h"
+#include "host/image/mips.h"
 #include "host/support/file.h"
 
 #include <half.h>
@@ -10,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace tegument {
 
@@ -98,53 +100,6 @@ Image withChannels(const Image& image, int channels) {
     return result;
 }
 
-/// What one texel of a row of `to` covers of a row of `from`: first texel and weights. Odd sizes are split, so no texel is lost.
-struct Cover {
-    int first = 0;
-    std::array<float, 3> weights{};
-};
-
-Cover cover(int from, int to, int texel) {
-    const double width = static_cast<double>(from) / to; // 2, or between 2 and 3
-    const double start = texel * width;
-    Cover result{.first = static_cast<int>(start), .weights = {}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double low = std::max(start, result.first + static_cast<double>(i));
-        const double high = std::min(start + width, result.first + static_cast<double>(i) + 1);
-        result.weights[i] = static_cast<float>(std::max(high - low, 0.0) / width);
-    }
-    return result;
-}
-
-Image halved(const Image& image) {
-    Image result{.width = std::max(image.width / 2, 1),
-                 .height = std::max(image.height / 2, 1),
-                 .channels = image.channels,
-                 .pixels = {},
-                 .bitsPerChannel = image.bitsPerChannel,
-                 .metadata = {}};
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x) {
-            const Cover across = cover(image.width, result.width, x);
-            const Cover down = cover(image.height, result.height, y);
-            for (int c = 0; c < image.channels; ++c) {
-                float sum = 0;
-                for (int i = 0; i < 9; ++i) {
-                    const float weight = across.weights[static_cast<std::size_t>(i % 3)] * down.weights[static_cast<std::size_t>(i / 3)];
-                    if (weight > 0) sum += weight * image.at(across.first + i % 3, down.first + i / 3, c);
-                }
-                result.pixels.push_back(sum);
-            }
-        }
-    return result;
-}
-
-Image mapped(Image image, float (*curve)(float)) {
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        if (i % 4 != 3) image.pixels[i] = curve(image.pixels[i]);
-    return image;
-}
-
 } // namespace
 
 int channelCount(DdsFormat format) {
@@ -158,12 +113,8 @@ std::string_view name(DdsFormat format) {
 DdsTexture makeDds(const Image& image, DdsFormat format, bool mips) {
     DdsTexture texture{.format = format, .faces = 1, .mips = 1, .images = {withChannels(image, channelCount(format))}};
     if (!mips) return texture;
-    const bool srgb = format == DdsFormat::Rgba8Srgb;
-    Image level = srgb ? mapped(texture.images.front(), srgbToLinear) : texture.images.front();
-    while (level.width > 1 || level.height > 1) {
-        level = halved(level);
-        texture.images.push_back(srgb ? mapped(level, linearToSrgb) : level);
-    }
+    std::ranges::move(mipLevels(texture.images.front(), format == DdsFormat::Rgba8Srgb ? MeanOf::Light : MeanOf::Values),
+                      std::back_inserter(texture.images));
     texture.mips = static_cast<int>(texture.images.size());
     return texture;
 }

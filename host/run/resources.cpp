@@ -1,5 +1,6 @@
 #include "host/run/resources.h"
 
+#include "host/image/mips.h"
 #include "host/run/pause.h"
 #include "host/run/pixels.h"
 #include "host/spirv/reflect.h"
@@ -33,7 +34,18 @@ Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Re
     return {};
 }
 
+/// Of wider sRGB values the light is in the texture: of that the means are taken, too.
+Result<void> uploadChain(gpu::Device& device, const TextureData& data, gpu::Texture& texture) {
+    const Image top = data.decode ? decoded(data.image) : data.image;
+    auto uploaded = device.upload(texture, texels(top, data.format, false));
+    std::uint32_t mip = 0;
+    for (const Image& level : mipLevels(top, data.format == PixelFormat::RGBA8Srgb ? MeanOf::Light : MeanOf::Values))
+        if (uploaded) uploaded = device.upload(texture, texels(level, data.format, false), ++mip);
+    return uploaded;
+}
+
 Result<void> uploadLevels(gpu::Device& device, const TextureData& data, gpu::Texture& texture) {
+    if (data.mips) return uploadChain(device, data, texture);
     if (data.file.images.empty()) return device.upload(texture, texels(data.image, data.format, data.decode));
     for (int face = 0; face < data.file.faces; ++face)
         for (int mip = 0; mip < data.file.mips; ++mip) {
@@ -64,9 +76,6 @@ Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Res
         const TextureData& texels = loaded == store.loaded.end() ? data : loaded->second;
         auto texture = uploadTexture(resources.device, name, texels);
         if (!texture) return texture.error();
-        if (texels.mips)
-            if (const auto made = resources.device.run([&](gpu::Recorder& recorder) { return recorder.generateMips(*texture); }); !made)
-                return made.error();
         store.textures.emplace(data.key, std::make_shared<gpu::Texture>(std::move(*texture)));
         store.uploaded.insert(data.key);
         if (loaded != store.loaded.end()) store.loaded.erase(loaded);

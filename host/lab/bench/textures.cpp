@@ -20,25 +20,9 @@ bool isMap(const std::string& name) {
 
 } // namespace
 
-Image halved(const Image& image, bool srgb) {
-    Image half{.width = std::max(1, image.width / 2),
-               .height = std::max(1, image.height / 2),
-               .channels = image.channels,
-               .pixels = {},
-               .bitsPerChannel = std::max(kWide, image.bitsPerChannel),
-               .metadata = image.metadata};
-    const int alpha = image.channels == 2 || image.channels == 4 ? image.channels - 1 : image.channels;
-    for (int y = 0; y < half.height; ++y)
-        for (int x = 0; x < half.width; ++x)
-            for (int c = 0; c < image.channels; ++c) {
-                const bool encoded = srgb && c != alpha;
-                float sum = 0;
-                for (int i = 0; i < 4; ++i) {
-                    const float value = image.at(std::min(2 * x + i % 2, image.width - 1), std::min(2 * y + i / 2, image.height - 1), c);
-                    sum += encoded ? srgbToLinear(value) : value;
-                }
-                half.pixels.push_back(encoded ? linearToSrgb(sum / 4) : sum / 4);
-            }
+Image halved(const Image& image, MeanOf mean) {
+    Image half = mean == MeanOf::Light ? encoded(tegument::halved(decoded(image))) : tegument::halved(image);
+    half.bitsPerChannel = std::max(kWide, image.bitsPerChannel);
     return half;
 }
 
@@ -63,7 +47,7 @@ void fitTextures(Scene& scene, const std::vector<reference::ShadedPoint>& points
         if (texture.role != "color" && texture.role != "normal") continue;
         double texels = texelsPerPixel(points, std::max(texture.image.width, texture.image.height));
         for (; texels > 1 && std::max(texture.image.width, texture.image.height) > 1; texels /= 2)
-            texture.image = halved(texture.image, texture.role == "color");
+            texture.image = halved(texture.image, texture.role == "color" ? MeanOf::Light : MeanOf::Values);
     }
     std::erase_if(scene.workspace.textures, [](const auto& texture) { return isMap(texture.first); });
 }

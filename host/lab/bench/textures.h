@@ -1,6 +1,7 @@
 #pragma once
 // Maps no finer than the picture's pixels.
 
+#include "host/image/mips.h"
 #include "host/lab/bench/scenes.h"
 #include "host/lab/reference/bssrdf.h"
 
@@ -8,8 +9,8 @@
 
 namespace tegument::bench {
 
-/// Half the size, each texel the mean of four; `srgb`: of the light that they encode, but for alpha. At least one texel.
-[[nodiscard]] Image halved(const Image& image, bool srgb);
+/// tegument::halved, of values that need not be rounded to 8 bits any more.
+[[nodiscard]] Image halved(const Image& image, MeanOf mean);
 
 /// Texels of a map of `size` texels a side that a pixel crosses: the third quartile over neighbouring pixels.
 [[nodiscard]] double texelsPerPixel(const std::vector<reference::ShadedPoint>& points, int size);

@@ -71,11 +71,11 @@ TEST(Textures, halves_are_means_of_light_not_of_its_encoding) {
                       .pixels = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1},
                       .bitsPerChannel = 8,
                       .metadata = {}};
-    const Image half = halved(image, true);
+    const Image half = halved(image, MeanOf::Light);
     ASSERT_EQ(half.width, 1);
     EXPECT_NEAR(half.at(0, 0, 0), 0.7354, 1e-3) << "sRGB of 1/2";
     EXPECT_FLOAT_EQ(half.at(0, 0, 3), 0.5F) << "alpha is no light";
-    EXPECT_FLOAT_EQ(halved(image, false).at(0, 0, 0), 0.5F);
+    EXPECT_FLOAT_EQ(halved(image, MeanOf::Values).at(0, 0, 0), 0.5F);
 }
 
 TEST(Textures, a_pixel_s_step_is_counted_in_texels) {

@@ -81,14 +81,6 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
     return std::nullopt;
 }
 
-/// Ribbons of fur stand on their roots and have none until they are bent.
-bool hasArea(const Mesh& mesh) {
-    if (std::ranges::any_of(mesh.parts, isRibbons)) return true;
-    for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
-        if (faceNormal(cornersOf(mesh, i)) != glm::dvec3(0)) return true;
-    return false;
-}
-
 /// Ribbons of fur stand on their roots and face nowhere.
 void warnOfFacing(Mesh& mesh, const Source& source) {
     if (std::ranges::any_of(mesh.parts, isRibbons)) return;

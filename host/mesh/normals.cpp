@@ -47,6 +47,13 @@ glm::dvec3 faceNormal(const std::array<glm::dvec3, 3>& corners) {
     return unitOr(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), glm::dvec3(0));
 }
 
+bool hasArea(const Mesh& mesh) {
+    if (std::ranges::any_of(mesh.parts, isRibbons)) return true;
+    for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
+        if (faceNormal(cornersOf(mesh, i)) != glm::dvec3(0)) return true;
+    return false;
+}
+
 std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh, std::span<const std::uint32_t> groupOfVertex) {
     std::size_t groups = 0;
     for (const std::uint32_t group : groupOfVertex)

@@ -409,6 +409,16 @@ TEST_F(Prepare, contradicting_weld_options_are_refused) {
     }
 }
 
+/// Found by fuzzing: a small triangle beside a line so long that its corners are one float once the middle is the origin.
+TEST_F(Prepare, a_mesh_that_loses_its_area_to_floats_is_refused_before_it_is_written) {
+    ASSERT_TRUE(
+        writePly(folder_ / "wide.ply", meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e30F, 0, 0}, {2e30F, 0, 0}}, {0, 1, 2, 0, 3, 4})));
+    const auto result = prepareMesh(folder_ / "wide.ply", {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().diagnostics.front().code, 7020);
+    EXPECT_NE(format(result.error()).find("leave out what lies far from the rest"), std::string::npos) << format(result.error());
+}
+
 TEST_F(Prepare, a_mesh_of_nothing_but_collapsed_triangles_names_the_reason) {
     ASSERT_TRUE(writePly(folder_ / "flat.ply", meshOf({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {0, 1, 2})));
     const auto result = prepareMesh(folder_ / "flat.ply", {});

@@ -77,7 +77,10 @@ Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
         text = fmt::format("the file is named {} but does not start like one", extension);
         hint = "fetch or export it again, or name it by what it is";
     }
-    if (const Stranger* stranger = strangerIn(bytes)) text = stranger->is, hint = stranger->hint;
+    if (const Stranger* stranger = strangerIn(bytes)) {
+        text = stranger->is;
+        hint = stranger->hint;
+    }
     return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), std::move(hint));
 }
 

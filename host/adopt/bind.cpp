@@ -367,10 +367,11 @@ private:
 
     /// None: it begins behind everything. Zero for where it begins and ends would be fog from the eye on.
     [[nodiscard]] Meaning fog(const std::string& name) const {
-        constexpr double kFar = 100'000;                                                              // radii of the mesh
-        const bool one = isFloat() && parameter_.type.scalarCount() == 1 && !parameter_.defaultValue; // an author's zero is meant
-        if (one && holds(name, {"end", "far", "max"})) return constant({2 * kFar}, "behind everything: no fog");
-        if (one && holds(name, {"start", "begin", "near", "min", "range", "dist"})) return constant({kFar}, "behind everything: no fog");
+        constexpr double kFar = 100'000; // radii of the mesh
+        const bool one = isFloat() && parameter_.type.scalarCount() == 1;
+        if (!one || parameter_.defaultValue || holds(name, {"blend"})) return constant({0}, "zero: no fog"); // an author's zero is meant
+        if (holds(name, {"end", "far", "max"})) return constant({2 * kFar}, "behind everything: no fog");
+        if (holds(name, {"start", "begin", "near", "min", "range", "dist"})) return constant({kFar}, "behind everything: no fog");
         return constant({0}, "zero: no fog");
     }
 
@@ -456,41 +457,3 @@ std::string textureStandIn(const Parameter& parameter) {
 }
 
 } // namespace tegument::adopt
-
-namespace tegument {
-
-namespace {
-
-std::vector<std::string> matrixChoices() {
-    std::vector<std::string> names;
-    for (const char* matrix : {"WORLDVIEWPROJECTION", "WORLD", "VIEW", "PROJECTION", "WORLDVIEW", "VIEWPROJECTION"})
-        for (const char* form : {"", "INVERSE", "TRANSPOSE", "INVERSETRANSPOSE"})
-            names.push_back(std::string(matrix) + form);
-    return names;
-}
-
-std::vector<std::string> numberChoices(const Type& type) {
-    const bool floats = type.base == BaseType::Float;
-    if (floats && type.rows >= 3 && type.columns >= 3 && type.elements == 0) return matrixChoices();
-    if (floats && type.rows == 1 && type.elements == 0 && type.columns >= 3)
-        return {"CAMERAPOSITION", "CAMERADIRECTION", "LIGHTPOSITION", "LIGHTDIRECTION", "TOLIGHT", "COLOR"};
-    if (floats && type.rows == 1 && type.elements == 0 && type.columns == 2) return {"VIEWPORTPIXELSIZE"};
-    if (floats && type.rows == 1 && type.elements == 0 && type.columns == 1) return {"TIME", "NEARCLIP", "FARCLIP", "FIELDOFVIEW"};
-    return {};
-}
-
-} // namespace
-
-std::vector<std::string> bindChoices(const Parameter& parameter) {
-    const Type& type = parameter.type;
-    if (type.isTexture()) {
-        if (type.base == BaseType::TextureCube) return {"sky", "normals"};
-        return {"checker", "white", "grey", "normal", "ramp", "noise"};
-    }
-    if (!type.isNumeric()) return {};
-    std::vector<std::string> names = numberChoices(type);
-    names.insert(names.end(), {"default", "zero"});
-    return names;
-}
-
-} // namespace tegument

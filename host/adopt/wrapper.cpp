@@ -172,7 +172,10 @@ private:
             for (int row = 0; row < shape->rows; ++row) {
                 Leaf part = leaf;
                 if (!variable.array.empty()) part.path += fmt::format("[{}]", i);
-                if (shape->matrix) part.path += fmt::format("[{}]", row), part.row = row;
+                if (shape->matrix) {
+                    part.path += fmt::format("[{}]", row);
+                    part.row = row;
+                }
                 part.shape.rows = 1;
                 part.index = leaf.index + i * shape->rows + row;
                 leaves.push_back(std::move(part));

@@ -53,7 +53,7 @@ void waitForInterruption(int pipe) {
 constexpr std::array kDeaths = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
 constexpr int kMachine = 3;
 
-/// What RLIMIT_DATA counts, in bytes. Makes nothing and locks nothing: a handler asks.
+/// What RLIMIT_DATA counts, in bytes. Allocates nothing and takes no lock: a signal handler calls it.
 std::uint64_t dataInUse() {
     std::array<char, 256> text{};
     const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
@@ -67,17 +67,18 @@ std::uint64_t dataInUse() {
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Drivers and the libraries under them do not look whether memory was given: then it has run out, and they die of it.
+/// Drivers, and libraries under them, do not check what they were given, and die where memory ends.
 bool memoryIsShort(std::uint64_t used, std::uint64_t limit) {
     constexpr std::uint64_t kMuch = 256ULL << 20U;
     return limit != RLIM_INFINITY && used + std::max(limit / 4, kMuch) > limit;
 }
 
-/// One line, by what a handler may call. Out of memory the program ends like any command that lacks some; else by the signal, as it would.
+/// One line, by what a handler may call. Where memory ends, exit code 3 as of any command that lacks some; else the signal ends the
+/// program.
 void died(int signal) {
     static std::atomic_flag first;
     while (first.test_and_set())
-        ::pause(); // another thread has begun to say it
+        ::pause(); // another thread is saying it
     rlimit limit{};
     const std::uint64_t used = dataInUse();
     const bool isShort = ::getrlimit(RLIMIT_DATA, &limit) == 0 && memoryIsShort(used, limit.rlim_cur);
@@ -97,7 +98,8 @@ void died(int signal) {
     ::raise(signal);
 }
 
-/// On a stack of its own: the program's may be what is full. Sanitizers have handlers of their own.
+/// On a stack of its own: the main thread's may be what is full. Sanitizers have handlers of their own. A fault of the handler itself ends
+/// the program: it would wait for itself.
 void sayDeaths() {
     if (!kMemoryCanBeLimited) return;
     static std::array<char, 1U << 16U> own{};
@@ -105,7 +107,9 @@ void sayDeaths() {
     ::sigaltstack(&stack, nullptr);
     struct sigaction action = {};
     action.sa_handler = died;
-    action.sa_flags = SA_ONSTACK | SA_NODEFER;
+    action.sa_flags = SA_ONSTACK;
+    for (const int signal : kDeaths)
+        ::sigaddset(&action.sa_mask, signal);
     for (const int signal : kDeaths)
         ::sigaction(signal, &action, nullptr);
 }
@@ -138,8 +142,8 @@ void begin() {
     interruptionPipe = ends[1];
     try {
         std::thread(waitForInterruption, ends[0]).detach();
-    } catch (const std::system_error&) { // no thread to be had: signals end the program at once, and whoever needs one says what is missing
-        return;
+    } catch (const std::system_error&) {
+        return; // no thread to be had: signals end the program at once, and whoever needs a thread says so
     }
     for (const int signal : kInterruptions)
         listenTo(signal);

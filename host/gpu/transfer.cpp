@@ -67,6 +67,28 @@ bool areDepths(std::span<const std::byte> texels) {
     return true;
 }
 
+/// Texels of one mip; all of it where no part is given.
+Result<std::vector<std::byte>> readTexels(DeviceState& device, TextureState& texture, const TexelRect* part, std::uint32_t mip,
+                                          std::uint32_t layer) {
+    if (const auto possible = checkCopy(device, texture, mip, layer); !possible) return possible.error();
+    vk::BufferImageCopy2 copied = region(texture, mip, layer);
+    const auto inside = [](std::uint32_t first, std::uint32_t count, std::uint32_t all) {
+        return count > 0 && count <= all && first <= all - count;
+    };
+    if (part && (!inside(part->x, part->width, copied.imageExtent.width) || !inside(part->y, part->height, copied.imageExtent.height)))
+        return requestError(6014, fmt::format("{} x {} texels from {}, {} on are not all in mip {} of texture '{}'", part->width,
+                                              part->height, part->x, part->y, mip, texture.desc.name));
+    if (part) {
+        copied.imageOffset = vk::Offset3D{static_cast<std::int32_t>(part->x), static_cast<std::int32_t>(part->y), 0};
+        copied.imageExtent = vk::Extent3D{part->width, part->height, 1};
+    }
+    return guarded(fmt::format("reading back texture '{}'", texture.desc.name), [&]() -> Result<std::vector<std::byte>> {
+        auto texels = copyOut(device, texture, copied);
+        if (isDepth(texture.desc.format)) return depthAsFloats(texture.desc.format, texels);
+        return texels;
+    });
+}
+
 } // namespace
 } // namespace detail
 
@@ -99,31 +121,14 @@ Result<void> Device::upload(Texture& texture, std::span<const std::byte> pixels,
     });
 }
 
-Result<std::vector<std::byte>> readbackPart(Texture& texture, const TexelRect& part, std::uint32_t mip, std::uint32_t layer) {
-    assert(texture.state);
-    detail::TextureState& state = *texture.state;
-    detail::DeviceState& device = *state.device;
-    if (const auto possible = detail::checkCopy(device, state, mip, layer); !possible) return possible.error();
-    vk::BufferImageCopy2 region = detail::region(state, mip, layer);
-    const auto inside = [](std::uint32_t first, std::uint32_t count, std::uint32_t all) {
-        return count > 0 && count <= all && first <= all - count;
-    };
-    if (!inside(part.x, part.width, region.imageExtent.width) || !inside(part.y, part.height, region.imageExtent.height))
-        return detail::requestError(6014, fmt::format("{} x {} texels from {}, {} on are not all in mip {} of texture '{}'", part.width,
-                                                      part.height, part.x, part.y, mip, state.desc.name));
-    region.imageOffset = vk::Offset3D{static_cast<std::int32_t>(part.x), static_cast<std::int32_t>(part.y), 0};
-    region.imageExtent = vk::Extent3D{part.width, part.height, 1};
-    return detail::guarded(fmt::format("reading back texture '{}'", state.desc.name), [&]() -> Result<std::vector<std::byte>> {
-        auto texels = detail::copyOut(device, state, region);
-        if (isDepth(state.desc.format)) return detail::depthAsFloats(state.desc.format, texels);
-        return texels;
-    });
-}
-
 Result<std::vector<std::byte>> Device::readback(Texture& texture, std::uint32_t mip, std::uint32_t layer) {
     assert(texture.state);
-    const TextureDesc& desc = texture.state->desc;
-    return readbackPart(texture, {.width = std::max(desc.width >> mip, 1u), .height = std::max(desc.height >> mip, 1u)}, mip, layer);
+    return detail::readTexels(*state_, *texture.state, nullptr, mip, layer);
+}
+
+Result<std::vector<std::byte>> readbackPart(Texture& texture, const TexelRect& part, std::uint32_t mip, std::uint32_t layer) {
+    assert(texture.state);
+    return detail::readTexels(*texture.state->device, *texture.state, &part, mip, layer);
 }
 
 } // namespace tegument::gpu

@@ -46,7 +46,7 @@ inline constexpr int kOutside = 1014;
 void addObjTextures(const Source& source, const ObjFile& file, Mesh& mesh);
 /// That picture as the mesh's colour map; TG5328, a warning, where it cannot be read.
 void useColourMap(const Source& source, const std::filesystem::path& picture, Mesh& mesh);
-/// It as a material of all parts, as glTF has it.
+/// The picture as a material of all parts, as glTF has it.
 void carryColourMap(const Source& source, const std::string& picture, Mesh& mesh);
 /// The same materials as glTF has them, with their pictures; `names`: of each part's material. What glTF cannot say is one warning
 /// (TG5331).

@@ -2,6 +2,7 @@
 
 #include "host/mesh/obj_file.h"
 #include "host/mesh/mesh_file.h"
+#include "host/support/file.h"
 #include "host/support/text.h"
 
 #include <fmt/format.h>
@@ -255,11 +256,7 @@ std::filesystem::path objFileIn(const std::filesystem::path& folder, std::string
     std::error_code code;
     const std::filesystem::path written = folder / name;
     if (name.empty() || std::filesystem::exists(written, code)) return written;
-    const std::string last = name.substr(name.find_last_of('/') + 1);
-    std::filesystem::directory_iterator files(folder.empty() ? "." : folder, code);
-    for (; !code && files != std::filesystem::directory_iterator(); files.increment(code))
-        if (equalsIgnoreCase(files->path().filename().string(), last)) return folder / files->path().filename();
-    return written;
+    return findInAnyCase(folder, name.substr(name.find_last_of('/') + 1)).value_or(written);
 }
 
 std::vector<std::filesystem::path> objLibrariesIn(const std::filesystem::path& folder, const std::string& names) {
@@ -289,7 +286,7 @@ std::string objPictureName(std::string_view rest) {
             if (trim(next).empty() || (i > 0 && !parseReal(word, number))) break; // the last word is the name
             after = next;
         }
-        if (trim(after).size() == rest.size()) break; // a name that begins so
+        if (trim(after).empty()) break; // a name that begins so
         rest = trim(after);
     }
     return std::string(rest);

@@ -77,7 +77,10 @@ Error unknownFormat(const std::filesystem::path& path, std::string_view bytes) {
         text = fmt::format("the file is named {} but does not start like one", extension);
         hint = "fetch or export it again, or name it by what it is";
     }
-    if (const Stranger* stranger = strangerIn(bytes)) text = stranger->is, hint = stranger->hint;
+    if (const Stranger* stranger = strangerIn(bytes)) {
+        text = stranger->is;
+        hint = stranger->hint;
+    }
     return inputError(5300, {.file = path.string(), .byte = 0}, std::move(text), std::move(hint));
 }
 
@@ -97,7 +100,7 @@ void dropNotFinite(ReadMesh& file) {
 void mendLines(std::string& bytes, const MeshFormat* format) {
     if (format == formatNamed(".glb") || bytes.find('\r') == std::string::npos) return;
     const bool ply = format == formatNamed(".ply");
-    if (format == formatNamed(".stl") && !toLower(std::string_view(bytes).substr(0, 5)).starts_with("solid")) return;
+    if (format == formatNamed(".stl") && !toLower(trim(std::string_view(bytes).substr(0, 80))).starts_with("solid")) return;
     std::size_t end = bytes.size();
     if (ply && bytes.substr(0, bytes.find("end_header")).find("ascii") == std::string::npos)
         end = std::min(bytes.find("end_header"), bytes.size() - 11) + 11; // the word and what ends its line
@@ -125,7 +128,7 @@ std::optional<Diagnostic> takeLikelyUnit(const MeshFormat& format, Source& sourc
 Result<ReadMesh> read(const std::filesystem::path& path, const ReadOptions& options) {
     Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
-    if (bytes->size() != withoutMark(*bytes).size()) bytes->erase(0, bytes->size() - withoutMark(*bytes).size());
+    bytes->erase(0, bytes->size() - withoutMark(*bytes).size());
     const MeshFormat* format = formatOf(path, *bytes);
     if (!format || strangerIn(*bytes)) return unknownFormat(path, *bytes);
     const double unit = options.unitMm.value_or(format->unitMm);

@@ -87,7 +87,8 @@ public:
             {.name = source_.path.stem().string(), .firstIndex = 0, .indexCount = static_cast<std::uint32_t>(mesh().indices.size())});
         if (!mesh().uvs.empty()) addPicture();
         if (wedges_.missing)
-            warn(mesh(), 5325, source_.whole(), "some corners have no texture coordinates: (0, 0) is used", "unwrap the whole mesh");
+            warn(mesh(), 5325, source_.whole(), "some corners have no texture coordinates: their vertex's are used, or (0, 0)",
+                 "unwrap the whole mesh");
         return std::move(result_);
     }
 
@@ -213,8 +214,10 @@ private:
     /// Texture coordinates of corners, where the vertices have none: MeshLab's list `texcoord`.
     std::optional<std::size_t> startWedges(const PlyElement& element) {
         const auto list = element.find({"texcoord"});
-        const bool ofVertices = !mesh().uvs.empty() && wedges_.vertex.empty();
+        const bool goesOn = !wedges_.vertex.empty(); // of faces in several elements
+        const bool ofVertices = !mesh().uvs.empty() && !goesOn;
         if (!list || !element.properties[*list].listCount || !verticesRead_ || ofVertices) return std::nullopt;
+        if (goesOn) return list;
         wedges_.vertex.resize(mesh().positions.size());
         std::iota(wedges_.vertex.begin(), wedges_.vertex.end(), 0U);
         wedges_.taken.resize(mesh().positions.size());
@@ -270,7 +273,7 @@ private:
         const auto list = element.find({"vertex_indices", "vertex_index"});
         if (!list || !element.properties[*list].listCount || element.properties.size() != 1)
             return values_.fail(malformed(source_.atLine(element.line), "the strips have no list vertex_indices, or more than that"));
-        const double end = static_cast<double>(verticesRead_ ? mesh().positions.size() : kMaxVertices);
+        const double end = endOfVertices();
         const PlyType type = element.properties[*list].type;
         for (std::uint64_t strip = 0; strip < element.count && !values_.error(); ++strip) {
             std::vector<std::uint32_t> run;
@@ -298,7 +301,7 @@ private:
 
     /// False for a face that refers to no vertex and is left out. Vertices may follow: then only what no vertex can have is found here.
     bool readCorners(const PlyProperty& property, std::uint64_t face, std::vector<std::uint32_t>& corners) {
-        const double end = static_cast<double>(verticesRead_ ? mesh().positions.size() : kMaxVertices);
+        const double end = endOfVertices();
         bool usable = true;
         corners.clear();
         for (std::size_t left = values_.nextCount(property); left > 0 && !values_.error(); --left) {
@@ -316,8 +319,11 @@ private:
 
     [[nodiscard]] std::string badIndexText(std::uint64_t face, double index) {
         if (!verticesRead_) return fmt::format("face {} refers to vertex {}", face, index);
-        return fmt::format("face {} refers to vertex {} of {}", face, index, mesh().positions.size());
+        return fmt::format("face {} refers to vertex {} of {}", face, index, result_.counts.vertices);
     }
+
+    /// Of the file's: copies that seams have made follow them, and no face of the file means one.
+    [[nodiscard]] double endOfVertices() const { return static_cast<double>(verticesRead_ ? result_.counts.vertices : kMaxVertices); }
 
     void addFace(const std::vector<std::uint32_t>& corners, std::uint64_t face) {
         result_.counts.smallFaces += corners.size() < 3;

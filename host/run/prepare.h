@@ -31,14 +31,14 @@ struct TextureData {
     DdsTexture file;     // a cube map, or a file that brings its mip levels; else without images
 };
 
-/// One effect on one mesh, or on none.
-/// Files that were made for meshes, by annotation Generator, and files that were found to be theirs: to know that takes a look at all of
-/// the mesh, and at all of the file.
+/// Files that were made for a mesh by their annotation Generator, and given files that were found to be made from it. To find out, all of
+/// the mesh and of the file must be read.
 struct KnownFiles {
     std::map<std::pair<const Mesh*, std::string>, std::filesystem::path> made;
     std::set<std::tuple<const Mesh*, std::string, std::filesystem::path>> checked;
 };
 
+/// One effect on one mesh, or on none.
 struct RunInput {
     const Effect& effect;
     const Mesh* mesh = nullptr;

@@ -163,11 +163,14 @@ Result<TextureData> fromSource(const Parameter& parameter, const TextureSource& 
     return texture;
 }
 
-/// How long the file took to make stands beside it, for whoever finds it later.
+/// How long the file took to make stands beside it, for whoever finds it later. Who finds it at once, as a second texture of the same
+/// generator does, takes it for new: what is noted since it was written stays.
 void noteBake(Bake& bake) {
     std::filesystem::path note = bake.file;
     note += ".ms";
     if (!bake.fromCache) {
+        std::error_code none;
+        if (std::filesystem::last_write_time(note, none) >= std::filesystem::last_write_time(bake.file, none)) return;
         (void)writeFile(note, fmt::format("{:.1f}\n", bake.milliseconds)); // without it nobody says
         return;
     }

@@ -7,8 +7,9 @@ namespace tegument {
 
 inline constexpr std::uint64_t kNoMemoryLimit = UINT64_MAX;
 
-/// Of the machine, or of the container, what nobody uses now, in bytes; at least a gibibyte of it, if it has as much. Who takes more is
-/// ended by the system without a word, or another process is.
+/// What is free of the memory of the machine, or of its container, in bytes; at least a gibibyte where there is as much. The system ends
+/// the process that takes more, or another one, without a word. On Windows all that the machine has, for what is only reserved counts
+/// there.
 [[nodiscard]] std::uint64_t memoryToBeHad();
 
 /// Beyond it allocations fail. The caller's own limit is not widened, ours is; what is only reserved, or mapped to be read, does not count.

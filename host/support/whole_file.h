@@ -1,5 +1,5 @@
 #pragma once
-// How a file is read whole and comes into its place as a whole: what file.h's readFile, writeFile and canWrite stand on.
+// Files are read whole, and appear whole: what readFile, writeFile and canWrite of file.h stand on.
 
 #include <cstddef>
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace tegument {
 
-/// Fills the bytes, which are as many as the file is thought to hold, and cuts them to what there is. Goes on behind them for at most
-/// `most` more: EFBIG beyond. A pipe is waited for while somebody writes; ETIMEDOUT: nobody began to within some seconds. 0, or errno.
+/// `bytes` comes with the size that the file is said to have, and leaves with what is in it: at most `most` bytes more, else EFBIG. Waits
+/// for who writes into a pipe; ETIMEDOUT where nobody opens it within five seconds. 0, or errno.
 [[nodiscard]] int readWhole(const std::filesystem::path& path, std::size_t most, std::string& bytes);
 
 /// Whoever reads the path finds the old content or the new one; pipes and devices are written into. 0, or errno.

@@ -252,6 +252,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundCase{"fog_that_begins_behind_everything", "float gFogStart;", "behind everything: no fog"},
                     BoundCase{"fog_that_ends_there", "float g_fFogEnd;", "behind everything: no fog"},
                     BoundCase{"fog_without_density", "float FogDensity;", "zero: no fog"},
+                    BoundCase{"fog_that_is_no_end_but_blended", "float fogBlend;", "zero: no fog"},
                     BoundCase{"fog_that_the_author_begins_at_the_eye", "float FogStart = 0;", "zero: no fog"},
                     BoundCase{"no_bones", "float4x4 gBones[4];", "identities: no bones"}, BoundCase{"zero", "float whatever;", "zero"},
                     BoundCase{"zero_where_no_matrix_is_declared", "float World;", "zero"},

@@ -119,6 +119,7 @@ TEST(CommandLine, a_mesh_is_not_prepared_over_itself) {
     const std::string glb = out("only.glb");
     ASSERT_EQ(tegument({"prep", mesh, "-o", glb}).code, 0);
     expectSaid(tegument({"prep", glb, "--orient", "-o", glb}), kUsage, {"TG8042", "is the mesh itself"});
+    expectSaid(tegument({"prep", glb, "--dry-run", "--report", glb}), kUsage, {"TG8042", "is the mesh itself"});
 }
 
 TEST(CommandLine, names_that_do_not_exist_come_with_the_nearest_one) {

@@ -323,7 +323,7 @@ TEST(FurMotion, is_the_difference_of_positions_of_two_frames) {
     }
 }
 
-TEST(FurMotion, is_nothing_where_all_stands_still_and_is_astraythere_unless_asked) {
+TEST(FurMotion, is_nothing_where_all_stands_still_and_is_not_there_unless_asked) {
     const Frame still{.wind = "0.3,0,0", .time = 0.5};
     auto shown = targetsOf(still, "CoatCompute", {});
     // Now and before are the same sums; a compiler that multiplies and adds with one rounding may do so in one of them alone. Floats of

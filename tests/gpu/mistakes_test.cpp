@@ -71,6 +71,7 @@ TEST_F(TextureMistakes, uploads_of_the_wrong_size_or_place) {
     EXPECT_TRUE(fails(device().upload(image, bytesOf(std::vector<float>(4)), 1), 6014, {"culprit"}));
     EXPECT_TRUE(fails(device().upload(image, bytesOf(std::vector<float>(4)), 0, 1), 6014, {"culprit"}));
     EXPECT_TRUE(fails(device().readback(image, 1), 6014, {"culprit"}));
+    EXPECT_TRUE(fails(device().readback(image, 40), 6014, {"culprit"})); // no number is shifted by so much
 }
 
 TEST_F(TextureMistakes, uploads_to_depth) {

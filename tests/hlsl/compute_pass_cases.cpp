@@ -1,6 +1,6 @@
 // What compute shaders of effects work out for themselves (effects/passes/pyramid_compute.fxh, fur_compute.fxh) in double precision.
 
-#include "tests/hlsl/function_case.h"
+#include "tests/hlsl/pass_case.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +11,11 @@ namespace {
 
 FunctionCase computed(const char* effect, const char* function, std::string body, std::vector<Argument> arguments,
                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    return {.function = function,
-            .body = std::move(body),
-            .arguments = std::move(arguments),
-            .expected = std::move(expected),
-            .tolerance = std::move(tolerance),
-            .samples = 1024,
-            .globals = {{"gViewportSize", {640, 480}},
-                        {"gViewProjectionInverse", {2, 0, 0.5, 0, 0, 3, 0, 0.1, 0.2, 0, 4, -0.5, 5, 6, 7, 2}},
-                        {"gCoatSegments", {6}}},
-            .effect = effect};
+    return passCase(effect,
+                    {{"gViewportSize", {640, 480}},
+                     {"gViewProjectionInverse", {2, 0, 0.5, 0, 0, 3, 0, 0.1, 0.2, 0, 4, -0.5, 5, 6, 7, 2}},
+                     {"gCoatSegments", {6}}},
+                    function, std::move(body), std::move(arguments), std::move(expected), std::move(tolerance));
 }
 
 /// Where the ray along a direction meets |x| + |y| + |z| = 1; what is below goes over the nearest edge of the square and comes to lie
@@ -100,10 +95,7 @@ std::vector<FunctionCase> rows() {
 } // namespace
 
 std::vector<FunctionCase> computePassCases() {
-    auto all = places();
-    for (FunctionCase& each : rows())
-        all.push_back(std::move(each));
-    return all;
+    return together(places(), rows());
 }
 
 } // namespace tegument::test

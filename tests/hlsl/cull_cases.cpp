@@ -160,10 +160,7 @@ std::vector<FunctionCase> reach() {
 } // namespace
 
 std::vector<FunctionCase> cullCases() {
-    std::vector<FunctionCase> cases = visibility();
-    for (FunctionCase& one : reach())
-        cases.push_back(std::move(one));
-    return cases;
+    return together(visibility(), reach());
 }
 
 } // namespace tegument::test

@@ -3,13 +3,17 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,6 +48,10 @@ struct Argument {
 }
 [[nodiscard]] inline Argument unit() {
     return {3, Spread::Unit, -1, 1, 1e-7};
+}
+/// Among the special values of unit() there are vectors that are no directions.
+[[nodiscard]] inline bool isUnit(const glm::dvec3& v) {
+    return std::abs(glm::length(v) - 1) < 1e-3;
 }
 [[nodiscard]] inline Argument vector(int components, double low, double high) {
     return {components, Spread::Vector, low, high};
@@ -137,6 +145,20 @@ struct FunctionCase {
     std::map<std::string, GivenMap> maps = {}; // textures by their names, in place of `map`
     bool discards = false;                     // a pixel that is left out is kDiscarded, not a failure
 };
+
+/// Cases, and lists of them, in this order.
+template <class... Parts>
+[[nodiscard]] std::vector<FunctionCase> together(Parts... parts) {
+    std::vector<FunctionCase> all;
+    const auto add = [&](auto& part) {
+        if constexpr (std::is_same_v<std::remove_reference_t<decltype(part)>, FunctionCase>)
+            all.push_back(std::move(part));
+        else
+            std::ranges::move(part, std::back_inserter(all));
+    };
+    (add(parts), ...);
+    return all;
+}
 
 /// Every case of every function.
 [[nodiscard]] std::vector<FunctionCase> allCases();

@@ -69,10 +69,6 @@ glm::dvec3 curled(const glm::dvec3& v, double height, double radius) {
 }
 
 /// Of unit vectors whose direction has not been lost to a special value.
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
-
 std::vector<FunctionCase> shells() {
     std::vector<FunctionCase> cases;
     cases.push_back({.function = "tgFurLayerHeight",
@@ -315,11 +311,7 @@ std::vector<FunctionCase> lights() {
 } // namespace
 
 std::vector<FunctionCase> furCases() {
-    std::vector<FunctionCase> cases = shells();
-    for (auto make : {afar, vectors, lights})
-        for (FunctionCase& one : make())
-            cases.push_back(std::move(one));
-    return cases;
+    return together(shells(), afar(), vectors(), lights());
 }
 
 } // namespace tegument::test

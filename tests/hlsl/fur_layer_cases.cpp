@@ -2,46 +2,24 @@
 // on, how far and in which steps the ray is followed, what the layer sends.
 
 #include "tests/hlsl/fur_light.h"
+#include "tests/hlsl/maps.h"
 
 namespace tegument::test {
 
 namespace {
 
-constexpr double kRadius = 0.3; // of a root, spacings
 constexpr double kLayers = 32;
 constexpr double kSegment = 3; // spacings
 constexpr double kFewest = 4;
-constexpr double kNearEnd = 0.01;              // 1 / distance of the coat's end, spacings
-const double kPixel = 2 * std::tan(0.3) / 640; // at distance 1
-
-double share(double x) {
-    return std::clamp(x, 0.0, 1.0);
-}
-
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
+constexpr double kNearEnd = 0.01; // 1 / distance of the coat's end, spacings
 
 FunctionCase layerCase(const char* function, std::string body, std::vector<Argument> arguments,
                        std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    static const TestMap kEnd{.size = 1, .texels = {{static_cast<float>(kNearEnd), 0, 0, 0}}};
-    static const TestMap kDepth{.size = 1, .texels = {{250, 0, 0, 0}}};
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 1024,
-                      .globals = furScene(),
-                      .effect = "FurRoots.fx",
-                      .maps = {{"gCoatEndMap", &kEnd}, {"gShadowMap", &kDepth}}};
-    for (const auto& [name, value] : std::map<std::string, double>{{"gFurRadius", kRadius},
-                                                                   {"gFurLayers", kLayers},
-                                                                   {"gFurSegment", kSegment},
-                                                                   {"gFurFewest", kFewest},
-                                                                   {"gFurSpacing", 0.02},
-                                                                   {"gFurShortest", 0.55}})
-        made.globals[name] = {value};
+    const Globals more = {{"gFurRadius", {kFurRootRadius}}, {"gFurLayers", {kLayers}}, {"gFurSegment", {kSegment}},
+                          {"gFurFewest", {kFewest}},        {"gFurSpacing", {0.02}},   {"gFurShortest", {0.55}}};
+    FunctionCase made = passCase("FurRoots.fx", with(furScene(), more), function, std::move(body), std::move(arguments),
+                                 std::move(expected), std::move(tolerance));
+    made.maps = {{"gCoatEndMap", oneTexel(kNearEnd)}, {"gShadowMap", oneTexel(250)}};
     return made;
 }
 
@@ -54,7 +32,7 @@ struct Layer {
         const glm::dvec3 hanging = furTurned(normal + height * x.vec3(3)) + kFurLean * height * kFurDown;
         world = furWorld(x.vec3(1)) + hanging * (kFurLength * kFurMesh * height);
         fromEye = furTurnedBack(world - kFurEye) / spacing;
-        width = kPixel * glm::length(fromEye);
+        width = kFurPixel * glm::length(fromEye);
         fade = share(width - 1);
         thickness = std::max(kFurLength * kFurMesh / spacing, 1.0);
     }
@@ -78,10 +56,7 @@ std::vector<FunctionCase> vertices() {
                                   {.forward = 32, .backward = 4, .absolute = 2e-4, .why = "sums of up to 400, lengths"}));
         cases.back().domain = [](const Inputs& x) { return isUnit(x.vec3(0)) && x.scalar(4) >= 0.1; };
     };
-    add("v.lightClip", [](const Inputs& x) {
-        const glm::dvec3 p = Layer(x).world;
-        return values(2.5 * p.x - 50, 2.5 * p.y + 75, 350 - 1.2 * p.z, 300 - p.z);
-    });
+    add("v.lightClip", [](const Inputs& x) { return values(furLightClip(Layer(x).world)); });
     add("v.rest", [](const Inputs& x) {
         return values(glm::dvec4(x.scalar(3, 1), x.scalar(3, 2), x.scalar(3, 0), kLayers - 0.5 - std::round(x.scalar(2))));
     });
@@ -185,27 +160,17 @@ std::vector<FunctionCase> sweeps() {
     return cases;
 }
 
-/// Mean of max(1 - h / L, 0) over lengths between the shortest and 1, times a root's radius.
-double meanRadius(double height, double shortest) {
-    constexpr int kLengths = 400;
-    double sum = 0;
-    for (int i = 0; i < kLengths; ++i)
-        sum += std::max(1 - height / (shortest + (1 - shortest) * (i + 0.5) / kLengths), 0.0);
-    return kRadius * sum / kLengths;
-}
-
 /// Arguments: coverage met, its means, heights, (fade, density, beyond), steps.
 glm::dvec4 withExpected(const Inputs& x) {
     const double fade = std::max(2 * x.scalar(3) - 1, 0.0);
-    const double top = glm::mix(0.5 * x.scalar(2), x.scalar(2), fade);
-    const glm::dvec2 heights(top, 0.4 * x.scalar(2));
-    const glm::dvec2 r(meanRadius(heights.x, 0.55), meanRadius(heights.y, 0.55));
-    const double swept = (r.x + r.y) * x.scalar(3, 2) + std::numbers::pi * (r.y * r.y - r.x * r.x);
-    const double height = ((2 * r.x + r.y) * heights.x + (2 * r.y + r.x) * heights.y) / (3 * (r.x + r.y) + 1e-4);
+    const glm::dvec2 heights(glm::mix(0.5 * x.scalar(2), x.scalar(2), fade), 0.4 * x.scalar(2));
     const double density = std::max(2 * x.scalar(3, 1) - 1, 0.0) * 0.8;
     const glm::dvec4 met = (1 - fade) * x.scalar(0) * glm::dvec4(1, x.vec3(1));
-    return met + (1 - met.x) * (1 - std::exp(-density * swept)) * glm::dvec4(1, height, share(height / 0.775), 1);
+    return strandsExpected(met, density, 0.55, heights, x.scalar(3, 2));
 }
+
+/// The normal, and the strands along it.
+const glm::dvec3 kStood = {0.6, 0, 0.8};
 
 std::vector<FunctionCase> colours() {
     const char* body =
@@ -215,17 +180,16 @@ std::vector<FunctionCase> colours() {
         "s.fade = max(2.0 * a3.x - 1.0, 0.0); s.beyond = a3.z; s.steps = a4; FurPiece p = furFirstPiece(); p.low = 0.5 * a2; "
         "return furStrandColor(v, s, p, a0 * float4(1, a1), max(2.0 * a3.y - 1.0, 0.0));";
     std::vector<FunctionCase> cases;
-    cases.push_back(layerCase(
-        "furStrandColor", body, {logarithmic(1e-3, 0.9), linear(0.2, 1, 3), linear(0.1, 0.9), linear(0, 1, 3), linear(-0.5, 4)},
-        [](const Inputs& x) {
-            const glm::dvec4 met = withExpected(x);
-            if (x.scalar(4) < 0 || met.x < 0.004) return kDiscarded;
-            const glm::dvec3 mean(met.y / met.x, met.z / met.x, met.w / met.x);
-            const glm::dvec3 albedo = glm::mix(kFurDark, kFurPale, mean.y) * mean.z;
-            const glm::dvec3 direct = strandsLit(albedo, {0.6, 0, 0.8}, {0, 0, 1}, {0, -0.6, 0.8}) * kFurColour * coatLeaves(mean.x, 0.8);
-            return values(glm::dvec4(direct + albedo * kFurAround * coatFilled(mean.x), met.x));
-        },
-        {.forward = 64, .backward = 4, .absolute = 1e-3, .why = "a sum over 400 lengths"}));
+    cases.push_back(
+        layerCase("furStrandColor", body, {logarithmic(1e-3, 0.9), linear(0.2, 1, 3), linear(0.1, 0.9), linear(0, 1, 3), linear(-0.5, 4)},
+                  [](const Inputs& x) {
+                      const glm::dvec4 met = withExpected(x);
+                      if (x.scalar(4) < 0 || met.x < 0.004) return kDiscarded;
+                      const glm::dvec3 mean(met.y / met.x, met.z / met.x, met.w / met.x);
+                      const glm::dvec3 albedo = glm::mix(kFurDark, kFurPale, mean.y) * mean.z;
+                      return values(glm::dvec4(strandsInCoat(albedo, kStood, kStood, {0, 0, 1}, {0, -0.6, 0.8}, mean.x), met.x));
+                  },
+                  {.forward = 64, .backward = 4, .absolute = 1e-3, .why = "a sum over 400 lengths"}));
     cases.back().discards = true;
     cases.back().samples = 4096; // a tenth of the threshold is a hundredth of them
     cases.back().domain = [](const Inputs& x) {
@@ -239,9 +203,9 @@ std::vector<FunctionCase> colours() {
                   {linear(220, 280), linear(0, 1)},
                   [](const Inputs& x) { // a surface 250 mm from the light; what is 0.6 mm behind it still counts as it
                       const glm::dvec3 albedo = glm::mix(kFurDark, kFurPale, 0.5);
-                      const double lit = x.scalar(0) - 0.005 * kFurMesh * kFurUnit > 250 ? 0 : coatLeaves(0.5, 0.8);
-                      return values(strandsLit(albedo, {0.6, 0, 0.8}, {0, 0, 1}, {0, -0.6, 0.8}) * kFurColour * lit +
-                                    albedo * kFurAround * coatFilled(0.5));
+                      const glm::dvec3 filled = albedo * kFurAround * coatFilled(0.5);
+                      if (x.scalar(0) - 0.005 * kFurMesh * kFurUnit > 250) return values(filled);
+                      return values(strandsInCoat(albedo, kStood, kStood, {0, 0, 1}, {0, -0.6, 0.8}, 0.5));
                   },
                   {.forward = 32, .backward = 0, .absolute = 1e-5, .why = "exponentials, the 40th power of a cosine"}));
     cases.back().domain = [](const Inputs& x) { return std::abs(x.scalar(0) - 250.6) > 1e-3; };
@@ -263,11 +227,7 @@ std::vector<FunctionCase> colours() {
 } // namespace
 
 std::vector<FunctionCase> furLayerCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {vertices, sweeps, colours})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(vertices(), sweeps(), colours());
 }
 
 } // namespace tegument::test

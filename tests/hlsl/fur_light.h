@@ -2,7 +2,7 @@
 // Light on strands and in their coat by angles and lengths, and the scene that cases of fur's passes share: a mesh that is turned and
 // scaled, so that no axis and no unit stands for another.
 
-#include "tests/hlsl/function_case.h"
+#include "tests/hlsl/fur_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,12 @@ inline constexpr double kFurMultiple = 0.7;
 inline constexpr double kFurMirrored = 0.08;
 inline constexpr double kFurSharpness = 40;
 inline constexpr double kFurDense = 1.2;
+inline constexpr double kFurRootRadius = 0.3; // of a root, spacings
 inline const glm::dvec3 kFurCentre = {3, -5, 7};
 inline const glm::dvec3 kFurDown = {0.6, -0.8, 0};
 inline const glm::dvec3 kFurEye = {100, -200, 250};
-inline const glm::dvec3 kFurLamp = {20, -30, 300}; // the light of the workspace
 inline const glm::dvec3 kFurDark = {0.16, 0.085, 0.04};
 inline const glm::dvec3 kFurPale = {0.72, 0.52, 0.33};
-inline const glm::dvec3 kFurColour = {0.9, 0.8, 0.7}; // of that light
 inline const glm::dvec3 kFurAround = {0.1, 0.2, 0.3};
 
 /// A quarter turn about z, twice as large, and moved.
@@ -39,33 +38,28 @@ inline glm::dvec3 furWorld(const glm::dvec3& v) {
     return 2.0 * furTurned(v) + glm::dvec3(7, 8, 9);
 }
 
-inline std::map<std::string, std::vector<double>> furScene() {
-    const auto three = [](const glm::dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; };
-    return {{"gWorld", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 8, 9, 1}},
-            {"gWorldInverseTranspose", {0, 0.5, 0, 0, -0.5, 0, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1}},
-            {"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400}},
-            {"gLightViewProjection", {2.5, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, -1.2, -1, -50, 75, 350, 300}},
-            {"gViewportSize", {640, 480}},
-            {"gCameraFov", {0.6}},
-            {"gUnitMm", {kFurUnit}},
-            {"gMeshRadius", {kFurMesh}},
-            {"gBoundingCenter", three(kFurCentre)},
-            {"gCameraPosition", three(kFurEye)},
-            {"gLightPosition", three(kFurLamp)},
-            {"gLightColor", three(kFurColour)},
-            {"gLightNear", {100}},
-            {"gLightFar", {500}},
-            {"gFurLength", {kFurLength}},
-            {"gFurLean", {kFurLean}},
-            {"gFurDown", three(kFurDown)},
-            {"gFurRootColor", three(kFurDark)},
-            {"gFurTipColor", three(kFurPale)},
-            {"gFurFill", three(kFurAround)},
-            {"gFurKajiyaKay", {kFurStrands}},
-            {"gFurMultiple", {kFurMultiple}},
-            {"gFurSpecular", {kFurMirrored}},
-            {"gFurExponent", {kFurSharpness}},
-            {"gFurDensity", {kFurDense}}};
+inline Globals furScene() {
+    return with(kFurView, {{"gWorld", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 8, 9, 1}},
+                           {"gWorldInverseTranspose", {0, 0.5, 0, 0, -0.5, 0, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1}},
+                           {"gUnitMm", {kFurUnit}},
+                           {"gMeshRadius", {kFurMesh}},
+                           {"gBoundingCenter", numbersOf(kFurCentre)},
+                           {"gCameraPosition", numbersOf(kFurEye)},
+                           {"gFurLength", {kFurLength}},
+                           {"gFurLean", {kFurLean}},
+                           {"gFurDown", numbersOf(kFurDown)},
+                           {"gFurRootColor", numbersOf(kFurDark)},
+                           {"gFurTipColor", numbersOf(kFurPale)},
+                           {"gFurFill", numbersOf(kFurAround)},
+                           {"gFurKajiyaKay", {kFurStrands}},
+                           {"gFurMultiple", {kFurMultiple}},
+                           {"gFurSpecular", {kFurMirrored}},
+                           {"gFurExponent", {kFurSharpness}},
+                           {"gFurDensity", {kFurDense}}});
+}
+
+inline double share(double x) {
+    return std::clamp(x, 0.0, 1.0);
 }
 
 /// Three lamps of parallel light: where they come from, and their colours.
@@ -108,6 +102,31 @@ inline double coatLeaves(double height, double cosine) {
 /// What light from all sides leaves of white.
 inline double coatFilled(double height) {
     return std::exp(-kFurDense * (1 - height)) * (0.5 + 0.5 * kFurMultiple);
+}
+
+/// Of strands in the coat, under the light of the workspace and light from all sides. No surface throws a shadow.
+inline glm::dvec3 strandsInCoat(const glm::dvec3& albedo, const glm::dvec3& strand, const glm::dvec3& normal, const glm::dvec3& toLight,
+                                const glm::dvec3& toEye, double height) {
+    const double open = coatLeaves(height, glm::dot(normal, toLight));
+    return strandsLit(albedo, strand, toLight, toEye) * kFurColour * open + albedo * kFurAround * coatFilled(height);
+}
+
+/// Mean of max(1 - h / L, 0) over lengths that lie evenly between the shortest and 1, times a root's radius: a sum over them.
+inline double meanStrandRadius(double height, double shortest) {
+    constexpr int kLengths = 400;
+    double sum = 0;
+    for (int i = 0; i < kLengths; ++i)
+        sum += std::max(1 - height / (shortest + (1 - shortest) * (i + 0.5) / kLengths), 0.0);
+    return kFurRootRadius * sum / kLengths;
+}
+
+/// What is met, and what a ray meets on average of such strands between two heights. x: coverage; y to w: its shares as in MetPiece.
+inline glm::dvec4 strandsExpected(const glm::dvec4& met, double density, double shortest, const glm::dvec2& heights, double beyond) {
+    const glm::dvec2 r(meanStrandRadius(heights.x, shortest), meanStrandRadius(heights.y, shortest));
+    const double swept = (r.x + r.y) * beyond + std::numbers::pi * (r.y * r.y - r.x * r.x);
+    // Weights of the ends where the width changes evenly: twice the own radius and once the other.
+    const double height = ((2 * r.x + r.y) * heights.x + (2 * r.y + r.x) * heights.y) / (3 * (r.x + r.y) + 1e-4);
+    return met + (1 - met.x) * (1 - std::exp(-density * swept)) * glm::dvec4(1, height, share(2 * height / (1 + shortest)), 1);
 }
 
 inline double furFromLamp(const glm::dvec3& world) {

@@ -2,6 +2,7 @@
 // precision: turns by quaternions of their own, and places before and after.
 
 #include "tests/hlsl/lock_scene.h"
+#include "tests/hlsl/maps.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -13,29 +14,18 @@ namespace tegument::test {
 namespace {
 
 const glm::dvec3 kMovedBy = {4, -3, 2}; // of the mesh in the frame before
+const glm::dvec3 kEye = {0, 0, 600};
 const glm::dvec3 kBlownMore = {0.2, 0.1, -0.15};
 const glm::dvec3 kBlown = {0.3, -0.2, 0.1};
 
 FunctionCase bodyCase(const char* function, std::string body, std::vector<Argument> arguments,
                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 1024,
-                      .globals = kLockScene,
-                      .effect = "FurCoat.fx"};
-    const std::map<std::string, std::vector<double>> more = {
+    const Globals more = {
         {"gPreviousWorld", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, kMovedBy.x, kMovedBy.y, kMovedBy.z, 1}}, // a quarter turn about z
-        {"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400}},
         {"gPreviousViewProjection", {1.2, 0, 0, 0, 0, 1.4, 0, 0, 0, 0, -1.1, -1, 9, 6, 300, 410}},
-        {"gCameraPosition", {0, 0, 600}},
-        {"gCameraFov", {0.6}},
-        {"gViewportSize", {640, 480}}};
-    for (const auto& [name, value] : more)
-        made.globals[name] = value;
-    return made;
+        {"gCameraPosition", numbersOf(kEye)}};
+    return passCase("FurCoat.fx", with(with(kLockScene, kFurView), more), function, std::move(body), std::move(arguments),
+                    std::move(expected), std::move(tolerance));
 }
 
 /// How roots have moved and turned: whole texels of numbers that are no rule's.
@@ -45,8 +35,7 @@ const TestMap& poseMap() {
         for (std::size_t at = 0; at < map.texels.size(); ++at) {
             const auto i = static_cast<double>(at);
             const glm::dquat turn = glm::normalize(glm::dquat(std::sin(i) + 1.5, std::sin(2 * i), std::cos(3 * i), std::sin(5 * i)));
-            const auto number = [](double v) { return static_cast<float>(v); };
-            map.texels[at] = {number(turn.x), number(turn.y), number(turn.z), number(turn.w)};
+            map.texels[at] = texelOf(turn.x, turn.y, turn.z, turn.w);
         }
         return map;
     }();
@@ -65,7 +54,7 @@ glm::dvec3 turnedBy(const glm::dvec4& turn, const glm::dvec3& v) {
 }
 
 std::vector<FunctionCase> poses() {
-    static const TestMap kHeader{.size = 1, .texels = {{2, 0, 0, 0}}}; // rows of the texture
+    static const TestMap kHeader = oneTexel(2); // rows of the texture
     const Tolerance plain{.forward = 8, .backward = 4, .absolute = 2e-6, .why = "two vector products of numbers up to 1"};
     const std::vector<Argument> arguments = {whole(4000, 8000), linear(-1, 1, 3)};
     std::vector<FunctionCase> cases;
@@ -98,10 +87,6 @@ std::vector<FunctionCase> poses() {
     return cases;
 }
 
-glm::dvec4 clipNow(const glm::dvec3& p) {
-    return {p.x + 0.1 * p.y + 5, 0.2 * p.x + 1.5 * p.y + 7, -1.1 * p.z + 300, 0.3 * p.y - p.z + 400};
-}
-
 glm::dvec4 clipBefore(const glm::dvec3& p) {
     return {1.2 * p.x + 9, 1.4 * p.y + 6, -1.1 * p.z + 300, -p.z + 410};
 }
@@ -129,11 +114,11 @@ std::vector<FunctionCase> motions() {
         [](const Inputs& x) { return values(moved(glm::dvec4(x.vec2(0), 0, x.scalar(1)), glm::dvec4(x.vec2(2), 0, x.scalar(3)))); });
     const char* vertex = "VertexInput i = (VertexInput)0; i.position = a0; ";
     add("SkinMotionVS", std::string(vertex) + "return SkinMotionVS(i).now;", {linear(-80, 80, 3)},
-        [](const Inputs& x) { return values(clipNow(x.vec3(0))); });
+        [](const Inputs& x) { return values(furClip(x.vec3(0))); });
     add("SkinMotionVS", std::string(vertex) + "return SkinMotionVS(i).before;", {linear(-80, 80, 3)},
         [](const Inputs& x) { return values(clipBefore(turnedBefore(x.vec3(0)) + kMovedBy)); });
     add("SkinMotionPS", std::string(vertex) + "return SkinMotionPS(SkinMotionVS(i));", {linear(-80, 80, 3)}, [](const Inputs& x) {
-        return values(glm::dvec4(moved(clipNow(x.vec3(0)), clipBefore(turnedBefore(x.vec3(0)) + kMovedBy)), 0, 1));
+        return values(glm::dvec4(moved(furClip(x.vec3(0)), clipBefore(turnedBefore(x.vec3(0)) + kMovedBy)), 0, 1));
     });
     add("ribbonWorldBefore", std::string(vertex) + "return float4(ribbonWorldBefore(a1, i), 0);", {linear(-80, 80, 3), linear(-9, 9, 3)},
         [](const Inputs& x) { return values(turnedBefore(x.vec3(0) + x.vec3(1)) + kMovedBy); });
@@ -143,34 +128,24 @@ std::vector<FunctionCase> motions() {
 /// A lock's strand that stands upright, without waves and curls, blown aside. Arguments: position, address, row of 31, child.
 struct BlownStrand {
     glm::dvec3 position;
-    double address, along, child, height, pixel, radius;
-    double shared, begin, rank, width;
+    double address, child;
+    LockShare drawn;
+    double along, height, radius;
 
     explicit BlownStrand(const Inputs& x)
-        : position(x.vec3(0)), address(std::round(x.scalar(1))), along(std::round(x.scalar(2)) / 31), child(std::round(x.scalar(3))),
-          pixel(2 * std::tan(0.3) / 640 * glm::length(glm::dvec3(0, 0, 600) - position)) {
-        const double thin = 2 * kLockRadius * kLockMesh / (0.7 * pixel);
-        shared = 0.9 * std::clamp(thin, 0.33, 1.0);
-        begin = std::min({-1.75 * (thin - kLockAfar / 0.7), 1.05 * thin - 0.175, 0.35});
-        rank = (child + rootRank(address)) / 4;
-        width = std::clamp(8 - 8 * rank / shared, 0.0, 1.0) * 8 / 7.5 / shared;
-        along = std::max(along, begin);
+        : position(x.vec3(0)), address(std::round(x.scalar(1))), child(std::round(x.scalar(3))),
+          drawn(kFurPixel * glm::length(kEye - position), 0.7, 4, child + rootRank(address)),
+          along(std::max(std::round(x.scalar(2)) / 31, drawn.begin)), radius(drawn.width * lockRadius(address, child, false, along)) {
         const glm::dvec3 random = lockNumbers(address, child);
-        const glm::dvec3 more =
-            glm::fract(13.37 * glm::dvec3(random.z, random.x, random.y) + 7.91 * glm::dvec3(random.y, random.z, random.x));
-        const double guard = random.z <= 0.5 ? 1 : 0;
-        height = kLockLength * kLockMesh * (0.75 + 0.3 * more.x + 0.35 * guard);
-        radius = width * kLockRadius * kLockMesh * (0.75 + 0.5 * more.y) * (1 + 0.3 * guard) * (1 - along * along * along);
+        height = kLockLength * kLockMesh * (0.75 + 0.3 * lockMore(random).x + (random.z <= 0.5 ? 0.35 : 0));
     }
     /// Of the axis from the root, with the wind that was there; across the normal z only.
     [[nodiscard]] glm::dvec3 offset(const glm::dvec3& wind) const {
         return height * (glm::dvec3(0, 0, along) + glm::dvec3(wind.x, wind.y, 0) * along * along);
     }
-    [[nodiscard]] bool drawn() const { return rank < shared; }
 };
 
 std::vector<FunctionCase> locks() {
-    static const TestMap kRoots{.size = 1, .texels = {{1, 0, 0, 1e6F}}}; // so dense that no root stands beside its own
     FunctionCase made = bodyCase(
         "LocksMotionVS",
         "VertexInput i = (VertexInput)0; i.normal = float3(0, 0, 1); i.position = a0; i.tangent.w = 1; i.uv = float2(a2 / 32.0, a1); "
@@ -178,30 +153,28 @@ std::vector<FunctionCase> locks() {
         {linear(-150, 150, 3), whole(4096, 4000000), whole(0, 31), whole(0, 3)},
         [](const Inputs& x) {
             const BlownStrand s(x);
-            if (!s.drawn()) return values(0);
+            if (s.drawn.rank >= s.drawn.share) return values(0);
             const glm::dvec3 before =
                 turnedBefore(s.position + s.offset(turnedBefore(turnedBefore(turnedBefore(kBlown - kBlownMore))))) + kMovedBy;
             const glm::dvec3 offset = s.offset(kBlown);
-            const glm::dvec2 motion = moved(clipNow(s.position + offset), clipBefore(before));
-            const double pixel = 2 * std::tan(0.3) / 640 * glm::length(glm::dvec3(0, 0, 600) - s.position - offset);
+            const glm::dvec2 motion = moved(furClip(s.position + offset), clipBefore(before));
+            const double pixel = kFurPixel * glm::length(kEye - s.position - offset);
             const double half = std::max(s.radius / pixel, 0.5);
             return values(motion.x / 100, motion.y / 100, half + 0.4, half);
         },
         {.forward = 32, .backward = 2, .absolute = 2e-3, .why = "ranks of addresses to 1e-3, eight times"});
     made.defines.emplace_back("TEGUMENT_MOTION", "1");
-    made.map = &kRoots;
-    for (const char* name : {"gCoatLean", "gCoatStray", "gCoatCurl", "gCoatWaves", "gCoatLocks"})
-        made.globals[name] = {0};
+    straighten(made);
     made.globals["gCoatGusts"] = {0, 0.7, 0.8};
     made.globals["gCoatGuard"] = {0.5};
-    made.globals["gCoatWind"] = {kBlown.x, kBlown.y, kBlown.z};
-    made.globals["gCoatWindChange"] = {kBlownMore.x, kBlownMore.y, kBlownMore.z};
+    made.globals["gCoatWind"] = numbersOf(kBlown);
+    made.globals["gCoatWindChange"] = numbersOf(kBlownMore);
     made.globals["gFurEdge"] = {0.4};
     made.globals["gTimeStep"] = {0.1};
     made.domain = [](const Inputs& x) {
         const BlownStrand s(x);
         const double fraction = rootRank(s.address);
-        return std::abs(s.rank - s.shared) > 2e-3 && std::min(fraction, 1 - fraction) > 2e-3;
+        return std::abs(s.drawn.rank - s.drawn.share) > 2e-3 && std::min(fraction, 1 - fraction) > 2e-3;
     };
     return {made};
 }
@@ -209,11 +182,7 @@ std::vector<FunctionCase> locks() {
 } // namespace
 
 std::vector<FunctionCase> furMotionCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {poses, motions, locks})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(poses(), motions(), locks());
 }
 
 } // namespace tegument::test

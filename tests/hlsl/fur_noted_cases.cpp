@@ -10,10 +10,6 @@ namespace {
 constexpr double kColumns = 1366; // roots in a row of their texture, three texels each
 constexpr double kRootRows = 256;
 
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
-
 constexpr double kFirst = 3 * 4096 + 5; // address of the first root
 
 /// Column and row of a root in the maps.
@@ -84,7 +80,7 @@ struct Noted {
 
     explicit Noted(const Inputs& x) {
         const glm::dvec3 toEye = x.vec3(1) - x.vec3(2);
-        pixel = kStrandPixel * glm::length(toEye);
+        pixel = kFurPixel * glm::length(toEye);
         half = std::max(x.scalar(4), pixel / 2);
         aside = furTurned(glm::normalize(glm::cross(x.vec3(3), toEye)));
         place = x.vec3(0) + furTurned(x.vec3(2));
@@ -115,22 +111,18 @@ std::vector<FunctionCase> notes() {
 
 /// Maps of one texel: the axis in the world and how far the ribbon's sides are; the way there and half the width; colour and faintness.
 std::vector<FunctionCase> readings() {
-    static const TestMap kPlace{.size = 1, .texels = {{30, -20, 10, 1.5F}}};
-    static const TestMap kAside{.size = 1, .texels = {{0.6F, 0, 0.8F, 2.5F}}};
-    static const TestMap kLight{.size = 1, .texels = {{0.1F, 0.2F, 0.3F, -0.7F}}};
     const char* body = "VertexInput i = (VertexInput)0; i.tangent.w = a0 > 0.5 ? 1 : -1; RibbonVarying v = ribbonNoted(i, float2(3, 5)); ";
     std::vector<FunctionCase> cases;
     const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {
         cases.push_back(strandRootCase("ribbonNoted", std::string(body) + "return " + returned + ";", {whole(0, 1), linear(0, 1)},
                                        std::move(expected), {.forward = 8, .backward = 0, .absolute = 1e-4, .why = "sums of up to 400"}));
-        cases.back().maps["gRibbonPlaceMap"] = &kPlace;
-        cases.back().maps["gRibbonAsideMap"] = &kAside;
-        cases.back().maps["gRibbonLightMap"] = &kLight;
+        cases.back().maps["gRibbonPlaceMap"] = oneTexel(30, -20, 10, 1.5);
+        cases.back().maps["gRibbonAsideMap"] = oneTexel(0.6, 0, 0.8, 2.5);
+        cases.back().maps["gRibbonLightMap"] = oneTexel(0.1, 0.2, 0.3, -0.7);
     };
     add("v.position", [](const Inputs& x) {
         const double side = x.scalar(0) > 0.5 ? 1.5 : -1.5;
-        const glm::dvec3 p = glm::dvec3(30, -20, 10) + side * glm::dvec3(0.6, 0, 0.8);
-        return values(p.x + 0.1 * p.y + 5, 0.2 * p.x + 1.5 * p.y + 7, -1.1 * p.z + 300, 0.3 * p.y - p.z + 400);
+        return values(furClip(glm::dvec3(30, -20, 10) + side * glm::dvec3(0.6, 0, 0.8)));
     });
     add("float4(v.edge, v.color.xw)", [](const Inputs& x) { return values(x.scalar(0) > 0.5 ? 2.9 : -2.9, 2.5, 0.1, -0.7); });
     return cases;
@@ -176,7 +168,7 @@ std::vector<FunctionCase> threads() {
             if (rootRank(address) >= kStrandShare || row > 6) return values(0);
             const double t = row / 6;
             const double along = std::round(31 * (1.25 * t - 0.25 * t * t)) / 31;
-            const double pixel = kStrandPixel * distance;
+            const double pixel = kFurPixel * distance;
             const double radius = strandRadius(address, along);
             const double half = std::max(radius, pixel / 2);
             return values(half / pixel, radius / half, half + 0.4 * pixel);
@@ -203,8 +195,7 @@ struct NotedLock {
     [[nodiscard]] bool drawn(double facing) const { return rank < kStrandShare && facing > -0.71; }
     [[nodiscard]] glm::dvec3 albedo() const {
         const glm::dvec3 random = lockNumbers(address, under ? child + 64 : child);
-        const glm::dvec3 more =
-            glm::fract(13.37 * glm::dvec3(random.z, random.x, random.y) + 7.91 * glm::dvec3(random.y, random.z, random.x));
+        const glm::dvec3 more = lockMore(random);
         const double bright = (1 + 0.4 * (more.x - 0.5)) * (1 - 0.2);
         const double warm = 0.08 * (random.z - 0.5);
         // Waves at the mesh's centre, of waves that are 1 there: patches, half as much towards 1.2; underfur has a tenth of three of that.
@@ -215,7 +206,6 @@ struct NotedLock {
 };
 
 FunctionCase lockNotes() {
-    static const TestMap kRoots{.size = 1, .texels = {{1, 0, 0, 1e6F}}}; // so dense that no root stands beside its own
     FunctionCase made = strandRootCase(
         "lockNote",
         "VertexInput i = (VertexInput)0; i.normal = float3(sqrt(saturate(1.0 - a2 * a2)), 0, a2); i.tangent.w = 1; i.uv = float2(0, a0); "
@@ -228,22 +218,16 @@ FunctionCase lockNotes() {
             return lock.drawn(x.scalar(2)) ? values(glm::dvec4(lock.albedo(), 0.5)) : values(0); // half a pixel: a point, drawn as wide
         },
         {.forward = 16, .backward = 0, .absolute = 1e-4, .why = "fractions of numbers up to 21"});
-    made.map = &kRoots;
     made.maps.clear();
-    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
     for (const char* name : {"gCoatSkinMap", "gCoatFrontMap", "gCoatOpacityMap"})
-        made.maps[name] = &kNone;
+        made.maps[name] = oneTexel(0);
     for (const auto& [name, value] : kLockScene)
         made.globals[name] = value;
-    for (const char* name : {"gCoatRootColor", "gCoatMidColor", "gCoatTipColor", "gCoatUnderColor", "gCoatBellyColor", "gCoatGuardColor",
-                             "gCoatShortColor", "gCoatSky", "gCoatGround"})
-        made.globals[name] = {1, 1, 1};
-    for (const char* name : {"gCoatRim", "gLightColor", "gCoatWind", "gBoundingCenter"})
-        made.globals[name] = {0, 0, 0};
-    for (const char* name : {"gCoatLean", "gCoatStray", "gCoatCurl", "gCoatWaves", "gCoatLocks", "gCoatBelly", "gCoatGuard"})
-        made.globals[name] = {0};
-    made.globals["gCoatPainted"] = {0.5};
-    made.globals["gCoatVariation"] = {0.4};
+    straighten(made);
+    whiten(made);
+    setAll(made, {"gCoatSky", "gCoatGround"}, {1, 1, 1});
+    setAll(made, {"gCoatWind", "gBoundingCenter"}, {0, 0, 0});
+    made.globals["gCoatGuard"] = {0};
     made.globals["gCoatUnderLength"] = {1.2}; // as high as the others
     made.domain = [](const Inputs& x) {
         const NotedLock lock(x);
@@ -259,11 +243,7 @@ FunctionCase lockNotes() {
 } // namespace
 
 std::vector<FunctionCase> furNotedCases() {
-    std::vector<FunctionCase> all = {lockNotes()};
-    for (auto make : {places, notes, readings, threads})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(lockNotes(), places(), notes(), readings(), threads());
 }
 
 } // namespace tegument::test

@@ -407,11 +407,7 @@ std::vector<FunctionCase> roots() {
 } // namespace
 
 std::vector<FunctionCase> furRootsCases() {
-    std::vector<FunctionCase> cases = cells();
-    for (auto make : {cones, sweeps, roots})
-        for (FunctionCase& one : make())
-            cases.push_back(std::move(one));
-    return cases;
+    return together(cells(), cones(), sweeps(), roots());
 }
 
 } // namespace tegument::test

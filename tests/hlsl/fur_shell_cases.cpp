@@ -1,6 +1,7 @@
 // Shells (effects/passes/fur_shell.fxh), their light (fur_coat.fxh), and the shadow of their hull (fur_shadow.fxh) in double precision.
 
 #include "tests/hlsl/fur_light.h"
+#include "tests/hlsl/maps.h"
 
 namespace tegument::test {
 
@@ -17,38 +18,16 @@ constexpr double kHullShadow = 0.8;
 /// Every map but that of shadows is one texel: distance of the hull's back and how thick it is, mm.
 constexpr std::array<float, 4> kHullTexel = {450, 6, 0.5F, 0.25F};
 
-double share(double x) {
-    return std::clamp(x, 0.0, 1.0);
-}
-
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
-
 FunctionCase shellCase(const char* function, std::string body, std::vector<Argument> arguments,
                        std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
     static const TestMap kHull{.size = 1, .texels = {kHullTexel}};
-    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 1024,
-                      .map = &kHull,
-                      .globals = furScene(),
-                      .effect = "Fur.fx",
-                      .maps = {{"gShadowMap", &kNone}}};
-    for (const auto& [name, value] : std::map<std::string, double>{{"gFurLayers", 32},
-                                                                   {"gFurSpread", kSpread},
-                                                                   {"gFurSoftness", kSoft},
-                                                                   {"gFurTaper", kTaper},
-                                                                   {"gFurDeviation", kDeviation},
-                                                                   {"gFurGrain", kGrain},
-                                                                   {"gFurAlphaTest", 0.02},
-                                                                   {"gFurShadow", kHullShadow},
-                                                                   {"gFurShadowHeight", kHullHeight}})
-        made.globals[name] = {value};
+    const Globals more = {{"gFurLayers", {32}},      {"gFurSpread", {kSpread}},       {"gFurSoftness", {kSoft}},
+                          {"gFurTaper", {kTaper}},   {"gFurDeviation", {kDeviation}}, {"gFurGrain", {kGrain}},
+                          {"gFurAlphaTest", {0.02}}, {"gFurShadow", {kHullShadow}},   {"gFurShadowHeight", {kHullHeight}}};
+    FunctionCase made = passCase("Fur.fx", with(furScene(), more), function, std::move(body), std::move(arguments), std::move(expected),
+                                 std::move(tolerance));
+    made.map = &kHull;
+    made.maps = {{"gShadowMap", oneTexel(0)}};
     return made;
 }
 
@@ -113,8 +92,7 @@ std::vector<FunctionCase> radiances() {
         shellCase("furAlbedo", std::string(kLitBody) + "return float4(furAlbedo(v), 0);", arguments,
                   [](const Inputs& x) { return values(glm::mix(kFurDark, kFurPale, x.scalar(2)) * glm::dvec3(0.75, 0.5, 0.25)); },
                   {.forward = 8, .backward = 2, .why = "a mixture and a product"}));
-    static const TestMap kColour{.size = 1, .texels = {{0.75F, 0.5F, 0.25F, 1}}};
-    cases.back().maps["gFurColorMap"] = &kColour;
+    cases.back().maps["gFurColorMap"] = oneTexel(0.75, 0.5, 0.25, 1);
     cases.back().defines.emplace_back("TEGUMENT_FUR_COLOR_MAP", "1");
     cases.push_back(shellCase("furShadowTolerance", "return float4(a0 * furShadowTolerance(), 0, 0, 0);", {linear(1, 2)},
                               [](const Inputs& x) { // in the printed settings of z / w
@@ -323,20 +301,13 @@ std::vector<FunctionCase> pixels() {
     cases.push_back(shellCase("furInRound", "return float4(furInRound(a0, float2(3.5, 4.5), a1), 0, 0, 0);", {linear(0, 2), linear(-1, 1)},
                               [](const Inputs& x) { return values((x.scalar(0) - 0.75) * x.scalar(1)); },
                               {.forward = 2, .backward = 1, .absolute = 1e-7, .why = "a difference"}));
-    static const TestMap kEnd{.size = 1, .texels = {{0.75F, 0, 0, 0}}};
-    cases.back().maps["gCoatEndMap"] = &kEnd;
+    cases.back().maps["gCoatEndMap"] = oneTexel(0.75);
     return cases;
 }
 
 /// A cube whose alpha tells the level that it was read from.
 const TestMap& leveledCube() {
-    static const TestMap kMap = [] {
-        TestMap map{.size = 256, .texels = {}, .mips = 9, .cube = true};
-        for (int face = 0; face < 6; ++face)
-            for (int mip = 0; mip < map.mips; ++mip)
-                map.texels.insert(map.texels.end(), std::size_t{1} << (16 - 2 * mip), {1, 1, 1, 0.1F * static_cast<float>(mip + 1)});
-        return map;
-    }();
+    static const TestMap kMap = leveledMap(true, [](int mip) { return texelOf(1, 1, 1, 0.1 * (mip + 1)); });
     return kMap;
 }
 
@@ -350,12 +321,9 @@ FunctionCase cubes() {
                   "a1, 1)).w, 0, 0, 0);",
                   {linear(0.02, 0.4), linear(0.02, 0.4)}, [=](const Inputs& x) { return values(0.1 * (1 + std::round(levelOf(x)))); },
                   {.forward = 8, .backward = 0, .absolute = 1e-6, .why = "a level's own number"});
-    static const TestMap kNoEnd{.size = 1, .texels = {{0, 0, 0, 0}}};
     made.maps["gFurCubeMap"] = &leveledCube();
-    made.maps["gCoatEndMap"] = &kNoEnd;
-    made.globals["gFurTaper"] = {0};
-    made.globals["gFurAlphaTest"] = {0};
-    made.globals["gFurCurl"] = {0};
+    made.maps["gCoatEndMap"] = oneTexel(0);
+    setAll(made, {"gFurTaper", "gFurAlphaTest", "gFurCurl"}, {0});
     made.defines.emplace_back("TEGUMENT_FUR_VERTEX_LIGHT", "1");
     made.perQuad = true;
     made.domain = [=](const Inputs& x) { // a device may round the level to an eighth and more
@@ -367,11 +335,7 @@ FunctionCase cubes() {
 } // namespace
 
 std::vector<FunctionCase> furShellCases() {
-    std::vector<FunctionCase> all = {cubes()};
-    for (auto make : {radiances, hulls, vertices, pixels})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(cubes(), radiances(), hulls(), vertices(), pixels());
 }
 
 } // namespace tegument::test

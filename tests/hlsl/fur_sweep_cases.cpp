@@ -4,35 +4,23 @@
 #include "tests/hlsl/fur_cone.h"
 #include "tests/hlsl/fur_light.h"
 #include "tests/hlsl/fur_numbers.h"
+#include "tests/hlsl/maps.h"
 
 namespace tegument::test {
 
 namespace {
 
-constexpr double kRadius = 0.3; // of a root, spacings
 constexpr double kShortest = 0.55;
 constexpr double kLayers = 32;
 constexpr double kNearEnd = 0.01; // 1 / distance of the coat's end
 
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
-
 FunctionCase sweepCase(const char* function, std::string body, std::vector<Argument> arguments,
                        std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    static const TestMap kEnd{.size = 1, .texels = {{static_cast<float>(kNearEnd), 0, 0, 0}}};
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 1024,
-                      .globals = furScene(),
-                      .effect = "FurRoots.fx",
-                      .maps = {{"gCoatEndMap", &kEnd}}};
-    for (const auto& [name, value] : std::map<std::string, double>{
-             {"gFurRadius", kRadius}, {"gFurShortest", kShortest}, {"gFurVariation", 0.4}, {"gFurLayers", kLayers}})
-        made.globals[name] = {value};
+    const Globals more = {
+        {"gFurRadius", {kFurRootRadius}}, {"gFurShortest", {kShortest}}, {"gFurVariation", {0.4}}, {"gFurLayers", {kLayers}}};
+    FunctionCase made = passCase("FurRoots.fx", with(furScene(), more), function, std::move(body), std::move(arguments),
+                                 std::move(expected), std::move(tolerance));
+    made.maps = {{"gCoatEndMap", oneTexel(kNearEnd)}};
     return made;
 }
 
@@ -56,7 +44,7 @@ FunctionCase meeting() {
         piece.bendLow = x.vec2(5);
         return piece;
     };
-    const auto coneOf = [=](const Inputs& x) { return pieceOf(x).cone(x.vec3(6), x.scalar(7), kRadius, x.scalar(8), x.vec3(9)); };
+    const auto coneOf = [=](const Inputs& x) { return pieceOf(x).cone(x.vec3(6), x.scalar(7), kFurRootRadius, x.scalar(8), x.vec3(9)); };
     FunctionCase made = sweepCase(
         "furMeet", std::string(kPieceBody) + "p.along = a1; p.bend = a4; p.bendLow = a5; return furMeet(a10, s, p, a6, a7, 0.3, a8, a9);",
         {unit(), vector(3, 0.2, 2), linear(0.3, 1), linear(0.02, 0.3), linear(-0.3, 0.3, 2), linear(-0.3, 0.3, 2), vector(3, 0.05, 1),
@@ -105,7 +93,7 @@ glm::dvec4 metCells(const MetPiece& piece, double reach, double& edge) {
                 if (std::abs(distance) < 0.52 && away < reach + 0.02)
                     edge = std::min({edge, std::abs(0.5 - std::abs(distance)), std::abs(away - reach), std::abs(share - piece.low)});
                 if (std::abs(distance) >= 0.5 || away >= reach || share <= piece.low) continue;
-                const MetCone cone = piece.cone(root, share, kRadius, 1, point.random);
+                const MetCone cone = piece.cone(root, share, kFurRootRadius, 1, point.random);
                 edge = std::min(edge, std::abs(cone.inside(cone.nearest())) / 20);
                 // Begun above the tip, in the cone's other half, and passing by: tgFurCone takes the root there, and the height of the
                 // begin.
@@ -155,10 +143,6 @@ constexpr std::size_t kBrickAt = 200;
 constexpr std::size_t kRootCount = 6;
 constexpr double kRootsSpacing = 2.5; // mm
 constexpr double kRootsBall = 90;     // radius of the roots' mesh, mm
-
-std::array<float, 4> texelOf(double a, double b, double c, double d) {
-    return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d)};
-}
 
 /// Numbers of a root that follow no rule: places within a few spacings, lengths about 1.
 std::array<std::array<float, 4>, 3> rootOf(std::size_t index) {
@@ -286,7 +270,7 @@ std::vector<FunctionCase> rootVertices() {
     });
     add("float4(v.rest.xyz, v.coat.z)", [=](const Inputs& x) { return values(glm::dvec4(placeOf(x) / kRootsSpacing, 0.6)); });
     add("float4(strandsData(v), v.rest.w)", [=](const Inputs& x) {
-        return values(1 / kRootsSpacing, kRadius / 0.4, -1 / (kFurLength * kRootsBall), 31.5 - std::round(x.scalar(2)));
+        return values(1 / kRootsSpacing, kFurRootRadius / 0.4, -1 / (kFurLength * kRootsBall), 31.5 - std::round(x.scalar(2)));
     });
     cases.push_back(sweepCase(
         "RootsEndVS",
@@ -327,7 +311,9 @@ struct FlatSweep {
         piece.low = heightAt(dropAt(i));
         return piece;
     }
-    [[nodiscard]] static double reach(const MetPiece& piece) { return kRadius * (1 - piece.low) + 0.3 + glm::length(piece.along) / 2; }
+    [[nodiscard]] static double reach(const MetPiece& piece) {
+        return kFurRootRadius * (1 - piece.low) + 0.3 + glm::length(piece.along) / 2;
+    }
 
     /// By what `met` says of a piece: its own way to be nothing yet, then what is met. Coverage, or how near anything is to a leap.
     template <class Met>
@@ -393,8 +379,7 @@ std::vector<FunctionCase> pixels() {
             coverageOf(FlatSweep(x), roots, edge);
             return edge > 3e-4;
         };
-        for (const char* name : {"gFurScatter", "gFurCurls", "gFurTufts"})
-            cases.back().globals[name] = {0};
+        setAll(cases.back(), {"gFurScatter", "gFurCurls", "gFurTufts"}, {0});
         cases.back().globals["gFurTuftSize"] = {4};
         cases.back().globals["gFurTurns"] = {1};
     }
@@ -404,11 +389,8 @@ std::vector<FunctionCase> pixels() {
 } // namespace
 
 std::vector<FunctionCase> furSweepCases() {
-    std::vector<FunctionCase> all = {meeting(), cells(0.3, linear(0.2, 1), linear(0.3, 0.9)), cells(2, linear(0.2, 0.4), linear(1.5, 2.5))};
-    for (auto make : {roots, rootVertices, pixels})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(meeting(), cells(0.3, linear(0.2, 1), linear(0.3, 0.9)), cells(2, linear(0.2, 0.4), linear(1.5, 2.5)), roots(),
+                    rootVertices(), pixels());
 }
 
 } // namespace tegument::test

@@ -1,7 +1,6 @@
 // Lamps and surroundings beside the light of the workspace (effects/passes/lamp_light.fxh, lamps.fxh, more_light.fxh, more_light_sum.fxh,
 // light_by_light.fxh) in double precision: docs/design/light.md.
 
-#include "tests/hlsl/maps.h"
 #include "tests/hlsl/skin_scene.h"
 
 #include <algorithm>
@@ -50,7 +49,7 @@ FunctionCase lampCase(const char* function, std::string body, std::vector<Argume
     add("gLampColor", &LampValues::colour);
     add("gLampAxis", &LampValues::axis);
     add("gLampSpot", &LampValues::spot);
-    made.globals["gLampBody"] = {kCentre.x, kCentre.y, kCentre.z};
+    made.globals["gLampBody"] = numbersOf(kCentre);
     made.globals["gLampBodyRadius"] = {kBody};
     made.globals["gSurroundings"] = {kSky};
     made.globals["gSurroundingsTurn"] = {kTurn};
@@ -60,7 +59,7 @@ FunctionCase lampCase(const char* function, std::string body, std::vector<Argume
     made.maps["gOcclusionMap"] = oneTexel(kOpen.x, kOpen.y, kOpen.z, kOpen.w);
     TestMap cube{.size = 1, .texels = {}, .cube = true};
     for (const glm::dvec3& face : kFaces)
-        cube.texels.push_back({static_cast<float>(face.x), static_cast<float>(face.y), static_cast<float>(face.z), 1});
+        cube.texels.push_back(texelOf(glm::dvec4(face, 1)));
     made.maps["gEnvironmentMap"] = cube;
     return made;
 }
@@ -86,11 +85,16 @@ Arriving arriving(std::size_t i, const glm::dvec3& world, const glm::dvec3& seen
     return {toLight, glm::dvec3(lamp.colour) * share * (1 - lamp.spot.z * (1 - seen[static_cast<glm::length_t>(i)]))};
 }
 
-/// Of the face that a direction leads to, once the surroundings are turned about the vertical.
-glm::dvec3 skyAt(const glm::dvec3& direction) {
+/// In the surroundings, which are turned about the vertical.
+glm::dvec3 inSky(const glm::dvec3& direction) {
     const double turn = kTurn * std::numbers::pi / 180;
-    const glm::dvec3 d(direction.x * std::cos(turn) - direction.z * std::sin(turn), direction.y,
-                       direction.x * std::sin(turn) + direction.z * std::cos(turn));
+    return {direction.x * std::cos(turn) - direction.z * std::sin(turn), direction.y,
+            direction.x * std::sin(turn) + direction.z * std::cos(turn)};
+}
+
+/// Of the face that a direction leads to.
+glm::dvec3 skyAt(const glm::dvec3& direction) {
+    const glm::dvec3 d = inSky(direction);
     const glm::dvec3 a = glm::abs(d);
     const glm::length_t axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     return kSky * kFaces[static_cast<std::size_t>(2 * axis + (d[axis] < 0 ? 1 : 0))];
@@ -98,10 +102,8 @@ glm::dvec3 skyAt(const glm::dvec3& direction) {
 
 /// How far from where two faces meet.
 double fromEdge(const glm::dvec3& direction) {
-    const double turn = kTurn * std::numbers::pi / 180;
-    const glm::dvec3 d(direction.x * std::cos(turn) - direction.z * std::sin(turn), direction.y,
-                       direction.x * std::sin(turn) + direction.z * std::cos(turn));
-    std::array<double, 3> a = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+    const glm::dvec3 d = glm::abs(inSky(direction));
+    std::array<double, 3> a = {d.x, d.y, d.z};
     std::ranges::sort(a);
     return a[2] - a[1];
 }
@@ -131,7 +133,7 @@ std::vector<Argument> pointArguments() {
 bool isPoint(const Inputs& x) {
     const glm::dvec3 n = x.vec3(1);
     const glm::dvec3 m = x.vec3(2);
-    if (std::abs(glm::length(n) - 1) > 1e-3 || std::abs(glm::length(m) - 1) > 1e-3) return false;
+    if (!isUnit(n) || !isUnit(m)) return false;
     if (glm::length(n + glm::dvec3(openAt(m, kOcclusion)) - m) < 0.05 || fromEdge(skyDirection(n, m)) < 1e-3) return false;
     const glm::dvec3 toEye = glm::normalize(kSkinCamera - x.vec3(3));
     return fromEdge(glm::reflect(-toEye, n)) > 1e-3 && std::abs(glm::dot(n, toEye)) > 1e-3;
@@ -179,23 +181,20 @@ std::vector<FunctionCase> sums() {
         lampCase("moreReflected", std::string(kPoint) + "return float4(moreReflected(p, tgSafeNormalize(gCameraPosition - p.world)), 0);",
                  pointArguments(),
                  [](const Inputs& x) { return values(skyMirrored(x) + lampMirrored(x, 0) + lampMirrored(x, 1) + lampMirrored(x, 2)); }));
-    const std::vector<std::pair<std::string, std::string>> alone = {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SURROUNDINGS", "1"}};
     const std::string share = std::string(kPoint) + "LitShare s = skinShare(p, float3(0.4, 0.5, 0.6)); ";
     const auto shown = [](const Inputs& x) { // of light that falls on the point
         return x.vec3(4) * (1 - x.scalar(5)) + glm::dvec3(0.4, 0.5, 0.6) * x.vec3(4) * x.scalar(5) * kSkinLeft * kSkinLeft;
     };
-    cases.push_back(lampCase(
-        "aloneSurroundings", share + "return aloneSurroundings(s);", pointArguments(),
-        [=](const Inputs& x) { return values(glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * shown(x) + skyMirrored(x)); }, alone));
+    cases.push_back(lampCase("aloneSurroundings", share + "return aloneSurroundings(s);", pointArguments(), [=](const Inputs& x) {
+        return values(glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * shown(x) + skyMirrored(x));
+    }));
     for (std::size_t i = 0; i < 3; ++i)
-        cases.push_back(lampCase(
-            i == 0 ? "aloneLamp" : "ALONE_LAMP", share + "return aloneLamp" + std::to_string(i + 1) + "(s);", pointArguments(),
-            [=](const Inputs& x) {
-                const Arriving a = arriving(i, x.vec3(3), seenAt(x.scalar(0)));
-                const double cosine = std::clamp(glm::dot(x.vec3(1), a.toLight), 0.0, 1.0);
-                return values(a.light * cosine * shown(x) + lampMirrored(x, i));
-            },
-            alone));
+        cases.push_back(lampCase(i == 0 ? "aloneLamp" : "ALONE_LAMP", share + "return aloneLamp" + std::to_string(i + 1) + "(s);",
+                                 pointArguments(), [=](const Inputs& x) {
+                                     const Arriving a = arriving(i, x.vec3(3), seenAt(x.scalar(0)));
+                                     const double cosine = std::clamp(glm::dot(x.vec3(1), a.toLight), 0.0, 1.0);
+                                     return values(a.light * cosine * shown(x) + lampMirrored(x, i));
+                                 }));
     for (FunctionCase& each : cases) {
         if (each.function.starts_with("alone") || each.function == "ALONE_LAMP") addLightByLight(each);
         each.domain = isPoint;
@@ -225,7 +224,7 @@ std::vector<FunctionCase> parts() {
                              [](const Inputs& x) { return values(openAt(x.vec3(0), x.scalar(1))); }));
     cases.push_back(lampCase("surroundingsAt", "return float4(surroundingsAt(a0, a1), 0);", {unit(), linear(0, 4)},
                              [](const Inputs& x) { return values(skyAt(x.vec3(0))); }));
-    cases.back().domain = [](const Inputs& x) { return std::abs(glm::length(x.vec3(0)) - 1) < 1e-3 && fromEdge(x.vec3(0)) > 1e-3; };
+    cases.back().domain = [](const Inputs& x) { return isUnit(x.vec3(0)) && fromEdge(x.vec3(0)) > 1e-3; };
     return cases;
 }
 
@@ -277,11 +276,7 @@ constexpr const char* kReceiver =
 
 /// Squares of 16 texels at 600 mm, and nothing between them: what lets light through depends on how wide a penumbra is.
 TestMap chequered() {
-    TestMap map{.size = kTestMapSize, .texels = {}};
-    for (int y = 0; y < kTestMapSize; ++y)
-        for (int x = 0; x < kTestMapSize; ++x)
-            map.texels.push_back({(x / 16 + y / 16) % 2 == 0 ? 600.0F : 0, 0, 0, 0});
-    return map;
+    return mapOf(kTestMapSize, kTestMapSize, [](int x, int y) { return texelOf((x / 16 + y / 16) % 2 == 0 ? 600 : 0); });
 }
 
 /// Regression checks: the same calls of functions of hlsl/shadow, which have cases of their own, with sizes worked out here.
@@ -345,11 +340,7 @@ std::vector<FunctionCase> open() {
 } // namespace
 
 std::vector<FunctionCase> lampPassCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {sums, parts, seen, open})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(sums(), parts(), seen(), open());
 }
 
 } // namespace tegument::test

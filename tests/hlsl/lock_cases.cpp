@@ -170,10 +170,7 @@ std::vector<FunctionCase> shares() {
 } // namespace
 
 std::vector<FunctionCase> lockCases() {
-    auto all = places();
-    for (FunctionCase& each : shares())
-        all.push_back(std::move(each));
-    return all;
+    return together(places(), shares());
 }
 
 } // namespace tegument::test

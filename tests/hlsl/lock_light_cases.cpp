@@ -206,11 +206,7 @@ std::vector<FunctionCase> looks() {
 } // namespace
 
 std::vector<FunctionCase> lockLightCases() {
-    auto all = lights();
-    all.push_back(colours());
-    for (FunctionCase& each : looks())
-        all.push_back(std::move(each));
-    return all;
+    return together(lights(), colours(), looks());
 }
 
 } // namespace tegument::test

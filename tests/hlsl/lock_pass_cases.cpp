@@ -4,67 +4,26 @@
 
 #include "tests/hlsl/fur_light.h"
 #include "tests/hlsl/lock_scene.h"
+#include "tests/hlsl/maps.h"
 
 namespace tegument::test {
 
 namespace {
 
-constexpr double kWide = 640;
 constexpr double kThick = kLockLength * kLockMesh;
-const double kPixel = 2 * std::tan(0.3) / kWide; // at distance 1
-const glm::dvec3 kWarm = {0.9, 0.8, 0.7};        // colour of the light
-const glm::dvec3 kLamp = {20, -30, 300};
-constexpr double kEyeHeight = 600;
-
-double share(double x) {
-    return std::clamp(x, 0.0, 1.0);
-}
-
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
+const glm::dvec3 kEye = {0, 0, 600};
 
 FunctionCase lockCase(const char* function, std::string body, std::vector<Argument> arguments,
                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 1024,
-                      .globals = kLockScene,
-                      .effect = "FurCoat.fx"};
-    const std::map<std::string, std::vector<double>> more = {
-        {"gWorldInverseTranspose", kLockScene.at("gWorld")},
-        {"gViewProjection", {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400}},
-        {"gLightViewProjection", {2.5, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, -1.2, -1, -50, 75, 350, 300}},
-        {"gLightPosition", {kLamp.x, kLamp.y, kLamp.z}},
-        {"gLightColor", {kWarm.x, kWarm.y, kWarm.z}},
-        {"gLightNear", {100}},
-        {"gLightFar", {500}},
-        {"gCameraPosition", {0, 0, kEyeHeight}},
-        {"gCameraFov", {0.6}},
-        {"gViewportSize", {kWide, 480}},
-        {"gFurDown", {0, -1, 0}},
-        {"gFurEdge", {0.4}},
-        {"gFurCut", {0.3}},
-        {"gRibbonThin", {0.7}},
-        {"gCoatShadowStrands", {2}}};
-    for (const auto& [name, value] : more)
-        made.globals[name] = value;
-    return made;
-}
-
-/// White everywhere but where the strand brings a colour, no light: what a case sets comes back alone.
-void whiten(FunctionCase& made) {
-    for (const char* name :
-         {"gCoatRootColor", "gCoatMidColor", "gCoatTipColor", "gCoatUnderColor", "gCoatBellyColor", "gCoatGuardColor", "gCoatShortColor"})
-        made.globals[name] = {1, 1, 1};
-    for (const char* name : {"gCoatSky", "gCoatGround", "gCoatRim", "gLightColor"})
-        made.globals[name] = {0, 0, 0};
-    made.globals["gCoatBelly"] = {0};
-    made.globals["gCoatPainted"] = {0.5};
-    made.globals["gCoatVariation"] = {0.4};
+    const Globals more = {{"gWorldInverseTranspose", kLockScene.at("gWorld")},
+                          {"gCameraPosition", numbersOf(kEye)},
+                          {"gFurDown", {0, -1, 0}},
+                          {"gFurEdge", {0.4}},
+                          {"gFurCut", {0.3}},
+                          {"gRibbonThin", {0.7}},
+                          {"gCoatShadowStrands", {2}}};
+    return passCase("FurCoat.fx", with(with(kLockScene, kFurView), more), function, std::move(body), std::move(arguments),
+                    std::move(expected), std::move(tolerance));
 }
 
 double sineBetween(const glm::dvec3& a, const glm::dvec3& b) {
@@ -109,7 +68,7 @@ struct Coloured {
 
     explicit Coloured(const Inputs& x)
         : normal(x.vec3(0)), tangent(x.vec3(1)), offset(x.vec3(2)), toEye(x.vec3(4)), toLight(x.vec3(6)),
-          far(share((kPixel * glm::length(toEye) / kThick - 0.05) / 0.2)), along(glm::mix(x.scalar(3), 0.5, far)),
+          far(share((kFurPixel * glm::length(toEye) / kThick - 0.05) / 0.2)), along(glm::mix(x.scalar(3), 0.5, far)),
           height(0.8 * kThick * (1 - 0.55 * x.scalar(3, 1))) {
         const double vary = 0.4 * (1 - far); // no place of a strand shows from afar, but what many are on average
         albedo = (0.5 + 0.5 * 0.25 * (0.35 + 0.65 * along)) * (1 + vary * (x.scalar(5) - 0.5)) * (1 + vary * (x.scalar(5, 1) - 0.5));
@@ -134,11 +93,10 @@ std::vector<FunctionCase> colours() {
     };
     add([](const Inputs& x) { // light alone, on strands without highlights
         const Coloured c(x);
-        return values(kWarm * c.albedo * dull(c.normal, c.tangent, glm::normalize(c.toLight - c.offset)));
+        return values(kFurColour * c.albedo * dull(c.normal, c.tangent, glm::normalize(c.toLight - c.offset)));
     });
-    cases.back().globals["gLightColor"] = {kWarm.x, kWarm.y, kWarm.z};
-    for (const char* name : {"gCoatShine", "gCoatSheen", "gCoatThrough"})
-        cases.back().globals[name] = {0};
+    cases.back().globals["gLightColor"] = numbersOf(kFurColour);
+    setAll(cases.back(), {"gCoatShine", "gCoatSheen", "gCoatThrough"}, {0});
     add([](const Inputs& x) { // sky and ground alike: what the coat around leaves of them
         const Coloured c(x);
         const double gap = (0.2 + 0.8 * share(1.1 * c.up())) * (0.55 + 0.45 * share(1.4 * c.along));
@@ -151,21 +109,15 @@ std::vector<FunctionCase> colours() {
         const double above = share(0.6 + 0.4 * c.normal.y);
         return values(x.scalar(7) > 0.5 ? glm::dvec3(0) : kLockRim * (0.05 + c.albedo) * edge * edge * c.along * above);
     });
-    cases.back().globals["gCoatRim"] = {kLockRim.x, kLockRim.y, kLockRim.z};
+    cases.back().globals["gCoatRim"] = numbersOf(kLockRim);
     return cases;
 }
 
-/// Roots so dense that nothing stands beside its own, and strands of no length. Header and root are one texel.
-constexpr std::array<float, 4> kRootTexel = {1, 0, 0, 1e6F};
-
+/// Strands of no length, and no shadow.
 void flatten(FunctionCase& made) {
-    static const TestMap kRoots{.size = 1, .texels = {kRootTexel}};
-    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
-    made.map = &kRoots;
+    straighten(made);
     for (const char* name : {"gCoatSkinMap", "gCoatFrontMap", "gCoatOpacityMap", "gShadowMap"})
-        made.maps[name] = &kNone;
-    for (const char* name : {"gCoatLean", "gCoatStray", "gCoatCurl", "gCoatWaves", "gCoatLocks"})
-        made.globals[name] = {0};
+        made.maps[name] = oneTexel(0);
     made.globals["gCoatWind"] = {0, 0, 0};
     made.globals["gCoatGuard"] = {0.5};
     made.globals["gFurLength"] = {1e-6};
@@ -183,28 +135,6 @@ struct Strand {
     explicit Strand(const Inputs& x)
         : position(x.vec3(0)), address(std::round(x.scalar(1))), side(x.scalar(2) > 0.5 ? 1 : -1), along(std::round(x.scalar(3)) / 31),
           child(std::round(x.scalar(4))) {}
-
-    /// Of half of the strand: even to two thirds of its length, then a point. number: in its lock, underfur from 64 on.
-    [[nodiscard]] double radius(double under, double place) const {
-        const glm::dvec3 random = lockNumbers(address, child + 64 * under);
-        const glm::dvec3 more =
-            glm::fract(13.37 * glm::dvec3(random.z, random.x, random.y) + 7.91 * glm::dvec3(random.y, random.z, random.x));
-        const double guard = under < 0.5 && random.z <= 0.5 ? 1 : 0;
-        return kLockRadius * kLockMesh * (0.75 + 0.5 * more.y) * (1 + 0.3 * guard - 0.25 * under) * (1 - place * place * place);
-    }
-};
-
-/// How many of a lock's strands are drawn where pixels are so wide, and how much wider: docs/design/fur.md.
-struct Shared {
-    double share, begin, width, rank;
-
-    Shared(double pixel, double thinnest, double strands, double number) {
-        const double thin = 2 * kLockRadius * kLockMesh / (thinnest * pixel);
-        share = 0.9 * std::clamp(thin, 0.33, 1.0);
-        begin = std::min({-1.75 * (thin - kLockAfar / thinnest), 1.05 * thin - 0.175, 0.35});
-        rank = number / strands;
-        width = std::clamp(8 - 8 * rank / share, 0.0, 1.0) * 8 / 7.5 / share;
-    }
 };
 
 std::vector<Argument> strandArguments(int children) {
@@ -212,7 +142,7 @@ std::vector<Argument> strandArguments(int children) {
 }
 
 bool seen(const Strand& s) { // what looks away by more than a strand reaches is left out; the coat is at least 0.28 / 4 long for that
-    const glm::dvec3 toEye = glm::dvec3(0, 0, kEyeHeight) - s.position;
+    const glm::dvec3 toEye = kEye - s.position;
     return toEye.z > -std::sin(std::acos(1 / 1.42)) * glm::length(toEye);
 }
 
@@ -221,8 +151,9 @@ std::vector<FunctionCase> vertices() {
     for (const int under : {0, 1}) {
         const auto sharedOf = [=](const Inputs& x) {
             const Strand s(x);
-            const double pixel = kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position);
-            return under ? Shared(pixel, 1.05, 3, s.child + rootRank(s.address)) : Shared(pixel, 0.7, 4, s.child + rootRank(s.address));
+            const double pixel = kFurPixel * glm::length(kEye - s.position);
+            return under ? LockShare(pixel, 1.05, 3, s.child + rootRank(s.address))
+                         : LockShare(pixel, 0.7, 4, s.child + rootRank(s.address));
         };
         cases.push_back(lockCase("lockVarying",
                                  std::string(kVertexBody) + "RibbonVarying v = lockVarying(i, a4, " + (under ? "1.0" : "0.0") +
@@ -230,11 +161,11 @@ std::vector<FunctionCase> vertices() {
                                  strandArguments(under ? 2 : 3),
                                  [=](const Inputs& x) {
                                      const Strand s(x);
-                                     const Shared shared = sharedOf(x);
+                                     const LockShare shared = sharedOf(x);
                                      if (shared.rank >= shared.share || !seen(s)) return values(0);
                                      const double place = under ? s.along : std::max(s.along, shared.begin);
-                                     const double pixel = kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position);
-                                     const double radius = shared.width * s.radius(under, place) / pixel;
+                                     const double pixel = kFurPixel * glm::length(kEye - s.position);
+                                     const double radius = shared.width * lockRadius(s.address, s.child, under == 1, place) / pixel;
                                      const double half = std::max(radius, 0.5);
                                      const double thin = 2 * kLockRadius * kLockMesh / pixel;
                                      const bool afar = !under && thin / 0.7 < kLockAfar / 0.7 * shared.share;
@@ -244,10 +175,10 @@ std::vector<FunctionCase> vertices() {
         flatten(cases.back());
         cases.back().domain = [=](const Inputs& x) {
             const Strand s(x);
-            const Shared shared = sharedOf(x);
+            const LockShare shared = sharedOf(x);
             const double fraction = rootRank(s.address);
-            const double pixel = kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position);
-            const glm::dvec3 toEye = glm::dvec3(0, 0, kEyeHeight) - s.position;
+            const double pixel = kFurPixel * glm::length(kEye - s.position);
+            const glm::dvec3 toEye = kEye - s.position;
             return std::abs(shared.rank - shared.share) > 2e-3 && std::min(fraction, 1 - fraction) > 2e-3 && glm::length(toEye) > 50 &&
                    std::abs(toEye.z / glm::length(toEye) + 0.71) > 0.01 &&
                    std::abs(2 * kLockRadius * kLockMesh / pixel - kLockAfar * shared.share) > 1e-3;
@@ -265,8 +196,8 @@ std::vector<FunctionCase> opacities() {
     const auto sharedOf = [=](const Inputs& x) {
         const Strand s(x);
         const double rank = rootRank(s.address) + 0.5;
-        const double coarser = std::max(pixelOf(s), kPixel * glm::length(glm::dvec3(0, 0, kEyeHeight) - s.position));
-        return Shared(coarser, 0.7, 2, s.child + rank - std::floor(rank));
+        const double coarser = std::max(pixelOf(s), kFurPixel * glm::length(kEye - s.position));
+        return LockShare(coarser, 0.7, 2, s.child + rank - std::floor(rank));
     };
     const auto drawn = [=](const Inputs& x) { return sharedOf(x).rank < sharedOf(x).share; };
     const auto domain = [=](const Inputs& x) {
@@ -285,25 +216,26 @@ std::vector<FunctionCase> opacities() {
         cases.back().globals["gCoatRadius"] = {kLockRadius};
         cases.back().domain = domain;
     };
-    const auto halfOf = [=](const Inputs& x) {
-        return std::max(sharedOf(x).width * Strand(x).radius(0, Strand(x).along) / pixelOf(Strand(x)), 0.5);
+    const auto radiusOf = [=](const Inputs& x) { // pixels
+        const Strand s(x);
+        return sharedOf(x).width * lockRadius(s.address, s.child, false, s.along) / pixelOf(s);
     };
+    const auto halfOf = [=](const Inputs& x) { return std::max(radiusOf(x), 0.5); };
     add("float4(v.edge, v.place.w)",
         [=](const Inputs& x) {
             if (!drawn(x)) return values(0);
             const Strand s(x);
-            const double radius = sharedOf(x).width * s.radius(0, s.along) / pixelOf(s);
-            const double faint = radius / halfOf(x) * (4 + 0.3 * 3) / 2; // as opaque as all of the lock
-            return values(s.side * (halfOf(x) + 0.4), halfOf(x), faint, glm::length(kLamp - s.position));
+            const double faint = radiusOf(x) / halfOf(x) * (4 + 0.3 * 3) / 2; // as opaque as all of the lock
+            return values(s.side * (halfOf(x) + 0.4), halfOf(x), faint, glm::length(kFurLamp - s.position));
         },
         {.forward = 32, .backward = 2, .absolute = 1e-2, .why = "ranks to 5e-4, of two strands, by a share of 0.3, eight times, of 2.45"});
     add("float4(v.place.xyz, 0)",
         [=](const Inputs& x) {
             if (!drawn(x)) return values(0, 0, 1);
             const Strand s(x);
-            const glm::dvec3 aside = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), kLamp - s.position));
+            const glm::dvec3 aside = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), kFurLamp - s.position));
             const glm::dvec3 world = s.position + s.side * (halfOf(x) + 0.4) * pixelOf(s) * aside;
-            return values(2.5 * (world.x - kLamp.x), 2.5 * (world.y - kLamp.y), 300 - world.z);
+            return values(2.5 * (world.x - kFurLamp.x), 2.5 * (world.y - kFurLamp.y), 300 - world.z);
         },
         {.forward = 16, .backward = 2, .absolute = 0.02, .why = "as above, in mm of up to 1.6, times 2.5"});
     return cases;
@@ -311,13 +243,7 @@ std::vector<FunctionCase> opacities() {
 
 /// A map of depths that differ from texel to texel.
 const TestMap& steppedMap() {
-    static const TestMap kMap = [] {
-        TestMap map{.size = 256, .texels = {}};
-        for (int y = 0; y < 256; ++y)
-            for (int x = 0; x < 256; ++x)
-                map.texels.push_back({y % 3 == 0 ? 0.0F : static_cast<float>(285 + (7 * y + 3 * x) % 23), 0, 0, 0});
-        return map;
-    }();
+    static const TestMap kMap = mapOf(256, 256, [](int x, int y) { return texelOf(y % 3 == 0 ? 0 : 285 + (7 * y + 3 * x) % 23); });
     return kMap;
 }
 
@@ -327,7 +253,6 @@ bool insideTexel(double coordinate) {
 }
 
 std::vector<FunctionCase> pixels() {
-    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
     const auto coverage = [](const Inputs& x) { return std::abs(x.scalar(2)) * share(x.scalar(1) + 0.5 - std::abs(x.scalar(0))); };
     const char* made = "RibbonVarying r = (RibbonVarying)0; r.color = float4(0.1, 0.2, 0.3, a2); r.edge = float2(a0, a1); ";
     const std::vector<Argument> edges = {linear(-2, 2), linear(0.5, 1), linear(-1, 1)};
@@ -367,7 +292,7 @@ std::vector<FunctionCase> pixels() {
     cases.back().domain = [](const Inputs& x) { return insideTexel(0.5 + 0.5 * x.scalar(0)) && insideTexel(0.5 - 0.5 * x.scalar(2)); };
     cases.push_back(lockCase("coatOpen", "return float4(coatOpen(a0, 0.01), 0, 0, 0);", {linear(-60, 60, 3)},
                              [](const Inputs& x) { // two taps, 1.05 texels above and below: the skin's shadow alone
-                                 const glm::dvec3 from = x.vec3(0) - kLamp;
+                                 const glm::dvec3 from = x.vec3(0) - kFurLamp;
                                  const glm::dvec2 place(0.5 + 1.25 * from.x / -from.z, 0.5 - 1.25 * from.y / -from.z);
                                  double open = 1;
                                  for (const double side : {-1.05, 1.05}) {
@@ -378,10 +303,10 @@ std::vector<FunctionCase> pixels() {
                              },
                              {.forward = 8, .backward = 2, .absolute = 1e-4, .why = "distances of 300 mm to 3e-5, by 2.4"}));
     for (const char* name : {"gCoatFrontMap", "gCoatOpacityMap"})
-        cases.back().maps[name] = &kNone;
+        cases.back().maps[name] = oneTexel(0);
     cases.back().maps["gCoatSkinMap"] = &steppedMap();
     cases.back().domain = [](const Inputs& x) {
-        const glm::dvec3 from = x.vec3(0) - kLamp;
+        const glm::dvec3 from = x.vec3(0) - kFurLamp;
         const glm::dvec2 place(0.5 + 1.25 * from.x / -from.z, 0.5 - 1.25 * from.y / -from.z);
         return insideTexel(place.x) && insideTexel(place.y + 1.05 / 256) && insideTexel(place.y - 1.05 / 256);
     };
@@ -391,7 +316,7 @@ std::vector<FunctionCase> pixels() {
                              {unit(), linear(-80, 80, 3)},
                              [](const Inputs& x) { // moved out by the coat, whose tips hang
                                  const glm::dvec3 tip = x.vec3(1) + kThick * (x.vec3(0) + glm::dvec3(0, -0.25, 0));
-                                 return values(glm::length(kLamp - tip), glm::length(kLamp - x.vec3(1)));
+                                 return values(glm::length(kFurLamp - tip), glm::length(kFurLamp - x.vec3(1)));
                              },
                              {.forward = 8, .backward = 2, .absolute = 1e-4, .why = "lengths of 400"}));
     cases.back().globals["gFurLean"] = {0.25};
@@ -400,22 +325,13 @@ std::vector<FunctionCase> pixels() {
 }
 
 /// Sums of opacity that tell the level that they were read from.
-const TestMap& leveledMap() {
-    static const TestMap kMap = [] {
-        TestMap map{.size = 256, .texels = {}, .mips = 9};
-        for (int mip = 0; mip < map.mips; ++mip) {
-            const auto sum = static_cast<float>(mip + 1);
-            map.texels.insert(map.texels.end(), std::size_t{1} << (16 - 2 * mip), {sum, sum, sum, sum});
-        }
-        return map;
-    }();
+const TestMap& opacityLevels() {
+    static const TestMap kMap = leveledMap(false, [](int mip) { return texelOf(glm::dvec4(mip + 1)); });
     return kMap;
 }
 
 /// Light is blurred across 1.25 pixels of the picture, and at least 1.4 texels of the map. Here the nearest level is read.
 std::vector<FunctionCase> levels() {
-    static const TestMap kNone{.size = 1, .texels = {{0, 0, 0, 0}}};
-    static const TestMap kFront{.size = 1, .texels = {{1, 0, 0, 0}}};
     std::vector<FunctionCase> cases;
     for (const bool parallel : {false, true}) {
         const double texel = parallel ? 2.0 / 256 * 100 : 2.0 / 256 * 300 / 2.5; // mm, amid the mesh
@@ -423,7 +339,7 @@ std::vector<FunctionCase> levels() {
         cases.push_back(lockCase("coatOpen", "return float4(coatOpen(0.0, a0), 0, 0, 0);", {linear(0.1, 8)},
                                  [=](const Inputs& x) { return values(std::exp(-0.1 * (1 + std::round(levelOf(x))))); },
                                  {.forward = 8, .backward = 0, .why = "an exponential"}));
-        cases.back().maps = {{"gCoatSkinMap", &kNone}, {"gCoatFrontMap", &kFront}, {"gCoatOpacityMap", &leveledMap()}};
+        cases.back().maps = {{"gCoatSkinMap", oneTexel(0)}, {"gCoatFrontMap", oneTexel(1)}, {"gCoatOpacityMap", &opacityLevels()}};
         cases.back().globals["gCoatShadow"] = {0.1};
         if (parallel) cases.back().globals["gLightViewProjection"] = {0.01, 0, 0, 0, 0, 0.01, 0, 0, 0, 0, -0.002, 0, 0, 0, 0.9, 1};
         cases.back().domain = [=](const Inputs& x) { return std::abs(levelOf(x) - std::floor(levelOf(x)) - 0.5) > 0.01; };
@@ -434,11 +350,7 @@ std::vector<FunctionCase> levels() {
 } // namespace
 
 std::vector<FunctionCase> lockPassCases() {
-    std::vector<FunctionCase> all = {lamps()};
-    for (auto make : {colours, vertices, opacities, pixels, levels})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(lamps(), colours(), vertices(), opacities(), pixels(), levels());
 }
 
 } // namespace tegument::test

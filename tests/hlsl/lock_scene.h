@@ -1,8 +1,8 @@
 #pragma once
 // What the cases of locks have in common: parameters of effects/FurCoat.fx, each with a number of its own, and numbers of roots.
 
-#include "tests/hlsl/function_case.h"
 #include "tests/hlsl/fur_numbers.h"
+#include "tests/hlsl/fur_view.h"
 
 namespace tegument::test {
 
@@ -23,11 +23,11 @@ inline const glm::dvec3 kLockSky = {0.24, 0.28, 0.34};
 inline const glm::dvec3 kLockGround = {0.19, 0.15, 0.12};
 inline const glm::dvec3 kLockRim = {0.22, 0.23, 0.26};
 
-inline const std::map<std::string, std::vector<double>> kLockScene = {
+inline const Globals kLockScene = {
     {"gWorld", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
     {"gUnitMm", {1}},
     {"gMeshRadius", {kLockMesh}},
-    {"gBoundingCenter", {kLockCentre.x, kLockCentre.y, kLockCentre.z}},
+    {"gBoundingCenter", numbersOf(kLockCentre)},
     {"gFurLength", {kLockLength}},
     {"gFurShare", {0.9}},
     {"gRibbonFewest", {0.33}},
@@ -40,16 +40,16 @@ inline const std::map<std::string, std::vector<double>> kLockScene = {
     {"gCoatGusts", {0.5, 0.7, 0.8}},
     {"gCoatWind", {0.3, -0.2, 0.1}},
     {"gTime", {1.7}},
-    {"gCoatRootColor", {kLockRoot.x, kLockRoot.y, kLockRoot.z}},
-    {"gCoatMidColor", {kLockMid.x, kLockMid.y, kLockMid.z}},
-    {"gCoatTipColor", {kLockTip.x, kLockTip.y, kLockTip.z}},
-    {"gCoatUnderColor", {kLockUnder.x, kLockUnder.y, kLockUnder.z}},
-    {"gCoatBellyColor", {kLockPale.x, kLockPale.y, kLockPale.z}},
-    {"gCoatGuardColor", {kLockGuards.x, kLockGuards.y, kLockGuards.z}},
-    {"gCoatShortColor", {kLockShort.x, kLockShort.y, kLockShort.z}},
-    {"gCoatSky", {kLockSky.x, kLockSky.y, kLockSky.z}},
-    {"gCoatGround", {kLockGround.x, kLockGround.y, kLockGround.z}},
-    {"gCoatRim", {kLockRim.x, kLockRim.y, kLockRim.z}},
+    {"gCoatRootColor", numbersOf(kLockRoot)},
+    {"gCoatMidColor", numbersOf(kLockMid)},
+    {"gCoatTipColor", numbersOf(kLockTip)},
+    {"gCoatUnderColor", numbersOf(kLockUnder)},
+    {"gCoatBellyColor", numbersOf(kLockPale)},
+    {"gCoatGuardColor", numbersOf(kLockGuards)},
+    {"gCoatShortColor", numbersOf(kLockShort)},
+    {"gCoatSky", numbersOf(kLockSky)},
+    {"gCoatGround", numbersOf(kLockGround)},
+    {"gCoatRim", numbersOf(kLockRim)},
     {"gCoatUnderLength", {0.55}},
     {"gCoatBelly", {0.8}},
     {"gCoatGuard", {0.16}},
@@ -83,6 +83,50 @@ inline glm::dvec3 lockNumbers(double address, double child) {
     const std::int64_t whole = std::llround(address);
     const Residues mixed = mixedWhole({whole % 4096, whole / 4096, 37 * std::llround(child) + 11});
     return (glm::dvec3(static_cast<double>(mixed[0]), static_cast<double>(mixed[1]), static_cast<double>(mixed[2])) + 0.5) / 1019.0;
+}
+
+/// Others, made of those.
+inline glm::dvec3 lockMore(const glm::dvec3& random) {
+    return glm::fract(13.37 * glm::dvec3(random.z, random.x, random.y) + 7.91 * glm::dvec3(random.y, random.z, random.x));
+}
+
+/// Of half of a strand, half of them guard hairs: even to two thirds of its length, then a point.
+inline double lockRadius(double address, double child, bool under, double along) {
+    const glm::dvec3 random = lockNumbers(address, under ? child + 64 : child);
+    const double guard = !under && random.z <= 0.5 ? 1 : 0;
+    const double own = (0.75 + 0.5 * lockMore(random).y) * (1 + 0.3 * guard - (under ? 0.25 : 0));
+    return kLockRadius * kLockMesh * own * (1 - along * along * along);
+}
+
+/// How many of a lock's strands are drawn where pixels are so wide, and how much wider: docs/design/fur.md.
+struct LockShare {
+    double share, begin, width, rank;
+
+    LockShare(double pixel, double thinnest, double strands, double number) {
+        const double thin = 2 * kLockRadius * kLockMesh / (thinnest * pixel);
+        share = 0.9 * std::clamp(thin, 0.33, 1.0);
+        begin = std::min({-1.75 * (thin - kLockAfar / thinnest), 1.05 * thin - 0.175, 0.35});
+        rank = number / strands;
+        width = std::clamp(8 - 8 * rank / share, 0.0, 1.0) * 8 / 7.5 / share;
+    }
+};
+
+/// Strands stand upright, each on a root so dense that nothing stands beside its own. Header and root are one texel.
+inline void straighten(FunctionCase& made) {
+    static const TestMap kRoots{.size = 1, .texels = {{1, 0, 0, 1e6F}}};
+    made.map = &kRoots;
+    setAll(made, {"gCoatLean", "gCoatStray", "gCoatCurl", "gCoatWaves", "gCoatLocks"}, {0});
+}
+
+/// White everywhere but where the strand brings a colour, no light: what a case sets comes back alone.
+inline void whiten(FunctionCase& made) {
+    setAll(made,
+           {"gCoatRootColor", "gCoatMidColor", "gCoatTipColor", "gCoatUnderColor", "gCoatBellyColor", "gCoatGuardColor", "gCoatShortColor"},
+           {1, 1, 1});
+    setAll(made, {"gCoatSky", "gCoatGround", "gCoatRim", "gLightColor"}, {0, 0, 0});
+    made.globals["gCoatBelly"] = {0};
+    made.globals["gCoatPainted"] = {0.5};
+    made.globals["gCoatVariation"] = {0.4};
 }
 
 } // namespace tegument::test

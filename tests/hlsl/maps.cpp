@@ -17,11 +17,7 @@ std::uint32_t scattered(int x, int y) {
 
 template <class Texel>
 TestMap fill(Texel texel) {
-    TestMap map{.size = kTestMapSize, .texels = {}};
-    for (int y = 0; y < kTestMapSize; ++y)
-        for (int x = 0; x < kTestMapSize; ++x)
-            map.texels.push_back(texel(x, y));
-    return map;
+    return mapOf(kTestMapSize, kTestMapSize, texel);
 }
 
 float wave(int x, int y, double period, double phase) {
@@ -29,6 +25,18 @@ float wave(int x, int y, double period, double phase) {
 }
 
 } // namespace
+
+std::array<float, 4> texelOf(double x, double y, double z, double w) {
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
+}
+
+std::array<float, 4> texelOf(const glm::dvec4& v) {
+    return texelOf(v.x, v.y, v.z, v.w);
+}
+
+TestMap oneTexel(double x, double y, double z, double w) {
+    return {.size = 1, .texels = {texelOf(x, y, z, w)}};
+}
 
 const TestMap& shadowMap() {
     static const TestMap kMap = fill([](int x, int y) -> std::array<float, 4> {

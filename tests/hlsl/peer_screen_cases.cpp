@@ -399,11 +399,7 @@ std::vector<FunctionCase> discs() {
 } // namespace
 
 std::vector<FunctionCase> peerScreenCases() {
-    std::vector<FunctionCase> cases = geometry();
-    for (auto make : {kernels, discs})
-        for (FunctionCase& one : make())
-            cases.push_back(std::move(one));
-    return cases;
+    return together(geometry(), kernels(), discs());
 }
 
 } // namespace tegument::test

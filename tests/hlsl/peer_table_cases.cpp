@@ -260,11 +260,7 @@ std::vector<FunctionCase> penumbras() {
 } // namespace
 
 std::vector<FunctionCase> peerTableCases() {
-    std::vector<FunctionCase> cases = integrals();
-    for (auto make : {lookups, penumbras})
-        for (FunctionCase& one : make())
-            cases.push_back(std::move(one));
-    return cases;
+    return together(integrals(), lookups(), penumbras());
 }
 
 } // namespace tegument::test

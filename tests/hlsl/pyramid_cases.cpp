@@ -374,11 +374,7 @@ std::vector<FunctionCase> shadowCasesOfPlanes() {
 } // namespace
 
 std::vector<FunctionCase> pyramidCases() {
-    std::vector<FunctionCase> cases = ladderCases();
-    for (auto make : {mapCases, shadowCasesOfPlanes})
-        for (FunctionCase& one : make())
-            cases.push_back(std::move(one));
-    return cases;
+    return together(ladderCases(), mapCases(), shadowCasesOfPlanes());
 }
 
 } // namespace tegument::test

@@ -1,6 +1,5 @@
 // The last pass of the pyramid (effects/passes/pyramid_final.fxh, and what pyramid_compute.fxh knows of a pixel) in double precision.
 
-#include "tests/hlsl/maps.h"
 #include "tests/hlsl/pyramid_pass_scene.h"
 
 #include <algorithm>
@@ -55,18 +54,8 @@ std::vector<FunctionCase> pictures() {
     cases.back().maps["gShadowMap"] = oneTexel(0);
     cases.back().tolerance.backward = 16;
     cases.back().tolerance.absolute = 1e-3; // a table's filter of 8 bits, of light that was brought back by the third of its colour
-    cases.back().domain = [](const Inputs& x) { return std::abs(glm::length(x.vec3(3)) - 1) < 1e-3 && std::abs(x.scalar(3, 2)) > 1e-5; };
+    cases.back().domain = [](const Inputs& x) { return isUnit(x.vec3(3)) && std::abs(x.scalar(3, 2)) > 1e-5; };
     return cases;
-}
-
-constexpr const char* kFacing =
-    "LitPoint p = (LitPoint)0; p.normal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); p.axisX = float3(1, 0, 0); "
-    "p.axisY = float3(0, 1, 0); p.cosine = 1.0; p.meshNormal = float3(0, 0, 1); p.lightUv = a0; p.depth = a1; "
-    "p.footprint = a2; p.scatters = a3; return float4(finalShadow(p), 0, 0, 0);";
-
-double litAt(const glm::dvec2& uv, double depth) {
-    const double stored = shadowMap().at(uv).x;
-    return stored <= 0 || depth <= stored ? 1 : 0;
 }
 
 /// As wide as the first Gaussian of skin where the map resolves that, else as sharp as the map; of plain material three quarters of a texel
@@ -76,34 +65,28 @@ double shadowAt(const Inputs& x) {
     const double depth = x.scalar(1) - kSkinTolerance;
     const double footprint = x.scalar(2);
     const bool plain = x.scalar(3) < 0.5;
+    if (plain || footprint < 0.15) {
+        const double narrow = std::sqrt(0.0064 / 1.25); // four taps in a row have 5/4 of their distance squared as their variance
+        return tapsLit(uv, depth, footprint, plain ? std::max(0.75 * footprint, narrow) : narrow);
+    }
     const double texel = 1.0 / kTestMapSize;
+    const glm::dvec2 corner = glm::floor(uv / texel - 0.5);
+    const glm::dvec2 f = uv / texel - 0.5 - corner;
     double lit = 0;
-    if (!plain && footprint >= 0.15) {
-        const glm::dvec2 corner = glm::floor(uv / texel - 0.5);
-        const glm::dvec2 f = uv / texel - 0.5 - corner;
-        for (int i = 0; i < 4; ++i)
-            lit += (i % 2 == 0 ? 1 - f.x : f.x) * (i < 2 ? 1 - f.y : f.y) * litAt((corner + glm::dvec2(i % 2, i / 2) + 0.5) * texel, depth);
-        return lit;
-    }
-    const double narrow = std::sqrt(0.0064 / 1.25); // four taps in a row have 5/4 of their distance squared as their variance
-    const double apart = plain ? std::max(0.75 * footprint, narrow) : narrow;
-    const double turn = std::atan(0.25);
-    for (int i = 0; i < 16; ++i) {
-        const glm::dvec2 square = apart * glm::dvec2(i % 4 - 1.5, i / 4 - 1.5);
-        const glm::dvec2 right(std::cos(turn), std::sin(turn));
-        const glm::dvec2 at(glm::dot(square, glm::dvec2(right.x, -right.y)), glm::dot(square, glm::dvec2(right.y, right.x)));
-        lit += litAt(uv + glm::dvec2(at.x, -at.y) * texel / footprint, depth) / 16;
-    }
+    for (int i = 0; i < 4; ++i)
+        lit += (i % 2 == 0 ? 1 - f.x : f.x) * (i < 2 ? 1 - f.y : f.y) * litAt((corner + glm::dvec2(i % 2, i / 2) + 0.5) * texel, depth);
     return lit;
 }
 
 std::vector<FunctionCase> shadows() {
-    FunctionCase made = pyramidCase("finalShadow", kFacing, {linear(0.1, 0.9, 2), linear(596, 604), linear(0.05, 0.4), whole(0, 1)},
-                                    [](const Inputs& x) { return values(shadowAt(x)); });
+    FunctionCase made = pyramidCase(
+        "finalShadow",
+        std::string(kFacing) + "p.lightUv = a0; p.depth = a1; p.footprint = a2; p.scatters = a3; return float4(finalShadow(p), 0, 0, 0);",
+        {linear(0.1, 0.9, 2), linear(596, 604), linear(0.05, 0.4), whole(0, 1)}, [](const Inputs& x) { return values(shadowAt(x)); });
     made.map = &shadowMap();
     made.filtered = false;
     made.samples = 2048;
-    made.tolerance = {.forward = 4, .backward = 16, .absolute = 0.07, .why = "a tap on the border of a texel may see either"};
+    made.tolerance = kTapTolerance;
     made.domain = [](const Inputs& x) { return x.scalar(2) > 0.05 && std::abs(x.scalar(2) - 0.15) > 1e-4; };
     return {made};
 }
@@ -132,14 +115,6 @@ double stepAt(int x, int y, int dx, int dy) {
 }
 
 std::vector<FunctionCase> pixels() {
-    TestMap places{.size = 8, .texels = {}};
-    TestMap depths{.size = 8, .texels = {}};
-    for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x) {
-            const glm::dvec4 p = pixelOf(x, y);
-            places.texels.push_back({static_cast<float>(p.x), static_cast<float>(p.y), 0, 0});
-            depths.texels.push_back({static_cast<float>(p.z), 0, 0, 0});
-        }
     FunctionCase made =
         pyramidCase("placeFootprint", "int2 at = int2(a0, a1); return float4(placeFootprint(at, gPlaceMap.Load(int3(at, 0)).xy), 0, 0, 0);",
                     {whole(0, 7), whole(0, 7)}, [](const Inputs& x) {
@@ -147,8 +122,8 @@ std::vector<FunctionCase> pixels() {
                         const auto j = static_cast<int>(std::round(x.scalar(1)));
                         return values(std::max({stepAt(i, j, 1, 0), stepAt(i, j, 0, 1), 1e-10}));
                     });
-    made.maps["gPlaceMap"] = places;
-    made.maps["gPlaceDepthMap"] = depths;
+    made.maps["gPlaceMap"] = mapOf(8, 8, [](int x, int y) { return texelOf(pixelOf(x, y).x, pixelOf(x, y).y); });
+    made.maps["gPlaceDepthMap"] = mapOf(8, 8, [](int x, int y) { return texelOf(pixelOf(x, y).z); });
     made.tolerance = {.forward = 16, .backward = 0, .absolute = 4e-7, .why = "differences of places up to 1"};
     return {made};
 }
@@ -156,11 +131,7 @@ std::vector<FunctionCase> pixels() {
 } // namespace
 
 std::vector<FunctionCase> pyramidFinalCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {pictures, shadows, pixels})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(pictures(), shadows(), pixels());
 }
 
 } // namespace tegument::test

@@ -44,17 +44,12 @@ glm::dvec4 quartersAt(int x, int y) {
 }
 
 TestMap sheetOf(bool coarse, double fourth) {
-    TestMap sheet{.size = kTiles * kSide, .texels = {}, .height = kTiles * kTileRows};
-    for (int y = 0; y < sheet.height; ++y)
-        for (int x = 0; x < sheet.size; ++x) {
-            const int k = y / kTileRows * kTiles + x / kSide;
-            const bool last = k == kTiles * kTiles - 1;
-            const glm::dvec4 t = !last                   ? linkIn(x % kSide, y % kTileRows, k, coarse)
-                                 : y % kTileRows < kSide ? quartersAt(x % kSide, y % kTileRows)
-                                                         : glm::dvec4(0);
-            sheet.texels.push_back({static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
-        }
-    sheet.texels.back() = {kTiles, static_cast<float>(fourth), static_cast<float>(kHigh), 0};
+    TestMap sheet = mapOf(kTiles * kSide, kTiles * kTileRows, [=](int x, int y) {
+        const int k = y / kTileRows * kTiles + x / kSide;
+        if (k < kTiles * kTiles - 1) return texelOf(linkIn(x % kSide, y % kTileRows, k, coarse));
+        return y % kTileRows < kSide ? texelOf(quartersAt(x % kSide, y % kTileRows)) : texelOf(0);
+    });
+    sheet.texels.back() = texelOf(kTiles, fourth, kHigh);
     return sheet;
 }
 
@@ -63,12 +58,8 @@ glm::dvec4 fullLink(int x, int y, int k) {
 }
 
 TestMap fullSheet() {
-    TestMap sheet{.size = kTiles * kSide, .texels = {}};
-    for (int y = 0; y < sheet.size; ++y)
-        for (int x = 0; x < sheet.size; ++x) {
-            const glm::dvec4 t = fullLink(x % kSide, y % kSide, y / kSide * kTiles + x / kSide);
-            sheet.texels.push_back({static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
-        }
+    TestMap sheet = mapOf(kTiles * kSide, kTiles * kSide,
+                          [](int x, int y) { return texelOf(fullLink(x % kSide, y % kSide, y / kSide * kTiles + x / kSide)); });
     sheet.texels.back() = {kTiles, 0, 1, 0};
     return sheet;
 }
@@ -288,11 +279,7 @@ std::vector<FunctionCase> levels() {
 } // namespace
 
 std::vector<FunctionCase> pyramidLinkCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {parts, lists, levels})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(parts(), lists(), levels());
 }
 
 } // namespace tegument::test

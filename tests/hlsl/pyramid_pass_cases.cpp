@@ -1,7 +1,6 @@
 // Levels of the pyramid and the light that enters it (effects/passes/pyramid.fxh, pyramid_compute.fxh) against
 // docs/design/modules/Pyramid.md.
 
-#include "tests/hlsl/maps.h"
 #include "tests/hlsl/pyramid_pass_scene.h"
 
 #include <algorithm>
@@ -111,31 +110,11 @@ std::vector<FunctionCase> entering() {
     return cases;
 }
 
-/// 4 x 4 taps over a square that is turned by atan(1/4), `apart` mm from each other, on a plane that faces the light.
-double tapsLit(const glm::dvec2& uv, double depth, double footprint, double apart) {
-    double lit = 0;
-    const double turn = std::atan(0.25);
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i) {
-            const glm::dvec2 square = apart * glm::dvec2(i - 1.5, j - 1.5);
-            const double right = std::cos(turn) * square.x - std::sin(turn) * square.y;
-            const double up = std::sin(turn) * square.x + std::cos(turn) * square.y;
-            const double stored = shadowMap().at(uv + glm::dvec2(right, -up) / (footprint * kTestMapSize)).x;
-            lit += stored <= 0 || depth <= stored ? 1.0 / 16 : 0;
-        }
-    return lit;
-}
-
-constexpr const char* kPoint =
-    "LitPoint p = (LitPoint)0; p.normal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); p.axisX = float3(1, 0, 0); "
-    "p.axisY = float3(0, 1, 0); p.cosine = 1.0; p.meshNormal = float3(0, 0, 1); ";
-const Tolerance kTapTolerance = {.forward = 4, .backward = 16, .absolute = 0.07, .why = "a tap on the border of a texel may see either"};
-
 std::vector<FunctionCase> shadows() {
     std::vector<FunctionCase> cases;
     // Taps a quarter of a texel of the base from each other, three quarters to six texels of the shadow map.
     cases.push_back(pyramidCase(
-        "entryShadow", std::string(kPoint) + "p.lightUv = a0; p.depth = a1; p.footprint = a3; return float4(entryShadow(p, a2), 0, 0, 0);",
+        "entryShadow", std::string(kFacing) + "p.lightUv = a0; p.depth = a1; p.footprint = a3; return float4(entryShadow(p, a2), 0, 0, 0);",
         {linear(0.1, 0.9, 2), linear(596, 604), logarithmic(0.002, 4), linear(0.1, 2)}, [](const Inputs& x) {
             const double f = x.scalar(3);
             const double apart = std::clamp(0.25 / std::sqrt(x.scalar(2)), 0.75 * f, 6 * f);
@@ -151,7 +130,7 @@ std::vector<FunctionCase> shadows() {
         const double mesh = x.scalar(0);
         return values(std::min(mesh, x.scalar(1)) > 0 ? horizonOf(mesh) : 0);
     };
-    const std::string low = std::string(kPoint) + "p.meshNormal = float3(sqrt(1.0 - a0 * a0), 0, a0); p.cosine = a1; p.footprint = 0.2; ";
+    const std::string low = std::string(kFacing) + "p.meshNormal = float3(sqrt(1.0 - a0 * a0), 0, a0); p.cosine = a1; p.footprint = 0.2; ";
     cases.push_back(
         pyramidCase("entryShadow", low + "return float4(entryShadow(p, 1.0), 0, 0, 0);", {linear(-0.01, 0.02), linear(-0.1, 1)}, own));
     cases.push_back(pyramidCase("finalShadow", low + "p.scatters = a2; return float4(finalShadow(p), 0, 0, 0);",
@@ -187,11 +166,7 @@ std::vector<FunctionCase> computed() {
 } // namespace
 
 std::vector<FunctionCase> pyramidPassCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {weights, entryPoints, entering, shadows, computed})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(weights(), entryPoints(), entering(), shadows(), computed());
 }
 
 } // namespace tegument::test

@@ -17,15 +17,8 @@ const glm::dvec3 kColumn = {0.004, -0.003, 0.002};
 } // namespace
 
 const TestMap& ladderTable() {
-    static const TestMap kMade = [] {
-        TestMap map{.size = kTable, .texels = {}};
-        for (int row = 0; row < kTable; ++row)
-            for (int column = 0; column < kTable; ++column) {
-                const glm::dvec3 v = rowOfTable(row) + double(column) * kColumn;
-                map.texels.push_back({static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 1});
-            }
-        return map;
-    }();
+    static const TestMap kMade =
+        mapOf(kTable, kTable, [](int column, int row) { return texelOf(glm::dvec4(rowOfTable(row) + double(column) * kColumn, 1)); });
     return kMade;
 }
 
@@ -83,6 +76,24 @@ glm::dvec4 levelAlone(const glm::dvec4& texel, double level, double density, boo
     if (fourth) weight -= (1 - texel.w) * ladderAt(16 + level + 1, d); // what other charts send comes along links
     const glm::dvec3 light = texel.w > 0 ? glm::dvec3(texel) / texel.w : glm::dvec3(0);
     return {light * weight, linked ? -d : d};
+}
+
+double litAt(const glm::dvec2& uv, double depth) {
+    const double stored = shadowMap().at(uv).x;
+    return stored <= 0 || depth <= stored ? 1 : 0;
+}
+
+double tapsLit(const glm::dvec2& uv, double depth, double footprint, double apart) {
+    double lit = 0;
+    const double turn = std::atan(0.25);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec2 square = apart * glm::dvec2(i - 1.5, j - 1.5);
+            const double right = std::cos(turn) * square.x - std::sin(turn) * square.y;
+            const double up = std::sin(turn) * square.x + std::cos(turn) * square.y;
+            lit += litAt(uv + glm::dvec2(right, -up) / (footprint * kTestMapSize), depth) / 16;
+        }
+    return lit;
 }
 
 FunctionCase pyramidCase(const char* function, std::string body, std::vector<Argument> arguments,

@@ -27,6 +27,17 @@ inline constexpr int kMetricTexels = 8;
 /// A level by itself. texel: light times coverage, and coverage.
 [[nodiscard]] glm::dvec4 levelAlone(const glm::dvec4& texel, double level, double density, bool linked, bool fourth, int mapSize);
 
+/// A surface that faces the light, of which nothing but the shadow is asked.
+inline constexpr const char* kFacing =
+    "LitPoint p = (LitPoint)0; p.normal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); p.axisX = float3(1, 0, 0); "
+    "p.axisY = float3(0, 1, 0); p.cosine = 1.0; p.meshNormal = float3(0, 0, 1); ";
+inline const Tolerance kTapTolerance = {
+    .forward = 4, .backward = 16, .absolute = 0.07, .why = "a tap on the border of a texel may see either"};
+/// Where shadowMap() shows nothing nearer.
+[[nodiscard]] double litAt(const glm::dvec2& uv, double depth);
+/// 4 x 4 taps over a square that is turned by atan(1/4), `apart` mm from each other; footprint: of a texel, mm.
+[[nodiscard]] double tapsLit(const glm::dvec2& uv, double depth, double footprint, double apart);
+
 /// A case of Pyramid.fx with all these maps at this size of the base.
 [[nodiscard]] FunctionCase pyramidCase(const char* function, std::string body, std::vector<Argument> arguments,
                                        std::function<Values(const Inputs&)> expected, int mapSize = kTestMapSize);

@@ -1,7 +1,6 @@
 // Ribbons, their shadow and the undercoat (effects/passes/fur_ribbons.fxh, fur_opacity.fxh, fur_coat.fxh, fur_locks.fxh), and lamps
 // (lamp_light.fxh) in double precision.
 
-#include "tests/hlsl/function_case.h"
 #include "tests/hlsl/lock_scene.h"
 
 #include <algorithm>
@@ -11,49 +10,24 @@ namespace tegument::test {
 
 namespace {
 
-constexpr double kPictureWide = 640;
-constexpr double kPictureFov = 0.6;
 constexpr double kRibbonThin = 0.7;
 constexpr double kSoftEdge = 0.4;
-const glm::dvec3 kLampLike = {20, -30, 300}; // the light of the workspace looks down from there
-constexpr double kLightScale = 2.5;
-
-std::map<std::string, std::vector<double>> ribbonScene() {
-    std::map<std::string, std::vector<double>> scene = kLockScene;
-    const double s = kLightScale;
-    scene["gLightPosition"] = {kLampLike.x, kLampLike.y, kLampLike.z};
-    scene["gLightViewProjection"] = {s, 0, 0, 0, 0, s, 0, 0, 0, 0, -1.2, -1, -kLampLike.x * s, -kLampLike.y * s, 350, kLampLike.z};
-    scene["gWorldInverseTranspose"] = scene["gWorld"];
-    scene["gLightColor"] = {0.9, 0.8, 0.7};
-    scene["gLightNear"] = {100};
-    scene["gLightFar"] = {500};
-    scene["gCameraPosition"] = {100, -200, 250};
-    scene["gCameraFov"] = {kPictureFov};
-    scene["gViewportSize"] = {kPictureWide, 480};
-    scene["gViewProjection"] = {1, 0.2, 0, 0, 0.1, 1.5, 0, 0.3, 0, 0, -1.1, -1, 5, 7, 300, 400};
-    scene["gRibbonThin"] = {kRibbonThin};
-    scene["gFurEdge"] = {kSoftEdge};
-    scene["gCoatShadow"] = {0.002};
-    scene["gFurDown"] = {0, -1, 0};
-    scene["gFurMultiple"] = {0.7};
-    scene["gFurSpecular"] = {0.08};
-    scene["gFurExponent"] = {40};
-    return scene;
-}
+const glm::dvec3 kEye = {100, -200, 250};
 
 FunctionCase ribbon(const char* function, std::string body, std::vector<Argument> arguments, std::function<Values(const Inputs&)> expected,
                     Tolerance tolerance) {
-    return {.function = function,
-            .body = std::move(body),
-            .arguments = std::move(arguments),
-            .expected = std::move(expected),
-            .tolerance = std::move(tolerance),
-            .samples = 1024,
-            .globals = ribbonScene(),
-            .effect = "FurCoat.fx"};
+    const Globals more = {{"gWorldInverseTranspose", kLockScene.at("gWorld")},
+                          {"gCameraPosition", numbersOf(kEye)},
+                          {"gRibbonThin", {kRibbonThin}},
+                          {"gFurEdge", {kSoftEdge}},
+                          {"gCoatShadow", {0.002}},
+                          {"gFurDown", {0, -1, 0}},
+                          {"gFurMultiple", {0.7}},
+                          {"gFurSpecular", {0.08}},
+                          {"gFurExponent", {40}}};
+    return passCase("FurCoat.fx", with(with(kLockScene, kFurView), more), function, std::move(body), std::move(arguments),
+                    std::move(expected), std::move(tolerance));
 }
-
-const double kPixel = 2 * std::tan(kPictureFov / 2) / kPictureWide; // at distance 1
 
 /// Coverage of a pixel by a ribbon: distance from the axis, half of the width, faintness.
 double covered(double distance, double half, double faint) {
@@ -70,14 +44,14 @@ std::vector<FunctionCase> widths() {
         cases.back().globals["gFurLength"] = {length};
     }
     cases.push_back(ribbon("ribbonPixel", "return float4(a0 * ribbonPixel(), 0, 0, 0);", {linear(1, 100)},
-                           [](const Inputs& x) { return values(kPixel * x.scalar(0)); },
+                           [](const Inputs& x) { return values(kFurPixel * x.scalar(0)); },
                            {.forward = 8, .backward = 2, .why = "a tangent and two products"}));
     const auto nearest = [](const Inputs& x) { return glm::length(x.vec3(0)) - 4 * kLockLength * kLockMesh; };
     cases.push_back(ribbon(
         "ribbonThin", "RibbonFrame f = (RibbonFrame)0; f.toEye = a0; return float4(ribbonThin(f, a1) ? 1 : 0, 0, 0, 0);",
         {vector(3, 10, 500), logarithmic(0.001, 1)},
-        [=](const Inputs& x) { return values(2 * x.scalar(1) < kRibbonThin * kPixel * nearest(x) ? 1 : 0); }, plain));
-    cases.back().domain = [=](const Inputs& x) { return std::abs(2 * x.scalar(1) / (kRibbonThin * kPixel * nearest(x)) - 1) > 1e-4; };
+        [=](const Inputs& x) { return values(2 * x.scalar(1) < kRibbonThin * kFurPixel * nearest(x) ? 1 : 0); }, plain));
+    cases.back().domain = [=](const Inputs& x) { return std::abs(2 * x.scalar(1) / (kRibbonThin * kFurPixel * nearest(x)) - 1) > 1e-4; };
     cases.push_back(ribbon(
         "ribbonDrawn", "VertexInput v = (VertexInput)0; v.uv.y = a0; return float4(ribbonDrawn(v, a1, a2) ? 1 : 0, 0, 0, 0);",
         {whole(4000, 4200), linear(0, 1), linear(0, 1)},
@@ -111,13 +85,12 @@ struct Drawn {
     double pixel, half, reach, side;
 
     explicit Drawn(const Inputs& x)
-        : pixel(kPixel * glm::length(x.vec3(1) - x.vec3(2))), half(std::max(x.scalar(4), pixel / 2)), reach(half + kSoftEdge * pixel),
+        : pixel(kFurPixel * glm::length(x.vec3(1) - x.vec3(2))), half(std::max(x.scalar(4), pixel / 2)), reach(half + kSoftEdge * pixel),
           side(x.scalar(5) > 0.5 ? 1 : -1) {}
 
     [[nodiscard]] glm::dvec4 position(const Inputs& x) const {
         const glm::dvec3 aside = glm::normalize(glm::cross(x.vec3(3), x.vec3(1) - x.vec3(2)));
-        const glm::dvec3 p = x.vec3(0) + x.vec3(2) + side * reach * aside;
-        return {p.x + 0.1 * p.y + 5, 0.2 * p.x + 1.5 * p.y + 7, -1.1 * p.z + 300, 0.3 * p.y - p.z + 400};
+        return furClip(x.vec3(0) + x.vec3(2) + side * reach * aside);
     }
 };
 
@@ -146,7 +119,7 @@ std::vector<FunctionCase> ribbons() {
 }
 
 double fromLight(const glm::dvec3& world) {
-    return glm::length(kLampLike - world);
+    return glm::length(kFurLamp - world);
 }
 
 /// A map of one texel: depth of the coat's front and of the skin, mm, and the sums of opacity.
@@ -243,18 +216,18 @@ FunctionCase undercoat() {
             const glm::dvec3 world = place(x);
             const double below = -normal.y;
             const double belly = 0.8 * std::clamp(1.6 * below - 0.4, 0.0, 1.0);
-            const double pixel = kPixel * glm::length(glm::dvec3(100, -200, 250) - world) / kThickness;
+            const double pixel = kFurPixel * glm::length(kEye - world) / kThickness;
             const double far = std::clamp((pixel - 0.05) / 0.2, 0.0, 1.0);
             const glm::dvec3 near = glm::mix(kLockRoot, 0.4 * kLockPale, belly);
             const glm::dvec3 albedo = glm::mix(near, glm::mix(kLockMid, 0.75 * kLockPale, belly), 0.5 * far);
-            const double lit = std::clamp(0.3 + 0.7 * glm::dot(normal, glm::normalize(kLampLike - world)), 0.0, 1.0) * openAt(world);
+            const double lit = std::clamp(0.3 + 0.7 * glm::dot(normal, glm::normalize(kFurLamp - world)), 0.0, 1.0) * openAt(world);
             const glm::dvec3 around = glm::mix(kLockSky, kLockGround, 0.5 + 0.5 * below);
-            return values(glm::dvec4(albedo * (0.5 * lit * glm::dvec3(0.9, 0.8, 0.7) + 0.12 * around), 1));
+            return values(glm::dvec4(albedo * (0.5 * lit * kFurColour + 0.12 * around), 1));
         },
         {.forward = 16, .backward = 4, .absolute = 1e-4, .why = "the share of light that comes, as in coatOpen"});
     made.map = &kMaps;
     made.globals["gFurLength"] = {kLockLength};
-    made.domain = [](const Inputs& x) { return std::abs(glm::length(x.vec3(0)) - 1) < 1e-3; };
+    made.domain = [](const Inputs& x) { return isUnit(x.vec3(0)); };
     return made;
 }
 
@@ -299,12 +272,7 @@ std::vector<FunctionCase> lamps() {
 } // namespace
 
 std::vector<FunctionCase> ribbonPassCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {widths, ribbons, shadows, lamps})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    all.push_back(undercoat());
-    return all;
+    return together(widths(), ribbons(), shadows(), lamps(), undercoat());
 }
 
 } // namespace tegument::test

@@ -177,11 +177,7 @@ std::vector<FunctionCase> slab() {
 } // namespace
 
 std::vector<FunctionCase> scatterCases() {
-    std::vector<FunctionCase> cases = entering();
-    for (auto more : {passing(), slab()})
-        for (FunctionCase& one : more)
-            cases.push_back(std::move(one));
-    return cases;
+    return together(entering(), passing(), slab());
 }
 
 } // namespace tegument::test

@@ -1,7 +1,6 @@
 // Passes that fill or spare maps (effects/passes/convolution.fxh, poisson.fxh, cull.fxh, reach.fxh) and those seen from the light
 // (shadow_map.fxh, planar_shadow.fxh).
 
-#include "tests/hlsl/maps.h"
 #include "tests/hlsl/skin_scene.h"
 
 #include <algorithm>
@@ -62,11 +61,8 @@ std::vector<FunctionCase> fromTheLight() {
 
 /// Mostly black; here and there a colour.
 TestMap blackMap() {
-    TestMap map{.size = kTestMapSize, .texels = {}};
-    for (int y = 0; y < kTestMapSize; ++y)
-        for (int x = 0; x < kTestMapSize; ++x)
-            map.texels.push_back({(x * 7 + y * 13) % 23 == 0 ? 0.2F : 0, (x * 5 + y * 3) % 29 == 0 ? 0.1F : 0, 0, 1});
-    return map;
+    return mapOf(kTestMapSize, kTestMapSize,
+                 [](int x, int y) { return texelOf((x * 7 + y * 13) % 23 == 0 ? 0.2 : 0, (x * 5 + y * 3) % 29 == 0 ? 0.1 : 0, 0, 1); });
 }
 
 std::vector<FunctionCase> culling() {
@@ -191,11 +187,7 @@ std::vector<FunctionCase> entryPoints() {
 } // namespace
 
 std::vector<FunctionCase> skinMapCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {fromTheLight, culling, entryPoints})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(fromTheLight(), culling(), entryPoints());
 }
 
 } // namespace tegument::test

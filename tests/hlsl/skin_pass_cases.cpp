@@ -154,7 +154,7 @@ struct Lit {
 };
 
 bool isNormal(const Inputs& x) {
-    return std::abs(glm::length(x.vec3(1)) - 1) < 1e-3;
+    return isUnit(x.vec3(1));
 }
 
 void addSurface(FunctionCase& made) {
@@ -253,11 +253,7 @@ std::vector<FunctionCase> shares() {
 } // namespace
 
 std::vector<FunctionCase> skinPassCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {fetches, diffused, pictures, shares})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(fetches(), diffused(), pictures(), shares());
 }
 
 } // namespace tegument::test

@@ -9,14 +9,14 @@ namespace tegument::test {
 
 namespace {
 
-std::vector<double> numbersOf(const std::vector<glm::dvec4>& vectors) {
+std::vector<double> rowsOf(const std::vector<glm::dvec4>& vectors) {
     std::vector<double> numbers;
     for (const glm::dvec4& v : vectors)
         numbers.insert(numbers.end(), {v.x, v.y, v.z, v.w});
     return numbers;
 }
 
-std::map<std::string, std::vector<double>> scene() {
+Globals scene() {
     const double s = kSkinScale;
     const double w = 1 / kSkinLightHalf;
     return {{"gWorld", {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0, kSkinOrigin.x, kSkinOrigin.y, kSkinOrigin.z, 1}},
@@ -27,8 +27,8 @@ std::map<std::string, std::vector<double>> scene() {
             {"gLightPosition", {0, 0, kSkinLightAt}},
             {"gLightNear", {100}},
             {"gLightFar", {700}},
-            {"gLightColor", {kSkinLight.x, kSkinLight.y, kSkinLight.z}},
-            {"gCameraPosition", {kSkinCamera.x, kSkinCamera.y, kSkinCamera.z}},
+            {"gLightColor", numbersOf(kSkinLight)},
+            {"gCameraPosition", numbersOf(kSkinCamera)},
             {"gUnitMm", {kSkinUnit}},
             {"gViewportSize", {8, 8}},
             {"gMix", {kSkinMix}},
@@ -38,20 +38,16 @@ std::map<std::string, std::vector<double>> scene() {
             {"gSpecularIntensity", {kSkinIntensity}},
             {"gPlainRoughness", {kPlainRoughness}},
             {"gPlainIntensity", {kPlainIntensity}},
-            {"gGaussianWeight", numbersOf({kSkinGaussians.begin(), kSkinGaussians.end()})},
+            {"gGaussianWeight", rowsOf({kSkinGaussians.begin(), kSkinGaussians.end()})},
             {"gGaussianSigma", {0.08, 0.22, 0.432, 0.753, 1.411, 2.722, 0, 0}}};
 }
 
 } // namespace
 
-TestMap oneTexel(double x, double y, double z, double w) {
-    return rowOfTexels({{x, y, z, w}});
-}
-
 TestMap rowOfTexels(const std::vector<glm::dvec4>& texels) {
     TestMap row{.size = static_cast<int>(texels.size()), .texels = {}, .height = 1};
     for (const glm::dvec4& t : texels)
-        row.texels.push_back({static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), static_cast<float>(t.w)});
+        row.texels.push_back(texelOf(t));
     return row;
 }
 
@@ -61,14 +57,9 @@ glm::dvec4 texelOfRow(const TestMap& row, double place) {
 
 FunctionCase skinCase(const char* effect, const char* function, std::string body, std::vector<Argument> arguments,
                       std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 512,
-                      .globals = scene(),
-                      .effect = effect};
+    FunctionCase made =
+        passCase(effect, scene(), function, std::move(body), std::move(arguments), std::move(expected), std::move(tolerance));
+    made.samples = 512;
     made.maps["gEnergyAttenuationMap"] = oneTexel(kTableAlbedo - 0.05, 0.05);
     made.maps["gNormalMap"] = oneTexel(0.5, 0.5, 1, 1);
     return made;

@@ -1,7 +1,8 @@
 #pragma once
 // What the cases of passes of skin have in common: a scene whose every number differs from the others', and what is known of it.
 
-#include "tests/hlsl/function_case.h"
+#include "tests/hlsl/maps.h"
+#include "tests/hlsl/pass_case.h"
 
 namespace tegument::test {
 
@@ -33,8 +34,6 @@ inline const std::array<glm::dvec4, 6> kSkinGaussians = {{{0.2, 0.3, 0.4, 0.0064
                                                           {0.17, 0.07, 0.13, 1.99},
                                                           {0.13, 0.06, 0.1, 7.41}}};
 
-/// A texture of one texel.
-[[nodiscard]] TestMap oneTexel(double x, double y = 0, double z = 0, double w = 0);
 /// A row of texels; the n-th one of `count` is read at (n + 1/2) / count.
 [[nodiscard]] TestMap rowOfTexels(const std::vector<glm::dvec4>& texels);
 [[nodiscard]] glm::dvec4 texelOfRow(const TestMap& row, double place);

@@ -219,11 +219,7 @@ std::vector<FunctionCase> energies() {
 } // namespace
 
 std::vector<FunctionCase> specularCases() {
-    std::vector<FunctionCase> cases = lobes();
-    for (auto more : {energies(), widenedLobes()})
-        for (FunctionCase& one : more)
-            cases.push_back(std::move(one));
-    return cases;
+    return together(lobes(), energies(), widenedLobes());
 }
 
 } // namespace tegument::test

@@ -1,7 +1,6 @@
 // Strands on roots (effects/passes/fur_strands.fxh, fur_root_strands.fxh) in double precision.
 
-#include "tests/hlsl/function_case.h"
-#include "tests/hlsl/fur_numbers.h"
+#include "tests/hlsl/fur_light.h"
 #include "tests/hlsl/lock_scene.h"
 
 #include <algorithm>
@@ -12,49 +11,32 @@ namespace tegument::test {
 
 namespace {
 
-constexpr double kStrandRadius = 0.3; // of a root, spacings
-constexpr double kMultiple = 0.7;
-constexpr double kMirrored = 0.08;
-constexpr double kSharpness = 40;
-constexpr double kCoatDensity = 1.2;
-const glm::dvec3 kDark = {0.16, 0.085, 0.04};
-const glm::dvec3 kPale = {0.72, 0.52, 0.33};
-const glm::dvec3 kLight = {0.9, 0.8, 0.7};
-const glm::dvec3 kFill = {0.1, 0.2, 0.3};
 /// The texture of roots, and every other map, is one texel.
 constexpr std::array<float, 4> kStrandTexel = {0.5F, -3.0F, 2.0F, 0.07032865F};
 
 FunctionCase strandCase(const char* effect, const char* function, std::string body, std::vector<Argument> arguments,
                         std::function<Values(const Inputs&)> expected, Tolerance tolerance) {
     static const TestMap kMaps{.size = 1, .texels = {kStrandTexel}};
-    FunctionCase made{.function = function,
-                      .body = std::move(body),
-                      .arguments = std::move(arguments),
-                      .expected = std::move(expected),
-                      .tolerance = std::move(tolerance),
-                      .samples = 1024,
-                      .map = &kMaps,
-                      .globals = kLockScene,
-                      .effect = effect};
-    const std::map<std::string, std::vector<double>> more = {{"gFurRadius", {kStrandRadius}},
-                                                             {"gFurTurns", {1.3}},
-                                                             {"gFurScatter", {0.4}},
-                                                             {"gFurCurls", {0.15}},
-                                                             {"gFurTufts", {1.5}},
-                                                             {"gFurTuftSize", {4}},
-                                                             {"gFurVariation", {0.4}},
-                                                             {"gFurMultiple", {kMultiple}},
-                                                             {"gFurSpecular", {kMirrored}},
-                                                             {"gFurExponent", {kSharpness}},
-                                                             {"gFurDensity", {kCoatDensity}},
-                                                             {"gFurLean", {0.25}},
-                                                             {"gFurDown", {0, -1, 0}},
-                                                             {"gFurRootColor", {kDark.x, kDark.y, kDark.z}},
-                                                             {"gFurTipColor", {kPale.x, kPale.y, kPale.z}},
-                                                             {"gLightColor", {kLight.x, kLight.y, kLight.z}},
-                                                             {"gFurFill", {kFill.x, kFill.y, kFill.z}}};
-    for (const auto& [name, value] : more)
-        made.globals[name] = value;
+    const Globals more = {{"gFurRadius", {kFurRootRadius}},
+                          {"gFurTurns", {1.3}},
+                          {"gFurScatter", {0.4}},
+                          {"gFurCurls", {0.15}},
+                          {"gFurTufts", {1.5}},
+                          {"gFurTuftSize", {4}},
+                          {"gFurVariation", {0.4}},
+                          {"gFurMultiple", {kFurMultiple}},
+                          {"gFurSpecular", {kFurMirrored}},
+                          {"gFurExponent", {kFurSharpness}},
+                          {"gFurDensity", {kFurDense}},
+                          {"gFurLean", {0.25}},
+                          {"gFurDown", {0, -1, 0}},
+                          {"gFurRootColor", numbersOf(kFurDark)},
+                          {"gFurTipColor", numbersOf(kFurPale)},
+                          {"gLightColor", numbersOf(kFurColour)},
+                          {"gFurFill", numbersOf(kFurAround)}};
+    FunctionCase made = passCase(effect, with(kLockScene, more), function, std::move(body), std::move(arguments), std::move(expected),
+                                 std::move(tolerance));
+    made.map = &kMaps;
     return made;
 }
 
@@ -67,31 +49,14 @@ glm::dvec3 tuftAt(const glm::dvec3& p) {
     return waves(0.31 * glm::dvec3(p.y, p.z, p.x) + 0.4 * waves(0.19 * glm::dvec3(p.z, p.x, p.y)));
 }
 
-/// Of strands whose lengths lie evenly between the shortest and 1: a sum over them.
-double meanRadius(double height, double shortest) {
-    constexpr int kLengths = 400;
-    double sum = 0;
-    for (int i = 0; i < kLengths; ++i)
-        sum += std::max(1 - height / (shortest + (1 - shortest) * (i + 0.5) / kLengths), 0.0);
-    return kStrandRadius * sum / kLengths;
-}
-
 FunctionCase expectedCoverage() {
-    FunctionCase made =
-        strandCase("FurRoots.fx", "furExpect", "return furExpect(a0, a1, a2, a3, 2.0 / (1.0 + a3), a4, a5);",
-                   {linear(0, 1, 4), linear(0, 1), linear(0, 2), linear(0.3, 0.9), linear(0, 1, 2), linear(0, 4)},
-                   [](const Inputs& x) {
-                       const double shortest = x.scalar(3);
-                       const glm::dvec2 heights = x.vec2(4);
-                       const glm::dvec2 r(meanRadius(heights.x, shortest), meanRadius(heights.y, shortest));
-                       const double swept = (r.x + r.y) * x.scalar(5) + std::numbers::pi * (r.y * r.y - r.x * r.x);
-                       // Weights of the ends where the width changes evenly: twice the own radius and once the other.
-                       const double height = ((2 * r.x + r.y) * heights.x + (2 * r.y + r.x) * heights.y) / (3 * (r.x + r.y) + 1e-4);
-                       const double along = std::clamp(height * 2 / (1 + shortest), 0.0, 1.0);
-                       const glm::dvec4 met = (1 - x.scalar(1)) * x.vec4(0);
-                       return values(met + (1 - met.x) * (1 - std::exp(-x.scalar(2) * swept)) * glm::dvec4(1, height, along, 1));
-                   },
-                   {.forward = 16, .backward = 4, .absolute = 1e-3, .why = "a sum over 400 lengths"});
+    FunctionCase made = strandCase("FurRoots.fx", "furExpect", "return furExpect(a0, a1, a2, a3, 2.0 / (1.0 + a3), a4, a5);",
+                                   {linear(0, 1, 4), linear(0, 1), linear(0, 2), linear(0.3, 0.9), linear(0, 1, 2), linear(0, 4)},
+                                   [](const Inputs& x) {
+                                       const glm::dvec4 met = (1 - x.scalar(1)) * x.vec4(0);
+                                       return values(strandsExpected(met, x.scalar(2), x.scalar(3), x.vec2(4), x.scalar(5)));
+                                   },
+                                   {.forward = 16, .backward = 4, .absolute = 1e-3, .why = "a sum over 400 lengths"});
     made.domain = [](const Inputs& x) { return x.scalar(4) + x.scalar(4, 1) < 1.9; }; // where strands are left
     return made;
 }
@@ -117,7 +82,7 @@ struct Piece {
         end = place + tuft - normal * glm::dot(tuft, normal) - normal * (0.5 * drop * drop * glm::dot(x.vec3(4), x.vec3(5)));
         along = end - x.vec3(0);
         along -= normal * glm::dot(along, normal);
-        reach = kStrandRadius * (1 - low) + top * (0.4 * top + 0.15) + 0.3 + glm::length(along) / 2;
+        reach = kFurRootRadius * (1 - low) + top * (0.4 * top + 0.15) + 0.3 + glm::length(along) / 2;
     }
 };
 
@@ -143,24 +108,6 @@ std::vector<FunctionCase> sweeps() {
     return cases;
 }
 
-/// Of strands of this albedo at a height of the coat, under the workspace's light and light from all sides. No surface throws a shadow.
-glm::dvec3 strandShine(const glm::dvec3& albedo, const glm::dvec3& strand, const glm::dvec3& normal, const glm::dvec3& toLight,
-                       const glm::dvec3& toEye, double height) {
-    const double alight = std::asin(std::clamp(glm::dot(strand, toLight), -1.0, 1.0));
-    const double aeye = std::asin(std::clamp(glm::dot(strand, toEye), -1.0, 1.0));
-    const glm::dvec3 diffuse = albedo * std::cos(alight) * (kMultiple + (1 - kMultiple) / std::numbers::pi);
-    // The eye is as far from the mirror cone as the sum of both angles with the plane across the strand.
-    const double cone = std::pow(std::max(std::cos(alight + aeye), 0.0), kSharpness);
-    const double mirrored = std::cos(alight) * cone * 0.5 * std::sqrt((kSharpness + 2.0 / 3) / (2 * std::numbers::pi));
-    const double cosine = glm::dot(normal, toLight);
-    const double radius = 1 + height * kLockLength; // of a ball of radius 1 with a coat
-    const double across = (1 - cosine * cosine) * radius * radius;
-    const double way = (std::sqrt(std::max(std::pow(1 + kLockLength, 2) - across, 0.0)) - radius * cosine) / kLockLength;
-    const double open = std::exp(-kCoatDensity * way * std::sqrt(std::max(1 - cosine * cosine, 0.0)));
-    const glm::dvec3 filled = albedo * kFill * std::exp(-kCoatDensity * (1 - height)) * (0.5 + 0.5 * kMultiple);
-    return kLight * open * ((1 - kMirrored) * diffuse + kMirrored * mirrored) + filled;
-}
-
 FunctionCase radiance() {
     const auto normalized = [](const Inputs& x) { return glm::normalize(x.vec3(1) + 2 * x.scalar(4) * x.vec3(0)); };
     FunctionCase made =
@@ -171,12 +118,11 @@ FunctionCase radiance() {
                    "return float4(furStrandRadiance(v, s, 0.5 * float4(1, a4, a5, a6)), 0);",
                    {linear(-0.5, 0.5, 3), unit(), unit(), unit(), linear(0, 1), linear(0, 1), linear(0.8, 1.2)},
                    [=](const Inputs& x) {
-                       const glm::dvec3 albedo = glm::mix(kDark, kPale, x.scalar(5)) * x.scalar(6);
-                       return values(strandShine(albedo, normalized(x), x.vec3(1), x.vec3(2), x.vec3(3), x.scalar(4)));
+                       const glm::dvec3 albedo = glm::mix(kFurDark, kFurPale, x.scalar(5)) * x.scalar(6);
+                       return values(strandsInCoat(albedo, normalized(x), x.vec3(1), x.vec3(2), x.vec3(3), x.scalar(4)));
                    },
                    {.forward = 64, .backward = 8, .absolute = 1e-3, .why = "sines are roots of differences; the 40th power of a cosine"});
     made.domain = [=](const Inputs& x) {
-        const auto isUnit = [](const glm::dvec3& v) { return std::abs(glm::length(v) - 1) < 1e-3; };
         return isUnit(x.vec3(1)) && isUnit(x.vec3(2)) && isUnit(x.vec3(3)) && glm::length(x.vec3(1) + 2 * x.scalar(4) * x.vec3(0)) > 0.3 &&
                std::abs(glm::dot(normalized(x), x.vec3(2))) < 0.999;
     };
@@ -199,7 +145,7 @@ struct Rooted {
         across = glm::cross(normal, side);
         lean = texel - curl * normal + glm::dvec3(0, -0.25, 0);
         share = std::max(std::min(glm::length(texel), w / coat), 0.01);
-        radius = w * kStrandRadius / kStrandTexel[1] * spacing;
+        radius = w * kFurRootRadius / kStrandTexel[1] * spacing;
         tint = 1 + 0.4 * (random.z - 0.5);
     }
 };
@@ -213,7 +159,7 @@ std::vector<FunctionCase> rooted() {
                                                "RootStrand s = rootStrand(v, float4(1, 2, 3, 90), 2.0); return float4(") +
                                        returned + ");",
                                    {unit()}, std::move(expected), plain));
-        cases.back().domain = [](const Inputs& x) { return std::abs(glm::length(x.vec3(0)) - 1) < 1e-3; };
+        cases.back().domain = [](const Inputs& x) { return isUnit(x.vec3(0)); };
     };
     add("s.side, s.spacing", [](const Inputs& x) { return values(glm::dvec4(Rooted(x.vec3(0)).side, Rooted(x.vec3(0)).spacing)); });
     add("s.across, s.coat", [](const Inputs& x) { return values(glm::dvec4(Rooted(x.vec3(0)).across, Rooted(x.vec3(0)).coat)); });
@@ -245,11 +191,7 @@ std::vector<FunctionCase> rooted() {
 } // namespace
 
 std::vector<FunctionCase> strandPassCases() {
-    std::vector<FunctionCase> all = sweeps();
-    all.push_back(radiance());
-    for (FunctionCase& each : rooted())
-        all.push_back(std::move(each));
-    return all;
+    return together(sweeps(), radiance(), rooted());
 }
 
 } // namespace tegument::test

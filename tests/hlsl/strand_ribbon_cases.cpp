@@ -7,10 +7,6 @@ namespace tegument::test {
 
 namespace {
 
-bool isUnit(const glm::dvec3& v) {
-    return std::abs(glm::length(v) - 1) < 1e-3;
-}
-
 /// Arguments: normal, lean, (share, tint, along), way to the eye, way to the light, offset.
 struct LitStrand {
     glm::dvec3 normal, axis, toEye, toLight, albedo;
@@ -24,7 +20,7 @@ struct LitStrand {
     [[nodiscard]] glm::dvec3 by(const glm::dvec3& light, const glm::dvec3& colour) const {
         return strandsLit(albedo, axis, light, toEye) * colour * coatLeaves(height, glm::dot(normal, light));
     }
-    [[nodiscard]] glm::dvec3 radiance() const { return by(toLight, kFurColour) + albedo * kFurAround * coatFilled(height); }
+    [[nodiscard]] glm::dvec3 radiance() const { return strandsInCoat(albedo, axis, normal, toLight, toEye, height); }
 };
 
 std::vector<FunctionCase> colours() {
@@ -60,11 +56,6 @@ constexpr double kCoat = 5; // mm, as the spacing
 constexpr double kSpacing = 2;
 constexpr double kPerMm = 1.6;
 
-double wave(double x) {
-    const double t = std::abs(2 * (x - std::floor(x)) - 1);
-    return 2 * (3 * t * t - 2 * t * t * t) - 1;
-}
-
 /// Arguments: normal, lean, side, (share, along), way to the eye.
 glm::dvec3 axisAt(const Inputs& x, double height) {
     const glm::dvec3 across = glm::cross(x.vec3(0), x.vec3(2));
@@ -92,7 +83,7 @@ std::vector<FunctionCase> places() {
         const double height = x.scalar(3) * x.scalar(3, 1);
         const glm::dvec3 tangent = (axisAt(x, height) - axisAt(x, height - 0.02)) / (0.02 * kCoat);
         const glm::dvec3 chord = x.vec3(0) + x.scalar(3) * x.vec3(1);
-        const double pixels = kCoat * x.scalar(3) * kPerMm / glm::length(x.vec3(4)) / kStrandPixel;
+        const double pixels = kCoat * x.scalar(3) * kPerMm / glm::length(x.vec3(4)) / kFurPixel;
         return values(glm::mix(tangent, chord, 0.6 * std::clamp(2 - pixels / 4, 0.0, 1.0)));
     }));
     return cases;
@@ -110,7 +101,7 @@ std::vector<FunctionCase> vertices() {
             {linear(-1500, 1500, 3), whole(4000, 8000), whole(0, 1), whole(0, 31)},
             [=](const Inputs& x) {
                 const double address = std::round(x.scalar(1));
-                const double pixel = kStrandPixel * distance(x);
+                const double pixel = kFurPixel * distance(x);
                 const bool thin = 2 * strandWidest() < 0.7 * pixel;
                 if (address < 4096 || rootRank(address) >= kStrandShare || (core && thin)) return values(0);
                 const double radius = strandRadius(address, 0) * (1 - std::round(x.scalar(3)) / 31) / pixel;
@@ -121,7 +112,7 @@ std::vector<FunctionCase> vertices() {
         flattenStrands(cases.back());
         cases.back().domain = [=](const Inputs& x) {
             return std::abs(rootRank(std::round(x.scalar(1))) - kStrandShare) > 2e-3 &&
-                   std::abs(2 * strandWidest() / (0.7 * kStrandPixel * distance(x)) - 1) > 1e-4;
+                   std::abs(2 * strandWidest() / (0.7 * kFurPixel * distance(x)) - 1) > 1e-4;
         };
     }
     return cases;
@@ -130,11 +121,7 @@ std::vector<FunctionCase> vertices() {
 } // namespace
 
 std::vector<FunctionCase> strandRibbonCases() {
-    std::vector<FunctionCase> all;
-    for (auto make : {colours, places, vertices})
-        for (FunctionCase& each : make())
-            all.push_back(std::move(each));
-    return all;
+    return together(colours(), places(), vertices());
 }
 
 } // namespace tegument::test

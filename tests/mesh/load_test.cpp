@@ -1,4 +1,5 @@
 // What loadMesh checks whatever the format.
+#include "host/mesh/length.h"
 #include "tests/mesh/files.h"
 
 using namespace tegument;
@@ -161,12 +162,8 @@ TEST_F(Loading, lengths_in_messages_are_written_out) {
     ASSERT_TRUE(mesh);
     ASSERT_FALSE(mesh->warnings.empty());
     EXPECT_NE(mesh->warnings.back().text.find("would be 55530 mm long"), std::string::npos) << mesh->warnings.back().text;
-}
-
-TEST_F(Loading, a_mesh_without_area_is_refused_for_nothing_of_it_would_show) {
-    for (const char* corners : {"v 0 0 0\nv 100 0 0\nv 200 0 0\n", "v 5 5 5\nv 5 5 5\nv 5 5 5\n"}) {
-        const auto mesh = load("a.obj", corners + std::string("f 1 2 3\n"));
-        EXPECT_EQ(codeOf(mesh), 5306) << corners;
-    }
-    EXPECT_TRUE(load("b.obj", "v 0 0 0\nv 1e-38 0 0\nv 0 1e-38 0\nf 1 2 3\n")) << "small is not none";
+    EXPECT_EQ(lengthText(999.4), "999");
+    EXPECT_EQ(lengthText(999.7), "1000") << "not 1e+03";
+    EXPECT_EQ(lengthText(-4e9), "-4000000000");
+    EXPECT_EQ(lengthText(0.01234), "0.0123");
 }

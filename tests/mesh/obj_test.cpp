@@ -211,6 +211,8 @@ TEST_F(Obj, finds_libraries_and_pictures_that_were_named_on_another_machine) {
     EXPECT_EQ(picturesOf("/srv/scans/Bunny.MTL", map), 1U) << "a place of Linux, in other letters";
     EXPECT_EQ(picturesOf("\"bunny.mtl\"", map), 1U) << "in quotes";
     EXPECT_EQ(picturesOf("none.mtl bunny.mtl", map), 1U) << "several";
+    write("-bunny.png", *readFile(folder_ / "Bunny Col.png"));
+    EXPECT_EQ(picturesOf("bunny.mtl", "newmtl skin\nmap_Kd -bunny.png\n"), 1U) << "a name that begins as an option does";
     EXPECT_EQ(picturesOf("bunny.mtl", "newmtl skin\nmap_Kd C:\\Textures\\BUNNY COL.PNG\n"), 1U);
     EXPECT_EQ(picturesOf("bunny.mtl", "newmtl skin\nmap_Kd -s 2 2 1 -bm 0.5 -o 0.1 Bunny Col.png\n"), 1U) << "spaces behind options";
     EXPECT_EQ(picturesOf("bunny.mtl", "\xef\xbb\xbfnewmtl skin\rmap_Kd Bunny Col.png\r"), 1U) << "a mark, and old Macintosh lines";

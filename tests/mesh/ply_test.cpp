@@ -184,6 +184,23 @@ TEST_F(Ply, texture_coordinates_of_corners_split_vertices_at_seams_only) {
     EXPECT_EQ(load("b.ply", wedged("", "6 0 0 0.5 0.5 0 0.5"))->positions.size(), 4U) << "no seam";
 }
 
+TEST_F(Ply, copies_at_seams_are_no_vertices_that_a_face_may_refer_to) {
+    std::string bad = wedged("");
+    bad.replace(bad.find("face 2"), 6, "face 3");
+    const auto mesh = load("a.ply", bad + "3 0 1 5 6 0 0 0 0 0 0 0\n");
+    ASSERT_FALSE(mesh) << "the seam has made six of four";
+    EXPECT_NE(format(mesh.error()).find("face 2 refers to vertex 5 of 4"), std::string::npos) << format(mesh.error());
+}
+
+TEST_F(Ply, faces_of_two_elements_split_vertices_once) {
+    std::string twice = wedged("");
+    twice.replace(twice.find("end_header"), 0,
+                  "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n");
+    const auto mesh = load("a.ply", twice + "3 0 2 3 6 0.9 0.1 0.9 0.9 0.6 0.9\n");
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    EXPECT_EQ(mesh->positions.size(), 6U) << "the last face is the one before again";
+}
+
 TEST_F(Ply, corners_without_texture_coordinates_among_others_are_told) {
     const auto mesh = load("a.ply", wedged("", "0"));
     ASSERT_TRUE(mesh);

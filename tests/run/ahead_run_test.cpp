@@ -5,6 +5,7 @@
 #include "host/run/pause.h"
 #include "host/run/read_back.h"
 #include "host/run/session.h"
+#include "host/support/file.h"
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
 
@@ -228,6 +229,10 @@ TEST_F(MadeOfAMesh, says_how_long_it_took_to_whoever_finds_it_later) {
     ASSERT_TRUE(bake);
     EXPECT_FALSE(bake->fromCache);
     EXPECT_EQ(bake->once, 0);
+    const std::string noted = *readFile(folder_ / "map.png.ms");
+    EffectSession second(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
+    ASSERT_TRUE(succeeded(second.draw({}, options_)));
+    EXPECT_EQ(*readFile(folder_ / "map.png.ms"), noted) << "who finds it at once has not made it";
     std::filesystem::last_write_time(folder_ / "map.png", std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
     const auto found = [&] {
         EffectSession later(*device_, *effect_, {.mesh = &mesh_, .objects = {}});

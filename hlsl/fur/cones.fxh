@@ -18,7 +18,7 @@ float2 tgFurSection(float2 radius, float2 distance, float width)
 // x: how much of what is still free the strand covers along the piece; what it covers where the piece begins was drawn by the layer above.
 // y: where along the piece, 0 to 1, the ray enters the strand.
 //   It covers most where radius - distance is largest: seen sideways where the ray passes the axis, seen from above at the end of the
-//   piece. It enters at the smaller root of |from + along t|^2 = (radius + growth t)^2; without one, where it covers most.
+//   piece. It enters at a root of |from + along t|^2 = (radius + growth t)^2; where even there it is not inside, it passes by: y is there.
 float2 tgFurCone(float3 from, float3 along, float radius, float growth, float width)
 {
     float square = max(dot(along, along), 1e-12);
@@ -31,11 +31,14 @@ float2 tgFurCone(float3 from, float3 along, float radius, float growth, float wi
     float middle = passing - radius * growth;
     float outside = distance - radius * radius;
     float discriminant = middle * middle - (square - growth * growth) * outside;
-    float below = sqrt(max(discriminant, 0.0)) - middle + 1e-9;
-    // From outside a negative divisor means that the root lies behind, or on the cone's other half; from above the tip it does not.
-    float entry = discriminant > 0.0 ? clamp(outside / (outside > 0.0 ? max(below, 1e-9) : below), 0.0, most) : most;
+    // Of a ray that is inside later this is the root on the strand, not on the cone's other half above the tip: the smaller one sideways,
+    // the greater one where it is steeper than the cone.
+    float root = outside / (sqrt(max(discriminant, 0.0)) - middle + 1e-9);
 
-    float2 covered = tgFurSection(float2(radius, radius + growth * most), float2(sqrt(distance), length(from + along * most)), width);
+    float2 radii = float2(radius, radius + growth * most);
+    float2 distances = float2(sqrt(distance), length(from + along * most));
+    float entry = radii.y > distances.y ? clamp(root, 0.0, most) : most;
+    float2 covered = tgFurSection(radii, distances, width);
     return float2(saturate((covered.y - covered.x) / max(1.0 - covered.x, 1e-4)), entry);
 }
 

@@ -285,6 +285,7 @@ bool Parser::staticValue(const Declarator& d) {
             value->rows = d.type.rows;
             if (value->numbers.size() == 1) value->numbers.resize(static_cast<std::size_t>(d.type.scalarCount()), value->numbers[0]);
             constants_[std::string(d.name.text)] = std::move(*value);
+            if (namedSince(first) != nullptr) changing_.emplace(d.name.text);
         }
         at_ = first;
     }
@@ -352,6 +353,7 @@ void Parser::blankQualifiers(const Declarator& d) {
 void Parser::addParameter(Parameter parameter, const Declarator& d) {
     const bool onlyEffect = parameter.type.base == BaseType::String || equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL");
     if (onlyEffect && peek().is(';')) result_.blanks.push_back({d.start, at_ + 1});
+    changing_.insert(parameter.name);
     result_.effect.parameters.push_back(std::move(parameter));
 }
 

@@ -167,6 +167,8 @@ private:
     // values.cpp
     bool bracedValues(std::vector<double>& numbers, int depth);
     bool initialiser(Type& type, Value& value);
+    [[nodiscard]] const Token* namedSince(std::size_t first) const;
+    bool literal(std::size_t first);
     bool string(std::string& text, std::vector<TextPiece>& pieces);
     bool annotation(Annotations& result);
     bool annotationValue(const Type& type, Annotations& result);
@@ -211,6 +213,7 @@ private:
     std::size_t at_ = 0;
     Parsed result_;
     std::map<std::string, Constant, std::less<>> constants_;
+    std::set<std::string, std::less<>> changing_; // parameters, and constants that are made of them
     std::map<std::string, StateObject, std::less<>> stateObjects_;
     std::map<std::string, ShaderObject, std::less<>> shaderObjects_; // of arrays by "name[0]", "name[1]" ...
     std::map<std::string, Type, std::less<>> aliases_;

@@ -38,9 +38,24 @@ bool Parser::bracedValues(std::vector<double>& numbers, int depth) {
     return true;
 }
 
+/// The first parameter that is named from this token on.
+const Token* Parser::namedSince(std::size_t first) const {
+    for (std::size_t i = first; i < at_; ++i)
+        if (tokens_[i].kind == TokenKind::Word && !tokens_[i - 1].is('.') && changing_.contains(tokens_[i].text)) return &tokens_[i];
+    return nullptr;
+}
+
+/// Microsoft's compiler takes no value that the host may change for an initial value or an annotation's (X3011).
+bool Parser::literal(std::size_t first) {
+    const Token* name = namedSince(first);
+    return name == nullptr || refuse(1104, *name, fmt::format("'{}' is a parameter: it is not a constant", name->text),
+                                     "write its value, or make it static const");
+}
+
 /// Between an effect's own braces a value per scalar; behind '=' a scalar fills all, and a longer vector is cut, as HLSL converts.
 bool Parser::initialiser(Type& type, Value& value) {
     const Token start = peek();
+    const std::size_t first = mark();
     std::vector<double> numbers;
     const bool braced = start.is('{');
     if (braced) {
@@ -50,6 +65,7 @@ bool Parser::initialiser(Type& type, Value& value) {
         if (!constant) return false;
         numbers = constant->numbers;
     }
+    if (!literal(first)) return false;
     if (type.unsized && numbers.size() % static_cast<std::size_t>(type.scalarCount()) == 0 && !numbers.empty()) {
         type.elements = static_cast<int>(numbers.size()) / type.scalarCount();
         type.unsized = false;

@@ -13,7 +13,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <set>
 #include <system_error>
+#include <vector>
 
 namespace tegument {
 
@@ -62,23 +64,42 @@ Result<std::string> readStandardInput() {
     return bytes;
 }
 
-std::optional<fs::path> findInAnyCase(fs::path folder, std::string relative) {
-    std::ranges::replace(relative, '\\', '/');
+namespace {
+
+constexpr std::size_t kMostWays = 64; // bounds what links to folders above can do
+
+/// Where each of these folders has this name in any case: as it is written first, the others in their order.
+std::vector<fs::path> ways(const std::vector<fs::path>& folders, const fs::path& name) {
+    std::vector<fs::path> exact;
+    std::set<fs::path> others;
     std::error_code error;
-    for (const fs::path& part : fs::path(relative).lexically_normal()) {
-        const fs::path exact = folder / part;
-        if (part == ".." || part == "." || part.empty() || fs::exists(exact, error)) {
-            folder = exact;
-            continue;
-        }
-        std::optional<fs::path> next;
+    for (const fs::path& folder : folders) {
+        if (name == ".." || name == "." || name.empty() || fs::exists(folder / name, error)) exact.push_back(folder / name);
         for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
              entry.increment(error))
-            if (equalsIgnoreCase(entry->path().filename().string(), part.string())) next = entry->path().filename();
-        if (!next) return std::nullopt;
-        folder /= *next;
+            if (const fs::path own = entry->path().filename(); own != name && equalsIgnoreCase(own.string(), name.string()))
+                others.insert(folder / own);
     }
-    return fs::is_regular_file(folder, error) ? std::optional(folder.lexically_normal()) : std::nullopt;
+    exact.insert(exact.end(), others.begin(), others.end());
+    exact.resize(std::min(exact.size(), kMostWays));
+    return exact;
+}
+
+} // namespace
+
+std::optional<fs::path> findInAnyCase(fs::path folder, std::string relative) {
+    std::ranges::replace(relative, '\\', '/');
+    const auto isFile = [](const fs::path& path) {
+        std::error_code error;
+        return fs::is_regular_file(path, error);
+    };
+    const fs::path asWritten = fs::path(relative).lexically_normal();
+    if (isFile(folder / asWritten)) return (folder / asWritten).lexically_normal();
+    std::vector<fs::path> found = {std::move(folder)};
+    for (const fs::path& part : asWritten) // folders whose names differ in case alone may both be there
+        found = ways(found, part);
+    const auto file = std::ranges::find_if(found, isFile);
+    return file == found.end() ? std::nullopt : std::optional(file->lexically_normal());
 }
 
 namespace {

@@ -269,6 +269,19 @@ TEST(ForeignValues, true_and_false_in_capitals_are_of_states_alone) {
     EXPECT_EQ(warningOf(kShaders + "technique T { pass P { ZEnable = TRUE; AlphaBlendEnable = (FALSE); } }"), "");
 }
 
+TEST(ForeignValues, that_name_a_parameter_are_read_and_said) {
+    for (const std::string text :
+         {"float2 a = 3;\nfloat b = a.y;", "float a = 3; float2 b = {\na, 1 };", "struct S { float x; }; S a = { 3 };\nfloat b = -a.x;",
+          "int b = 3; static const int a = b;\nint c = 2 * a;", "float a = 3; float b <\nfloat UIMin = a; > = 4;"}) {
+        const std::string said = warningOf(text);
+        EXPECT_TRUE(said.starts_with("main.fx(2,")) << text << ": " << said;
+        EXPECT_NE(said.find("warning TG1104: 'a' is a parameter: it is not a constant; write its value"), std::string::npos) << said;
+        EXPECT_EQ(firstCode(load(text)), 1104) << text;
+    }
+    EXPECT_EQ(numbers(foreign("float2 a = 3; float b = a.y;"), "b"), std::vector<double>{3}) << "it is read all the same";
+    EXPECT_EQ(warningOf("float x = 1; static const float2 a = 3; float b < float UIMin = a.x; > = a.x;"), "");
+}
+
 TEST(ForeignSamplers, that_name_two_textures_read_the_last_one) {
     const Effect effect = foreign("texture a; texture b; sampler s = sampler_state { Texture = <a>; Texture = <b>; };");
     EXPECT_EQ(effect.findSampler("s")->texture, "b");

@@ -95,9 +95,6 @@ glm::dvec4 metCells(const MetPiece& piece, double reach, double& edge) {
                 if (std::abs(distance) >= 0.5 || away >= reach || share <= piece.low) continue;
                 const MetCone cone = piece.cone(root, share, kFurRootRadius, 1, point.random);
                 edge = std::min(edge, std::abs(cone.inside(cone.nearest())) / 20);
-                // Begun above the tip, in the cone's other half, and passing by: tgFurCone takes the root there, and the height of the
-                // begin.
-                if (glm::length(cone.from) < -cone.radius && cone.inside(cone.nearest()) < 0) edge = 0;
                 met = piece.meet(met, cone, share, point.random);
             }
     return met;

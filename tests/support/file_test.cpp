@@ -55,6 +55,28 @@ TEST_F(Files, whether_one_can_be_written_is_known_beforehand_and_leaves_nothing)
     EXPECT_TRUE(canWrite(folder_ / "file")) << "it is replaced";
 }
 
+TEST_F(Files, are_found_in_any_case_whichever_of_several_folders_they_are_in) {
+    for (const char* name : {"maps/fur.dds", "Maps/Brick.TGA", "MAPS/Brick.tga", "MAPS/x/Y"})
+        ASSERT_TRUE(writeFile(folder_ / name, "1"));
+    const auto found = [&](const char* name) {
+        return findInAnyCase(folder_, name).value_or(fs::path()).lexically_relative(folder_).string();
+    };
+    EXPECT_EQ(found("maps\\brick.tga"), "MAPS/Brick.tga") << "not only in the folder that is spelt so; the first in order";
+    EXPECT_EQ(found("Maps/Brick.TGA"), "Maps/Brick.TGA") << "as it is written before all";
+    EXPECT_EQ(found("maps/../Maps/X/y"), "MAPS/x/Y");
+    EXPECT_FALSE(findInAnyCase(folder_, "maps")) << "a folder";
+    EXPECT_FALSE(findInAnyCase(folder_, "maps/none"));
+}
+
+TEST_F(Files, of_links_that_lead_back_are_looked_for_and_given_up) {
+    for (const char* name : {"x", "X"})
+        fs::create_directory_symlink(".", folder_ / name);
+    std::string way;
+    for (int i = 0; i < 30; ++i)
+        way += "x/";
+    EXPECT_FALSE(findInAnyCase(folder_, way + "none")) << "2^30 ways";
+}
+
 TEST_F(Files, a_failed_write_keeps_the_old_file) {
     fs::create_directories(folder_ / "target");
     EXPECT_FALSE(writeFile(folder_ / "target", "text")); // a folder is in the way

@@ -50,6 +50,7 @@ SHORTEST = 60  # seconds of the processor, and so many times what a test takes w
 TIMES_LONGER = 8
 MOST_RED = 8  # cases of functions without any mutant; more of them: something is missing
 CHUNK = 24  # cases of functions in one process
+MOST_OTHERS = 4 * CHUNK  # cases of callers, where no picture is asked either
 
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
          "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
@@ -235,13 +236,14 @@ class Plan:
         self.kills, self.asked, self.base, self.sure = {}, {}, {}, {}
 
     def of_functions(self, mutant):
-        """Cases of the function itself, or of what this macro defines, then of those that call it."""
+        """Cases of the function itself, or of what this macro defines, then of those that call it, the nearest first."""
         if (mutant.function or mutant.macro) in self.cases:
             yield "function", self.cases[mutant.function or mutant.macro]
-        others = [test for name, tests in self.cases.items() if name != mutant.function and self.reach.leads(name, mutant.name) for test in tests]
-        if self.arguments.seconds or len(others) <= 4 * CHUNK:
-            for begin in range(0, len(others), CHUNK):
-                yield "functions", others[begin:begin + CHUNK]
+        callers = [name for name in self.cases if name != mutant.function and self.reach.leads(name, mutant.name)]
+        callers.sort(key=lambda name: self.reach.steps(name, mutant.name))
+        others = [test for name in callers for test in self.cases[name]][:None if self.arguments.seconds else MOST_OTHERS]
+        for begin in range(0, len(others), CHUNK):
+            yield "functions", others[begin:begin + CHUNK]
 
     def reaches(self, mutant, shader):
         file, entry, _ = shader.rsplit(" ", 2)

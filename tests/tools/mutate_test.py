@@ -67,6 +67,20 @@ class Shaders(unittest.TestCase):
         self.assertFalse(reach.leads("other", "kSteps"))
         self.assertFalse(reach.leads("inner", "outer"))
 
+    def test_steps_are_those_of_the_shortest_way(self):
+        reach = shader_tests.Reach({"far": {"middle", "aside"}, "middle": {"near"}, "aside": {"middle"}, "near": {"f"}})
+        self.assertEqual([reach.steps(name, "f") for name in ("f", "near", "far", "unknown")], [0, 1, 3, 4])
+
+    def test_of_too_many_cases_of_callers_the_nearest_are_asked_where_no_picture_is(self):
+        plan = object.__new__(mutate.Plan)
+        far, near = [f"far {i}" for i in range(mutate.MOST_OTHERS)], ["near 1", "near 2"]
+        plan.cases, plan.reach = {"far": far, "near": near}, shader_tests.Reach({"far": {"near"}, "near": {"f"}})
+        text = "float f()\n{\n    return 2.0;\n}\n"
+        mutant = mutate.Mutant("hlsl/made.fxh", text.index("2.0"), text.index("2.0") + 3, text, "2.2")
+        for seconds, asked in ((0, (near + far)[:mutate.MOST_OTHERS]), (600, near + far)):
+            plan.arguments = types.SimpleNamespace(seconds=seconds)
+            self.assertEqual([test for _, tests in plan.of_functions(mutant) for test in tests], asked)
+
     def test_names_that_macros_paste_together_may_lead_anywhere_but_not_surely(self):
         reach = shader_tests.Reach(shader_tests.uses_of_names(self.root))
         self.assertTrue(reach.leads("joined", "kSteps"))

@@ -51,6 +51,16 @@ class Reach:
         """Also where it cannot be told: names that macros paste together."""
         return not name or entry not in self.uses or not {name, "##"}.isdisjoint(self.of(entry))
 
+    def steps(self, entry, name):
+        """Names between them on the shortest way; more than any way has where none can be told."""
+        seen, level = set(), {entry}
+        for steps in range(len(self.uses)):
+            if name in level:
+                return steps
+            seen |= level
+            level = {used for at in level for used in self.uses.get(at, ())} - seen
+        return len(self.uses)
+
     def surely_leads(self, entry, name):
         return bool(name) and name in self.of(entry)
 

@@ -364,6 +364,10 @@ private:
             end("precision", mesh.positions.size(),
                 fmt::format("positions at most {:.3g} mm off, normals {:.3g} degrees, texture coordinates {:.3g}", error->positionMm,
                             error->normalDegrees, error->uv));
+            if (!hasArea(mesh))
+                return inputError(
+                    7020, {.file = path_.string(), .byte = {}}, "no triangle has an area",
+                    fmt::format("positions are up to {:.3g} mm off with so few bits: --vertex float keeps them", error->positionMm));
             glb_.format = options_.precision == VertexPrecision::Unorm16 ? VertexFormat::Unorm16 : VertexFormat::Float;
         }
         report_.output = {.vertices = mesh.positions.size(), .faces = mesh.indices.size() / 3};

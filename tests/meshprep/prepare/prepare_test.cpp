@@ -419,6 +419,17 @@ TEST_F(Prepare, a_mesh_that_loses_its_area_to_floats_is_refused_before_it_is_wri
     EXPECT_NE(format(result.error()).find("leave out what lies far from the rest"), std::string::npos) << format(result.error());
 }
 
+/// Half floats are a millimetre apart there.
+TEST_F(Prepare, a_mesh_that_loses_its_area_to_half_floats_is_refused_too) {
+    ASSERT_TRUE(
+        writePly(folder_ / "wide.ply", meshOf({{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}, {1500, 0, 0}, {3000, 0, 0}}, {0, 1, 2, 0, 3, 4})));
+    EXPECT_TRUE(prepareMesh(folder_ / "wide.ply", {}));
+    const auto result = prepareMesh(folder_ / "wide.ply", {.precision = VertexPrecision::Half});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().diagnostics.front().code, 7020);
+    EXPECT_NE(format(result.error()).find("--vertex float"), std::string::npos) << format(result.error());
+}
+
 TEST_F(Prepare, a_mesh_of_nothing_but_collapsed_triangles_names_the_reason) {
     ASSERT_TRUE(writePly(folder_ / "flat.ply", meshOf({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {0, 1, 2})));
     const auto result = prepareMesh(folder_ / "flat.ply", {});

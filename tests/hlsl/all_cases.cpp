@@ -5,11 +5,11 @@ namespace tegument::test {
 std::vector<FunctionCase> allCases() {
     std::vector<FunctionCase> all;
     for (auto make :
-         {specularCases,    lightCases,       softShadowCases,   surfaceCases,   workspaceCases,  shadowCases,       gaussianCases,
-          poissonCases,     scatterCases,     pyramidCases,      cullCases,      furCases,        furRootsCases,     furRibbonCases,
-          peerScreenCases,  peerTableCases,   lockCases,         lockLightCases, ribbonPassCases, strandPassCases,   computePassCases,
-          furShellCases,    furSweepCases,    furLayerCases,     furMotionCases, lockPassCases,   strandRibbonCases, furNotedCases,
-          pyramidPassCases, pyramidLinkCases, pyramidFinalCases, skinPassCases,  skinMapCases,    lampPassCases})
+         {specularCases,    lightCases,       softShadowCases,  surfaceCases,      workspaceCases, shadowCases,     gaussianCases,
+          poissonCases,     scatterCases,     pyramidCases,     cullCases,         furCases,       furRootsCases,   furRibbonCases,
+          peerScreenCases,  peerDiscCases,    peerTableCases,   lockCases,         lockLightCases, ribbonPassCases, strandPassCases,
+          computePassCases, furShellCases,    furSweepCases,    furLayerCases,     furMotionCases, lockPassCases,   strandRibbonCases,
+          furNotedCases,    pyramidPassCases, pyramidLinkCases, pyramidFinalCases, skinPassCases,  skinMapCases,    lampPassCases})
         for (FunctionCase& function : make())
             all.push_back(std::move(function));
     return all;

@@ -10,9 +10,9 @@ float gRibbonWhole < string UIWidget = "None"; > = 1000000.0; // pass Roots draw
 #ifdef TEGUMENT_COMPUTE
 #define RIBBON_COLUMNS 1366
 #define RIBBON_ROOT_ROWS 256
-static const float2 kRibbonRootSize = float2(1366.0, 256.0);   // as above
-static const float2 kRibbonValueSize = float2(1366.0, TEGUMENT_RIBBON_ROWS); // as above
-static const float kRibbonTexels = 3.0;                        // of a root in its texture
+static const float2 kRibbonRootSize = float2(RIBBON_COLUMNS, RIBBON_ROOT_ROWS);
+static const float2 kRibbonValueSize = float2(RIBBON_COLUMNS, TEGUMENT_RIBBON_ROWS);
+static const float kRibbonTexels = 3.0; // of a root in its texture
 
 // x, y, z of the vertex as stored; its code (tgRibbon).
 Texture2D gRibbonRootMap : RENDERCOLORTARGET < int Width = RIBBON_COLUMNS; int Height = RIBBON_ROOT_ROWS; int MipLevels = 1;

@@ -5,10 +5,10 @@ namespace tegument::test {
 std::vector<FunctionCase> allCases() {
     return together(specularCases(), lightCases(), softShadowCases(), surfaceCases(), workspaceCases(), shadowCases(), gaussianCases(),
                     poissonCases(), scatterCases(), pyramidCases(), cullCases(), furCases(), furRootsCases(), furRibbonCases(),
-                    peerScreenCases(), peerTableCases(), lockCases(), lockLightCases(), ribbonPassCases(), strandPassCases(),
-                    computePassCases(), furShellCases(), furSweepCases(), furLayerCases(), furMotionCases(), lockPassCases(),
-                    strandRibbonCases(), furNotedCases(), pyramidPassCases(), pyramidLinkCases(), pyramidFinalCases(), skinPassCases(),
-                    skinMapCases(), lampPassCases());
+                    peerScreenCases(), peerDiscCases(), peerTableCases(), lockCases(), lockLightCases(), ribbonPassCases(),
+                    strandPassCases(), computePassCases(), furShellCases(), furSweepCases(), furLayerCases(), furMotionCases(),
+                    lockPassCases(), strandRibbonCases(), furNotedCases(), pyramidPassCases(), pyramidLinkCases(), pyramidFinalCases(),
+                    skinPassCases(), skinMapCases(), lampPassCases());
 }
 
 } // namespace tegument::test

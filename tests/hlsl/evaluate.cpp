@@ -69,11 +69,15 @@ std::vector<std::pair<std::string, std::string>> definesOf(const FunctionCase& f
     return defines;
 }
 
-/// What compute shaders store is a variable here, which the body reads: of each store the texel of the last one does not count.
+/// What compute shaders store is a variable here, which the body reads: of each store the texel of the last one does not count. What a
+/// group shares is one, too: a body calls one thread after the other, as often as they wait for each other, and once more.
 std::string storesAsVariables(const std::string& code) {
     static const std::regex kDeclared(R"(RWTexture2D\s*<\s*float4\s*>\s*(\w+)\s*(?:<[^;]*>)?\s*;)");
     static const std::regex kStored(R"(\b(\w+Store)\s*\[[^\]]*\])");
-    return std::regex_replace(std::regex_replace(code, kDeclared, "static float4 $1 = 0.0;"), kStored, "$1");
+    static const std::regex kWait(R"(\bGroupMemoryBarrierWithGroupSync\(\);)");
+    static const std::regex kShared(R"(\bgroupshared\b)");
+    const std::string stored = std::regex_replace(std::regex_replace(code, kDeclared, "static float4 $1 = 0.0;"), kStored, "$1");
+    return std::regex_replace(std::regex_replace(stored, kWait, ""), kShared, "static");
 }
 
 /// The source that the function stands in, its own way of naming files and all.

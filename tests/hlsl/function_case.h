@@ -196,6 +196,7 @@ template <class... Parts>
 [[nodiscard]] std::vector<FunctionCase> skinMapCases();
 [[nodiscard]] std::vector<FunctionCase> lampPassCases();
 [[nodiscard]] std::vector<FunctionCase> peerScreenCases();
+[[nodiscard]] std::vector<FunctionCase> peerDiscCases();
 [[nodiscard]] std::vector<FunctionCase> peerTableCases();
 
 /// Texels along the maps that functions are tested with: TEGUMENT_MAP_SIZE.

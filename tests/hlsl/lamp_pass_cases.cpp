@@ -181,6 +181,16 @@ std::vector<FunctionCase> sums() {
         lampCase("moreReflected", std::string(kPoint) + "return float4(moreReflected(p, tgSafeNormalize(gCameraPosition - p.world)), 0);",
                  pointArguments(),
                  [](const Inputs& x) { return values(skyMirrored(x) + lampMirrored(x, 0) + lampMirrored(x, 1) + lampMirrored(x, 2)); }));
+    // Of surroundings the skin is entered by as much as at the mean cosine of a hemisphere weighed by that cosine: 1/3 over 1/2.
+    std::vector<glm::dvec4> albedo;
+    for (int column = 0; column < 64; ++column)
+        albedo.emplace_back(0.1 + 0.01 * column, 0.02, 0, 0);
+    cases.push_back(lampCase("moreCrossing", std::string(kPoint) + "return float4(moreCrossing(p), 0);", pointArguments(),
+                             [at = albedo[64 * 2 / 3]](const Inputs& x) {
+                                 return values(glm::dvec3(skyLight(x.vec3(1), x.vec3(2))) * (1 - kSkinIntensity * (at.x + at.y)));
+                             },
+                             {{"TEGUMENT_SURROUNDINGS", "1"}}));
+    cases.back().maps["gEnergyAttenuationMap"] = rowOfTexels(albedo);
     const std::string share = std::string(kPoint) + "LitShare s = skinShare(p, float3(0.4, 0.5, 0.6)); ";
     const auto shown = [](const Inputs& x) { // of light that falls on the point
         return x.vec3(4) * (1 - x.scalar(5)) + glm::dvec3(0.4, 0.5, 0.6) * x.vec3(4) * x.scalar(5) * kSkinLeft * kSkinLeft;
@@ -327,6 +337,19 @@ std::vector<FunctionCase> open() {
                                  [](const Inputs&) { return values(0); }, {{"TEGUMENT_LAMPS", "3"}}));
         cases.back().settings = {setting};
     }
+    // Another way of the first tap from texel to texel of the skin: interleaved gradient noise.
+    cases.push_back(lampCase(
+        "LampsSeenPS",
+        "LampsSeenVarying v = (LampsSeenVarying)0; v.place[0] = float4(a0 * 0.4, a1, 0.4); v.right[0] = float3(0.8, 0, 0.6); "
+        "v.world = float3(10, 20, 30); v.normal = a2; v.uv = a3; LampReceiver r = (LampReceiver)0; float2 texel = floor(a3 * 256.0); "
+        "float turn = 6.28318531 * frac(52.9829189 * frac(0.06711056 * texel.x + 0.00583715 * texel.y)); sincos(turn, r.way.y, r.way.x); "
+        "return float4(LampsSeenPS(v).x - lampSeen(gLampShadow1Map, gLampShadow1, gLampBlocks1Map, gLampBlocks1, 0, v, normalize(a2), r), "
+        "0, 0, 0);",
+        {linear(-0.8, 0.8, 2), linear(640, 1200), unit(), linear(0, 1, 2)}, [](const Inputs&) { return values(0); },
+        {{"TEGUMENT_LAMPS", "3"}, {"TEGUMENT_SOFT_SHADOWS", "1"}}));
+    cases.back().domain = [](const Inputs& x) { return glm::length(x.vec3(2)) > 0.5; };
+    cases.back().maps["gLampShadow1Map"] = chequered();
+    cases.back().maps["gLampBlocks1Map"] = oneTexel(1, 0, 0, 1000);
     for (FunctionCase& each : cases) {
         if (each.function == "lampOpen") each.maps["gTsmMap"] = chequered();
         each.map = &shadowMap();

@@ -17,6 +17,13 @@ inline constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.236067977499789
     return linear(low, high, 2, 3e-7);
 }
 
+/// The map's red is its depth, about 600: results are brought to where the other colours are, so that a tolerance means the same in all.
+inline const glm::dvec4 kScale(0.001, 1, 1, 1);
+inline constexpr const char* kScaleCode = "float4(.001, 1, 1, 1) * ";
+
+inline const glm::dvec2 kFrustum(0.22, 0.11);
+inline constexpr const char* kFrustumCode = "float2 f = float2(.22, .11); ";
+
 /// The rows of d'Eon and Luebke's table as HLSL, and as numbers.
 inline constexpr const char* kGaussianRows =
     "float4 g[6] = {float4(.233, .455, .649, .0064), float4(.1, .336, .344, .0484), float4(.118, .198, 0, .187), "
@@ -31,6 +38,19 @@ inline constexpr const char* kGaussianRows =
 [[nodiscard]] inline glm::dvec2 viewUv(const glm::dvec3& place, const glm::dvec2& frustum) {
     return {0.5 + 0.5 * place.x / place.z / frustum.x, 0.5 - 0.5 * place.y / place.z / frustum.y};
 }
+
+/// Of a pixel: a fraction of 53 fractions.
+struct ScreenNoise {
+    double inner = 0;
+    double value = 0;
+
+    explicit ScreenNoise(const glm::dvec2& place) {
+        const glm::dvec2 pixel = glm::floor(place);
+        inner = glm::fract(0.06711056 * pixel.x + 0.00583715 * pixel.y);
+        value = glm::fract(52.9829189 * inner);
+    }
+    [[nodiscard]] bool isClear() const { return inner > 1e-4 && inner < 1 - 1e-4 && value > 1e-3 && value < 1 - 1e-3; }
+};
 
 /// Along the surface by pixel: half of the way from the place before to the one behind, so that either direction has the same length.
 [[nodiscard]] glm::dvec3 pixelTangent(const TestMap& map, const glm::dvec2& uv, const glm::dvec2& axis, const glm::dvec2& frustum);

@@ -15,15 +15,13 @@ glm::dvec3 ownWeightOf(const glm::dvec4& wide) {
     return wide.w < 0 ? weightBesideLinks(0, -wide.w, kTestMapSize) : ladderAt(0, wide.w);
 }
 
-/// Arguments: the texel, colour, whether it scatters, the normal, world.
-glm::dvec3 pictureOf(const Inputs& x) {
-    const glm::dvec4 wide = kWide[static_cast<std::size_t>(std::round(x.scalar(0)))];
-    const glm::dvec3 albedo = x.vec3(1);
-    const double scatters = x.scalar(2);
-    const glm::dvec3 normal = x.vec3(3);
+/// wide: texel of what the levels have added up to. colour.w: whether it scatters.
+glm::dvec3 pictureOf(const glm::dvec4& wide, const glm::dvec4& colour, const glm::dvec3& normal, const glm::dvec3& world) {
+    const glm::dvec3 albedo(colour);
+    const double scatters = colour.w;
     const glm::dvec3 toLight(0, 0, 1);
     const double shadow = normal.z > 0 ? 1 : 0; // nothing hides the light but the surface itself
-    const glm::dvec3 toEye = glm::normalize(kSkinCamera - x.vec3(4));
+    const glm::dvec3 toEye = glm::normalize(kSkinCamera - world);
     const glm::dvec3 entering = enteringSkin(albedo, normal.z, shadow);
     const glm::dvec3 leaving = glm::max(entering * ownWeightOf(wide) + glm::dvec3(wide), 0.0);
     const glm::dvec3 skin = leaving * skinColour(albedo, 1 - kSkinMix) * kSkinLeft;
@@ -48,8 +46,10 @@ std::vector<FunctionCase> pictures() {
                     "p.albedo = a1; p.scatters = a2; p.normal = a3; p.meshNormal = float3(0, 0, 1); p.toLight = float3(0, 0, 1); "
                     "p.cosine = a3.z; p.footprint = 0.2; p.axisX = float3(1, 0, 0); p.axisY = float3(0, 1, 0); p.lightUv = 0.5; "
                     "return finalColour(v, p);",
-                    {whole(0, 3), linear(0.05, 1, 3), linear(0, 1), unit(), linear(-40, 40, 3)},
-                    [](const Inputs& x) { return values(glm::dvec4(pictureOf(x), 1)); }));
+                    {whole(0, 3), linear(0.05, 1, 3), linear(0, 1), unit(), linear(-40, 40, 3)}, [](const Inputs& x) {
+                        const glm::dvec4& wide = kWide[static_cast<std::size_t>(std::round(x.scalar(0)))];
+                        return values(glm::dvec4(pictureOf(wide, glm::dvec4(x.vec3(1), x.scalar(2)), x.vec3(3), x.vec3(4)), 1));
+                    }));
     cases.back().maps["gLight0Map"] = rowOfTexels(kWide);
     cases.back().maps["gShadowMap"] = oneTexel(0);
     cases.back().tolerance.backward = 16;
@@ -88,7 +88,19 @@ std::vector<FunctionCase> shadows() {
     made.samples = 2048;
     made.tolerance = kTapTolerance;
     made.domain = [](const Inputs& x) { return x.scalar(2) > 0.05 && std::abs(x.scalar(2) - 0.15) > 1e-4; };
-    return {made};
+    // Regression check: seen edge-on the look-up moves aside by a texel where the four nearest are interpolated.
+    FunctionCase steep = made;
+    steep.body = "LitPoint p = (LitPoint)0; p.toLight = float3(0, 0, 1); p.axisX = float3(1, 0, 0); p.axisY = float3(0, 1, 0); "
+                 "p.meshNormal = float3(sqrt(1.0 - a3 * a3), 0, a3); p.normal = p.meshNormal; p.cosine = a3; p.lightUv = a0; p.depth = a1; "
+                 "p.footprint = a2; p.scatters = 1.0; "
+                 "float2 slope = tgShadowPlanarSlope(p.meshNormal, p.axisX, p.axisY, p.toLight, tgLightRays(), p.footprint); "
+                 "PlanarPlace at = planarPlace(p, slope, 1.0); "
+                 "return float4(finalShadow(p) - tgShadowSharp(gShadowMap, gShadow, at.uv, at.depth, slope), 0, 0, 0);";
+    steep.arguments = {linear(0.1, 0.9, 2), linear(596, 604), linear(0.16, 0.4), linear(0.02, 0.12)};
+    steep.expected = [](const Inputs&) { return values(0); };
+    steep.tolerance = {.forward = 0, .backward = 0, .absolute = 1e-6, .why = "the same call, above the mesh's horizon"};
+    steep.domain = [](const Inputs& x) { return x.scalar(2) > 0.155 && x.scalar(3) > 0.015; };
+    return {made, steep};
 }
 
 /// Eight by eight pixels of a picture: u, v, and whether there is a surface.
@@ -128,10 +140,65 @@ std::vector<FunctionCase> pixels() {
     return {made};
 }
 
+const glm::dvec4 kSeenColour = {0.3, 0.7, 0.2, 0.6};
+
+glm::dvec3 seenNormal(int x, int y) {
+    return glm::normalize(glm::dvec3(0.3 * x - 1, 0.8 - 0.25 * y, (x + y) % 3 == 0 ? -0.4 : 0.5));
+}
+
+/// A point of the square that the octahedron of |x| + |y| + |z| = 1 is folded to, brought to 0..1.
+glm::dvec2 storedNormal(const glm::dvec3& n) {
+    const glm::dvec3 p = n / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    const glm::dvec2 outside(std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y));
+    return 0.5 + 0.5 * (p.z < 0 ? outside : glm::dvec2(p));
+}
+
+double seenDepth(int x, int y) {
+    return (x * 3 + y * 5) % 11 == 0 ? 1 : 0.05 * x + 0.03 * y + 0.1;
+}
+
+/// A picture of 8 x 8 pixels by the compute shader. A pixel is half a texel of the colour map wide, whose next level has another colour.
+FunctionCase lighting() {
+    TestMap places{.size = 8, .texels = {}};
+    TestMap depths{.size = 8, .texels = {}};
+    TestMap colours{.size = 8, .texels = {}, .mips = 2};
+    for (int i = 0; i < 64; ++i) {
+        const glm::dvec2 n = storedNormal(seenNormal(i % 8, i / 8));
+        places.texels.push_back({static_cast<float>(0.2 + 0.0625 * (i % 8)), static_cast<float>(0.3 + 0.0625 * (i / 8)),
+                                 static_cast<float>(n.x), static_cast<float>(n.y)});
+        depths.texels.push_back({static_cast<float>(seenDepth(i % 8, i / 8)), 0, 0, 0});
+        colours.texels.push_back({0.3F, 0.7F, 0.2F, 0.6F});
+    }
+    colours.texels.resize(64 + 16, {0.9F, 0.1F, 0.5F, 0.1F});
+    FunctionCase made =
+        pyramidCase("FinalCS", "FinalCS(uint3(a0, a1, 0)); return gPictureStore;", {whole(0, 7), whole(0, 7)}, [](const Inputs& x) {
+            const auto i = static_cast<int>(std::round(x.scalar(0)));
+            const auto j = static_cast<int>(std::round(x.scalar(1)));
+            const double depth = seenDepth(i, j);
+            if (depth >= 1) return values(0); // nothing is seen, and nothing stored
+            const glm::dvec3 world(5 * (i + 0.5) - 20, 16 - 4 * (j + 0.5), 30 * depth - 8);
+            return values(glm::dvec4(pictureOf(kWide[0], kSeenColour, seenNormal(i, j), world), 1));
+        });
+    made.globals["gViewProjectionInverse"] = {20, 0, 0, 0, 0, 16, 0, 0, 0, 0, 30, 0, 0, 0, -8, 1};
+    made.maps["gPlaceMap"] = places;
+    made.maps["gPlaceDepthMap"] = depths;
+    made.maps["gSkinMap"] = colours;
+    made.maps["gAtlasTangentMap"] = oneTexel(1, 0, 0, 1);
+    made.maps["gLight0Map"] = oneTexel(kWide[0].x, kWide[0].y, kWide[0].z, kWide[0].w);
+    made.maps["gShadowMap"] = oneTexel(0);
+    made.samples = 256;
+    made.tolerance.absolute = 1e-3; // as finalColour
+    return made;
+}
+
+std::vector<FunctionCase> lightings() {
+    return {lighting()};
+}
+
 } // namespace
 
 std::vector<FunctionCase> pyramidFinalCases() {
-    return together(pictures(), shadows(), pixels());
+    return together(pictures(), shadows(), pixels(), lightings());
 }
 
 } // namespace tegument::test

@@ -181,6 +181,13 @@ FunctionCase sheetCase(const char* function, const std::string& body, int size, 
     return made;
 }
 
+/// A thread does not see the end that another has met: it begins behind it, and must meet one itself.
+bool threadsMeetTheEnd(const Inputs& x, bool coarse) {
+    const auto column = static_cast<int>(std::round(x.scalar(0))) / 2;
+    const auto row = static_cast<int>(std::round(x.scalar(1))) / 2;
+    return linkIn(column, row, 0, coarse).x != 0 && linkIn(column, row, 1, coarse).x != 0;
+}
+
 std::vector<FunctionCase> lists() {
     std::vector<FunctionCase> cases;
     for (int size : {256, 512}) {
@@ -193,12 +200,7 @@ std::vector<FunctionCase> lists() {
             cases.push_back(
                 sheetCase(of, std::string("return ") + of + "(uv, 0.0, 2.0) + " + of + "(uv, 1.0, 2.0);", size, any, 0,
                           [=](int x, int y, double density, const Inputs&) { return values(ownList(x / 2, y / 2, any, size, density)); }));
-            // A thread does not see the end that another has met: it begins behind it, and must meet one itself.
-            cases.back().domain = [=](const Inputs& x) {
-                const auto column = static_cast<int>(std::round(x.scalar(0))) / 2;
-                const auto row = static_cast<int>(std::round(x.scalar(1))) / 2;
-                return linkIn(column, row, 0, any).x != 0 && linkIn(column, row, 1, any).x != 0;
-            };
+            cases.back().domain = [=](const Inputs& x) { return threadsMeetTheEnd(x, any); };
         }
         cases.push_back(sheetCase("quarterLinks", "return quarterLinks(uv);", size, false, 0,
                                   [=](int x, int y, double density, const Inputs&) { return values(quarterList(x, y, size, density)); }));
@@ -269,6 +271,18 @@ std::vector<FunctionCase> levels() {
                 add("LinkedLight" + std::to_string(level) + "PS", level, size, level == 6, false);
         add("FineTopPS", std::max(wide, 2), size, true, true); // the last level without the coarse ones
         if (size <= 512) add("FineLightPS", wide, size, false, true);
+    }
+    // Four threads share a list, and the first adds them up.
+    for (const bool fine : {false, true}) {
+        const std::string entry = fine ? "FineTopCS" : "LinkedLight2CS";
+        cases.push_back(
+            sheetCase("PYRAMID_LINKS_CS",
+                      "[loop] for (int z = 3; z >= 0; z--) " + entry + "(uint3(uv * kPyramidSize2, z), 64 * z + 9); return gLight2Store;",
+                      1024, !fine, 1, [=](int x, int y, double density, const Inputs&) {
+                          return levelWithLinks(2, 1024, fine, fine, x, y, density, texelOfRow(metricRow(), x / 64).w);
+                      }));
+        cases.back().samples = 256;
+        cases.back().domain = [=](const Inputs& x) { return threadsMeetTheEnd(x, !fine); };
     }
     cases.push_back(
         sheetCase("linkedLevel", "return linkedLevel(gEntry3Map, gEntry3, uv, 32.0, 3.0);", 256, false, 0,

@@ -86,6 +86,46 @@ double horizonOf(double cosine) {
     return std::clamp(cosine / 0.01, 0.0, 1.0);
 }
 
+/// Hair from 180 mm before the light on, 4 mm thick: what its strands take from there to a quarter, .6, 1.2 and 2.4 of that.
+constexpr double kHairFront = 180;
+constexpr double kHairThickness = 4;
+constexpr double kHairShadow = 0.9;
+constexpr std::array<double, 5> kHairDepths = {0, 0.25, 0.6, 1.2, 2.4};
+constexpr std::array<double, 5> kHairSums = {0, 0.2, 0.5, 0.6, 1.4};
+
+/// At this height above the origin of the world, less what a strand, a twentieth of the thickness, would shadow of itself.
+double leftByHair(double z) {
+    const double depth = ((kSkinLightAt - z) * kSkinUnit - kHairFront) / kHairThickness - 0.05;
+    double taken = 0;
+    for (std::size_t i = 1; i < kHairSums.size(); ++i) {
+        const double part = (depth - kHairDepths[i - 1]) / (kHairDepths[i] - kHairDepths[i - 1]);
+        taken += (kHairSums[i] - kHairSums[i - 1]) * std::clamp(part, 0.0, 1.0);
+    }
+    return std::exp(-kHairShadow * taken);
+}
+
+void hair(FunctionCase& made) {
+    made.effect = "FurSkin.fx";
+    made.globals["gCoatShadow"] = {kHairShadow};
+    made.globals["gFurLength"] = {0.1};
+    made.globals["gMeshRadius"] = {kHairThickness / kSkinUnit / 0.1};
+    made.maps["gCoatFrontMap"] = oneTexel(kHairFront);
+    made.maps["gCoatOpacityMap"] = oneTexel(kHairSums[1], kHairSums[2], kHairSums[3], kHairSums[4]);
+}
+
+/// What strands leave of the light to skin enters.
+FunctionCase belowHair(const FunctionCase& bare) {
+    FunctionCase made = bare;
+    hair(made);
+    made.expected = [open = bare.expected](const Inputs& x) {
+        const auto at = static_cast<std::size_t>(std::round(x.scalar(0)));
+        const Values light = open(x);
+        const double left = leftByHair(kSkinScale * kPlaces[at].z + kSkinOrigin.z);
+        return values(light[0] * left, light[1] * left, light[2] * left, light[3]);
+    };
+    return made;
+}
+
 std::vector<FunctionCase> entering() {
     std::vector<FunctionCase> cases;
     cases.push_back(pyramidCase("skinOpen", "return float4(skinOpen(a0), 0, 0, 0);", {linear(-100, 100, 3)},
@@ -107,6 +147,10 @@ std::vector<FunctionCase> entering() {
     light.maps["gShadowMap"] = oneTexel(0);
     light.samples = 64;
     light.tolerance.absolute = 2e-4; // a horizon a hundredth high, from a cosine to 1e-7, times its rounding in the map's texel
+    cases.push_back(belowHair(light));
+    cases.push_back(pyramidCase("skinOpen", "return float4(skinOpen(float3(a0, a1)), 0, 0, 0);", {linear(-30, 30, 2), linear(-40, 60)},
+                                [](const Inputs& x) { return values(leftByHair(x.scalar(1))); }));
+    hair(cases.back());
     return cases;
 }
 
@@ -143,9 +187,47 @@ std::vector<FunctionCase> shadows() {
     return cases;
 }
 
+/// A map of half the texels along a side: of each four by four of the finer one, weighted 1, 3, 3, 1 both ways; the border goes on.
+TestMap halved(const TestMap& finer) {
+    TestMap map{.size = finer.size / 2, .texels = {}};
+    constexpr std::array<double, 4> kWeights = {1.0 / 8, 3.0 / 8, 3.0 / 8, 1.0 / 8};
+    for (int y = 0; y < map.size; ++y)
+        for (int x = 0; x < map.size; ++x) {
+            glm::dvec4 sum(0);
+            for (int i = 0; i < 16; ++i)
+                sum += kWeights.at(static_cast<std::size_t>(i % 4)) * kWeights.at(static_cast<std::size_t>(i / 4)) *
+                       finer.texel(2 * x - 1 + i % 4, 2 * y - 1 + i / 4);
+            map.texels.push_back(
+                {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z), static_cast<float>(sum.w)});
+        }
+    return map;
+}
+
+/// Three reductions by a group of 64 threads, which wait for each other twice. The last texel of the last map that it writes.
+FunctionCase reducedByGroup(const std::string& entry, int from, int size) {
+    TestMap finest{.size = size >> from, .texels = {}};
+    for (int y = 0; y < finest.size; ++y)
+        for (int x = 0; x < finest.size; ++x)
+            finest.texels.push_back({0.5F + 0.4F * std::sin(0.9F * static_cast<float>(x)), 0.01F * static_cast<float>(y * y % 97),
+                                     static_cast<float>((x * 7 + y * 3) % 11), x % 5 == 0 ? 0.0F : 1.0F});
+    const TestMap last = halved(halved(halved(finest)));
+    FunctionCase made = pyramidCase(
+        "PYRAMID_REDUCE_CS",
+        "[loop] for (uint i = 0; i < 3 * 64; i++) " + entry + "CS(uint3(a0, a1, 0), i % 64); return gEntry" + std::to_string(from + 3) +
+            "Store;",
+        {whole(0, last.size / 4 - 1), whole(0, last.size / 4 - 1)},
+        [=](const Inputs& x) { return values(last.texel(4 * static_cast<int>(x.scalar(0)) + 3, 4 * static_cast<int>(x.scalar(1)) + 3)); },
+        size);
+    made.maps["gEntry" + std::to_string(from) + "Map"] = finest;
+    made.tolerance = {
+        .forward = 16, .backward = 0, .absolute = 2e-6, .why = "sums of 16, thrice; a linear filter has the quarters exactly"};
+    made.samples = 64;
+    return made;
+}
+
 std::vector<FunctionCase> computed() {
     const Tolerance exact{.forward = 2, .backward = 0, .why = "quotients of whole numbers"};
-    std::vector<FunctionCase> cases;
+    std::vector<FunctionCase> cases = {reducedByGroup("ReduceFine", 0, 256), reducedByGroup("ReduceCoarse", 3, 512)};
     cases.push_back(pyramidCase("texelAt", "return float4(texelAt(uint3(a0, a1, 3), 100.0).uv, 0, 0);", {whole(0, 99), whole(0, 99)},
                                 [](const Inputs& x) { return values((x.scalar(0) + 0.5) / 100, (x.scalar(1) + 0.5) / 100); }));
     cases.back().tolerance = exact;

@@ -52,7 +52,7 @@ struct Corner {
 };
 
 /// Interpolated where u, v and coverage of the four texels lie within 0.03, else the nearest.
-glm::dvec4 entry(glm::dvec2 uv) {
+glm::dvec4 entry(glm::dvec2 uv, const TestMap& map) {
     const Corner c(uv);
     glm::dvec4 four[2][2];
     glm::dvec4 low(1e30);
@@ -60,7 +60,7 @@ glm::dvec4 entry(glm::dvec2 uv) {
     glm::dvec4 mean(0);
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
-            four[j][i] = shadowMap().texel(c.x + i, c.y + j);
+            four[j][i] = map.texel(c.x + i, c.y + j);
             low = glm::min(low, four[j][i]);
             high = glm::max(high, four[j][i]);
             mean += (i == 0 ? 1 - c.fx : c.fx) * (j == 0 ? 1 - c.fy : c.fy) * four[j][i];
@@ -85,6 +85,19 @@ double filtered(glm::dvec2 uv, double depth, glm::dvec2 slope) {
             sum += (1 - c.fx) * (1 - c.fy) * lit(i, j) + c.fx * (1 - c.fy) * lit(i + 1, j) + (1 - c.fx) * c.fy * lit(i, j + 1) +
                    c.fx * c.fy * lit(i + 1, j + 1);
     return sum / 9;
+}
+
+/// Pieces of a surface side by side: of eight columns each, and rows, one is another by u, by v, or by what it covers.
+const TestMap& piecesMap() {
+    static const TestMap kMap = [] {
+        TestMap map{.size = kTestMapSize, .texels = {}};
+        for (int y = 0; y < kTestMapSize; ++y)
+            for (int x = 0; x < kTestMapSize; ++x)
+                map.texels.push_back({600 + 0.25F * static_cast<float>(x % 16), x / 8 % 3 == 0 ? 0.2F : 0.3F, x / 8 % 3 == 1 ? 0.4F : 0.5F,
+                                      y / 8 % 2 == 0 ? 1.0F : 0.5F});
+        return map;
+    }();
+    return kMap;
 }
 
 std::vector<FunctionCase> arithmetic() {
@@ -215,9 +228,12 @@ std::vector<FunctionCase> lookups() {
     cases.push_back({.function = "tgTsmEntry",
                      .body = "return tgTsmEntry(TG_SAMPLER2D_ARG(gTest), a0);",
                      .arguments = {mapUv()},
-                     .expected = [](const Inputs& x) { return values(entry(x.vec2(0))); },
+                     .expected = [](const Inputs& x) { return values(entry(x.vec2(0), shadowMap())); },
                      .tolerance = {.forward = 8, .backward = 2, .absolute = 2e-7, .why = "three interpolations"},
                      .map = &shadowMap()});
+    cases.push_back(cases.back()); // neighbours that differ by u alone, by v, or by their coverage
+    cases.back().expected = [](const Inputs& x) { return values(entry(x.vec2(0), piecesMap())); };
+    cases.back().map = &piecesMap();
     cases.push_back({.function = "tgShadowLit",
                      .body = "return float4(tgShadowLit(TG_SAMPLER2D_ARG(gTest), a0, a1), 0, 0, 0);",
                      .arguments = {mapUv(), linear(590, 610)},

@@ -88,6 +88,37 @@ constexpr const char* kStep =
     "float2 step = frac(0.5 * pixel) * 2.0; SurfaceVarying s = (SurfaceVarying)0; s.world = float3(step * 0.4, 0); "
     "s.uv = float2((a0 + 0.5) / 4.0, 0.5) + step * 0.001; ";
 
+/// As the seed prints it light of five maps comes through: exp(-t^2 / v), whatever lies between along the surface. A body of .1 to 2 mm;
+/// alpha is a share of the 300 mm between the light's planes.
+FunctionCase printedTransmission() {
+    const auto light = [](std::size_t map) { return glm::dvec3(0.9 - 0.1 * double(map), 0.2 + 0.1 * double(map), 0.5); };
+    const auto thickness = [](std::size_t map) { return 0.8 * std::sqrt(kSkinGaussians.at(map).w); }; // of what comes through the next map
+    FunctionCase made =
+        mainCase("diffusedLight",
+                 "SurfaceVarying s = (SurfaceVarying)0; s.uv = 0.5; LitPoint p = (LitPoint)0; p.lightUv = 0.5; p.depth = a0; "
+                 "return float4(diffusedLight(s, p), 0);",
+                 {linear(160, 170)}, [=](const Inputs&) {
+                     glm::dvec3 sum(0);
+                     for (std::size_t i = 0; i < 6; ++i) {
+                         sum += glm::dvec3(kSkinGaussians.at(i)) * light(i);
+                         const double t = i > 0 ? thickness(i) : 0;
+                         const double passed = i > 0 ? std::exp(-t * t / kSkinGaussians.at(i).w) : 0;
+                         sum += kSkinTransmission * passed * glm::dvec3(kSkinGaussians.at(i)) * light(i);
+                     }
+                     return values(sum);
+                 });
+    for (std::size_t map = 0; map < 6; ++map) { // each holds the thickness for the next
+        const glm::dvec3 l = light(map);
+        const double alpha = map < 5 ? thickness(map + 1) / 300 : 0.5;
+        made.maps["gIrradiance" + (map == 0 ? std::string() : std::to_string(map + 1)) + "Map"] = oneTexel(l.x, l.y, l.z, alpha);
+    }
+    made.maps["gTsmMap"] = oneTexel(150, 0.5, 0.5, 1);
+    made.settings = {0};
+    made.samples = 64;
+    made.tolerance = {.forward = 16, .backward = 0, .absolute = 1e-5, .why = "a sum of eleven lights; alpha keeps 1e-7 of a 300th"};
+    return made;
+}
+
 std::vector<FunctionCase> diffused() {
     std::vector<FunctionCase> cases;
     cases.push_back(mainCase("diffusedLight",
@@ -115,6 +146,7 @@ std::vector<FunctionCase> diffused() {
     cases.back().maps["gTsmMap"] = oneTexel(150, 0.125, 0.5, 1);
     cases.back().perQuad = true;
     cases.back().tolerance.absolute = 2e-5; // a step of 0.001 of the map is known to 6e-8
+    cases.push_back(printedTransmission());
     return cases;
 }
 

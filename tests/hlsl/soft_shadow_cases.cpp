@@ -158,6 +158,28 @@ double spared(const glm::dvec2& uv, double depth, bool point, double radius, dou
     return says.value == 0.5 ? softDisc(uv, depth, radius, turn) : says.value;
 }
 
+/// Arguments: depth, slope, whether the light is at a point, radius, turn. Of a plane below a level at 600 mm.
+Says litOnPlane(const Inputs& x) {
+    const double depth = x.scalar(0);
+    Says lit{.value = 0};
+    for (int i = 0; i < 32; ++i) {
+        const double rise = glm::dot(x.vec2(1), x.scalar(3) * softTap(i, 32, x.scalar(4)));
+        const double plane = x.scalar(2) > 0.5 ? 1 / (1 / depth - rise / (depth * depth)) : depth + rise;
+        lit.value += plane <= 600 ? 1.0 / 32 : 0;
+        lit.margin = std::min(lit.margin, std::abs(plane - 600));
+    }
+    return lit;
+}
+
+/// Arguments: how far the receiver lies before a level at 600 mm that hides nothing, slope, spread, radius. All of its disc is lit where
+/// the plane, bent as from a light at a point, does not reach the level. mm between the two.
+double beforeLevel(const Inputs& x) {
+    const double depth = 600 - x.scalar(0);
+    const double rise = glm::length(x.vec2(1)) * x.scalar(3);
+    const double share = x.scalar(2) / depth;
+    return 600 - depth - rise - share * rise * rise / std::max(1 - share * rise, 0.05);
+}
+
 constexpr double kSure = 2e-3; // mm and texels: roundings of 700 and 256
 const char* const kTaps = "three taps of 32 on the border of a texel may see either side of it";
 
@@ -211,6 +233,15 @@ std::vector<FunctionCase> blockCases() {
                  const glm::dvec4 block(600, x.vec2(0), x.scalar(1));
                  return saysOf(block, x.scalar(2), x.vec2(3), x.scalar(4), x.scalar(5)).margin > kSure;
              }});
+    static const TestMap kLevelBlock{.size = 1, .texels = {{600, 0, 0, 5}}};
+    cases.push_back({.function = "tgShadowBlocks",
+                     .body = "return float4(tgShadowBlocks(TG_SAMPLER2D_ARG(gTest), float2(0.5, 0.5), 600.0 - a0, a1, float2(1, a2), a3), "
+                             "0, 0, 0);",
+                     .arguments = {linear(0, 40), linear(0, 0.7, 2), linear(0, 220), linear(0.5, 4)},
+                     .expected = [](const Inputs& x) { return values(beforeLevel(x) >= 0 ? 1 : 0.5); },
+                     .tolerance = {.why = "0.5 or 1"},
+                     .map = &kLevelBlock,
+                     .domain = [](const Inputs& x) { return std::abs(beforeLevel(x)) > kSure && x.scalar(3) < 3.99; }});
     for (const int most : {1, 60}) // the second for what a bend of up to 2 mm changes
         cases.push_back(
             {.function = "tgShadowBlocks",
@@ -317,6 +348,15 @@ std::vector<FunctionCase> softShadowCases() {
          .tolerance = {.absolute = 1e-6, .why = "32 taps alike"},
          .map = &kLevelMap,
          .domain = [](const Inputs& x) { return std::abs(x.scalar(1) - 600) > 1e-3; }});
+    // On a plane that falls beneath what lies before it: each tap at its own place.
+    cases.push_back({.function = "tgShadowDisc",
+                     .body = "return float4(tgShadowDisc(TG_SAMPLER2D_ARG(gTest), float2(0.5, 0.5), a0, a1, float2(1, a2), a3, "
+                             "tgSoftWay(a4)), 0, 0, 0);",
+                     .arguments = {linear(595, 605), linear(-2, 2, 2), whole(0, 1), linear(0.5, 4), linear(0, 6.28)},
+                     .expected = [](const Inputs& x) { return values(litOnPlane(x).value); },
+                     .tolerance = {.forward = 0, .backward = 0, .absolute = 1e-6, .why = "parts of 32"},
+                     .map = &kLevelMap,
+                     .domain = [](const Inputs& x) { return litOnPlane(x).margin > kSure; }});
     cases.push_back(
         {.function = "tgShadowDiscSpared",
          .body = "return float4(tgShadowDiscSpared(TG_SAMPLER2D_ARG(gTest), TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), "

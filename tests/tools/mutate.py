@@ -67,7 +67,7 @@ def blanked(text):
         return re.sub(r"[^\n]", " ", match.group())
     text = re.sub(r"//[^\n]*|/\*.*?\*/", blank, text, flags=re.S)
     text = re.sub(r'"[^"\n]*"', blank, text)
-    text = re.sub(r"<\s*(?:string|float|float2|int|bool|[A-Z][A-Z_]*(?=\())\b[^<>]*>", blank, text)
+    text = re.sub(r"<\s*(?:string|float[234]?|int|bool|[A-Z][A-Z_]*(?=\())\b[^<>]*>", blank, text)
     text = re.sub(r"#ifdef (?:FX|TEGUMENT_COMPUTE)_TECHNIQUES.*?#endif", blank, text, flags=re.S)
     text = re.sub(r"^#define[^\n]*\\\n(?:[^\n]*\\\n)*[^\n]*", blank, text, flags=re.M)
     lines = []

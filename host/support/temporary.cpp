@@ -1,5 +1,7 @@
 #include "host/support/temporary.h"
 
+#include "host/support/file.h"
+
 #include <mutex>
 #include <set>
 
@@ -10,8 +12,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Known {
-    std::mutex mutex;
+    std::recursive_mutex mutex; // a file that is put back is written by way of a temporary one
     std::multiset<fs::path> paths;
+    std::set<const Borrowed*> borrowed;
 };
 
 /// Never destroyed: threads may still be at work while the program ends.
@@ -38,10 +41,32 @@ Temporary::~Temporary() {
     removeWhole(path_);
 }
 
+Borrowed::Borrowed(fs::path path, std::string content) : path_(std::move(path)), content_(std::move(content)) {
+    const std::scoped_lock lock(known().mutex);
+    known().borrowed.insert(this);
+}
+
+Borrowed::~Borrowed() {
+    const std::scoped_lock lock(known().mutex);
+    known().borrowed.erase(this);
+    putBack();
+}
+
+Result<void> Borrowed::change(std::string_view bytes) const {
+    const std::scoped_lock lock(known().mutex);
+    return writeFile(path_, bytes);
+}
+
+void Borrowed::putBack() const {
+    if (const auto now = readFile(path_); !now || *now != content_) (void)writeFile(path_, content_); // nobody is there to hear of it
+}
+
 void removeTemporaries() {
     known().mutex.lock(); // and never unlocked: what the others would do comes too late
     for (const fs::path& path : known().paths)
         removeWhole(path);
+    for (const Borrowed* file : known().borrowed)
+        file->putBack();
 }
 
 } // namespace tegument

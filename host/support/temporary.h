@@ -1,7 +1,11 @@
 #pragma once
-// Files and folders that must not outlive their use, nor the program when it is interrupted.
+// Files and folders that must not outlive their use, and files that are changed for a while: nor the program when it is interrupted.
+
+#include "host/support/result.h"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace tegument {
 
@@ -18,7 +22,27 @@ private:
     std::filesystem::path path_;
 };
 
-/// Removes all that there are, and holds up threads that would make another one or end one: the last thing before the program is ended.
+/// A file that is changed for a while: it gets its content back, where it has another by then, on destruction and by removeTemporaries().
+class Borrowed {
+public:
+    Borrowed(std::filesystem::path path, std::string content);
+    ~Borrowed();
+    Borrowed(const Borrowed&) = delete;
+    Borrowed& operator=(const Borrowed&) = delete;
+    [[nodiscard]] const std::string& content() const { return content_; }
+    /// Writes something else into it.
+    [[nodiscard]] Result<void> change(std::string_view bytes) const;
+
+private:
+    friend void removeTemporaries();
+    void putBack() const;
+
+    std::filesystem::path path_;
+    std::string content_;
+};
+
+/// Removes all that there are, gives back what is borrowed, and holds up threads that would make, change or end one: the last thing before
+/// the program is ended.
 void removeTemporaries();
 
 } // namespace tegument

@@ -1,7 +1,6 @@
 #include "host/view/canvas.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 #include <deque>
 #include <string_view>
@@ -57,6 +56,9 @@ float4 ShowPS(Varyings input) : SV_Target {
     if (mode.z > 0.5) color = float3(encoded(color.r), encoded(color.g), encoded(color.b));
     return float4(color, 1);
 }
+
+// What needs none of that: software devices run both sides of every branch, for each pixel of the window.
+float4 CopyPS(Varyings input) : SV_Target { return float4(gImageMap.SampleLevel(gImage, input.uv, 0).rgb, 1); }
 
 float4 BlendPS(Varyings input) : SV_Target {
     if (any(input.position.xy < gClip.xy) || any(input.position.xy >= gClip.zw)) discard;
@@ -216,6 +218,7 @@ struct Canvas::State {
     gpu::Sampler soft;  // larger than it is, too
     gpu::Sampler exact; // depths cannot be filtered everywhere
     Program show;
+    Program copy;
     Program blend;
     std::deque<Prepared> waiting; // places stay
     bool together = false;
@@ -227,18 +230,19 @@ struct Canvas::State {
 void Canvas::State::add(const Program& program, const gpu::Sampler& sampler, const Canvas::Mesh& mesh, const Constants& constants,
                         gpu::Texture& target, bool clear) {
     const Reflection& reflection = program.pixel.reflection;
-    assert(reflection.globals);
+    const auto& globals = reflection.globals;
     Prepared& prepared = waiting.emplace_back(Prepared{.target = &target,
                                                        .clear = clear,
-                                                       .block = layOut(*reflection.globals, constants),
+                                                       .block = globals ? layOut(*globals, constants) : std::vector<std::byte>(),
                                                        .vertices = {mesh.vertices.begin(), mesh.vertices.end()},
                                                        .indices = {mesh.indices.begin(), mesh.indices.end()},
                                                        .draw = {}});
     prepared.draw = {.pipeline = &program.pipeline,
-                     .resources = {{reflection.globals->set, reflection.globals->binding, std::span<const std::byte>(prepared.block)}},
+                     .resources = {},
                      .vertexBytes = std::as_bytes(std::span(prepared.vertices)),
                      .indexBytes = std::as_bytes(std::span(prepared.indices)),
                      .count = static_cast<std::uint32_t>(prepared.indices.size())};
+    if (globals) prepared.draw.resources.push_back({globals->set, globals->binding, std::span<const std::byte>(prepared.block)});
     for (const Resource& resource : reflection.resources) {
         gpu::BoundResource bound{.set = resource.set, .binding = resource.binding, .resource = mesh.texture};
         if (resource.kind == ResourceKind::Sampler) bound.resource = &sampler;
@@ -256,6 +260,8 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
     if (!vertex) return vertex.error();
     auto show = makeProgram(device, *vertex, "ShowPS", false, compiler);
     if (!show) return show.error();
+    auto copy = makeProgram(device, *vertex, "CopyPS", false, compiler);
+    if (!copy) return copy.error();
     auto blend = makeProgram(device, *vertex, "BlendPS", true, compiler);
     if (!blend) return blend.error();
     auto smooth = makeSampler(device, Filter::Linear);
@@ -269,6 +275,7 @@ Result<Canvas> Canvas::create(gpu::Device& device, Compiler compiler) {
                                                    .soft = std::move(*soft),
                                                    .exact = std::move(*exact),
                                                    .show = std::move(*show),
+                                                   .copy = std::move(*copy),
                                                    .blend = std::move(*blend),
                                                    .waiting = {}}));
 }
@@ -283,7 +290,9 @@ Result<void> Canvas::show(gpu::Texture& target, gpu::Texture& texture, const Lev
     const auto quad = fittedQuad(target.desc(), texture.desc(), mode, fit);
     const Constants constants{.scale = levels.scale, .offset = levels.offset};
     const gpu::Sampler& sampler = gpu::isDepth(texture.desc().format) ? state_->exact : fit.fill ? state_->soft : state_->smooth;
-    state_->add(state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, target, true);
+    const bool plain = levels == Levels{} && texture.desc().format == gpu::Format::RGBA8; // which holds no NaN
+    state_->add(plain ? state_->copy : state_->show, sampler, {.vertices = quad, .indices = kQuad, .texture = &texture}, constants, target,
+                true);
     return state_->together ? Result<void>() : draw();
 }
 

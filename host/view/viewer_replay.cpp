@@ -3,6 +3,7 @@
 #include "host/view/viewer.h"
 
 #include "host/support/file.h"
+#include "host/support/temporary.h"
 
 #include <fmt/format.h>
 
@@ -25,18 +26,12 @@ double millisecondsSince(Clock::time_point begin) {
 class Edits {
 public:
     Edits() : digits_(fmt::format("{:06}", std::chrono::system_clock::now().time_since_epoch() / std::chrono::milliseconds(1) % 1000000)) {}
-    Edits(const Edits&) = delete;
-    Edits& operator=(const Edits&) = delete;
-    ~Edits() {
-        for (const auto& [file, text] : before_)
-            if (const auto now = readFile(file); now && *now != text) (void)writeFile(file, text);
-    }
 
     Result<void> make(const ReplayStep& edit) {
         auto text = readFile(edit.file);
         if (!text) return text.error();
-        const std::string& first = before_.try_emplace(edit.file, *text).first->second;
-        if (edit.from.empty()) return writeFile(edit.file, first);
+        const Borrowed& file = files_.try_emplace(edit.file, edit.file, *text).first->second;
+        if (edit.from.empty()) return file.change(file.content());
         const std::size_t at = text->find(edit.from);
         if (at == std::string::npos)
             return inputError(kNoReplay, {.file = edit.file.string(), .byte = {}},
@@ -44,12 +39,12 @@ public:
         std::string to = edit.to;
         if (const std::size_t asks = to.find(kNewDigits); asks != std::string::npos)
             to.replace(asks, std::string_view(kNewDigits).size(), digits_);
-        return writeFile(edit.file, text->replace(at, edit.from.size(), to));
+        return file.change(text->replace(at, edit.from.size(), to));
     }
 
 private:
     std::string digits_;
-    std::map<std::filesystem::path, std::string> before_;
+    std::map<std::filesystem::path, Borrowed> files_;
 };
 
 } // namespace

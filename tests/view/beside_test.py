@@ -8,8 +8,10 @@ Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draw
 
 import json
 import shutil
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 import screen as screens
@@ -150,13 +152,18 @@ class Replay(unittest.TestCase):
              {"edit": "effects/passes/final.fxh", "from": "float4(lerp(", "to": "float4(0.5{new} * lerp("},
              {"back": "effects/passes/final.fxh", "as": "back"}]
 
-    def replay(self, steps, folder, display=None):
-        (folder / "steps.json").write_text(json.dumps(steps))
-        command = [base.PROGRAM, "view", "effects/Main.fx", "-w", "ball.json", "--map-size", "64", "--size", "200x100", "--validate", "--replay", "steps.json"]
+    COMMAND = [base.PROGRAM, "view", "effects/Main.fx", "-w", "ball.json", "--map-size", "64", "--size", "200x100", "--validate", "--replay", "steps.json"]
+
+    @staticmethod
+    def environment(display=None):
         environment = {k: v for k, v in base.os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
         if display:
             environment["DISPLAY"] = display
-        return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=4 * base.PATIENCE)
+        return environment
+
+    def replay(self, steps, folder, display=None):
+        (folder / "steps.json").write_text(json.dumps(steps))
+        return subprocess.run(self.COMMAND, cwd=folder, env=self.environment(display), capture_output=True, text=True, timeout=4 * base.PATIENCE)
 
     def setUp(self):
         self.folder = base.own_copy()
@@ -186,6 +193,26 @@ class Replay(unittest.TestCase):
         self.assertEqual((rows["first"][0], rows["drag"][0], rows["edit"][0], rows["key t"][0]), ("1", "4", "3", "3"), ran.stdout)
         self.assertGreater(int(rows["drag meanwhile"][0]), 0, ran.stdout)
         self.assertNotIn("validation:", ran.stderr)
+
+    def test_ended_from_outside_it_changes_back_what_it_has_edited(self):
+        final = self.folder / "effects" / "passes" / "final.fxh"
+        before = final.read_bytes()
+        (self.folder / "steps.json").write_text(json.dumps(
+            [{"edit": "effects/passes/final.fxh", "from": "float4(lerp(", "to": "float4(0.5 * lerp("}, {"wheel": 1, "times": 60000}]))
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            with self.subTest(signal=number.name):
+                process = subprocess.Popen(self.COMMAND, cwd=self.folder, env=self.environment(), stdout=subprocess.DEVNULL,
+                                           stderr=subprocess.PIPE, text=True)
+                self.addCleanup(process.kill)
+                end = time.monotonic() + base.PATIENCE
+                while final.read_bytes() == before and process.poll() is None and time.monotonic() < end:
+                    time.sleep(0.01)
+                self.assertNotEqual(final.read_bytes(), before, "no edit to interrupt")
+                process.send_signal(number)
+                said = process.communicate(timeout=base.PATIENCE)[1]
+                self.assertEqual(process.returncode, -number, said)
+                self.assertEqual(final.read_bytes(), before, said)
+                self.assertEqual([file.name for file in final.parent.iterdir() if "tegument" in file.name], [], "a temporary file")
 
     @staticmethod
     def rows(ran):

@@ -87,6 +87,28 @@ TEST_F(Canvases, what_is_enlarged_stays_in_its_area_of_the_window) {
     EXPECT_EQ(at(10, 3, 0), 150) << "a quarter of its columns is seen";
 }
 
+TEST_F(Canvases, a_picture_that_is_copied_is_as_one_that_has_levels) {
+    auto canvas = Canvas::create(*device_, Compiler::Dxc);
+    ASSERT_TRUE(canvas) << format(canvas.error());
+    gpu::Texture picture = target(*device_, 20);
+    std::vector<std::byte> texels;
+    for (int i = 0; i < 4 * 20 * 20; ++i)
+        texels.push_back(static_cast<std::byte>(i * 37 % 256));
+    ASSERT_TRUE(device_->upload(picture, texels));
+    for (const bool fill : {false, true})
+        for (const std::uint32_t side : {20U, 33U}) {
+            gpu::Texture window = target(*device_, side);
+            const auto seen = [&](const Levels& levels) {
+                EXPECT_TRUE(canvas->show(window, picture, levels, {.fill = fill, .closer = {}}));
+                const auto bytes = device_->readback(window);
+                return bytes ? *bytes : std::vector<std::byte>();
+            };
+            const std::vector<std::byte> copied = seen({});
+            EXPECT_FALSE(copied.empty());
+            EXPECT_EQ(copied, seen({.offset = {0, 0, 0, 1}})) << "alpha is not shown: the same, by the long way";
+        }
+}
+
 TEST_F(Canvases, a_cube_unfolds_into_a_cross_of_its_faces_level_by_level) {
     auto cube = device_->createTexture({.name = "c", .format = gpu::Format::R32F, .width = 4, .height = 4, .mips = 3, .cube = true});
     ASSERT_TRUE(cube);

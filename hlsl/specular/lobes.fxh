@@ -12,8 +12,8 @@ static const float kTgShortestNormal = 0.5;
 static const float kTgWidestRoughness = 1.0;
 
 // Variance of slopes along each axis whose unit normals have a mean of this length. Gaussian slopes of variance v have the mean length
-// int_0^inf exp(-t) / sqrt(1 + 2 v t) dt; (|n|^-4 - 1) / 4 is its inverse within 2.5 % up to v = 0.5. 1 / |n| - 1 (Toksvig 2005, "Mipmapping
-// Normal Maps") is 7 % short at 0.04, 25 % at 0.25.
+// int_0^inf exp(-t) / sqrt(1 + 2 v t) dt; (|n|^-4 - 1) / 4 is its inverse within 2.5 % up to v = 0.5. 1 / |n| - 1 (Toksvig 2005,
+// "Mipmapping Normal Maps") is 7 % short at 0.04, 25 % at 0.25.
 float tgLostVariance(float meanLength)
 {
     float squared = max(meanLength, kTgShortestNormal) * max(meanLength, kTgShortestNormal);
@@ -21,8 +21,8 @@ float tgLostVariance(float meanLength)
     return sqrt(max(variance - kTgNormalRounding, 0.0) * (variance + kTgNormalRounding));
 }
 
-// Beckmann m of a surface whose normals have this mean length, from a look-up between mip levels. A lobe's slopes have the variance m^2 / 2,
-// and variances add up.
+// Beckmann m of a surface whose normals have this mean length, from a look-up between mip levels. A lobe's slopes have the variance
+// m^2 / 2, and variances add up.
 float tgRoughnessWidened(float roughness, float meanLength)
 {
     return min(sqrt(roughness * roughness + 2.0 * tgLostVariance(meanLength)), max(roughness, kTgWidestRoughness));

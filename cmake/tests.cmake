@@ -4,9 +4,11 @@
 set(TEGUMENT_TEST_PROGRAMS "" CACHE STRING "GoogleTest programs to build and run, nothing else; empty: all tests")
 add_custom_target(test_programs)
 
-# tegument_test_program(name): the GoogleTest program gets the main of tests/runner, and is built with the others unless it is left out.
+# tegument_test_program(name): the GoogleTest program gets the main of tests/runner, and is built with the others unless it is left out. Its
+# sources are compiled together in a quick build.
 function(tegument_test_program name)
   target_link_libraries(${name} PRIVATE tegument_test_main)
+  tegument_unite(${name})
   if(TEGUMENT_TEST_PROGRAMS AND NOT name IN_LIST TEGUMENT_TEST_PROGRAMS)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   else()

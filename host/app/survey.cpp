@@ -47,17 +47,35 @@ struct Row {
 
 constexpr double kLongestFile = 300; // seconds for one file; the longest seen takes 9
 
-Result<std::vector<fs::path>> effectsIn(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> files;
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (toLower(entry->path().extension().string()) == ".fx") files.push_back(entry->path());
-    if (error) return usageError(8006, fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
-    if (files.empty())
+struct Found {
+    std::vector<fs::path> effects;
+    std::vector<Diagnostic> unread; // a warning for each folder that cannot be read
+};
+
+/// All effects below the folder; links to folders are not followed.
+Result<Found> effectsIn(const fs::path& folder) {
+    Found found;
+    std::vector<fs::path> folders = {folder};
+    while (!folders.empty()) {
+        const fs::path here = std::move(folders.back());
+        folders.pop_back();
+        std::error_code error;
+        for (fs::directory_iterator entry(here, error), end; !error && entry != end; entry.increment(error)) {
+            std::error_code ignored;
+            if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) folders.push_back(entry->path());
+            if (toLower(entry->path().extension().string()) == ".fx") found.effects.push_back(entry->path());
+        }
+        if (!error) continue;
+        const std::string text = fmt::format("cannot read the folder {}: {}", here.string(), error.message());
+        if (here == folder) return usageError(8006, text);
+        found.unread.push_back(
+            {.severity = Severity::Warning, .code = 8006, .at = {}, .text = text, .hint = "the effects below it are left out", .sourceLine = {}});
+    }
+    if (found.effects.empty())
         return usageError(8006, fmt::format("there is no effect below the folder {}", folder.string()),
                           "files named *.fx are read; one of another name is checked by itself: tegument check FILE");
-    std::ranges::sort(files);
-    return files;
+    std::ranges::sort(found.effects);
+    return found;
 }
 
 std::string codeOf(const Error& error) {
@@ -286,13 +304,14 @@ int survey(const SurveyOptions& options) {
     if (!targets) return fail(targets.error(), options.json);
     if (!options.pictures.empty())
         if (const auto folder = checkFolder(options.pictures); !folder) return fail(folder.error(), options.json);
-    const auto files = effectsIn(options.folder);
-    if (!files) return fail(files.error(), options.json);
+    const auto found = effectsIn(options.folder);
+    if (!found) return fail(found.error(), options.json);
+    warn(found->unread);
     std::vector<Target> here;
     std::vector<Target> inWine; // once for all files
     for (const Target target : *targets)
         (isSpirv(target) ? here : inWine).push_back(target);
-    std::vector<Row> rows = rowsOf(options, *files, here);
+    std::vector<Row> rows = rowsOf(options, found->effects, here);
     std::vector<fs::path> good;
     for (const Row& row : rows)
         if (row.read == "read") good.emplace_back(row.file);

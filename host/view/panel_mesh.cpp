@@ -14,7 +14,7 @@ namespace {
 const ImVec4 kSourceText(0.75F, 0.75F, 0.75F, 1.0F);
 constexpr const char* kBakeAgain = "F5 reads files, and draws what effects bake, again";
 constexpr const char* kOnceMore = "bake again";
-constexpr std::size_t kMostLetters = 64;
+constexpr std::size_t kMostBytes = 64;
 constexpr double kSecond = 1000; // milliseconds
 
 float widestOf(const std::vector<std::string>& lines) {
@@ -38,10 +38,21 @@ std::string sizeText(const SessionTexture& texture) {
     return fmt::format("{} x {} {}{}", texture.width, texture.height, texture.format, texture.cube ? " cube" : "");
 }
 
+/// Whether a letter of UTF-8 goes on here.
+bool insideLetter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
 /// Its beginning and its end: names of files in the cache are long.
 std::string shortened(const std::string& text) {
-    if (text.size() <= kMostLetters) return text;
-    return text.substr(0, kMostLetters / 3) + "..." + text.substr(text.size() - (kMostLetters - kMostLetters / 3 - 3));
+    if (text.size() <= kMostBytes) return text;
+    std::size_t head = kMostBytes / 3;
+    std::size_t tail = text.size() - (kMostBytes - head - 3);
+    while (head > 0 && insideLetter(text[head]))
+        --head;
+    while (tail < text.size() && insideLetter(text[tail]))
+        ++tail;
+    return text.substr(0, head) + "..." + text.substr(tail);
 }
 
 } // namespace

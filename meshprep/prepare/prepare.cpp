@@ -1,6 +1,7 @@
 #include "meshprep/prepare/prepare.h"
 
 #include "host/mesh/facing.h"
+#include "host/mesh/length.h"
 #include "host/mesh/normals.h"
 #include "host/support/parallel.h"
 #include "meshprep/prepare/clean.h"
@@ -172,7 +173,7 @@ private:
         end("centre", c.vertices,
             fmt::format("moved by ({:.6g}, {:.6g}, {:.6g}); radius {:.6g}, minimal {:.6g}", c.moved.x, c.moved.y, c.moved.z, c.radius,
                         c.minimalRadius));
-        if (!hasArea(surface_.mesh)) return tooWide();
+        if (!hasArea(surface_.mesh)) return withoutArea();
         begin("normals");
         const NormalChanges changes = makeNormals(surface_, options_.normals);
         end("normals", changes.normals, fmt::format("{} normals made, {} vertices split for them", changes.normals, changes.split));
@@ -190,12 +191,14 @@ private:
     }
 
     /// Floats tell fewer places apart the farther they are from the origin, also from the new one.
-    [[nodiscard]] Error tooWide() const {
+    [[nodiscard]] Error withoutArea() const {
         const auto reach = static_cast<float>(greatestCoordinate());
-        return inputError(
-            7020, {.file = path_.string(), .byte = {}}, "no triangle has an area",
-            fmt::format("what is {:.3g} mm from the middle is told apart in steps of {:.1g} mm: leave out what lies far from the rest",
-                        reach, std::nextafter(reach, INFINITY) - reach));
+        const bool never = report_.topology.flatTriangles == surface_.triangles();
+        return inputError(7020, {.file = path_.string(), .byte = {}}, "no triangle has an area",
+                          never ? "the corners of each lie on one line"
+                                : fmt::format("what is {} mm from the middle is told apart in steps of {:.1g} mm: leave out what lies far "
+                                              "from the rest",
+                                              lengthText(reach), std::nextafter(reach, INFINITY) - reach));
     }
 
     std::optional<Error> unwrapped() {

@@ -14,10 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kInput = 1;
-constexpr int kUsage = 2;
-constexpr int kMachine = 3;
-
 /// One error line, with the words that tell the user what is wrong.
 void expectMessage(const Ran& ran, int code, const std::vector<std::string>& words) {
     EXPECT_EQ(ran.code, code) << ran.err;

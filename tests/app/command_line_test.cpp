@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kInput = 1;
-constexpr int kUsage = 2;
-constexpr int kMachine = 3;
-
 constexpr const char* kQuad = R"(float4 gTint < float UIMin = 0; float UIMax = 1; > = {1, 0, 0, 1};
 int gCount = 1;
 struct V { float4 position : SV_Position; };
@@ -36,10 +32,6 @@ technique11 Main { pass P < string Script = "Draw=Buffer;"; > {
 std::string quad() {
     static const std::string kPath = write("quad.fx", kQuad);
     return kPath;
-}
-
-std::string out(const std::string& name) {
-    return (scratch() / name).string();
 }
 
 void expectSaid(const Ran& ran, int code, const std::vector<std::string>& words) {

@@ -60,7 +60,7 @@ const std::string& fewRoots() {
     return kRoots;
 }
 
-Ran draw(const fs::path& picture, Words more) {
+Ran drawPose(const fs::path& picture, Words more) {
     Words arguments = {"render", "FurCoat", "--size", fmt::format("{0}x{0}", kSide), "-o", picture.string(), "-D", "TEGUMENT_MAP_SIZE=128"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return test::tegument(arguments, {{"TEGUMENT_CACHE", (scratch() / "pose_cache").string()}});
@@ -68,13 +68,13 @@ Ran draw(const fs::path& picture, Words more) {
 
 std::vector<float> picture(Words more) {
     const fs::path file = scratch() / "posed.exr";
-    const Ran ran = draw(file, std::move(more));
+    const Ran ran = drawPose(file, std::move(more));
     EXPECT_EQ(ran.code, 0) << ran.err;
     const auto image = loadImage(file);
     return image ? image->pixels : std::vector<float>{};
 }
 
-double apart(const std::vector<float>& a, const std::vector<float>& b) {
+double valuesApart(const std::vector<float>& a, const std::vector<float>& b) {
     double off = 0, all = 0;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         off += std::pow(static_cast<double>(a[i]) - static_cast<double>(b[i]), 2);
@@ -109,8 +109,8 @@ TEST(FurPose, that_turns_the_body_is_the_body_turned) {
         const auto plain = with({});
         const auto back = with({"--pose", turned, "--turn", "-70"});
         const auto astray = with({"--turn", "-70"});
-        EXPECT_LT(apart(back, plain), 0.1) << technique;
-        EXPECT_GT(apart(astray, plain), 0.2) << technique << ": the ball's bumps and its coat show which way it stands";
+        EXPECT_LT(valuesApart(back, plain), 0.1) << technique;
+        EXPECT_GT(valuesApart(astray, plain), 0.2) << technique << ": the ball's bumps and its coat show which way it stands";
     }
 }
 
@@ -132,10 +132,10 @@ TEST(FurPose, that_bends_the_body_takes_its_coat_along) {
 TEST(FurPose, of_other_triangles_or_for_other_effects_is_refused) {
     const std::string rest = posedBall("rest.obj", same);
     const std::string other = write("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const Ran mismatch = draw(scratch() / "x.png", {"--mesh", rest, "--pose", other});
+    const Ran mismatch = drawPose(scratch() / "x.png", {"--mesh", rest, "--pose", other});
     EXPECT_EQ(mismatch.code, 1);
     EXPECT_NE(mismatch.err.find("TG8048"), std::string::npos) << mismatch.err;
-    const Ran missing = draw(scratch() / "x.png", {"--mesh", rest, "--pose", "no such.obj"});
+    const Ran missing = drawPose(scratch() / "x.png", {"--mesh", rest, "--pose", "no such.obj"});
     EXPECT_EQ(missing.code, 2);
     const Ran bald = test::tegument({"render", "Fur", "--mesh", rest, "--pose", rest, "-o", (scratch() / "x.png").string()});
     EXPECT_EQ(bald.code, 2);
@@ -157,7 +157,7 @@ TEST(FurPose, is_written_for_engines_by_one_command) {
         ASSERT_TRUE(image) << file;
         EXPECT_EQ(image->width, 4096);
     }
-    const Ran given = draw(scratch() / "given.png", {"--mesh", rest, "-D", "TEGUMENT_FUR_POSE", "--set", "gFurRootsMap=" + roots.string(),
+    const Ran given = drawPose(scratch() / "given.png", {"--mesh", rest, "-D", "TEGUMENT_FUR_POSE", "--set", "gFurRootsMap=" + roots.string(),
                                                      "--set", "gFurPoseMap=" + pose.string()});
     EXPECT_EQ(given.code, 0) << given.err;
 }
@@ -228,7 +228,7 @@ std::map<std::string, Image> targetsOf(const Frame& frame, const std::string& te
     const Words scene = sceneOf(frame, rest, fewRoots());
     more.insert(more.begin(), scene.begin(), scene.end());
     more.insert(more.end(), {"-t", technique, "--json", "--dump", "gMotionMap", "--dump", "gMotionDepthMap", "--dump", "gRibbonPlaceMap"});
-    const Ran ran = draw(scratch() / "motion.exr", more);
+    const Ran ran = drawPose(scratch() / "motion.exr", more);
     EXPECT_EQ(ran.code, 0) << ran.err;
     std::map<std::string, Image> targets;
     const auto report = ran.json();
@@ -331,7 +331,7 @@ TEST(FurMotion, is_nothing_where_all_stands_still_and_is_not_there_unless_asked)
     for (const float value : shown["gMotionMap"].pixels)
         ASSERT_LT(std::abs(value), 1e-4);
     EXPECT_TRUE(std::ranges::any_of(shown["gMotionDepthMap"].pixels, [](float depth) { return depth < 1; }));
-    const Ran plain = draw(scratch() / "plain.exr", {"--mesh", posedBall("rest.obj", same), "--json"});
+    const Ran plain = drawPose(scratch() / "plain.exr", {"--mesh", posedBall("rest.obj", same), "--json"});
     ASSERT_EQ(plain.code, 0) << plain.err;
     EXPECT_EQ(plain.out.find("otion"), std::string::npos) << "neither passes nor targets";
 }

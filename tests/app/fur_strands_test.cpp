@@ -29,7 +29,7 @@ Ran strands(const fs::path& file, std::vector<std::string> more = {}) {
     return tegument::test::tegument(arguments);
 }
 
-Ran draw(const fs::path& picture, std::vector<std::string> more, const fs::path& effect = "effects/FurCoat.fx") {
+Ran drawStrands(const fs::path& picture, std::vector<std::string> more, const fs::path& effect = "effects/FurCoat.fx") {
     std::vector<std::string> arguments = {"render", effect.string(),  "--size", "96x96",
                                           "-o",     picture.string(), "-D",     "TEGUMENT_MAP_SIZE=64"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -78,10 +78,10 @@ TEST(FurStrands, are_the_same_each_time_and_from_roots_that_are_there) {
 
 TEST(FurStrands, grow_on_any_mesh_in_one_command_and_as_from_a_file) {
     const fs::path own = scratch() / "own.png";
-    const Ran first = draw(own, {"--mesh", ballMesh()});
+    const Ran first = drawStrands(own, {"--mesh", ballMesh()});
     ASSERT_EQ(first.code, 0) << first.err;
     EXPECT_NE(first.err.find("made fur roots"), std::string::npos) << first.err;
-    const Ran second = draw(scratch() / "own2.png", {"--mesh", ballMesh()});
+    const Ran second = drawStrands(scratch() / "own2.png", {"--mesh", ballMesh()});
     EXPECT_EQ(second.err.find("made"), std::string::npos) << second.err;
     EXPECT_EQ(pixels(own), pixels(scratch() / "own2.png"));
 
@@ -91,18 +91,18 @@ TEST(FurStrands, grow_on_any_mesh_in_one_command_and_as_from_a_file) {
     ASSERT_FALSE(roots.empty());
     const fs::path file = scratch() / "grown.glb";
     ASSERT_EQ(tegument::test::tegument({"fur", "strands", ballMesh(), "-o", file.string(), "--roots", roots.string()}).code, 0);
-    ASSERT_EQ(draw(scratch() / "file.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
+    ASSERT_EQ(drawStrands(scratch() / "file.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
     EXPECT_EQ(pixels(own), pixels(scratch() / "file.png"));
 
     const fs::path fine = scratch() / "fine.glb";
     ASSERT_EQ(
         tegument::test::tegument({"fur", "strands", ballMesh(), "-o", fine.string(), "--roots", roots.string(), "--segments", "12"}).code,
         0);
-    ASSERT_EQ(draw(scratch() / "fine.png", {"--mesh", fine.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
-    ASSERT_EQ(draw(scratch() / "asked.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=12"}).code, 0);
+    ASSERT_EQ(drawStrands(scratch() / "fine.png", {"--mesh", fine.string(), "--set", "gFurRootsMap=" + roots.string()}).code, 0);
+    ASSERT_EQ(drawStrands(scratch() / "asked.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=12"}).code, 0);
     EXPECT_EQ(pixels(scratch() / "fine.png"), pixels(scratch() / "asked.png"));
     EXPECT_NE(pixels(scratch() / "fine.png"), pixels(own));
-    const Ran none = draw(scratch() / "none.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=0"});
+    const Ran none = drawStrands(scratch() / "none.png", {"--mesh", ballMesh(), "--set", "gCoatSegments=0"});
     EXPECT_NE(none.err.find("TG7103"), std::string::npos) << none.err;
 }
 
@@ -138,8 +138,8 @@ TEST(FurStrands, that_a_pass_is_not_given_would_not_have_been_drawn) {
         std::vector<std::string> more = {"--mesh", ballMesh(), "-t", technique, "--compiler", compiler, "--set", set};
         for (const char* rows : {"gCoatSegment=0", "gRibbonSegment=0"}) // rows that are left out are seen, if hardly
             more.insert(more.end(), {"--set", rows});
-        ASSERT_EQ(draw(some, more).code, 0);
-        ASSERT_EQ(draw(all, more, plain / "effects/FurCoat.fx").code, 0);
+        ASSERT_EQ(drawStrands(some, more).code, 0);
+        ASSERT_EQ(drawStrands(all, more, plain / "effects/FurCoat.fx").code, 0);
         EXPECT_EQ(pixels(some), pixels(all)) << technique << ", " << compiler << ", " << set;
     }
 }
@@ -148,7 +148,7 @@ TEST(FurStrands, are_as_bright_in_several_samples_a_pixel_as_in_one) {
     // From afar a ribbon's triangles are narrower than a pixel, whose centre they do not hold.
     const auto mean = [](const char* technique, const char* samples) {
         const fs::path picture = scratch() / "samples.exr";
-        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "-t", technique, "--samples", samples}).code, 0);
+        EXPECT_EQ(drawStrands(picture, {"--mesh", ballMesh(), "-t", technique, "--samples", samples}).code, 0);
         double sum = 0;
         for (const float value : pixels(picture))
             sum += value;
@@ -175,7 +175,7 @@ TEST(FurStrands, by_compute_shaders_are_those_of_vertex_shaders) {
         const auto drawn = [&](const char* technique) {
             const fs::path picture = scratch() / "computed.exr";
             // Maps that hold the largest of these coats: what does not fit is not drawn.
-            EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "-t", technique, "--compiler", one.compiler, "--set", one.set, "-D",
+            EXPECT_EQ(drawStrands(picture, {"--mesh", ballMesh(), "-t", technique, "--compiler", one.compiler, "--set", one.set, "-D",
                                      "TEGUMENT_RIBBON_ROWS=4096"})
                           .code,
                       0);
@@ -197,7 +197,7 @@ TEST(FurStrands, by_compute_shaders_are_those_of_vertex_shaders) {
 TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_that_is_needed) {
     // Five strands to a root, of four rows each.
     const auto drawn = [](const char* rows) {
-        return draw(scratch() / "rows.png",
+        return drawStrands(scratch() / "rows.png",
                     {"--mesh", ballMesh(), "-t", "CoatCompute", "--set", "gCoatChildren=3", "--set", "gCoatUnderfur=2", "-D", rows});
     };
     const Ran fits = drawn("TEGUMENT_RIBBON_ROWS=4096");
@@ -211,14 +211,14 @@ TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_t
     EXPECT_EQ(needed % (5 * 4), 0) << "whole rows of roots";
     EXPECT_EQ(drawn(("TEGUMENT_RIBBON_ROWS=" + std::to_string(needed)).c_str()).code, 0);
     EXPECT_EQ(drawn(("TEGUMENT_RIBBON_ROWS=" + std::to_string(needed - 1)).c_str()).code, 1);
-    const Ran strands = draw(scratch() / "rows.png", {"--mesh", ballMesh(), "-t", "StrandsCompute", "-D", "TEGUMENT_RIBBON_ROWS=6"});
+    const Ran strands = drawStrands(scratch() / "rows.png", {"--mesh", ballMesh(), "-t", "StrandsCompute", "-D", "TEGUMENT_RIBBON_ROWS=6"});
     EXPECT_NE(strands.err.find("TG4064"), std::string::npos) << "seven rows to a strand: " << strands.err;
 }
 
 TEST(FurShells, lit_at_vertices_are_those_lit_at_pixels_where_triangles_are_small) {
     const auto lit = [](const char* vertices) {
         const fs::path picture = scratch() / "shells.exr";
-        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "--samples", "1", "-D", vertices}, "effects/Fur.fx").code, 0);
+        EXPECT_EQ(drawStrands(picture, {"--mesh", ballMesh(), "--samples", "1", "-D", vertices}, "effects/Fur.fx").code, 0);
         return pixels(picture);
     };
     const std::vector<float> atPixels = lit("TEGUMENT_FUR_VERTEX_LIGHT=0");
@@ -236,7 +236,7 @@ TEST(FurShells, lit_at_vertices_are_those_lit_at_pixels_where_triangles_are_smal
 TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
     const auto at = [](const char* wind, const char* time) {
         const fs::path picture = scratch() / "wind.exr";
-        EXPECT_EQ(draw(picture, {"--mesh", ballMesh(), "--samples", "1", "--set", std::string("gCoatWind=") + wind, "--set",
+        EXPECT_EQ(drawStrands(picture, {"--mesh", ballMesh(), "--samples", "1", "--set", std::string("gCoatWind=") + wind, "--set",
                                  "gCoatGusts=0.5,0.5,0.8", "--set", std::string("gTime=") + time})
                       .code,
                   0);
@@ -261,19 +261,19 @@ TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
 TEST(FurStrands, find_their_roots_beside_their_file_and_refuse_others) {
     const fs::path file = scratch() / "beside.glb";
     ASSERT_EQ(strands(file).code, 0);
-    EXPECT_EQ(draw(scratch() / "beside.png", {"--mesh", file.string()}).code, 0);
+    EXPECT_EQ(drawStrands(scratch() / "beside.png", {"--mesh", file.string()}).code, 0);
 
     ASSERT_EQ(
         tegument::test::tegument({"fur", "roots", ballMesh(), "-o", (scratch() / "other.dds").string(), "--count", "1500", "--seed", "7"})
             .code,
         0);
-    const Ran other = draw(scratch() / "x.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + (scratch() / "other.dds").string()});
+    const Ran other = drawStrands(scratch() / "x.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + (scratch() / "other.dds").string()});
     EXPECT_EQ(other.code, 1);
     for (const char* text : {"TG4061", "other roots", "gFurRootsMap", "--set"})
         EXPECT_NE(other.err.find(text), std::string::npos) << text << " in " << other.err;
 
     fs::remove(scratch() / "beside.dds");
-    const Ran alone = draw(scratch() / "y.png", {"--mesh", file.string()});
+    const Ran alone = drawStrands(scratch() / "y.png", {"--mesh", file.string()});
     EXPECT_EQ(alone.code, 1);
     EXPECT_NE(alone.err.find("TG4061"), std::string::npos) << alone.err;
 }

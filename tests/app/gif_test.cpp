@@ -24,7 +24,7 @@ File readGif(const fs::path& path) {
 }
 
 /// Mean of the absolute differences of the three channels, of 0..1.
-double apart(const SavedImage& picture, const tegument::Image& image) {
+double framesApart(const SavedImage& picture, const tegument::Image& image) {
     if (picture.ImageDesc.Width != image.width || picture.ImageDesc.Height != image.height || !picture.ImageDesc.ColorMap) return 1e9;
     double sum = 0;
     for (int y = 0; y < image.height; ++y)
@@ -54,7 +54,7 @@ TEST(Gif, looks_like_the_pngs_of_the_turntable) {
     for (int i = 0; i < 5; ++i) {
         const auto png = tegument::loadImage(scratch() / fmt::format("turn-{:03}.png", i + 1));
         ASSERT_TRUE(png);
-        EXPECT_LT(apart(gif->SavedImages[i], *png), 0.01) << "256 colours move no value by more than a hundredth, on the mean";
+        EXPECT_LT(framesApart(gif->SavedImages[i], *png), 0.01) << "256 colours move no value by more than a hundredth, on the mean";
     }
 }
 

@@ -15,11 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string out(const std::string& name) {
-    return (scratch() / name).string();
-}
-
-Ran renderBall(const std::string& file, std::vector<std::string> more = {}) {
+Ran renderLitBall(const std::string& file, std::vector<std::string> more = {}) {
     std::vector<std::string> arguments = {"render", "effects/Specular.fx", "-w", ballWorkspace(), "--size", "96", "-o", file};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return tegument::test::tegument(arguments);
@@ -47,9 +43,9 @@ double apart(const std::string& a, const std::string& b) {
 } // namespace
 
 TEST(Look, a_picture_has_four_samples_a_pixel_unless_another_number_is_asked_for) {
-    ASSERT_EQ(renderBall(out("usual.exr")).code, 0);
-    ASSERT_EQ(renderBall(out("four.exr"), {"--samples", "4"}).code, 0);
-    ASSERT_EQ(renderBall(out("one.exr"), {"--samples", "1"}).code, 0);
+    ASSERT_EQ(renderLitBall(out("usual.exr")).code, 0);
+    ASSERT_EQ(renderLitBall(out("four.exr"), {"--samples", "4"}).code, 0);
+    ASSERT_EQ(renderLitBall(out("one.exr"), {"--samples", "1"}).code, 0);
     EXPECT_EQ(apart(out("usual.exr"), out("four.exr")), 0);
     EXPECT_GT(apart(out("usual.exr"), out("one.exr")), 0);
 }
@@ -97,22 +93,22 @@ TEST(Look, fur_has_no_pixel_that_is_not_a_number) {
 }
 
 TEST(Look, one_number_is_the_size_of_a_square) {
-    ASSERT_EQ(renderBall(out("square.png")).code, 0);
+    ASSERT_EQ(renderLitBall(out("square.png")).code, 0);
     const auto image = tegument::loadImage(out("square.png"));
     ASSERT_TRUE(image);
     EXPECT_EQ(image->width, 96);
     EXPECT_EQ(image->height, 96);
     for (const char* size : {"96x", "x96", "0", "-5", "96 96", "96x96x3"}) {
-        const Ran refused = renderBall(out("refused.png"), {"--size", size});
+        const Ran refused = renderLitBall(out("refused.png"), {"--size", size});
         EXPECT_EQ(refused.code, 2) << size;
         EXPECT_FALSE(fs::exists(out("refused.png"))) << size;
     }
 }
 
 TEST(Look, a_jpeg_shows_what_the_png_does) {
-    ASSERT_EQ(renderBall(out("ball.png")).code, 0);
+    ASSERT_EQ(renderLitBall(out("ball.png")).code, 0);
     for (const char* name : {"ball.jpg", "ball.JPEG"}) {
-        const Ran ran = renderBall(out(name));
+        const Ran ran = renderLitBall(out(name));
         ASSERT_EQ(ran.code, 0) << ran.err;
         EXPECT_EQ(bytesOf(out(name)).substr(0, 2), "\xff\xd8");
         EXPECT_LT(apart(out(name), out("ball.png")), 0.01) << "quality 92 moves no value by more than a hundredth, on the mean";
@@ -121,10 +117,10 @@ TEST(Look, a_jpeg_shows_what_the_png_does) {
 }
 
 TEST(Look, a_turntable_is_a_file_for_each_picture_and_begins_with_the_scene_as_it_stands) {
-    const Ran ran = renderBall(out("turn.exr"), {"--turntable", "4", "--json", "--samples", "1"});
+    const Ran ran = renderLitBall(out("turn.exr"), {"--turntable", "4", "--json", "--samples", "1"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     ASSERT_EQ(ran.json()["files"].size(), 4U) << ran.out;
-    ASSERT_EQ(renderBall(out("still.exr"), {"--samples", "1"}).code, 0);
+    ASSERT_EQ(renderLitBall(out("still.exr"), {"--samples", "1"}).code, 0);
     EXPECT_LT(apart(out("turn-001.exr"), out("still.exr")), 1e-5) << "positions are brought into the world first, and rounded there";
     EXPECT_LT(apart(out("turn-003.exr"), out("still.exr")), 1e-5) << "its bumps come twice in a turn";
     for (const char* aside : {"turn-002.exr", "turn-004.exr"})
@@ -132,7 +128,7 @@ TEST(Look, a_turntable_is_a_file_for_each_picture_and_begins_with_the_scene_as_i
 }
 
 TEST(Look, a_turntable_is_one_animation_where_the_name_ends_in_webp) {
-    const Ran ran = renderBall(out("turn.webp"), {"--turntable", "5"});
+    const Ran ran = renderLitBall(out("turn.webp"), {"--turntable", "5"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const std::string bytes = bytesOf(out("turn.webp"));
     EXPECT_EQ(bytes.substr(0, 4) + bytes.substr(8, 4), "RIFFWEBP");
@@ -144,12 +140,12 @@ TEST(Look, a_turntable_is_one_animation_where_the_name_ends_in_webp) {
 }
 
 TEST(Look, what_a_turntable_cannot_be_is_refused_before_work) {
-    EXPECT_EQ(renderBall(out("one.webp")).code, 2) << "an animation of one picture";
-    EXPECT_EQ(renderBall(out("one.gif")).code, 2) << "likewise";
-    EXPECT_EQ(renderBall(out("turn.mp4"), {"--turntable", "4"}).code, 2);
-    EXPECT_EQ(renderBall(out("turn.png"), {"--turntable", "1"}).code, 2);
-    EXPECT_EQ(renderBall(out("turn.png"), {"--turntable", "4", "--dump", "all"}).code, 2);
-    EXPECT_EQ(renderBall(out("turn.png"), {"--turntable", "4", "--frames", "9"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("one.webp")).code, 2) << "an animation of one picture";
+    EXPECT_EQ(renderLitBall(out("one.gif")).code, 2) << "likewise";
+    EXPECT_EQ(renderLitBall(out("turn.mp4"), {"--turntable", "4"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "1"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "4", "--dump", "all"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "4", "--frames", "9"}).code, 2);
     EXPECT_FALSE(fs::exists(out("turn-001.png")));
 }
 
@@ -233,7 +229,7 @@ TEST(Look, the_list_names_what_there_is_and_the_command_that_brings_what_is_not)
 }
 
 TEST(Look, a_value_beyond_its_range_is_blamed_on_where_it_was_given) {
-    const Ran set = renderBall(out("range.png"), {"--set", "gRoughness=9"});
+    const Ran set = renderLitBall(out("range.png"), {"--set", "gRoughness=9"});
     EXPECT_EQ(set.code, 0);
     EXPECT_NE(set.err.find("warning TG4012: gRoughness is set to 9"), std::string::npos) << set.err;
     EXPECT_EQ(set.err.find("specular.fxh"), std::string::npos) << "the effect is not at fault: " << set.err;

@@ -11,8 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMachine = 3;
-
 /// An empty cache, and no network for pip.
 std::map<std::string, std::string> bare(const std::string& cache) {
     return {{"TEGUMENT_CACHE", (scratch() / cache).string()}, {"PIP_NO_INDEX", "1"}};

@@ -66,6 +66,10 @@ const fs::path& scratch() {
     return kScratch.path;
 }
 
+std::string out(const std::string& name) {
+    return (scratch() / name).string();
+}
+
 std::string write(const std::string& name, const std::string& text) {
     const fs::path path = scratch() / name;
     fs::create_directories(path.parent_path());

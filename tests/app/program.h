@@ -10,6 +10,11 @@
 
 namespace tegument::test {
 
+// Exit codes: what the program was given is wrong, how it was called is wrong, the machine lacks something.
+inline constexpr int kInput = 1;
+inline constexpr int kUsage = 2;
+inline constexpr int kMachine = 3;
+
 struct Ran {
     int code = -1;
     std::string out;
@@ -23,6 +28,9 @@ struct Ran {
 
 /// A folder of this test process's own, removed at its end.
 [[nodiscard]] const std::filesystem::path& scratch();
+
+/// Path of a file below scratch(), written or not.
+[[nodiscard]] std::string out(const std::string& name);
 
 /// Writes a file below scratch() and returns its path.
 [[nodiscard]] std::string write(const std::string& name, const std::string& text);

@@ -12,6 +12,7 @@
 namespace tegument::test {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 TEST(Survey, draws_every_effect_written_in_the_manner_of_another_host) {
@@ -26,7 +27,7 @@ TEST(Survey, draws_every_effect_written_in_the_manner_of_another_host) {
 }
 
 TEST(Survey, counts_what_is_refused_by_its_code) {
-    std::filesystem::create_directories(scratch() / "survey");
+    fs::create_directories(scratch() / "survey");
     const std::string folder = write("survey/bad.fx", "technique T { pass P { NoSuchState = 1; } }");
     const Ran ran = tegument({"survey", folder.substr(0, folder.rfind('/')), "--size", "16"});
     EXPECT_EQ(ran.code, 0) << ran.err;
@@ -35,7 +36,7 @@ TEST(Survey, counts_what_is_refused_by_its_code) {
 }
 
 TEST(Survey, goes_on_where_a_driver_brings_the_process_down) {
-    std::filesystem::create_directories(scratch() / "down");
+    fs::create_directories(scratch() / "down");
     const std::string effect =
         write("down/plain.fx", "float4 VS(float4 p : POSITION) : POSITION { return p; }\nfloat4 PS() : COLOR { return 1; }\n"
                                "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }");
@@ -50,7 +51,7 @@ TEST(Survey, goes_on_where_a_driver_brings_the_process_down) {
 TEST(Survey, has_an_example_for_continuous_integration_that_runs) {
     const std::string run = std::string("TEGUMENT=") + TEGUMENT_PROGRAM + " sh docs/samples/ci/check-effects.sh ";
     EXPECT_EQ(std::system((run + "tests/adopt/effects >/dev/null 2>&1").c_str()), 0);
-    std::filesystem::create_directories(scratch() / "ci");
+    fs::create_directories(scratch() / "ci");
     const std::string bad = write("ci/bad.fx", "technique T { pass P { NoSuchState = 1; } }");
     EXPECT_NE(std::system((run + bad.substr(0, bad.rfind('/')) + " >/dev/null 2>&1").c_str()), 0);
 }
@@ -69,7 +70,7 @@ TEST(ForeignPictures, of_one_colour_are_said) {
 }
 
 TEST(ForeignPictures, take_a_stand_in_where_a_file_is_of_a_kind_that_only_its_host_reads) {
-    std::filesystem::create_directories(scratch() / "Maps");
+    fs::create_directories(scratch() / "Maps");
     ASSERT_FALSE(write("Maps/Brick.TGA", "no picture").empty());
     const std::string file =
         write("brick.fx", "texture t < string ResourceName = \"maps\\\\brick.tga\"; >; sampler2D s = sampler_state { Texture = <t>; };\n"
@@ -163,8 +164,26 @@ TEST(ForeignPictures, with_several_samples_do_without_anisotropy_on_a_software_d
     EXPECT_EQ(picture("often", "8").image.pixels, without.image.pixels) << "Mesa takes ten seconds and more for it";
 }
 
+// Who may read everything cannot read this one either: its name is longer than the system's longest.
+TEST(Survey, a_folder_that_cannot_be_read_is_told_and_the_others_are_drawn) {
+    const fs::path before = fs::current_path();
+    static_cast<void>(write("deep/good.fx", "technique T { pass P { NoSuchState = 1; } }"));
+    fs::current_path(scratch() / "deep");
+    const fs::path name(std::string(250, 'd'));
+    for (int i = 0; i < 20; ++i) {
+        fs::create_directory(name);
+        fs::current_path(name);
+    }
+    fs::current_path(before);
+    const Ran ran = tegument({"survey", (scratch() / "deep").string(), "--size", "16", "--target", "none"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("warning TG8006"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("are left out"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.out.find("good.fx"), std::string::npos) << ran.out;
+}
+
 TEST(Survey, of_a_folder_without_effects_is_an_error) {
-    std::filesystem::create_directories(scratch() / "none");
+    fs::create_directories(scratch() / "none");
     const std::string file = write("none/luma.effect", "technique T {}");
     const Ran ran = tegument({"survey", file.substr(0, file.rfind('/'))});
     EXPECT_EQ(ran.code, 2) << ran.err;

@@ -48,7 +48,7 @@ void print() {
         }
     fmt::print("\nKnown differences, in the same units:\n\n");
     for (const Exception& exception : exceptions())
-        fmt::print("* {}, {}..., {}...: up to {:g}, beyond the tolerance at most {:.3g} % of the pixels: {}.\n",
+        fmt::print("* {}, {}..., {}...: up to {:g} but for a few pixels, beyond the tolerance at most {:.3g} % of them: {}.\n",
                    engineName(exception.engine), exception.cases, exception.targets, exception.largest, 100 * exception.beyond,
                    exception.reason);
 }

@@ -10,7 +10,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 /// An effect with targets, clear values and passes A, B (without scripts) for the technique script under test.
-std::string technique(const std::string& script) {
+std::string techniqueOf(const std::string& script) {
     return "Texture2D gX : RENDERCOLORTARGET; Texture2D gY : RENDERCOLORTARGET; Texture2D gZ : RENDERDEPTHSTENCILTARGET;\n"
            "float4 gRed = {1, 0, 0, 1}; float gFar = 1; int gN = 2; int gM = 3; float gIndex; int gCount; bool gFast = true;\n"
            "technique T < string Script = \"" +
@@ -30,12 +30,12 @@ TEST(ScriptDefaults, a_pass_script_without_draw_draws_nothing) {
 }
 
 TEST(ScriptDefaults, clear_values_are_the_defaults_until_set) {
-    EXPECT_EQ(ran(technique("Clear=Color; ClearSetColor=gRed; Clear=Color; Clear=Depth; Clear=Stencil;")),
+    EXPECT_EQ(ran(techniqueOf("Clear=Color; ClearSetColor=gRed; Clear=Color; Clear=Depth; Clear=Stencil;")),
               (Lines{"clear color0 with default", "clear color0 with gRed", "clear depth with default", "clear stencil with default"}));
 }
 
 TEST(Scripts, whitespace_and_literal_borders_do_not_matter) {
-    EXPECT_EQ(ran(technique(" Pass = A ; \"\n \" Pa\" \"ss=B")), (Lines{"A: geometry to app", "B: geometry to app"}));
+    EXPECT_EQ(ran(techniqueOf(" Pass = A ; \"\n \" Pa\" \"ss=B")), (Lines{"A: geometry to app", "B: geometry to app"}));
 }
 
 TEST(Scripts, positions_point_at_the_command_in_its_literal) {
@@ -46,21 +46,21 @@ TEST(Scripts, positions_point_at_the_command_in_its_literal) {
 }
 
 TEST(Scripts, an_index_less_clear_clears_every_bound_colour_target) {
-    EXPECT_EQ(ran(technique("RenderColorTarget0=gX; RenderColorTarget2=gY; Clear=Color;")),
+    EXPECT_EQ(ran(techniqueOf("RenderColorTarget0=gX; RenderColorTarget2=gY; Clear=Color;")),
               (Lines{"bind gX / app", "bind gX gY / app", "clear color0 with default", "clear color2 with default", "bind app / app"}));
 }
 
 TEST(Scripts, an_indexed_clear_clears_one_target) {
-    EXPECT_EQ(ran(technique("RenderColorTarget1=gY; Clear=Color1;")),
+    EXPECT_EQ(ran(techniqueOf("RenderColorTarget1=gY; Clear=Color1;")),
               (Lines{"bind app gY / app", "clear color1 with default", "bind app / app"}));
 }
 
 TEST(Scripts, clearing_a_target_that_is_not_bound_does_nothing) {
-    EXPECT_EQ(ran(technique("Clear=Color5;")), Lines{});
+    EXPECT_EQ(ran(techniqueOf("Clear=Color5;")), Lines{});
 }
 
 TEST(Scripts, an_empty_target_is_the_callers_in_place_0_and_none_elsewhere) {
-    EXPECT_EQ(ran(technique("RenderColorTarget0=gX; RenderColorTarget1=gY; RenderDepthStencilTarget=gZ;"
+    EXPECT_EQ(ran(techniqueOf("RenderColorTarget0=gX; RenderColorTarget1=gY; RenderDepthStencilTarget=gZ;"
                             "RenderColorTarget0=; RenderColorTarget1=; RenderDepthStencilTarget=;")),
               (Lines{"bind gX / app", "bind gX gY / app", "bind gX gY / gZ", "bind app gY / gZ", "bind app / gZ", "bind app / app"}));
 }
@@ -88,28 +88,28 @@ TEST(Scripts, passes_begin_and_end_around_their_scripts) {
 }
 
 TEST(Scripts, external_rendering_keeps_targets_and_clear_values) {
-    EXPECT_EQ(ran(technique("RenderColorTarget=gX; ClearSetColor=gRed; ScriptExternal=Color; Clear=Color;")),
+    EXPECT_EQ(ran(techniqueOf("RenderColorTarget=gX; ClearSetColor=gRed; ScriptExternal=Color; Clear=Color;")),
               (Lines{"bind gX / app", "external", "bind gX / app", "clear color0 with gRed", "bind app / app"}));
 }
 
 TEST(Scripts, a_bool_selects_the_first_option_when_true) {
-    EXPECT_EQ(ran(technique("Pass=gFast?A:B;")), (Lines{"A: geometry to app"}));
-    EXPECT_EQ(ran(technique("Pass=gFast?A:B;"), {{"gFast", 0}}), (Lines{"B: geometry to app"}));
+    EXPECT_EQ(ran(techniqueOf("Pass=gFast?A:B;")), (Lines{"A: geometry to app"}));
+    EXPECT_EQ(ran(techniqueOf("Pass=gFast?A:B;"), {{"gFast", 0}}), (Lines{"B: geometry to app"}));
 }
 
 TEST(Scripts, a_number_selects_by_index_from_0) {
-    EXPECT_EQ(ran(technique("Pass=gN?A:B:A;"), {{"gN", 1}}), (Lines{"B: geometry to app"}));
-    EXPECT_EQ(ran(technique("Pass=gIndex?A:B;"), {{"gIndex", 1.9}}), (Lines{"B: geometry to app"}));
+    EXPECT_EQ(ran(techniqueOf("Pass=gN?A:B:A;"), {{"gN", 1}}), (Lines{"B: geometry to app"}));
+    EXPECT_EQ(ran(techniqueOf("Pass=gIndex?A:B;"), {{"gIndex", 1.9}}), (Lines{"B: geometry to app"}));
 }
 
 TEST(Scripts, a_selector_out_of_range_is_an_error) {
-    EXPECT_EQ(ran(technique("Pass=gN?A:B;")), (Lines{"TG2301"}));
-    EXPECT_EQ(ran(technique("Pass=gN?A:B;"), {{"gN", -1}}), (Lines{"TG2301"}));
+    EXPECT_EQ(ran(techniqueOf("Pass=gN?A:B;")), (Lines{"TG2301"}));
+    EXPECT_EQ(ran(techniqueOf("Pass=gN?A:B;"), {{"gN", -1}}), (Lines{"TG2301"}));
 }
 
 TEST(Scripts, targets_may_be_selected_too) {
-    EXPECT_EQ(ran(technique("RenderColorTarget=gFast?gX:; Pass=A;")), (Lines{"bind gX / app", "A: geometry to gX", "bind app / app"}));
-    EXPECT_EQ(ran(technique("RenderColorTarget=gFast?gX:; Pass=A;"), {{"gFast", 0}}), (Lines{"A: geometry to app"}));
+    EXPECT_EQ(ran(techniqueOf("RenderColorTarget=gFast?gX:; Pass=A;")), (Lines{"bind gX / app", "A: geometry to gX", "bind app / app"}));
+    EXPECT_EQ(ran(techniqueOf("RenderColorTarget=gFast?gX:; Pass=A;"), {{"gFast", 0}}), (Lines{"A: geometry to app"}));
 }
 
 TEST(Scripts, the_global_script_chooses_the_technique) {
@@ -121,18 +121,18 @@ TEST(Scripts, the_global_script_chooses_the_technique) {
 }
 
 TEST(Scripts, the_loop_count_can_be_read) {
-    EXPECT_EQ(ran(technique("LoopByCount=gN; LoopGetCount=gCount; LoopEnd;")), (Lines{"gCount = 2", "gCount = 2"}));
+    EXPECT_EQ(ran(techniqueOf("LoopByCount=gN; LoopGetCount=gCount; LoopEnd;")), (Lines{"gCount = 2", "gCount = 2"}));
 }
 
 TEST(Scripts, a_count_changed_inside_its_loop_has_no_effect) {
-    EXPECT_EQ(ran(technique("LoopByCount=gN; LoopGetIndex=gN; Pass=A; LoopEnd;")),
+    EXPECT_EQ(ran(techniqueOf("LoopByCount=gN; LoopGetIndex=gN; Pass=A; LoopEnd;")),
               (Lines{"gN = 0", "A: geometry to app", "gN = 1", "A: geometry to app"}));
 }
 
 TEST(Scripts, counts_that_are_no_counts_are_errors) {
-    EXPECT_EQ(ran(technique("LoopByCount=gN; LoopEnd;"), {{"gN", -1}}), (Lines{"TG2302"}));
-    EXPECT_EQ(ran(technique("LoopByCount=gN; LoopEnd;"), {{"gN", 1e9}}), (Lines{"TG2302"}));
-    EXPECT_EQ(ran(technique("LoopByCount=gN; LoopEnd;"), {{"gN", std::nan("")}}), (Lines{"TG2302"}));
+    EXPECT_EQ(ran(techniqueOf("LoopByCount=gN; LoopEnd;"), {{"gN", -1}}), (Lines{"TG2302"}));
+    EXPECT_EQ(ran(techniqueOf("LoopByCount=gN; LoopEnd;"), {{"gN", 1e9}}), (Lines{"TG2302"}));
+    EXPECT_EQ(ran(techniqueOf("LoopByCount=gN; LoopEnd;"), {{"gN", std::nan("")}}), (Lines{"TG2302"}));
 }
 
 TEST(Scripts, an_error_of_the_sink_stops_the_run) {
@@ -148,26 +148,26 @@ TEST(Scripts, an_error_of_the_sink_stops_the_run) {
 }
 
 TEST(Scripts, commands_on_the_wrong_level_are_errors) {
-    EXPECT_EQ(firstCode(load(technique("Draw=Buffer;"))), 2005);
-    EXPECT_EQ(firstCode(load(technique("Technique=T;"))), 2005);
+    EXPECT_EQ(firstCode(load(techniqueOf("Draw=Buffer;"))), 2005);
+    EXPECT_EQ(firstCode(load(techniqueOf("Technique=T;"))), 2005);
     EXPECT_EQ(firstCode(load("technique T { pass A < string Script = \"Pass=A;\"; > { } }")), 2005);
 }
 
 TEST(Scripts, misused_values_are_errors) {
     for (const char* script : {"Pass", "Pass=", "Pass=A?B", "Pass=?A:B", "Pass=A B=", "Clear=Color8", "RenderColorTarget8=gX",
                                "Clear0=Color", "LoopByCount=gN LoopEnd", "=A", "LoopByCount=;", "Pass=A:B"})
-        EXPECT_NE(firstCode(load(technique(script))), 0) << script;
+        EXPECT_NE(firstCode(load(techniqueOf(script))), 0) << script;
 }
 
 TEST(Scripts, parameters_must_fit_their_use) {
-    EXPECT_EQ(firstCode(load(technique("ClearSetColor=gFar;"))), 2014);
-    EXPECT_EQ(firstCode(load(technique("LoopByCount=gRed; LoopEnd;"))), 2014);
-    EXPECT_EQ(firstCode(load(technique("RenderColorTarget=gZ;"))), 2014);
-    EXPECT_EQ(firstCode(load(technique("RenderColorTarget=gRed;"))), 2014);
+    EXPECT_EQ(firstCode(load(techniqueOf("ClearSetColor=gFar;"))), 2014);
+    EXPECT_EQ(firstCode(load(techniqueOf("LoopByCount=gRed; LoopEnd;"))), 2014);
+    EXPECT_EQ(firstCode(load(techniqueOf("RenderColorTarget=gZ;"))), 2014);
+    EXPECT_EQ(firstCode(load(techniqueOf("RenderColorTarget=gRed;"))), 2014);
 }
 
 TEST(Scripts, reserved_commands_warn_and_do_nothing) {
-    const Effect effect = loaded(technique("Hint=fast; LoopUpdate; Pass=A;"));
+    const Effect effect = loaded(techniqueOf("Hint=fast; LoopUpdate; Pass=A;"));
     ASSERT_EQ(effect.warnings.size(), 2u);
     EXPECT_EQ(effect.warnings[0].code, 2009);
     Log log;
@@ -176,7 +176,7 @@ TEST(Scripts, reserved_commands_warn_and_do_nothing) {
 }
 
 TEST(Scripts, names_take_the_spelling_of_their_declaration) {
-    const Effect effect = loaded(technique("rendercolortarget=GX; pass=a;"));
+    const Effect effect = loaded(techniqueOf("rendercolortarget=GX; pass=a;"));
     EXPECT_EQ(effect.techniques[0].script.commands[0].options[0], "gX");
     EXPECT_EQ(effect.techniques[0].script.commands[1].options[0], "A");
 }

@@ -176,7 +176,8 @@ class OddSizes(Faults):
         for mesh in (line, point):
             for effect in ("Specular", "FurCoat"):
                 self.refused(self.run_it("render", effect, "--mesh", mesh, "--size", "24", "-o", self.out / "x.png"), "TG5306", "has an area", code=1)
-        self.refused(self.run_it("prep", line, "--unwrap", "-o", self.out / "x.glb"), "TG7028", code=1)
+        for words in ((line,), (line, "--unwrap")):
+            self.refused(self.run_it("prep", *words, "-o", self.out / "x.glb"), "TG7020", "on one line", code=1)
         self.refused(self.run_it("prep", point, "-o", self.out / "x.glb"), "TG7020", code=1)
 
     def test_a_mesh_of_more_memory_than_there_may_be(self):

@@ -14,7 +14,7 @@
 namespace tegument::gpu {
 namespace {
 
-struct Vertex {
+struct PlaneVertex {
     Pixel position;
     Pixel color;
 };
@@ -27,7 +27,7 @@ protected:
         PipelineDesc desc = screen(color_frag, {}, {Format::RGBA32F});
         desc.vertex = {.spirv = mesh_vert, .entry = "main"};
         desc.attributes = {{.location = 0, .components = 4, .offset = 0}, {.location = 1, .components = 4, .offset = 16}};
-        desc.vertexStride = sizeof(Vertex);
+        desc.vertexStride = sizeof(PlaneVertex);
         desc.topology = topology;
         return desc;
     }
@@ -49,7 +49,7 @@ Pixel corner(float x, float y) {
 }
 
 /// A rectangle as a strip.
-std::array<Vertex, 4> rectangle(float left, float top, float right, float bottom) {
+std::array<PlaneVertex, 4> rectangle(float left, float top, float right, float bottom) {
     return {{{corner(left, top), kWhite}, {corner(right, top), kWhite}, {corner(left, bottom), kWhite}, {corner(right, bottom), kWhite}}};
 }
 
@@ -89,7 +89,7 @@ TEST_F(Draws, first_skips_vertices) {
     const Pipeline pipeline = must(device().createPipeline(mesh(Topology::TriangleStrip)));
     const auto skipped = rectangle(0, 0, 16, 16);
     const auto drawn = rectangle(7, 7, 8, 8);
-    std::vector<Vertex> all(skipped.begin(), skipped.end());
+    std::vector<PlaneVertex> all(skipped.begin(), skipped.end());
     all.insert(all.end(), drawn.begin(), drawn.end());
     const Buffer vertices = must(device().createBuffer(BufferUsage::Vertex, bytesOf(all)));
     const Targets targets{.colors = {&image}};

@@ -14,6 +14,9 @@ namespace tegument::gpu {
 
 using Pixel = std::array<float, 4>;
 
+inline constexpr Pixel kRed = {1, 0, 0, 1};
+inline constexpr Pixel kGreen = {0, 1, 0, 1};
+
 /// The value, or the end of the test with the error's text.
 template <class T>
 T must(Result<T> result) {

@@ -16,26 +16,23 @@ constexpr std::uint32_t kSide = 16;
 constexpr double kSlope = 0.1;   // of the edge, rows per column
 constexpr double kHeight = 7.32; // rows below the top at which it begins
 
-struct Vertex {
+struct SampledVertex {
     Pixel position;
     Pixel color;
 };
-
-constexpr Pixel kRed = {1, 0, 0, 1};
-constexpr Pixel kGreen = {0, 1, 0, 1};
 
 float clipY(double row) {
     return static_cast<float>(1 - 2 * row / kSide);
 }
 
 /// Everything below the edge, at this depth.
-std::array<Vertex, 3> below(float z, Pixel color) {
+std::array<SampledVertex, 3> below(float z, Pixel color) {
     // Columns -16 and 32 are clip x -3 and 3; the third corner is far enough down for the triangle to hold the rest.
     return {
         {{{-3, clipY(kHeight - 16 * kSlope), z, 1}, color}, {{3, clipY(kHeight + 32 * kSlope), z, 1}, color}, {{0, -200, z, 1}, color}}};
 }
 
-std::array<Vertex, 3> everywhere(float z, Pixel color) {
+std::array<SampledVertex, 3> everywhere(float z, Pixel color) {
     return {{{{-4, -4, z, 1}, color}, {{4, -4, z, 1}, color}, {{0, 8, z, 1}, color}}};
 }
 
@@ -75,7 +72,7 @@ protected:
         PipelineDesc desc = screen(color_frag, {}, {Format::RGBA32F});
         desc.vertex = {.spirv = mesh_vert, .entry = "main"};
         desc.attributes = {{.location = 0, .components = 4, .offset = 0}, {.location = 1, .components = 4, .offset = 16}};
-        desc.vertexStride = sizeof(Vertex);
+        desc.vertexStride = sizeof(SampledVertex);
         desc.depthFormat = Format::D32F;
         desc.samples = samples_;
         desc.state = state;
@@ -84,7 +81,7 @@ protected:
     }
 
     /// One after the other, each with its state, into cleared targets; then the picture.
-    std::vector<Pixel> drawn(std::initializer_list<std::pair<std::array<Vertex, 3>, PipelineState>> triangles) {
+    std::vector<Pixel> drawn(std::initializer_list<std::pair<std::array<SampledVertex, 3>, PipelineState>> triangles) {
         std::vector<Buffer> buffers;
         std::vector<Pipeline> pipelines;
         for (const auto& triangle : triangles) {

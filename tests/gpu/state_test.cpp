@@ -57,9 +57,6 @@ protected:
     Texture depth_;
 };
 
-constexpr Pixel kRed = {1, 0, 0, 1};
-constexpr Pixel kGreen = {0, 1, 0, 1};
-
 /// Covers the whole target at one depth; counter-clockwise on screen (y up): bottom left, bottom right, top.
 std::array<Vertex, 3> counterClockwise(float z = 0.5f, Pixel color = kRed) {
     return {{{{-4, -4, z, 1}, color}, {{4, -4, z, 1}, color}, {{0, 4, z, 1}, color}}};

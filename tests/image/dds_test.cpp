@@ -44,7 +44,7 @@ struct Fixture {
     }
 };
 
-Result<DdsTexture> decode(const std::string& bytes) {
+Result<DdsTexture> ddsFrom(const std::string& bytes) {
     return decodeDds(std::as_bytes(std::span(bytes)), "texture");
 }
 
@@ -63,7 +63,7 @@ testing::AssertionResult fails(const Result<T>& result, int code, std::size_t by
     return testing::AssertionFailure() << format(result.error());
 }
 
-Image ramp(int width, int height, int channels) {
+Image rampOf(int width, int height, int channels) {
     Image image{.width = width, .height = height, .channels = channels, .pixels = {}};
     for (int i = 0; i < width * height * channels; ++i)
         image.pixels.push_back(static_cast<float>(i % 256) / 255);
@@ -76,7 +76,7 @@ constexpr std::array kEveryFormat = {DdsFormat::Rgba8,   DdsFormat::Rgba8Srgb, D
 // ---- Reading files laid out by hand
 
 TEST(Dds, reads_eight_bits_of_red_green_blue_alpha) {
-    const auto texture = decode(Fixture(true).size(2, 1).dxgi(28).body(std::string("\x00\x33\x66\xff\xff\x99\x33\x00", 8)).bytes);
+    const auto texture = ddsFrom(Fixture(true).size(2, 1).dxgi(28).body(std::string("\x00\x33\x66\xff\xff\x99\x33\x00", 8)).bytes);
     ASSERT_TRUE(texture) << format(texture.error());
     EXPECT_EQ(texture->at(0, 0).pixels, (std::vector<float>{0, 0.2F, 0.4F, 1, 1, 0.6F, 0.2F, 0}));
     EXPECT_EQ(texture->format, DdsFormat::Rgba8);
@@ -84,7 +84,7 @@ TEST(Dds, reads_eight_bits_of_red_green_blue_alpha) {
 
 TEST(Dds, reads_blue_first_files_red_first) {
     for (const std::uint32_t dxgi : {87U, 91U}) {
-        const auto texture = decode(Fixture(true).size(1, 1).dxgi(dxgi).body("\x33\x66\x99\xff").bytes);
+        const auto texture = ddsFrom(Fixture(true).size(1, 1).dxgi(dxgi).body("\x33\x66\x99\xff").bytes);
         ASSERT_TRUE(texture) << format(texture.error());
         EXPECT_EQ(texture->at(0, 0).pixels, (std::vector<float>{0.6F, 0.4F, 0.2F, 1}));
     }
@@ -92,17 +92,17 @@ TEST(Dds, reads_blue_first_files_red_first) {
 
 TEST(Dds, reads_halves) {
     // 1, -2, 65504 (the largest), 2^-24 (the smallest)
-    const auto texture = decode(Fixture(true).size(1, 1).dxgi(10).body(std::string("\x00\x3c\x00\xc0\xff\x7b\x01\x00", 8)).bytes);
+    const auto texture = ddsFrom(Fixture(true).size(1, 1).dxgi(10).body(std::string("\x00\x3c\x00\xc0\xff\x7b\x01\x00", 8)).bytes);
     ASSERT_TRUE(texture) << format(texture.error());
     EXPECT_EQ(texture->at(0, 0).pixels, (std::vector<float>{1, -2, 65504, std::ldexp(1.0F, -24)}));
 }
 
 TEST(Dds, reads_direct3d_9_s_names_of_float_formats) {
     const auto halves =
-        decode(Fixture(false).size(1, 1).set(20, 4).set(21, 113).body(std::string("\x00\x3c\x00\x38\x00\x34\x00\x30", 8)).bytes);
+        ddsFrom(Fixture(false).size(1, 1).set(20, 4).set(21, 113).body(std::string("\x00\x3c\x00\x38\x00\x34\x00\x30", 8)).bytes);
     ASSERT_TRUE(halves) << format(halves.error());
     EXPECT_EQ(halves->at(0, 0).pixels, (std::vector<float>{1, 0.5F, 0.25F, 0.125F}));
-    const auto floats = decode(Fixture(false)
+    const auto floats = ddsFrom(Fixture(false)
                                    .size(1, 1)
                                    .set(20, 4)
                                    .set(21, 116)
@@ -113,7 +113,7 @@ TEST(Dds, reads_direct3d_9_s_names_of_float_formats) {
 }
 
 TEST(Dds, reads_direct3d_9_s_a8r8g8b8) {
-    const auto texture = decode(Fixture(false)
+    const auto texture = ddsFrom(Fixture(false)
                                     .size(1, 1)
                                     .set(20, 0x41)
                                     .set(22, 32)
@@ -131,7 +131,7 @@ TEST(Dds, faces_hold_their_mip_levels_one_after_the_other) {
     std::string texels; // of each face: four texels, then one; all of them its number and level
     for (char face = 0; face < 6; ++face)
         texels += std::string(16, static_cast<char>(face * 2)) + std::string(4, static_cast<char>(face * 2 + 1));
-    const auto texture = decode(Fixture(true).size(2, 2).dxgi(28).mips(2).set(34, 4).body(texels).bytes);
+    const auto texture = ddsFrom(Fixture(true).size(2, 2).dxgi(28).mips(2).set(34, 4).body(texels).bytes);
     ASSERT_TRUE(texture) << format(texture.error());
     ASSERT_TRUE(texture->isCube());
     for (int face = 0; face < 6; ++face)
@@ -140,7 +140,7 @@ TEST(Dds, faces_hold_their_mip_levels_one_after_the_other) {
 }
 
 TEST(Dds, mip_levels_of_an_odd_size_are_rounded_down) {
-    const auto texture = decode(Fixture(true).size(5, 3).dxgi(41).mips(3).body(std::string(4 * (15 + 2 + 1), '\0')).bytes);
+    const auto texture = ddsFrom(Fixture(true).size(5, 3).dxgi(41).mips(3).body(std::string(4 * (15 + 2 + 1), '\0')).bytes);
     ASSERT_TRUE(texture) << format(texture.error());
     EXPECT_EQ(texture->at(0, 1).width, 2);
     EXPECT_EQ(texture->at(0, 1).height, 1);
@@ -148,7 +148,7 @@ TEST(Dds, mip_levels_of_an_odd_size_are_rounded_down) {
 }
 
 TEST(Dds, a_mip_count_without_its_flag_is_ignored) {
-    const auto texture = decode(Fixture(true).size(4, 4).dxgi(41).set(7, 3).body(std::string(64, '\0')).bytes);
+    const auto texture = ddsFrom(Fixture(true).size(4, 4).dxgi(41).set(7, 3).body(std::string(64, '\0')).bytes);
     ASSERT_TRUE(texture) << format(texture.error());
     EXPECT_EQ(texture->mips, 1);
 }
@@ -166,59 +166,59 @@ TEST(Dds, is_a_picture_by_its_content) {
 TEST(DdsErrors, every_cut_is_one_error_at_the_end_of_the_file) {
     const std::string whole = Fixture(true).size(2, 2).dxgi(28).body(std::string(16, 'x')).bytes;
     for (std::size_t length = 4; length < whole.size(); ++length)
-        EXPECT_TRUE(fails(decode(whole.substr(0, length)), 5201, length)) << length;
+        EXPECT_TRUE(fails(ddsFrom(whole.substr(0, length)), 5201, length)) << length;
 }
 
 TEST(DdsErrors, bytes_after_the_last_texel_are_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(true).size(2, 2).dxgi(28).body(std::string(17, 'x')).bytes), 5202, 148 + 16));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(2, 2).dxgi(28).body(std::string(17, 'x')).bytes), 5202, 148 + 16));
 }
 
 TEST(DdsErrors, a_wrong_header_size_is_named) {
-    EXPECT_TRUE(fails(decode(Fixture(true).set(1, 123).bytes), 5202, 4));
-    EXPECT_TRUE(fails(decode(Fixture(true).set(19, 0).bytes), 5202, 76));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).set(1, 123).bytes), 5202, 4));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).set(19, 0).bytes), 5202, 76));
 }
 
 TEST(DdsErrors, a_size_beyond_any_device_is_refused_before_memory_is_taken) {
-    EXPECT_TRUE(fails(decode(Fixture(true).size(0xffffffff, 0xffffffff).dxgi(2).bytes), 5203, 12));
-    EXPECT_TRUE(fails(decode(Fixture(true).size(0, 4).dxgi(2).bytes), 5203, 12));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(0xffffffff, 0xffffffff).dxgi(2).bytes), 5203, 12));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(0, 4).dxgi(2).bytes), 5203, 12));
 }
 
 TEST(DdsErrors, a_large_claim_in_a_small_file_is_a_cut_file) {
-    EXPECT_TRUE(fails(decode(Fixture(true).size(16384, 16384).dxgi(2).mips(15).set(34, 4).bytes), 5201, 148));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(16384, 16384).dxgi(2).mips(15).set(34, 4).bytes), 5201, 148));
 }
 
 TEST(DdsErrors, more_mip_levels_than_the_size_allows_are_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(true).size(4, 4).dxgi(28).mips(4).bytes), 5202, 28));
-    EXPECT_TRUE(fails(decode(Fixture(true).size(4, 4).dxgi(28).mips(0xffffffff).bytes), 5202, 28));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(4, 4).dxgi(28).mips(4).bytes), 5202, 28));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(4, 4).dxgi(28).mips(0xffffffff).bytes), 5202, 28));
 }
 
 TEST(DdsErrors, a_volume_is_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(false).size(4, 4).set(28, 0x200000).set(6, 4).bytes), 5204, 24));
-    EXPECT_TRUE(fails(decode(Fixture(true).size(4, 4).dxgi(28).set(33, 4).bytes), 5204, 132));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(false).size(4, 4).set(28, 0x200000).set(6, 4).bytes), 5204, 24));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(4, 4).dxgi(28).set(33, 4).bytes), 5204, 132));
 }
 
 TEST(DdsErrors, an_array_is_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(true).size(4, 4).dxgi(28).set(35, 2).bytes), 5204, 140));
-    EXPECT_TRUE(fails(decode(Fixture(true).size(4, 4).dxgi(28).set(35, 0xffffffff).bytes), 5204, 140));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(4, 4).dxgi(28).set(35, 2).bytes), 5204, 140));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(4, 4).dxgi(28).set(35, 0xffffffff).bytes), 5204, 140));
 }
 
 TEST(DdsErrors, an_unknown_format_is_named_with_its_number) {
-    const auto bc1 = decode(Fixture(true).size(4, 4).dxgi(71).bytes);
+    const auto bc1 = ddsFrom(Fixture(true).size(4, 4).dxgi(71).bytes);
     EXPECT_TRUE(fails(bc1, 5204, 128));
     EXPECT_EQ(problem(bc1).text, "a DDS file of DXGI format 71 (0x00000047) cannot be read");
-    EXPECT_TRUE(fails(decode(Fixture(false).size(4, 4).set(20, 4).set(21, 0x31545844).bytes), 5204, 84)); // "DXT1"
+    EXPECT_TRUE(fails(ddsFrom(Fixture(false).size(4, 4).set(20, 4).set(21, 0x31545844).bytes), 5204, 84)); // "DXT1"
 }
 
 TEST(DdsErrors, unknown_masks_are_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(false).size(1, 1).set(20, 0x40).set(22, 16).set(23, 0xf800).body("xx").bytes), 5204, 80));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(false).size(1, 1).set(20, 0x40).set(22, 16).set(23, 0xf800).body("xx").bytes), 5204, 80));
 }
 
 TEST(DdsErrors, a_cube_map_with_five_faces_is_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(false).size(1, 1).set(20, 4).set(21, 116).set(28, 0x7e00).bytes), 5204, 112));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(false).size(1, 1).set(20, 4).set(21, 116).set(28, 0x7e00).bytes), 5204, 112));
 }
 
 TEST(DdsErrors, a_cube_map_that_is_not_square_is_refused) {
-    EXPECT_TRUE(fails(decode(Fixture(true).size(2, 1).dxgi(28).set(34, 4).bytes), 5202, 12));
+    EXPECT_TRUE(fails(ddsFrom(Fixture(true).size(2, 1).dxgi(28).set(34, 4).bytes), 5202, 12));
 }
 
 TEST(DdsErrors, a_cube_map_is_no_picture) {
@@ -227,7 +227,7 @@ TEST(DdsErrors, a_cube_map_is_no_picture) {
 }
 
 TEST(DdsErrors, another_file_is_told_by_its_first_bytes) {
-    EXPECT_TRUE(fails(decode("PNG"), 5202, 0));
+    EXPECT_TRUE(fails(ddsFrom("PNG"), 5202, 0));
 }
 
 // ---- Writing
@@ -235,7 +235,7 @@ TEST(DdsErrors, another_file_is_told_by_its_first_bytes) {
 TEST(Dds, writes_the_documented_header) {
     Fixture expected(true);
     expected.size(4, 2).dxgi(2).mips(3).set(2, 0x2100f).set(5, 64).set(27, 0x401008);
-    const std::string bytes = encodeDds(makeDds(ramp(4, 2, 4), DdsFormat::Rgba32F, true));
+    const std::string bytes = encodeDds(makeDds(rampOf(4, 2, 4), DdsFormat::Rgba32F, true));
     EXPECT_EQ(bytes.substr(0, 148), expected.bytes);
     EXPECT_EQ(bytes.size(), 148U + 16 * (8 + 2 + 1));
 }
@@ -243,7 +243,7 @@ TEST(Dds, writes_the_documented_header) {
 TEST(Dds, writes_direct3d_9_s_header) {
     Fixture half(false);
     half.size(4, 1).set(2, 0x100f).set(5, 32).set(7, 1).set(20, 4).set(21, 113);
-    EXPECT_EQ(encodeDds(makeDds(ramp(4, 1, 4), DdsFormat::Rgba16F, false), DdsHeader::Direct3D9).substr(0, 128), half.bytes);
+    EXPECT_EQ(encodeDds(makeDds(rampOf(4, 1, 4), DdsFormat::Rgba16F, false), DdsHeader::Direct3D9).substr(0, 128), half.bytes);
     Fixture bytes(false);
     bytes.size(1, 1).set(2, 0x100f).set(5, 4).set(7, 1).set(20, 0x41).set(22, 32);
     bytes.set(23, 0xff0000).set(24, 0xff00).set(25, 0xff).set(26, 0xff000000).body("\x33\x66\x99\xff");
@@ -254,10 +254,10 @@ TEST(Dds, writes_direct3d_9_s_header) {
 TEST(Dds, every_format_returns_what_it_can_hold) {
     for (const DdsFormat format : kEveryFormat)
         for (const DdsHeader header : {DdsHeader::Dx10, DdsHeader::Direct3D9}) {
-            DdsTexture written = makeDds(ramp(5, 3, channelCount(format)), format, true);
-            const auto once = decode(encodeDds(written, header)); // quantised
+            DdsTexture written = makeDds(rampOf(5, 3, channelCount(format)), format, true);
+            const auto once = ddsFrom(encodeDds(written, header)); // quantised
             ASSERT_TRUE(once) << name(format) << tegument::format(once.error());
-            const auto twice = decode(encodeDds(*once, header));
+            const auto twice = ddsFrom(encodeDds(*once, header));
             ASSERT_TRUE(twice) << name(format);
             ASSERT_EQ(twice->mips, 3);
             for (int mip = 0; mip < 3; ++mip)
@@ -270,7 +270,7 @@ TEST(Dds, every_format_returns_what_it_can_hold) {
 
 TEST(Dds, floats_return_bit_for_bit) {
     Image image{.width = 4, .height = 1, .channels = 1, .pixels = {std::numeric_limits<float>::denorm_min(), -0.0F, 1e38F, 1.0F / 3}};
-    const auto read = decode(encodeDds(makeDds(image, DdsFormat::R32F, false)));
+    const auto read = ddsFrom(encodeDds(makeDds(image, DdsFormat::R32F, false)));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->at(0, 0).pixels, image.pixels);
 }
@@ -280,7 +280,7 @@ TEST(Dds, a_cube_map_returns) {
     for (int face = 0; face < 6; ++face)
         cube.images.push_back({.width = 1, .height = 1, .channels = 4, .pixels = std::vector<float>(4, static_cast<float>(face) / 5)});
     for (const DdsHeader header : {DdsHeader::Dx10, DdsHeader::Direct3D9}) {
-        const auto read = decode(encodeDds(cube, header));
+        const auto read = ddsFrom(encodeDds(cube, header));
         ASSERT_TRUE(read) << format(read.error());
         ASSERT_TRUE(read->isCube());
         for (int face = 0; face < 6; ++face)
@@ -309,7 +309,7 @@ TEST(Dds, grey_is_spread_and_a_missing_alpha_is_one) {
 
 TEST(Dds, nan_in_eight_bits_is_zero) {
     const Image image{.width = 1, .height = 1, .channels = 4, .pixels = std::vector<float>(4, std::nanf(""))};
-    const auto read = decode(encodeDds(makeDds(image, DdsFormat::Rgba8, false)));
+    const auto read = ddsFrom(encodeDds(makeDds(image, DdsFormat::Rgba8, false)));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->at(0, 0).pixels, std::vector<float>(4, 0));
 }

@@ -78,7 +78,7 @@ std::string written(int parts) {
     return memory.bytes;
 }
 
-Result<Image> decode(const std::string& bytes) {
+Result<Image> exrFrom(const std::string& bytes) {
     return decodeImage(std::as_bytes(std::span(bytes)), "picture.exr");
 }
 
@@ -92,7 +92,7 @@ std::string withNumber(std::string bytes, const std::string& words, std::size_t 
 }
 
 void expectCutHeader(const std::string& bytes, const std::string& what) {
-    const auto image = decode(bytes);
+    const auto image = exrFrom(bytes);
     ASSERT_FALSE(image) << what;
     EXPECT_EQ(image.error().diagnostics.front().code, 5201) << what;
     EXPECT_NE(format(image.error()).find("its header announces more than there is"), std::string::npos) << what << format(image.error());
@@ -102,7 +102,7 @@ void expectCutHeader(const std::string& bytes, const std::string& what) {
 
 TEST(ExrHeaders, of_one_and_of_several_parts_with_every_kind_of_attribute_are_read) {
     for (const int parts : {1, 2}) {
-        const auto image = decode(written(parts));
+        const auto image = exrFrom(written(parts));
         ASSERT_TRUE(image) << format(image.error());
         EXPECT_EQ(image->at(1, 0, 0), 4);
         EXPECT_EQ(image->metadata.at("note-first"), "text of first");

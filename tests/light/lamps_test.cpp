@@ -10,7 +10,7 @@
 namespace tegument::test {
 namespace {
 
-constexpr int kPicture = 64;
+constexpr int kLampPicture = 64;
 using Parameters = std::map<std::string, std::vector<double>>;
 
 class Lamps : public Run {
@@ -26,8 +26,8 @@ protected:
         workspace.light.color = light;
         return runEffect(*device_, *effect, &mesh, workspace,
                          {.technique = technique,
-                          .width = kPicture,
-                          .height = kPicture,
+                          .width = kLampPicture,
+                          .height = kLampPicture,
                           .compiler = defaultCompiler(),
                           .parameters = parameters,
                           .plainSkin = std::array{0.8F, 0.6F, 0.5F, 1.0F}});
@@ -41,7 +41,7 @@ std::vector<double> three(std::vector<double> first, std::vector<double> second 
     return first;
 }
 
-constexpr std::array kTechniques = {std::pair("effects/Main.fx", "DEonLuebke"), std::pair("effects/Main.fx", "Gosselin"),
+constexpr std::array kLitTechniques = {std::pair("effects/Main.fx", "DEonLuebke"), std::pair("effects/Main.fx", "Gosselin"),
                                     std::pair("effects/Pyramid.fx", "Pyramid"), std::pair("effects/Pyramid.fx", "PyramidLinked"),
                                     std::pair("effects/peers/Separable.fx", "Separable17")};
 
@@ -49,13 +49,13 @@ const std::vector<double> kEverywhere = {-1, -2, 1, 1, -1, -2, 1, 1, -1, -2, 1, 
 
 // On a sphere, which hides no more of itself than its horizon does: the same direction, the same colour, the same picture.
 TEST_F(Lamps, of_parallel_light_light_a_sphere_as_the_workspace_s_own_does) {
-    for (const auto& [effect, technique] : kTechniques) {
+    for (const auto& [effect, technique] : kLitTechniques) {
         const auto own = draw(effect, technique, 0, {}, {0.5F, 0.25F, 1.0F});
         const auto lamp = draw(effect, technique, 1, {{"gLampPlace", three({3, 4, 5, 0})}, {"gLampColor", three({0.5, 0.25, 1, 0})}});
         ASSERT_TRUE(succeeded(own) && succeeded(lamp));
         double worst = 0;
-        for (int y = 0; y < kPicture; ++y)
-            for (int x = 0; x < kPicture; ++x)
+        for (int y = 0; y < kLampPicture; ++y)
+            for (int x = 0; x < kLampPicture; ++x)
                 worst =
                     std::max(worst, std::abs(static_cast<double>(own->image.at(x, y, 0)) - static_cast<double>(lamp->image.at(x, y, 0))));
         // The workspace's light darkens the last degrees before its horizon by its shadow map's texels: up to 0.05 of cosine there.
@@ -72,13 +72,13 @@ TEST_F(Lamps, add_up) {
                              {"gLampColor", three({0.5, 0.25, 1, 0}, {0.1, 0.8, 0.3, 350})},
                              {"gLampAxis", std::vector<double>{0, 0, -1, 0.25, 0, 0, -1, 0.25, 0, 0, -1, 0.25}},
                              {"gLampSpot", kEverywhere}};
-    for (const auto& [effect, technique] : kTechniques) {
+    for (const auto& [effect, technique] : kLitTechniques) {
         const auto a = draw(effect, technique, 1, one);
         const auto b = draw(effect, technique, 1, other);
         const auto sum = draw(effect, technique, 2, both);
         ASSERT_TRUE(succeeded(a) && succeeded(b) && succeeded(sum));
-        for (int y = 0; y < kPicture; y += 3)
-            for (int x = 0; x < kPicture; x += 3)
+        for (int y = 0; y < kLampPicture; y += 3)
+            for (int x = 0; x < kLampPicture; x += 3)
                 for (int c = 0; c < 3; ++c) // halves: 2^-11 of up to ten sums
                     EXPECT_NEAR(a->image.at(x, y, c) + b->image.at(x, y, c), sum->image.at(x, y, c), 0.006F)
                         << technique << " " << x << " " << y;
@@ -99,8 +99,8 @@ TEST_F(Lamps, add_up_on_fur) {
     const auto sum = draw("effects/Fur.fx", "CubeCombined", 2, both);
     ASSERT_TRUE(succeeded(none) && succeeded(a) && succeeded(b) && succeeded(sum));
     float brightest = 0;
-    for (int y = 0; y < kPicture; ++y)
-        for (int x = 0; x < kPicture; ++x)
+    for (int y = 0; y < kLampPicture; ++y)
+        for (int x = 0; x < kLampPicture; ++x)
             for (int c = 0; c < 3; ++c) {
                 const float lamps = a->image.at(x, y, c) + b->image.at(x, y, c) - 2 * none->image.at(x, y, c);
                 brightest = std::max(brightest, lamps);

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPart = "float gPower : POWER = 2;\nfloat4 shade(float3 n) { return float4(n * gPower, 1); }\n";
-constexpr const char* kEffect = R"(#include "part.fxh"
+constexpr const char* kServed = R"(#include "part.fxh"
 float4x4 gWorldViewProjection : WORLDVIEWPROJECTION;
 float4 gTint = { 1, 0, 0, 1 };
 Texture2D gColourMap;
@@ -41,7 +41,7 @@ protected:
         folder_ = fs::temp_directory_path() / ("tegument-lsp-" + std::to_string(::getpid()));
         fs::create_directories(folder_ / ".git"); // a project: what lies in it may be included
         std::ofstream(folder_ / "part.fxh") << kPart;
-        std::ofstream(folder_ / "effect.fx") << kEffect;
+        std::ofstream(folder_ / "effect.fx") << kServed;
         start();
     }
 
@@ -151,7 +151,7 @@ TEST_F(Lsp, an_end_without_shutdown_is_no_success) {
 }
 
 TEST_F(Lsp, a_fault_is_told_where_it_stands_and_taken_back_when_it_is_mended) {
-    std::string broken = kEffect;
+    std::string broken = kServed;
     broken.replace(broken.find("= { 1, 0, 0, 1 }"), 16, "= { 1, 0, 0 1 };;");
     open("effect.fx", broken);
     const Json told = diagnostics("effect.fx");
@@ -160,13 +160,13 @@ TEST_F(Lsp, a_fault_is_told_where_it_stands_and_taken_back_when_it_is_mended) {
     EXPECT_EQ(told[0]["range"]["start"]["line"], 2);
     EXPECT_EQ(told[0]["source"], "tegument");
     EXPECT_EQ(told[0]["code"].get<std::string>().substr(0, 2), "TG");
-    change("effect.fx", kEffect);
+    change("effect.fx", kServed);
     EXPECT_EQ(diagnostics("effect.fx").size(), 0U);
 }
 
 TEST_F(Lsp, what_only_a_compiler_finds_comes_when_nobody_types) {
     if (!compilerAvailable(defaultCompiler())) GTEST_SKIP() << whyCompilerMissing(defaultCompiler());
-    std::string broken = kEffect;
+    std::string broken = kServed;
     broken.replace(broken.find("gTint * shade"), 13, "gTint * shape");
     open("effect.fx", broken);
     EXPECT_EQ(diagnostics("effect.fx").size(), 0U) << "the reader knows no bodies of functions";
@@ -177,7 +177,7 @@ TEST_F(Lsp, what_only_a_compiler_finds_comes_when_nobody_types) {
 }
 
 TEST_F(Lsp, a_fault_in_an_included_file_is_told_there) {
-    open("effect.fx", kEffect);
+    open("effect.fx", kServed);
     EXPECT_EQ(diagnostics("effect.fx").size(), 0U);
     open("part.fxh", "float gPower : POWER = ;\n");
     Json told = diagnostics("part.fxh"); // of the part alone, which is no effect
@@ -188,7 +188,7 @@ TEST_F(Lsp, a_fault_in_an_included_file_is_told_there) {
 }
 
 TEST_F(Lsp, definitions_are_found_across_includes) {
-    open("effect.fx", kEffect);
+    open("effect.fx", kServed);
     const Json shade = askAt("definition", "effect.fx", 6, 46);
     EXPECT_EQ(shade["uri"], uri("part.fxh")) << shade;
     EXPECT_EQ(shade["range"]["start"], (Json{{"line", 1}, {"character", 7}}));
@@ -200,7 +200,7 @@ TEST_F(Lsp, definitions_are_found_across_includes) {
 }
 
 TEST_F(Lsp, a_part_asks_what_includes_it) {
-    open("effect.fx", kEffect);
+    open("effect.fx", kServed);
     open("part.fxh", kPart);
     const Json said = askAt("hover", "part.fxh", 1, 48);
     ASSERT_TRUE(said.is_object());
@@ -208,7 +208,7 @@ TEST_F(Lsp, a_part_asks_what_includes_it) {
 }
 
 TEST_F(Lsp, hover_tells_type_semantic_and_register) {
-    open("effect.fx", kEffect);
+    open("effect.fx", kServed);
     (void)diagnostics("effect.fx"); // of the reader
     (void)diagnostics("effect.fx"); // of the compilers: then registers are known
     const std::string matrix = askAt("hover", "effect.fx", 1, 12)["contents"]["value"];
@@ -273,7 +273,7 @@ TEST_F(Lsp, a_session_that_is_cut_short_anywhere_ends_quietly) {
     std::string session;
     for (const Json& message :
          {Json{{"id", 1}, {"method", "initialize"}, {"params", Json::object()}},
-          notification("textDocument/didOpen", {{"textDocument", {{"uri", uri("effect.fx")}, {"text", kEffect}}}}),
+          notification("textDocument/didOpen", {{"textDocument", {{"uri", uri("effect.fx")}, {"text", kServed}}}}),
           Json{{"id", 2},
                {"method", "textDocument/hover"},
                {"params", {{"textDocument", {{"uri", uri("effect.fx")}}}, {"position", {{"line", 2}, {"character", 9}}}}}}}) {
@@ -291,7 +291,7 @@ TEST_F(Lsp, a_session_that_is_cut_short_anywhere_ends_quietly) {
 
 /// The text of an effect, cut off at every third byte and with a byte exchanged: the server reads it, and answers.
 TEST_F(Lsp, whatever_is_typed_is_survived) {
-    const std::string text = kEffect;
+    const std::string text = kServed;
     open("effect.fx", text);
     for (std::size_t i = 0; i < text.size(); i += 3) {
         std::string typed = i % 2 == 0 ? text.substr(0, i) : text;

@@ -105,11 +105,7 @@ TEST_P(ComputeRun, a_pass_says_how_many_groups_run) {
     EXPECT_EQ(code(draw(picture("Odd"))), 4063) << "-1 groups";
 }
 
-std::string nameOf(const testing::TestParamInfo<Compiler>& info) {
-    return info.param == Compiler::Dxc ? "dxc" : "glslang";
-}
-
-INSTANTIATE_TEST_SUITE_P(Compilers, ComputeRun, testing::Values(Compiler::Dxc, Compiler::Glslang), nameOf);
+INSTANTIATE_TEST_SUITE_P(Compilers, ComputeRun, testing::Values(Compiler::Dxc, Compiler::Glslang), compilerTestName);
 
 } // namespace
 } // namespace tegument::test

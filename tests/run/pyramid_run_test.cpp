@@ -82,11 +82,7 @@ TEST_P(PyramidRun, under_light_that_stands_still_the_light_of_the_picture_before
     }
 }
 
-std::string nameOf(const testing::TestParamInfo<Compiler>& info) {
-    return info.param == Compiler::Dxc ? "dxc" : "glslang";
-}
-
-INSTANTIATE_TEST_SUITE_P(Compilers, PyramidRun, testing::Values(Compiler::Dxc, Compiler::Glslang), nameOf);
+INSTANTIATE_TEST_SUITE_P(Compilers, PyramidRun, testing::Values(Compiler::Dxc, Compiler::Glslang), compilerTestName);
 
 } // namespace
 } // namespace tegument::test

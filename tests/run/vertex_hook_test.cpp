@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPicture = 96;
+constexpr int kHookPicture = 96;
 constexpr int kBones = 60;
 
 struct Drawn {
@@ -92,7 +92,7 @@ protected:
     Result<RunResult> draw(const fs::path& file, const Drawn& drawn, const std::map<std::string, std::vector<double>>& parameters) {
         const auto effect = loadEffect(file, {.defines = {{"TEGUMENT_MAP_SIZE", "128"}}, .includeFolders = {}});
         if (!effect) return effect.error();
-        RunOptions options{.technique = drawn.technique, .width = kPicture, .height = kPicture, .compiler = defaultCompiler()};
+        RunOptions options{.technique = drawn.technique, .width = kHookPicture, .height = kHookPicture, .compiler = defaultCompiler()};
         for (const auto& [name, value] : parameters)
             if (effect->findParameter(name)) options.parameters.emplace(name, value);
         if (effect->findParameter("gFurSphereMap")) options.textures = {{"gFurSphereMap", furMap_.string()}};

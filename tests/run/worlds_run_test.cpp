@@ -10,7 +10,7 @@
 namespace tegument::test {
 namespace {
 
-constexpr int kPicture = 96;
+constexpr int kWorldPicture = 96;
 
 struct Picture {
     const char* effect;
@@ -42,7 +42,7 @@ protected:
         if (!effect) return effect.error();
         const RunObject object{.mesh = &mesh, .workspace = workspace, .placement = placement};
         return runScene(*device_, *effect, std::span(&object, 1), workspace,
-                        {.technique = picture.technique, .width = kPicture, .height = kPicture, .compiler = defaultCompiler()});
+                        {.technique = picture.technique, .width = kWorldPicture, .height = kWorldPicture, .compiler = defaultCompiler()});
     }
 
     void expectSame(const Picture& picture, const Result<RunResult>& a, const Result<RunResult>& b) {
@@ -116,7 +116,7 @@ TEST_F(Worlds, light_through_a_body_is_the_same_in_metres) {
         const Picture picture{"Main.fx", "DEonLuebke"};
         const auto there = draw(picture, mesh, {}, behind, setting);
         expectSame(picture, there, draw(picture, mesh, {}, metres, setting));
-        EXPECT_GT(there->image.at(kPicture / 2, kPicture / 2, 0), 0.02F) << "nothing comes through";
+        EXPECT_GT(there->image.at(kWorldPicture / 2, kWorldPicture / 2, 0), 0.02F) << "nothing comes through";
     }
 }
 
@@ -203,8 +203,8 @@ protected:
         if (!effect) return effect.error();
         return runEffect(*device_, *effect, &mesh, lit(),
                          {.technique = picture.technique,
-                          .width = kPicture,
-                          .height = kPicture,
+                          .width = kWorldPicture,
+                          .height = kWorldPicture,
                           .compiler = defaultCompiler(),
                           .parameters = {{"gLightColor", {light, light, light}}},
                           .dump = {"all"}});

@@ -4,6 +4,8 @@
 
 #include "host/spirv/compile.h"
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 namespace tegument::test {
@@ -13,6 +15,11 @@ inline std::string compilerMissing(Compiler compiler) {
     if (compilerAvailable(compiler)) return {};
     return compilerName(compiler) +
            " was left out of this build (./bootstrap test brings it): there is nothing to run, or to compare with, here";
+}
+
+/// Names the cases of INSTANTIATE_TEST_SUITE_P over compilers.
+inline std::string compilerTestName(const testing::TestParamInfo<Compiler>& info) {
+    return info.param == Compiler::Dxc ? "Dxc" : "Glslang";
 }
 
 } // namespace tegument::test

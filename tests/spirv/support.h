@@ -53,10 +53,6 @@ protected:
     }
 };
 
-inline std::string compilerTestName(const testing::TestParamInfo<Compiler>& info) {
-    return info.param == Compiler::Dxc ? "Dxc" : "Glslang";
-}
-
 inline const BlockMember* member(const Shader& shader, std::string_view name) {
     if (!shader.reflection.globals) return nullptr;
     const auto& members = shader.reflection.globals->members;

@@ -7,15 +7,15 @@ Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draw
 """
 
 import json
+import os
 import shutil
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
 import screen as screens
-import window_test as base
+import session as base
 
 WIDE, HIGH = 2 * base.SIZE, base.SIZE
 
@@ -156,7 +156,7 @@ class Replay(unittest.TestCase):
 
     @staticmethod
     def environment(display=None):
-        environment = {k: v for k, v in base.os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
         if display:
             environment["DISPLAY"] = display
         return environment
@@ -239,7 +239,4 @@ class Replay(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if screens.missing():
-        print("skipped: " + screens.missing())
-        sys.exit(base.SKIPPED)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    base.main()

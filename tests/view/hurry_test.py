@@ -6,13 +6,9 @@ usage: hurry_test.py PROGRAM REPOSITORY [PICTURES]      with PICTURES the screen
 Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draws to windows.
 """
 
-import shutil
-import sys
 import time
-import unittest
 
-import screen as screens
-import window_test as base
+import session as base
 
 EFFECT = """float4 tint = { %s };
 float4x4 wvp : WORLDVIEWPROJECTION;
@@ -155,7 +151,4 @@ class Hurry(base.WideWindow):
 
 
 if __name__ == "__main__":
-    if screens.missing():
-        print("skipped: " + screens.missing())
-        sys.exit(base.SKIPPED)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    base.main()

@@ -14,7 +14,7 @@ import time
 
 MINUTES = float(sys.argv[3])
 sys.argv[1:] = [str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:3]]
-import window_test  # noqa: E402, reads the same arguments
+import session  # noqa: E402, reads the same arguments
 import screen as screens  # noqa: E402
 
 MORE_MEMORY = 24  # MiB, as Load.* allows: shaders that are read again stay in the driver's own cache
@@ -40,7 +40,7 @@ def put(view, text):
 
 def held(view):
     """At one size of the window: what larger ones take is no growth."""
-    view.screen.resize(window_test.SIZE, window_test.SIZE)
+    view.screen.resize(session.SIZE, session.SIZE)
     time.sleep(1)
     process = view.process
     status = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines() if ":" in line)
@@ -91,7 +91,7 @@ def main():
     if screens.missing():
         print("skipped: " + screens.missing())
         return 77
-    view = window_test.View(("long.fx", "--mesh", "ball.obj"), (("long.fx", effect(random.Random(1), False)),))
+    view = session.View(("long.fx", "--mesh", "ball.obj"), (("long.fx", effect(random.Random(1), False)),))
     try:
         view.title("long.fx T [")
         rows, rounds = stay(view)

@@ -5,12 +5,9 @@ usage: panels_test.py PROGRAM REPOSITORY [PICTURES]      with PICTURES the scree
 Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draws to windows.
 """
 
-import shutil
-import sys
 import unittest
 
-import screen as screens
-import window_test as base
+import session as base
 
 WIDE, HIGH = 2 * base.SIZE, base.SIZE
 
@@ -213,7 +210,4 @@ class Levels(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if screens.missing():
-        print("skipped: " + screens.missing())
-        sys.exit(base.SKIPPED)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    base.main()

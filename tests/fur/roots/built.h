@@ -17,12 +17,18 @@ struct Built {
     [[nodiscard]] glm::vec4 coat(const glm::vec3& place) const { return coatAround(texture.image, place); }
 };
 
+/// Fails the test and gives no roots when there is an error.
+inline RootSet rootsOf(const Mesh& mesh, const RootOptions& options) {
+    auto set = makeRoots(mesh, options);
+    if (set) return *std::move(set);
+    ADD_FAILURE() << format(set.error());
+    return {};
+}
+
 inline Built build(Mesh mesh, const RootOptions& options) {
     Built built{.mesh = std::move(mesh), .set = {}, .texture = {}};
-    auto set = makeRoots(built.mesh, options);
-    EXPECT_TRUE(set) << format(set.error());
-    if (!set) return built;
-    built.set = *std::move(set);
+    built.set = rootsOf(built.mesh, options);
+    if (testing::Test::HasFailure()) return built;
     auto texture = buildRootTexture(built.set);
     EXPECT_TRUE(texture) << format(texture.error());
     if (texture) built.texture = *std::move(texture);

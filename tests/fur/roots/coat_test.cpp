@@ -12,7 +12,7 @@ using namespace tegument::testing_roots;
 
 namespace {
 
-FurMap halves(float left, float right) {
+FurMap densityHalves(float left, float right) {
     Image image{.width = 2, .height = 1, .channels = 1, .pixels = {left, right}, .metadata = {}};
     return FurMap(DdsTexture{.images = {image}});
 }
@@ -66,7 +66,7 @@ TEST(Coat, has_no_step_where_bricks_meet) {
 }
 
 TEST(Coat, is_as_dense_as_the_map) {
-    const Built built = build(plate(), {.count = 8000, .densityMap = halves(1, 0.2F)});
+    const Built built = build(plate(), {.count = 8000, .densityMap = densityHalves(1, 0.2F)});
     for (int i = 2; i < 98; ++i)
         for (int j = 2; j < 98; ++j) {
             const double u = 0.01 * i;

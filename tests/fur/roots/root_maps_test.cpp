@@ -1,5 +1,6 @@
 // Maps that shape fur, on a plate with texture coordinates and on a ball without.
 #include "meshprep/fur/roots/roots.h"
+#include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 
 #include <algorithm>
@@ -21,13 +22,6 @@ FurMap faces(const std::array<glm::vec3, 6>& colours) {
     for (const glm::vec3& c : colours)
         texture.images.push_back({.width = 1, .height = 1, .channels = 3, .pixels = {c.x, c.y, c.z}, .metadata = {}});
     return FurMap(std::move(texture));
-}
-
-RootSet rootsOf(const Mesh& mesh, const RootOptions& options) {
-    auto set = makeRoots(mesh, options);
-    if (set) return *std::move(set);
-    ADD_FAILURE() << format(set.error());
-    return {};
 }
 
 } // namespace

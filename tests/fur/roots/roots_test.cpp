@@ -1,5 +1,6 @@
 // Where roots stand and how long their strands may be, on meshes for which that is known.
 #include "meshprep/fur/roots/roots.h"
+#include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 
 #include <algorithm>
@@ -10,13 +11,6 @@ using namespace tegument;
 using namespace tegument::testing_roots;
 
 namespace {
-
-RootSet rootsOf(const Mesh& mesh, const RootOptions& options) {
-    auto set = makeRoots(mesh, options);
-    if (set) return *std::move(set);
-    ADD_FAILURE() << format(set.error());
-    return {};
-}
 
 int codeOf(const Mesh& mesh, const RootOptions& options) {
     const auto set = makeRoots(mesh, options);

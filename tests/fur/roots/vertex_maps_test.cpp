@@ -1,6 +1,7 @@
 // Density, length and direction from the vertices of a mesh file.
 #include "meshprep/fur/roots/roots.h"
 #include "meshprep/fur/roots/vertex_maps.h"
+#include "tests/fur/roots/built.h"
 #include "tests/fur/roots/meshes.h"
 
 #include "host/support/file.h"
@@ -44,13 +45,6 @@ protected:
         auto mesh = loadMesh(path_);
         if (mesh) return *std::move(mesh);
         ADD_FAILURE() << format(mesh.error());
-        return {};
-    }
-
-    [[nodiscard]] static RootSet rootsOf(const Mesh& mesh, const RootOptions& options) {
-        auto set = makeRoots(mesh, options);
-        if (set) return *std::move(set);
-        ADD_FAILURE() << format(set.error());
         return {};
     }
 

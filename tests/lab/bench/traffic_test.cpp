@@ -48,13 +48,9 @@ protected:
     }
 };
 
-std::string nameOf(const testing::TestParamInfo<Compiler>& info) {
-    return info.param == Compiler::Dxc ? "Dxc" : "Glslang";
-}
-
 } // namespace
 
-INSTANTIATE_TEST_SUITE_P(By, FrameTraffic, testing::Values(Compiler::Dxc, Compiler::Glslang), nameOf);
+INSTANTIATE_TEST_SUITE_P(By, FrameTraffic, testing::Values(Compiler::Dxc, Compiler::Glslang), test::compilerTestName);
 
 TEST_P(FrameTraffic, a_pass_is_called_for_each_pixel_of_its_target_and_writes_all_of_it) {
     const Traffic fill = passOf(count("Counts"), "Fill");

@@ -88,7 +88,7 @@ protected:
     fs::path folder_;
 };
 
-std::string message(const InvarianceCell& cell) {
+std::string tableOf(const InvarianceCell& cell) {
     return invarianceMarkdown({cell});
 }
 
@@ -103,10 +103,10 @@ TEST_F(Causes, in_a_mirror_outlines_get_other_levels_of_the_maps) {
                                             std::pair("peers/Preintegrated.fx", "Preintegrated")}) {
         const InvarianceCell usual = cell(".", effect, technique, kMirror);
         const InvarianceCell without = cell(flat, effect, technique, kMirror);
-        EXPECT_TRUE(usual.pass()) << message(usual);
-        EXPECT_LT(without.relativeL2, 5e-5) << "what other columns have at most; " << message(without);
-        EXPECT_LT(without.relativeL2, 0.3 * usual.relativeL2) << message(usual) << message(without);
-        EXPECT_EQ(without.beyond, 0) << message(without);
+        EXPECT_TRUE(usual.pass()) << tableOf(usual);
+        EXPECT_LT(without.relativeL2, 5e-5) << "what other columns have at most; " << tableOf(without);
+        EXPECT_LT(without.relativeL2, 0.3 * usual.relativeL2) << tableOf(usual) << tableOf(without);
+        EXPECT_EQ(without.beyond, 0) << tableOf(without);
     }
 }
 
@@ -115,7 +115,7 @@ TEST_F(Causes, in_a_mirror_kernels_over_pixels_reach_as_far_to_the_left_as_to_th
     const fs::path flat = changed(kFirstLevel);
     for (const char* technique : {"Separable7", "Separable11", "Separable17", "Separable25"}) {
         const InvarianceCell without = cell(flat, "peers/Separable.fx", technique, kMirror, {.pictureSize = 48});
-        EXPECT_LT(without.relativeL2, 5e-5) << "one pixel, by a step of a half; " << message(without);
+        EXPECT_LT(without.relativeL2, 5e-5) << "one pixel, by a step of a half; " << tableOf(without);
     }
 }
 
@@ -125,8 +125,8 @@ TEST_F(Causes, the_printed_shadow_is_one_comparison_which_single_pixels_just_fai
          {std::pair("seed", "scene moved"), std::pair("deon2007", "world and mesh in metres, lit from behind")}) {
         const InvarianceCell usual = cell(".", "ShadowMap.fx", "Shadow", name, {.setting = setting});
         const InvarianceCell without = cell(soft, "ShadowMap.fx", "Shadow", name, {.setting = setting});
-        EXPECT_LT(usual.beyond, 1e-4) << "three pixels; " << message(usual);
-        EXPECT_LT(without.relativeL2, 1e-3) << message(without);
+        EXPECT_LT(usual.beyond, 1e-4) << "three pixels; " << tableOf(usual);
+        EXPECT_LT(without.relativeL2, 1e-3) << tableOf(without);
     }
 }
 
@@ -134,8 +134,8 @@ TEST_F(Causes, the_printed_curvature_adds_changes_along_the_axes_of_the_world) {
     const fs::path turning = changed(kLengthsOfVectors);
     const InvarianceCell usual = cell(".", "peers/Preintegrated.fx", "Preintegrated", "scene turned, 1", {.setting = "deon2007"});
     const InvarianceCell without = cell(turning, "peers/Preintegrated.fx", "Preintegrated", "scene turned, 1", {.setting = "deon2007"});
-    EXPECT_GT(usual.beyond, 5e-3) << "the printed form no longer depends on the axes; " << message(usual);
-    EXPECT_TRUE(without.pass()) << message(without);
+    EXPECT_GT(usual.beyond, 5e-3) << "the printed form no longer depends on the axes; " << tableOf(usual);
+    EXPECT_TRUE(without.pass()) << tableOf(without);
 }
 
 TEST_F(Causes, fur_of_the_seed_in_two_draws_shows_the_layers_that_other_lighting_makes_fainter) {
@@ -146,7 +146,7 @@ TEST_F(Causes, fur_of_the_seed_in_two_draws_shows_the_layers_that_other_lighting
         return cell(".", "Fur.fx", "CubeNormal", "each draw in two", {.setting = "seed", .mesh = &mesh, .workspace = &workspace});
     };
     const InvarianceCell usual = coat(nullptr, 0);
-    EXPECT_GT(usual.relativeL2, usual.limit) << message(usual);
+    EXPECT_GT(usual.relativeL2, usual.limit) << tableOf(usual);
     EXPECT_TRUE(coat("gFurKajiyaKay", 1).pass()) << "as deon2007 and corrected light it";
     EXPECT_LT(coat("gFurLayers", 1).relativeL2, 1e-3) << "nothing to be blended over but skin";
 }
@@ -156,8 +156,8 @@ TEST_F(Causes, maps_of_lamps_turn_with_the_axes_of_the_mesh) {
     for (const char* name : {"several lights: mesh with z up", "several lights: mesh with odd axes"}) {
         const InvarianceCell usual = cell(".", "Irradiance.fx", "Irradiance", name);
         const InvarianceCell without = cell(world, "Irradiance.fx", "Irradiance", name);
-        EXPECT_TRUE(usual.pass()) << message(usual);
-        EXPECT_LT(without.beyond, 1e-3) << "within the usual limits; " << message(without);
-        EXPECT_LT(without.relativeL2, 0.5 * usual.relativeL2) << message(usual) << message(without);
+        EXPECT_TRUE(usual.pass()) << tableOf(usual);
+        EXPECT_LT(without.beyond, 1e-3) << "within the usual limits; " << tableOf(without);
+        EXPECT_LT(without.relativeL2, 0.5 * usual.relativeL2) << tableOf(usual) << tableOf(without);
     }
 }

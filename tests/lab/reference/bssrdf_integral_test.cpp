@@ -29,7 +29,7 @@ double largest(const glm::dvec3& difference) {
 
 /// Of light on x > 0, at 41 places across its edge.
 template <class Truth>
-double edgeError(const RayScene& surface, const RadialProfile& profile, const Quadrature& quadrature, Truth truth) {
+double errorAcrossEdge(const RayScene& surface, const RadialProfile& profile, const Quadrature& quadrature, Truth truth) {
     double worst = 0;
     for (int i = -20; i <= 20; ++i) {
         const double x = 0.003 + 0.1 * i;
@@ -84,14 +84,14 @@ TEST(SurfaceIntegral, of_a_sinusoid_on_a_plane_is_damped_as_the_closed_form_says
 TEST(SurfaceIntegral, of_an_edge_of_light_is_the_closed_form_within_a_thousandth) {
     const RayScene surface(wide());
     const auto truth = [](double x) { return halfPlane(skinProfile(), x); };
-    EXPECT_LT(edgeError(surface, radial(skinProfile()), kDefault, truth), 1e-3);
+    EXPECT_LT(errorAcrossEdge(surface, radial(skinProfile()), kDefault, truth), 1e-3);
 }
 
 /// The edge crosses pieces of the surface; where in them it lies is known to the spacing of their nodes, so the error falls with it.
 TEST(SurfaceIntegral, of_an_edge_of_light_is_ten_times_closer_with_a_quarter_of_the_spacing) {
     const RayScene surface(wide());
     const auto truth = [](double x) { return halfPlane(skinProfile(), x); };
-    EXPECT_LT(edgeError(surface, radial(skinProfile()), finer(2), truth), 1e-4);
+    EXPECT_LT(errorAcrossEdge(surface, radial(skinProfile()), finer(2), truth), 1e-4);
 }
 
 TEST(SurfaceIntegral, of_a_disc_of_light_is_the_closed_form) {
@@ -106,7 +106,7 @@ TEST(SurfaceIntegral, of_a_disc_of_light_is_the_closed_form) {
 TEST(SurfaceIntegral, takes_a_profile_that_grows_without_bound_at_its_centre) {
     const RayScene surface(wide());
     const auto truth = [](double x) { return burleyHalfPlane(kBurley, x); };
-    EXPECT_LT(edgeError(surface, burley(kBurley), kDefault, truth), 1e-3);
+    EXPECT_LT(errorAcrossEdge(surface, burley(kBurley), kDefault, truth), 1e-3);
     const auto light = [](const SurfacePoint& p) { return glm::dvec3(glm::length(p.position) < 1.5 ? 1 : 0); };
     const Diffused found = diffuse(surface, light, burley(kBurley), glm::dvec3(0), kDefault);
     EXPECT_LT(largest(found.light - burleyWithin(kBurley, 1.5)), 1e-3);

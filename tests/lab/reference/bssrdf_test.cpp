@@ -3,6 +3,7 @@
 #include "host/lab/reference/bssrdf.h"
 #include "host/support/file.h"
 #include "tests/lab/reference/meshes.h"
+#include "tests/lab/reference/near.h"
 
 #include <gtest/gtest.h>
 
@@ -33,11 +34,6 @@ ShadedPoint at(const Mesh& mesh, const RayScene& rays, double x, double y) {
 /// An image of one texel.
 EmbeddedTexture constantMap(const std::string& role, const glm::vec4& value) {
     return {role, {.width = 1, .height = 1, .channels = 4, .pixels = {value.r, value.g, value.b, value.a}, .metadata = {}}};
-}
-
-void expectNear(const glm::dvec3& value, const glm::dvec3& expected, double tolerance) {
-    for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(value[c], expected[c], tolerance) << "channel " << c;
 }
 
 BssrdfOptions uncached() {

@@ -34,7 +34,7 @@ Mesh quadGrid(int across, int down, const std::function<glm::dvec3(double, doubl
 }
 
 /// y up, 20 mm wide.
-Mesh plane() {
+Mesh furPlane() {
     return quadGrid(
         8, 8, [](double u, double v) { return glm::dvec3(20 * u - 10, 0, 20 * v - 10); },
         [](const glm::dvec3&) { return glm::dvec3(0, 1, 0); });
@@ -89,7 +89,7 @@ TEST(FurExact, straight_strands_on_a_ball_are_cones_along_its_normals) {
 }
 
 TEST(FurExact, a_leaning_strand_is_met_where_its_parabola_is) {
-    const Mesh mesh = plane();
+    const Mesh mesh = furPlane();
     const RayScene skin(mesh);
     constexpr double kLean = 0.5;
     const FurStrandShape shape{.spacing = 1, .thickness = 4, .lean = {kLean, 0, 0}};
@@ -106,7 +106,7 @@ TEST(FurExact, a_leaning_strand_is_met_where_its_parabola_is) {
 
 TEST(FurExact, the_foot_of_a_strand_in_a_tuft_is_looked_up_where_the_strand_stands) {
     // By its definition: what is seen at the place p without tufts is what stands at p + tuft(p).
-    const Mesh mesh = plane();
+    const Mesh mesh = furPlane();
     const RayScene skin(mesh);
     FurStrandShape alone = kBent;
     alone.scatter = alone.curls = 0;
@@ -128,7 +128,7 @@ TEST(FurExact, the_foot_of_a_strand_in_a_tuft_is_looked_up_where_the_strand_stan
 }
 
 TEST(FurExact, twice_as_many_pieces_change_an_axis_by_less_than_a_hundredth_of_a_spacing) {
-    const Mesh mesh = plane();
+    const Mesh mesh = furPlane();
     const RayScene skin(mesh);
     const FurGrown strand{.root = {2, 0, 1}, .radius = 0.3, .side = {1, 0.3, 0.2}};
     const auto some = axisOf(skin, kBent, strand, 12);

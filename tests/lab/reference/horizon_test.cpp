@@ -11,7 +11,7 @@ using namespace tegument::reference;
 namespace {
 
 constexpr double kRadius = 80; // mm, of a head
-constexpr double kFar = 1e5;   // mm: the light is as good as directional
+constexpr double kFarLight = 1e5;   // mm: the light is as good as directional
 
 struct Counted {
     int points = 0;
@@ -21,7 +21,7 @@ struct Counted {
 /// Points inside of each facet, with N.L of the ball in a range, whose shadow is not as expected.
 Counted wrongShadows(int levels, double from, double to, bool lit) {
     const Mesh mesh = sphereMesh(static_cast<float>(kRadius), levels);
-    const SkinScene skin(mesh, lightPyramid({0, 0, kFar}, {0, 0, 0}, kRadius + 1, 256), glm::dvec3(1), {});
+    const SkinScene skin(mesh, lightPyramid({0, 0, kFarLight}, {0, 0, 0}, kRadius + 1, 256), glm::dvec3(1), {});
     Counted counted;
     for (std::uint32_t triangle = 0; 3 * static_cast<std::size_t>(triangle) < mesh.indices.size(); ++triangle)
         for (const glm::dvec3& weights : {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(0.8, 0.1, 0.1), glm::dvec3(0.1, 0.8, 0.1),

@@ -1,6 +1,7 @@
 // Profiles against each other, and against simulated skin.
 
 #include "host/lab/reference/skin_profiles.h"
+#include "tests/lab/reference/near.h"
 
 #include <gtest/gtest.h>
 
@@ -35,11 +36,6 @@ const SimulatedSkin& simulated() {
 
 /// 100,000 photons find half of the light within 0.2 % of the light, four standard errors; published with three digits.
 constexpr double kNoise = 6e-3;
-
-void expectNear(const glm::dvec3& value, const glm::dvec3& published, double tolerance) {
-    for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(value[c], published[c], tolerance) << "channel " << c;
-}
 
 } // namespace
 

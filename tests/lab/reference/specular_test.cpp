@@ -25,7 +25,7 @@ double albedoOverLight(double cosine, double m, std::size_t polar, int around) {
     return sum * 2 * std::numbers::pi / around;
 }
 
-constexpr double kCosines[] = {0.05, 0.2, 0.5, 0.8, 1.0};
+constexpr double kTableCosines[] = {0.05, 0.2, 0.5, 0.8, 1.0};
 
 } // namespace
 
@@ -58,13 +58,13 @@ TEST(DirectionalAlbedoReference, has_the_tabulated_values) {
                                      {.7511, .3363, .1113, .0686, .0665}};
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 5; ++column)
-            EXPECT_NEAR(directionalAlbedo(kCosines[column], kRoughness[row]), kTable[row][column], 0.50001e-4)
-                << "m = " << kRoughness[row] << ", cosine = " << kCosines[column];
+            EXPECT_NEAR(directionalAlbedo(kTableCosines[column], kRoughness[row]), kTable[row][column], 0.50001e-4)
+                << "m = " << kRoughness[row] << ", cosine = " << kTableCosines[column];
 }
 
 TEST(DirectionalAlbedoReference, agrees_with_the_integral_over_light_directions) {
     for (double m : {0.1, 0.3, 1.0})
-        for (double cosine : kCosines) // at cosine 0.05 the plain rule needs this many azimuths to come within the tolerance
+        for (double cosine : kTableCosines) // at cosine 0.05 the plain rule needs this many azimuths to come within the tolerance
             EXPECT_NEAR(directionalAlbedo(cosine, m), albedoOverLight(cosine, m, 300, 1000), 2e-5)
                 << "m = " << m << ", cosine = " << cosine;
 }
@@ -80,8 +80,8 @@ TEST(DirectionalAlbedoReference, the_printed_rule_has_the_tabulated_values) {
     constexpr double kNarrow[] = {.2352, .6709, .1814, .0861, .0859};
     constexpr double kTypical[] = {.9070, .4648, .1441, .0802, .0790};
     for (int column = 0; column < 5; ++column) {
-        EXPECT_NEAR(directionalAlbedoPrinted(kCosines[column], 0.1, 80), kNarrow[column], 0.50001e-4) << kCosines[column];
-        EXPECT_NEAR(directionalAlbedoPrinted(kCosines[column], 0.3, 80), kTypical[column], 0.50001e-4) << kCosines[column];
+        EXPECT_NEAR(directionalAlbedoPrinted(kTableCosines[column], 0.1, 80), kNarrow[column], 0.50001e-4) << kTableCosines[column];
+        EXPECT_NEAR(directionalAlbedoPrinted(kTableCosines[column], 0.3, 80), kTypical[column], 0.50001e-4) << kTableCosines[column];
     }
 }
 

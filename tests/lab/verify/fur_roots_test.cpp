@@ -68,7 +68,7 @@ protected:
 
 const auto kTechnique = [](const auto& each) { return std::string(each.param); };
 
-const Parameters kWhite = {{"gFurRootColor", {1, 1, 1}}, {"gFurTipColor", {1, 1, 1}}, {"gFurSpecular", {0}},
+const Parameters kWhiteStrands = {{"gFurRootColor", {1, 1, 1}}, {"gFurTipColor", {1, 1, 1}}, {"gFurSpecular", {0}},
                            {"gFurVariation", {0}},       {"gFurMultiple", {1}},       {"gFurFill", {0, 0, 0}}};
 
 } // namespace
@@ -130,12 +130,12 @@ TEST_P(FurRoots, from_inside_the_coat_the_picture_is_finite_and_not_empty) {
 
 TEST_P(FurRoots, a_white_coat_is_never_brighter_than_the_light) {
     workspace().light.color = glm::vec3(1);
-    EXPECT_LE(brightest(draw(kWhite)), 1 + 1e-5F); // sums of weights in 32-bit floats
+    EXPECT_LE(brightest(draw(kWhiteStrands)), 1 + 1e-5F); // sums of weights in 32-bit floats
 }
 
 TEST_P(FurRoots, a_white_coat_under_light_from_all_sides_is_never_brighter_than_that) {
     workspace().light.color = glm::vec3(0);
-    Parameters white = kWhite;
+    Parameters white = kWhiteStrands;
     white["gFurFill"] = {1, 1, 1};
     EXPECT_LE(brightest(draw(white)), 1 + 1e-5F);
 }

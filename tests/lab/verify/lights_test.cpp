@@ -34,18 +34,18 @@ const std::vector<LightCase>& lights() {
     return kLights;
 }
 
-struct Case {
+struct LitModule {
     const LightCase* light;
     const char* module;
     const char* setting;
 };
 
-void PrintTo(const Case& c, std::ostream* out) {
+void PrintTo(const LitModule& c, std::ostream* out) {
     *out << c.light->name << ", " << c.module << ", " << c.setting;
 }
 
-std::vector<Case> cases() {
-    std::vector<Case> all;
+std::vector<LitModule> litModules() {
+    std::vector<LitModule> all;
     for (const LightCase& light : lights())
         for (const char* module : {"TSM", "ShadowMap", "Specular", "Irradiance"})
             all.push_back({&light, module, "corrected"});
@@ -54,12 +54,12 @@ std::vector<Case> cases() {
     return all;
 }
 
-class Lights : public Verify, public testing::WithParamInterface<Case> {};
+class Lights : public Verify, public testing::WithParamInterface<LitModule> {};
 
 } // namespace
 
 TEST_P(Lights, are_what_the_reference_says) {
-    const Case& c = GetParam();
+    const LitModule& c = GetParam();
     verify::Scene scene = verify::sceneOf({});
     c.light->change(scene.workspace.light);
     constexpr int kSize = 192;
@@ -72,6 +72,6 @@ TEST_P(Lights, are_what_the_reference_says) {
                              .workspace = &scene.workspace}));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Lights, testing::ValuesIn(cases()), [](const auto& each) {
+INSTANTIATE_TEST_SUITE_P(All, Lights, testing::ValuesIn(litModules()), [](const auto& each) {
     return std::string(each.param.light->name) + "_" + each.param.module + "_" + each.param.setting;
 });

@@ -131,7 +131,7 @@ void expectFinite(const Image& image, const std::string& target) {
 
 class Sliders : public Verify, public testing::WithParamInterface<Sweep> {};
 
-const auto kName = [](const auto& each) {
+const auto kSweepName = [](const auto& each) {
     return each.param.effect + "_" + each.param.technique + "_" + std::to_string(each.param.setting);
 };
 
@@ -191,8 +191,8 @@ TEST_P(Sliders, leave_every_target_finite_at_both_ends) {
 INSTANTIATE_TEST_SUITE_P(Quick, Sliders,
                          testing::Values(Sweep{"Main", "DEonLuebke", 2, false}, Sweep{"Main", "Gosselin", 2, false},
                                          Sweep{"Specular", "Specular", 2, false}, Sweep{"Irradiance", "Irradiance", 0, false}),
-                         kName);
-INSTANTIATE_TEST_SUITE_P(Full, Sliders, testing::ValuesIn(sweepsOfEverySetting()), kName);
+                         kSweepName);
+INSTANTIATE_TEST_SUITE_P(Full, Sliders, testing::ValuesIn(sweepsOfEverySetting()), kSweepName);
 
 TEST_F(Furnace, white_skin_is_never_brighter_than_the_light_that_falls_on_it) {
     EXPECT_LE(brightest("corrected", 0), 1 + 2e-3); // maps of halves

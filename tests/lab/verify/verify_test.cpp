@@ -40,7 +40,7 @@ std::vector<Case> full() {
     return all;
 }
 
-const auto kName = [](const auto& each) { return each.param.module + "_" + each.param.setting; };
+const auto kModuleName = [](const auto& each) { return each.param.module + "_" + each.param.setting; };
 
 class Modules : public Verify, public testing::WithParamInterface<Case> {};
 
@@ -58,8 +58,8 @@ TEST_P(Modules, draw_what_the_reference_says) {
         std::cout << "  note: " << note << "\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(Quick, Modules, testing::ValuesIn(quick()), kName);
-INSTANTIATE_TEST_SUITE_P(Full, Modules, testing::ValuesIn(full()), kName);
+INSTANTIATE_TEST_SUITE_P(Quick, Modules, testing::ValuesIn(quick()), kModuleName);
+INSTANTIATE_TEST_SUITE_P(Full, Modules, testing::ValuesIn(full()), kModuleName);
 
 TEST_F(Verify, an_unknown_module_is_refused_with_the_nearest_name) {
     const auto report = verifyModule(*device_, "Bekmann");

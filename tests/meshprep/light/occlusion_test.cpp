@@ -12,8 +12,6 @@ namespace tegument::test {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 glm::vec3 direction(const Image& map, int x, int y) {
     return 2.0F * glm::vec3(map.at(x, y, 0), map.at(x, y, 1), map.at(x, y, 2)) - 1.0F;
 }
@@ -62,7 +60,7 @@ TEST(Occlusion, inside_of_a_closed_body_nothing_is_open) {
     ASSERT_TRUE(baked) << format(baked.error());
     EXPECT_EQ(baked->open, 0.0);
     // The normal stands where no direction is open.
-    EXPECT_GT(glm::dot(direction(baked->map, 16, 16), glm::vec3(-std::cos(kPi * 33 / 32), 0, -std::sin(kPi * 33 / 32))), 0.99F);
+    EXPECT_GT(glm::dot(direction(baked->map, 16, 16), glm::vec3(-std::cos(std::numbers::pi * 33 / 32), 0, -std::sin(std::numbers::pi * 33 / 32))), 0.99F);
 }
 
 TEST(Occlusion, ends_at_its_reach) {

@@ -3,6 +3,7 @@
 #include "host/support/sanitized.h"
 #include "meshprep/prepare/prepare.h"
 #include "tests/meshprep/prepare/hard_files.h"
+#include "tests/meshprep/prepare/meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -62,12 +63,6 @@ protected:
     fs::path folder_;
     rlimit before_{};
 };
-
-std::size_t changedBy(const prep::PrepReport& report, const std::string& name) {
-    for (const prep::PrepStep& step : report.steps)
-        if (step.name == name) return step.changed;
-    return 0;
-}
 
 void expectError(const HardFile& file, const Result<prep::Prepared>& result) {
     ASSERT_FALSE(result) << "no error";

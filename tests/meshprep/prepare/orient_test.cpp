@@ -11,7 +11,7 @@ using namespace tegument::testing_prep;
 
 namespace {
 
-Mesh torus() {
+Mesh torusMesh() {
     return makeShape(Shape::Torus);
 }
 
@@ -24,7 +24,7 @@ using Orient = PrepFolder;
 } // namespace
 
 TEST_F(Orient, a_mesh_inside_out_is_turned_over) {
-    Mesh mesh = torus();
+    Mesh mesh = torusMesh();
     const double outward = outwardFacing(mesh);
     ASSERT_GT(outward, 0);
     for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
@@ -38,7 +38,7 @@ TEST_F(Orient, a_mesh_inside_out_is_turned_over) {
 
 TEST_F(Orient, triangles_that_face_at_random_face_outwards_afterwards) {
     for (const unsigned seed : {1u, 2u, 3u, 4u}) { // half of them: the majority is inside as often as outside
-        Mesh mesh = torus();
+        Mesh mesh = torusMesh();
         std::mt19937 random(seed);
         for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
             if (random() % 2 == 0) turn(mesh, i);
@@ -49,7 +49,7 @@ TEST_F(Orient, triangles_that_face_at_random_face_outwards_afterwards) {
 }
 
 TEST_F(Orient, of_a_surface_written_for_both_sides_one_stays) {
-    Mesh mesh = torus();
+    Mesh mesh = torusMesh();
     const std::size_t once = mesh.indices.size();
     for (std::size_t i = 0; i < once; i += 3)
         for (const std::size_t corner : {0u, 2u, 1u})
@@ -63,6 +63,6 @@ TEST_F(Orient, of_a_surface_written_for_both_sides_one_stays) {
 }
 
 TEST_F(Orient, a_mesh_that_faces_outwards_stays_as_it_is) {
-    const Prepared turned = prepare(torus(), {.orient = true});
+    const Prepared turned = prepare(torusMesh(), {.orient = true});
     EXPECT_EQ(changedBy(turned.report, "orient"), 0u);
 }

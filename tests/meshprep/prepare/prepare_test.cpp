@@ -419,6 +419,14 @@ TEST_F(Prepare, a_mesh_that_loses_its_area_to_floats_is_refused_before_it_is_wri
     EXPECT_NE(format(result.error()).find("leave out what lies far from the rest"), std::string::npos) << format(result.error());
 }
 
+TEST_F(Prepare, a_mesh_that_never_had_an_area_is_told_so) {
+    ASSERT_TRUE(writePly(folder_ / "line.ply", meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2})));
+    const auto result = prepareMesh(folder_ / "line.ply", {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().diagnostics.front().code, 7020);
+    EXPECT_NE(format(result.error()).find("on one line"), std::string::npos) << format(result.error());
+}
+
 /// Half floats are a millimetre apart there.
 TEST_F(Prepare, a_mesh_that_loses_its_area_to_half_floats_is_refused_too) {
     ASSERT_TRUE(

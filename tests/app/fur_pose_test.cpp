@@ -157,8 +157,8 @@ TEST(FurPose, is_written_for_engines_by_one_command) {
         ASSERT_TRUE(image) << file;
         EXPECT_EQ(image->width, 4096);
     }
-    const Ran given = drawPose(scratch() / "given.png", {"--mesh", rest, "-D", "TEGUMENT_FUR_POSE", "--set", "gFurRootsMap=" + roots.string(),
-                                                     "--set", "gFurPoseMap=" + pose.string()});
+    const Ran given = drawPose(scratch() / "given.png", {"--mesh", rest, "-D", "TEGUMENT_FUR_POSE", "--set",
+                                                         "gFurRootsMap=" + roots.string(), "--set", "gFurPoseMap=" + pose.string()});
     EXPECT_EQ(given.code, 0) << given.err;
 }
 

@@ -176,7 +176,7 @@ TEST(FurStrands, by_compute_shaders_are_those_of_vertex_shaders) {
             const fs::path picture = scratch() / "computed.exr";
             // Maps that hold the largest of these coats: what does not fit is not drawn.
             EXPECT_EQ(drawStrands(picture, {"--mesh", ballMesh(), "-t", technique, "--compiler", one.compiler, "--set", one.set, "-D",
-                                     "TEGUMENT_RIBBON_ROWS=4096"})
+                                            "TEGUMENT_RIBBON_ROWS=4096"})
                           .code,
                       0);
             return pixels(picture);
@@ -198,7 +198,7 @@ TEST(FurStrands, that_compute_shaders_cannot_note_are_an_error_with_the_number_t
     // Five strands to a root, of four rows each.
     const auto drawn = [](const char* rows) {
         return drawStrands(scratch() / "rows.png",
-                    {"--mesh", ballMesh(), "-t", "CoatCompute", "--set", "gCoatChildren=3", "--set", "gCoatUnderfur=2", "-D", rows});
+                           {"--mesh", ballMesh(), "-t", "CoatCompute", "--set", "gCoatChildren=3", "--set", "gCoatUnderfur=2", "-D", rows});
     };
     const Ran fits = drawn("TEGUMENT_RIBBON_ROWS=4096");
     ASSERT_EQ(fits.code, 0) << fits.err;
@@ -237,7 +237,7 @@ TEST(FurStrands, stand_still_without_wind_and_sway_in_it_with_its_period) {
     const auto at = [](const char* wind, const char* time) {
         const fs::path picture = scratch() / "wind.exr";
         EXPECT_EQ(drawStrands(picture, {"--mesh", ballMesh(), "--samples", "1", "--set", std::string("gCoatWind=") + wind, "--set",
-                                 "gCoatGusts=0.5,0.5,0.8", "--set", std::string("gTime=") + time})
+                                        "gCoatGusts=0.5,0.5,0.8", "--set", std::string("gTime=") + time})
                       .code,
                   0);
         return pixels(picture);
@@ -267,7 +267,8 @@ TEST(FurStrands, find_their_roots_beside_their_file_and_refuse_others) {
         tegument::test::tegument({"fur", "roots", ballMesh(), "-o", (scratch() / "other.dds").string(), "--count", "1500", "--seed", "7"})
             .code,
         0);
-    const Ran other = drawStrands(scratch() / "x.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + (scratch() / "other.dds").string()});
+    const Ran other =
+        drawStrands(scratch() / "x.png", {"--mesh", file.string(), "--set", "gFurRootsMap=" + (scratch() / "other.dds").string()});
     EXPECT_EQ(other.code, 1);
     for (const char* text : {"TG4061", "other roots", "gFurRootsMap", "--set"})
         EXPECT_NE(other.err.find(text), std::string::npos) << text << " in " << other.err;

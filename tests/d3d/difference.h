@@ -11,9 +11,9 @@ namespace tegument::test {
 
 enum class Kind { Float, Half, Share, Depth, Picture };
 
-/// Largest difference that passes, by kind, in units of the target's largest magnitude where that is above 1. Of kFew of the pixels any: where
-/// an edge (of a triangle, a shadow, a strand) passes within the last bit of a pixel's middle, it falls to either side, on each processor and by
-/// each compiler at other pixels.
+/// Largest difference that passes, by kind, in units of the target's largest magnitude where that is above 1. Of kFew of the pixels any:
+/// where an edge (of a triangle, a shadow, a strand) passes within the last bit of a pixel's middle, it falls to either side, on each
+/// processor and by each compiler at other pixels.
 [[nodiscard]] double tolerance(Kind kind);
 inline constexpr double kFew = 1.0 / 2048;
 

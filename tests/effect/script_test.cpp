@@ -61,7 +61,7 @@ TEST(Scripts, clearing_a_target_that_is_not_bound_does_nothing) {
 
 TEST(Scripts, an_empty_target_is_the_callers_in_place_0_and_none_elsewhere) {
     EXPECT_EQ(ran(techniqueOf("RenderColorTarget0=gX; RenderColorTarget1=gY; RenderDepthStencilTarget=gZ;"
-                            "RenderColorTarget0=; RenderColorTarget1=; RenderDepthStencilTarget=;")),
+                              "RenderColorTarget0=; RenderColorTarget1=; RenderDepthStencilTarget=;")),
               (Lines{"bind gX / app", "bind gX gY / app", "bind gX gY / gZ", "bind app gY / gZ", "bind app / gZ", "bind app / app"}));
 }
 

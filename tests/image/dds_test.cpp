@@ -103,26 +103,26 @@ TEST(Dds, reads_direct3d_9_s_names_of_float_formats) {
     ASSERT_TRUE(halves) << format(halves.error());
     EXPECT_EQ(halves->at(0, 0).pixels, (std::vector<float>{1, 0.5F, 0.25F, 0.125F}));
     const auto floats = ddsFrom(Fixture(false)
-                                   .size(1, 1)
-                                   .set(20, 4)
-                                   .set(21, 116)
-                                   .body(std::string("\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x80\x40\x00\x00\x00\xc1", 16))
-                                   .bytes);
+                                    .size(1, 1)
+                                    .set(20, 4)
+                                    .set(21, 116)
+                                    .body(std::string("\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x80\x40\x00\x00\x00\xc1", 16))
+                                    .bytes);
     ASSERT_TRUE(floats) << format(floats.error());
     EXPECT_EQ(floats->at(0, 0).pixels, (std::vector<float>{1, 2, 4, -8}));
 }
 
 TEST(Dds, reads_direct3d_9_s_a8r8g8b8) {
     const auto texture = ddsFrom(Fixture(false)
-                                    .size(1, 1)
-                                    .set(20, 0x41)
-                                    .set(22, 32)
-                                    .set(23, 0xff0000)
-                                    .set(24, 0xff00)
-                                    .set(25, 0xff)
-                                    .set(26, 0xff000000)
-                                    .body("\x33\x66\x99\xff")
-                                    .bytes);
+                                     .size(1, 1)
+                                     .set(20, 0x41)
+                                     .set(22, 32)
+                                     .set(23, 0xff0000)
+                                     .set(24, 0xff00)
+                                     .set(25, 0xff)
+                                     .set(26, 0xff000000)
+                                     .body("\x33\x66\x99\xff")
+                                     .bytes);
     ASSERT_TRUE(texture) << format(texture.error());
     EXPECT_EQ(texture->at(0, 0).pixels, (std::vector<float>{0.6F, 0.4F, 0.2F, 1}));
 }

@@ -42,8 +42,8 @@ std::vector<double> three(std::vector<double> first, std::vector<double> second 
 }
 
 constexpr std::array kLitTechniques = {std::pair("effects/Main.fx", "DEonLuebke"), std::pair("effects/Main.fx", "Gosselin"),
-                                    std::pair("effects/Pyramid.fx", "Pyramid"), std::pair("effects/Pyramid.fx", "PyramidLinked"),
-                                    std::pair("effects/peers/Separable.fx", "Separable17")};
+                                       std::pair("effects/Pyramid.fx", "Pyramid"), std::pair("effects/Pyramid.fx", "PyramidLinked"),
+                                       std::pair("effects/peers/Separable.fx", "Separable17")};
 
 const std::vector<double> kEverywhere = {-1, -2, 1, 1, -1, -2, 1, 1, -1, -2, 1, 1};
 

@@ -10,8 +10,8 @@ using namespace tegument::reference;
 
 namespace {
 
-constexpr double kRadius = 80; // mm, of a head
-constexpr double kFarLight = 1e5;   // mm: the light is as good as directional
+constexpr double kRadius = 80;    // mm, of a head
+constexpr double kFarLight = 1e5; // mm: the light is as good as directional
 
 struct Counted {
     int points = 0;

@@ -69,7 +69,7 @@ protected:
 const auto kTechnique = [](const auto& each) { return std::string(each.param); };
 
 const Parameters kWhiteStrands = {{"gFurRootColor", {1, 1, 1}}, {"gFurTipColor", {1, 1, 1}}, {"gFurSpecular", {0}},
-                           {"gFurVariation", {0}},       {"gFurMultiple", {1}},       {"gFurFill", {0, 0, 0}}};
+                                  {"gFurVariation", {0}},       {"gFurMultiple", {1}},       {"gFurFill", {0, 0, 0}}};
 
 } // namespace
 

@@ -60,7 +60,9 @@ TEST(Occlusion, inside_of_a_closed_body_nothing_is_open) {
     ASSERT_TRUE(baked) << format(baked.error());
     EXPECT_EQ(baked->open, 0.0);
     // The normal stands where no direction is open.
-    EXPECT_GT(glm::dot(direction(baked->map, 16, 16), glm::vec3(-std::cos(std::numbers::pi * 33 / 32), 0, -std::sin(std::numbers::pi * 33 / 32))), 0.99F);
+    EXPECT_GT(
+        glm::dot(direction(baked->map, 16, 16), glm::vec3(-std::cos(std::numbers::pi * 33 / 32), 0, -std::sin(std::numbers::pi * 33 / 32))),
+        0.99F);
 }
 
 TEST(Occlusion, ends_at_its_reach) {

@@ -34,23 +34,27 @@ Result<void> allocateTargets(const RunInput& input, const Prepared& prepared, Re
     return {};
 }
 
-/// Of wider sRGB values the light is in the texture: of that the means are taken, too.
-Result<void> uploadChain(gpu::Device& device, const TextureData& data, gpu::Texture& texture) {
-    const Image top = data.decode ? decoded(data.image) : data.image;
-    auto uploaded = device.upload(texture, texels(top, data.format, false));
+/// A picture, or a cube's face, and the levels made of it. Of wider sRGB values the light is in the texture: of that the means are taken,
+/// too.
+Result<void> uploadChain(gpu::Device& device, const TextureData& data, const Image& image, gpu::Texture& texture, std::uint32_t face) {
+    const Image top = data.decode ? decoded(image) : image;
+    auto uploaded = device.upload(texture, texels(top, data.format, false), 0, face);
     std::uint32_t mip = 0;
     for (const Image& level : mipLevels(top, data.format == PixelFormat::RGBA8Srgb ? MeanOf::Light : MeanOf::Values))
-        if (uploaded) uploaded = device.upload(texture, texels(level, data.format, false), ++mip);
+        if (uploaded) uploaded = device.upload(texture, texels(level, data.format, false), ++mip, face);
     return uploaded;
 }
 
 Result<void> uploadLevels(gpu::Device& device, const TextureData& data, gpu::Texture& texture) {
-    if (data.mips) return uploadChain(device, data, texture);
+    if (data.file.images.empty() && data.mips) return uploadChain(device, data, data.image, texture, 0);
     if (data.file.images.empty()) return device.upload(texture, texels(data.image, data.format, data.decode));
     for (int face = 0; face < data.file.faces; ++face)
         for (int mip = 0; mip < data.file.mips; ++mip) {
-            const auto uploaded = device.upload(texture, texels(data.file.at(face, mip), data.format, data.decode),
-                                                static_cast<std::uint32_t>(mip), static_cast<std::uint32_t>(face));
+            const Image& image = data.file.at(face, mip);
+            const auto to = static_cast<std::uint32_t>(face);
+            const auto uploaded =
+                data.mips ? uploadChain(device, data, image, texture, to)
+                          : device.upload(texture, texels(image, data.format, data.decode), static_cast<std::uint32_t>(mip), to);
             if (!uploaded) return uploaded;
         }
     return {};

@@ -217,6 +217,7 @@ private:
     [[nodiscard]] RunOptions runOptionsOf(const ViewRequest& request);
     /// How the values of what is shown are spread: the last that is known, while another thread counts.
     [[nodiscard]] std::optional<Histogram> histogram(const std::string& shown);
+    [[nodiscard]] Result<Image> shownValues(const std::string& shown);
     /// What the panels show of the targets: read back and made small only while it is asked for.
     [[nodiscard]] Result<PanelPictures> panelPictures();
     [[nodiscard]] std::vector<std::string> probed();

@@ -31,13 +31,25 @@ double totalMilliseconds(const SessionFrame& frame) {
 
 } // namespace
 
+/// Of the level that is shown; of a cube all faces.
+Result<Image> Viewer::shownValues(const std::string& shown) {
+    const gpu::Texture* target = session().target(shown);
+    if (!target || !target->desc().cube) {
+        const auto image = targets_.image(device_, session(), shown, state_.level);
+        return image ? Result<Image>(**image) : image.error();
+    }
+    const auto flat = shownTexture();
+    if (!flat) return flat.error();
+    return run::readBack(device_, **flat, std::min(static_cast<std::uint32_t>(state_.level), (*flat)->desc().mips - 1));
+}
+
 std::optional<Histogram> Viewer::histogram(const std::string& shown) {
     const std::string what = fmt::format("{} {} {}", frames_, shown, state_.level);
     if (!histogramMaking_.valid() && what != histogramOf_) {
-        const auto image = targets_.image(device_, session(), shown, state_.level); // of a cube the first face
+        auto image = shownValues(shown);
         if (!image) return std::nullopt;
         histogramOf_ = what;
-        histogramMaking_ = std::async(std::launch::async, [values = **image] { return histogramOf(values); });
+        histogramMaking_ = std::async(std::launch::async, [values = *std::move(image)] { return histogramOf(values); });
     }
     if (histogramMaking_.valid() && histogramMaking_.wait_for(kErrorsMoment) == std::future_status::ready)
         histogram_ = histogramMaking_.get();

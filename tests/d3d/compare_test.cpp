@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <ostream>
 
 namespace tegument::test {
@@ -49,6 +50,7 @@ TEST_P(Drawn, as_vulkan_draws_it) {
             fmt::format("{}: {} of {} pixels beyond {:g}; largest {:g} at ({}, {}), 99.9 % within {:g}", target.name, found->beyond,
                         found->pixels, tolerance(target.kind), found->largest, found->x, found->y, found->p999);
         const auto pixels = static_cast<double>(found->pixels);
+        EXPECT_TRUE(std::isfinite(found->largest)) << where;
         EXPECT_LE(static_cast<double>(found->farther), kFew * pixels) << where;
         if (exception) {
             EXPECT_LE(static_cast<double>(found->beyond), exception->beyond * pixels) << where;

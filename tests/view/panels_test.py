@@ -5,6 +5,7 @@ usage: panels_test.py PROGRAM REPOSITORY [PICTURES]      with PICTURES the scree
 Exit code 77: this machine lacks Xvfb, python3-xlib or a Vulkan driver that draws to windows.
 """
 
+import struct
 import unittest
 
 import session as base
@@ -171,12 +172,45 @@ class Faces(base.WideWindow):
         self.assertEqual(self.view.still(unlike=cross), self.start)
 
 
-class Levels(unittest.TestCase):
-    def limits(self, picture):
-        """The numbers below a spread at the bottom to the right."""
-        rows = range(picture.height - 50, picture.height - 12)
-        return [picture.pixels[(y * picture.width + x) * 3] > 200 for y in rows for x in range(base.SIZE // 3, base.SIZE // 3 + 40)]
+def limits(picture, left=base.SIZE // 3, wide=40):
+    """The numbers below a spread at the bottom to the right."""
+    rows = range(picture.height - 50, picture.height - 12)
+    return [picture.pixels[(y * picture.width + x) * 3] > 200 for y in rows for x in range(left, left + wide)]
 
+
+def cube_dds(*faces):
+    """Six faces of 4 x 4 texels of one value each, as floats."""
+    header = struct.pack("<7I", 124, 0x100F, 4, 4, 64, 0, 1) + bytes(44) + struct.pack("<8I", 32, 4, 114, 32, 0, 0, 0, 0)  # D3DFMT_R32F
+    header += struct.pack("<5I", 0x1008, 0xFE00, 0, 0, 0)
+    return b"DDS " + header + b"".join(struct.pack("<16f", *[face] * 16) for face in faces)
+
+
+class OtherFaces(base.WideWindow):
+    ARGUMENTS = ("cube.fx", "-w", "ball.json")
+    FILES = (("cube.fx", CUBE.replace('Generator = "studio"', 'ResourceName = "cube.dds"')),)
+    TITLE = "cube.fx Cube"
+
+    @classmethod
+    def before(cls, folder):
+        (folder / "cube.dds").write_bytes(cube_dds(0.5, 0.5, 0.5, 0.5, 0.5, 0.5))
+
+    def test_the_spread_is_that_of_all_faces(self):
+        screen = self.view.screen
+        screen.press("o")
+        listed = self.view.still(unlike=self.start)
+        screen.drag((60, 22), (60, 22))
+        self.view.title("texture gCubeMap")
+        screen.press("o")
+        cross = self.view.still(unlike=listed)
+        screen.press("x")
+        same = base.keep(self.view.still(unlike=cross), "faces_alike")
+        (self.view.folder / "cube.dds").write_bytes(cube_dds(0.5, 0.5, 0.5, 0.5, 0.5, 3.0))
+        screen.press("F5")
+        other = base.keep(self.view.still(unlike=same), "one_face_brighter")
+        self.assertNotEqual(limits(other, WIDE - 300, 300), limits(same, WIDE - 300, 300))
+
+
+class Levels(unittest.TestCase):
     def test_l_goes_through_the_mip_levels_and_back(self):
         view = base.View(("stripes.fx",), (("stripes.fx", STRIPES),))
         self.addCleanup(view.end)
@@ -197,7 +231,7 @@ class Levels(unittest.TestCase):
         spread = base.keep(view.still(unlike=second), "level_2_spread")
         for _ in range(4):
             view.screen.press("l")
-        self.assertNotEqual(self.limits(base.keep(view.still(unlike=spread), "level_0_spread")), self.limits(spread))
+        self.assertNotEqual(limits(base.keep(view.still(unlike=spread), "level_0_spread")), limits(spread))
         view.screen.press("x")
         view.screen.press("l")
         self.assertEqual(view.still(), second)

@@ -145,8 +145,12 @@ class WideWindow(unittest.TestCase):
     TITLE = "Main.fx DEonLuebke [corrected] picture"
 
     @classmethod
+    def before(cls, folder):
+        """What else the folder holds when the program starts."""
+
+    @classmethod
     def setUpClass(cls):
-        cls.view = View(cls.ARGUMENTS, cls.FILES)
+        cls.view = View(cls.ARGUMENTS, cls.FILES, cls.before)
         cls.view.title(cls.TITLE)
         cls.view.screen.resize(2 * SIZE, SIZE)
         cls.view.screen.press("i")  # the text holds times, which differ from frame to frame

@@ -10,6 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array<std::array<double, 3>, 6> kDirections = {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
 class CubeMaps : public Run {
 protected:
     void SetUp() override {
@@ -38,8 +40,9 @@ protected:
         return path.string();
     }
 
-    Result<RunResult> look(std::array<double, 3> direction, const std::string& file, double level = 0) {
-        RunOptions options = row(1, "Sky");
+    Result<RunResult> look(std::array<double, 3> direction, const std::string& file, double level = 0,
+                           const std::string& technique = "Sky") {
+        RunOptions options = row(1, technique);
         if (!file.empty()) options.textures["gSkyMap"] = file;
         options.parameters["gDirection"] = {direction.begin(), direction.end()};
         options.parameters["gLevel"] = {level};
@@ -51,7 +54,6 @@ protected:
 
 TEST_F(CubeMaps, faces_lie_as_in_direct3d) {
     const std::string file = sky(DdsFormat::Rgba16F, 1);
-    constexpr std::array<std::array<double, 3>, 6> kDirections = {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
     for (std::size_t face = 0; face < 6; ++face) {
         const auto result = look(kDirections[face], file);
         ASSERT_TRUE(succeeded(result));
@@ -63,6 +65,17 @@ TEST_F(CubeMaps, the_file_s_own_mip_levels_are_sampled) {
     const auto result = look({0, 0, -1}, sky(DdsFormat::Rgba32F, 3), 1);
     ASSERT_TRUE(succeeded(result));
     EXPECT_TRUE(pixelIs(result->image, 0, 0, {1, 1, 0, 1}));
+}
+
+TEST_F(CubeMaps, levels_that_are_made_are_those_of_each_face) {
+    const std::string file = sky(DdsFormat::Rgba16F, 1);
+    for (std::size_t face = 0; face < 6; ++face)
+        for (const double level : {0.0, 1.0, 2.0}) {
+            const auto result = look(kDirections[face], file, level, "Smooth");
+            ASSERT_TRUE(succeeded(result));
+            const float there = result->image.at(0, 0, 0);
+            EXPECT_NEAR(there, static_cast<float>(face) / 5, 1e-3F) << "face " << face << ", level " << level;
+        }
 }
 
 TEST_F(CubeMaps, a_fallback_fills_all_faces) {

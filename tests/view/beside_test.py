@@ -34,10 +34,8 @@ class Beside(base.WideWindow):
         middle = WIDE // 2
         self.assertEqual(self.half(same, 0, middle - 8), self.half(self.start, 0, middle - 8))
         self.assertEqual(self.half(same, middle + 8, WIDE), self.half(self.start, middle + 8, WIDE))
-        split = same
-        while "Lambert [" not in self.view.screen.title():
-            split = self.press("t", split)
-        split = base.keep(self.view.still(), "beside_2_lambert_to_the_right")
+        self.view.turn_to("Lambert", "t")
+        split = base.keep(self.view.still(unlike=same), "beside_2_lambert_to_the_right")
         self.assertEqual(self.half(split, 0, middle - 8), self.half(self.start, 0, middle - 8), "the kept side has changed")
         self.assertNotEqual(self.half(split, middle + 8, WIDE), self.half(self.start, middle + 8, WIDE))
         self.view.screen.drag((middle, 40), (middle + 80, 40))
@@ -58,10 +56,7 @@ class Beside(base.WideWindow):
         self.view.screen.press("x")
         self.view.screen.press("i")
         self.view.screen.press("k")
-        while "DEonLuebke [" not in self.view.screen.title():
-            title = self.view.screen.title()
-            self.view.screen.press("T")
-            self.view.wait("the technique before", lambda: self.view.screen.title() != title)
+        self.view.turn_to("DEonLuebke", "T")
         self.view.screen.press("r")
         self.assertEqual(self.view.still(), self.start)
 

@@ -103,6 +103,12 @@ class View:
 
         return self.wait("a picture that stays", settled)
 
+    def turn_to(self, technique, key):
+        """One technique after the other: a key before the last one is shown would pass it."""
+        while f" {technique} [" not in (title := self.screen.title()):
+            self.screen.press(key)
+            self.wait("another technique", lambda: self.screen.title().split("[")[0] != title.split("[")[0])
+
     def start_again(self):
         for key in ("Escape", "r"):
             self.screen.press(key)

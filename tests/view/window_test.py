@@ -97,16 +97,9 @@ class Window(unittest.TestCase):
         self.assertGreater(lit(near), 1.2 * lit(self.start))
 
     def test_t_shows_the_next_technique(self):
-        def step():
-            name = self.view.screen.title().split(" [")[0]
-            self.view.screen.press("t")
-            self.view.wait("the next technique", lambda: f"{name} [" not in self.view.screen.title())
-
-        while "Lambert [" not in self.view.screen.title():
-            step()
+        self.view.turn_to("Lambert", "t")
         self.keep(self.view.still(unlike=self.start))
-        while "DEonLuebke [" not in self.view.screen.title():
-            step()
+        self.view.turn_to("DEonLuebke", "t")
         self.assertEqual(self.view.start_again(), self.start)
 
     def test_right_stops_after_one_pass_more(self):

@@ -81,13 +81,13 @@ def compare(first, second):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("repository", type=pathlib.Path)
-    parser.add_argument("--target", action="append", help="what is built; default: tegument")
+    parser.add_argument("--target", action="append", help="what is built; default: tegument, with --install all")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--install", action="store_true")
     parser.add_argument("-D", "--define", action="append", default=[], metavar="NAME=VALUE")
     arguments = parser.parse_args()
     arguments.repository = arguments.repository.resolve()
-    arguments.target = arguments.target or ["tegument"]
+    arguments.target = arguments.target or ["all" if arguments.install else "tegument"]
     with tempfile.TemporaryDirectory(prefix="tegument-twice-") as folder:
         top = pathlib.Path(folder)
         folders = [build(arguments, top, surroundings, jobs, backwards)

@@ -33,7 +33,7 @@ endif()
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION share/doc/tegument)
 install(DIRECTORY docs DESTINATION share/doc/tegument)
 install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1\")
-  execute_process(COMMAND $<TARGET_FILE:tegument> help --man OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tegument.1\"
+  execute_process(COMMAND \"$<TARGET_FILE:tegument>\" help --man OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tegument.1\"
                   COMMAND_ERROR_IS_FATAL ANY)")
 
 # The functions of hlsl/ as one header.
@@ -51,9 +51,9 @@ install(FILES ${PROJECT_BINARY_DIR}/TegumentConfig.cmake ${PROJECT_BINARY_DIR}/T
 # What the machine's compilers make of the effects; a compiler that is missing leaves its files out, and the manifests say so.
 if(TEGUMENT_PRECOMPILE)
   file(GLOB effects CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/effects/*.fx)
-  list(JOIN effects " " effects)
+  list(JOIN effects "\" \"" effects) # a folder's name may hold blanks
   install(CODE "if(NOT DEFINED ENV{TEGUMENT_NO_PRECOMPILE})
-  execute_process(COMMAND $<TARGET_FILE:tegument> check ${effects} --skip-missing --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
+  execute_process(COMMAND \"$<TARGET_FILE:tegument>\" check \"${effects}\" --skip-missing --emit \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/tegument/compiled\"
                   OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endif()")
 endif()

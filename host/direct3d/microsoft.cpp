@@ -273,9 +273,11 @@ fs::path microsoftCompilerLibrary() {
 std::string microsoftCompilerMissing() {
     std::error_code code;
     if (std::string missing = driverMissing(); !missing.empty()) return missing;
-    if (!fs::is_regular_file(microsoftCompilerLibrary(), code))
-        return fmt::format("there is no {} ({})", microsoftCompilerLibrary().string(), usualCompiler().hint);
-    return {};
+    if (fs::is_regular_file(microsoftCompilerLibrary(), code)) return {};
+    const UsualCompiler usual = usualCompiler();
+    if (microsoftCompilerLibrary() != fs::absolute(usual.file, code))
+        return fmt::format("there is no {}", microsoftCompilerLibrary().string());
+    return fmt::format("there is no {} ({})", usual.file.filename().string(), usual.hint); // manifests hold this: no folder of this machine
 }
 
 Result<std::vector<MicrosoftResult>> compileWithMicrosoft(const std::vector<MicrosoftJob>& jobs, double jobSeconds) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <unistd.h>
 
 namespace tegument::test {
@@ -47,6 +48,22 @@ protected:
 
 private:
     fs::path folder_;
+};
+
+/// One of the environment, for a while.
+class Variable {
+public:
+    Variable(const char* name, const std::string& value) : name_(name) {
+        if (const char* before = std::getenv(name)) before_ = before;
+        ::setenv(name, value.c_str(), 1);
+    }
+    ~Variable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+private:
+    const char* name_;
+    std::optional<std::string> before_;
 };
 
 TEST(EmitKinds, have_the_names_of_the_command_line) {
@@ -149,6 +166,16 @@ TEST_F(Emit, what_could_not_be_checked_is_missing_with_its_reason) {
     const auto sm5 = std::ranges::find_if(manifest["missing"], [](const json& one) { return one["kind"] == "sm5"; });
     ASSERT_NE(sm5, manifest["missing"].end());
     EXPECT_EQ((*sm5)["reason"], "sm5 was not asked for");
+}
+
+TEST_F(Emit, a_manifest_says_what_is_missing_without_this_machine_s_folders) {
+    const fs::path empty = folder() / "cache"; // which holds no compiler
+    const Variable cache("TEGUMENT_CACHE", empty.string());
+    const Variable compiler("TEGUMENT_D3DCOMPILER", "");
+    const json missing = manifestOf(emit(checkEffects({"effects/TSM.fx"}, {kAllTargets.begin(), kAllTargets.end()})))["missing"];
+    EXPECT_FALSE(missing.empty());
+    for (const json& one : missing)
+        EXPECT_EQ(one["reason"].get<std::string>().find(empty.string()), std::string::npos) << one;
 }
 
 TEST_F(Emit, only_the_chosen_kinds_are_written) {

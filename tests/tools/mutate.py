@@ -189,6 +189,8 @@ class Record:
                 if failed not in cases or len(red) == MOST_RED:
                     sys.exit(f"{FUNCTIONS} is red without any mutant: {failed}")
                 red.append(failed)
+            if trial.skipped:
+                sys.exit(f"every case of {FUNCTIONS} is skipped here, so that no mutant could die: no device, or no validation layer")
             self.add((FUNCTIONS, name), ":".join(red), 0, {})
         return [case for case in cases if case not in self.tests[name]["red"].split(":")]
 

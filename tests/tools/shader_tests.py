@@ -134,6 +134,7 @@ class Trial:
         ran_out = not watch.is_alive() or process.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
         watch.cancel()
         seconds = usage.ru_utime + usage.ru_stime
+        self.skipped = process.returncode == SKIPPED
         failed = re.search(r"\[  FAILED  \] ([^\s,(]+)", output)
         if ran_out:
             return "time ran out", seconds

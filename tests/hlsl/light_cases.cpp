@@ -9,8 +9,26 @@ namespace tegument::test {
 
 namespace {
 
+/// Of light that comes evenly from a hemisphere, weighed by that cosine: midpoints of both integrals.
+double meanCosine() {
+    double weighed = 0;
+    double all = 0;
+    constexpr int kSteps = 10000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double cosine = (i + 0.5) / kSteps;
+        weighed += cosine * cosine;
+        all += cosine;
+    }
+    return weighed / all;
+}
+
 std::vector<FunctionCase> surroundings() {
     std::vector<FunctionCase> cases;
+    cases.push_back({.function = "kTgMeanCosine",
+                     .body = "return float4(kTgMeanCosine * a0, 0, 0, 0);",
+                     .arguments = {linear(1, 2)},
+                     .expected = [](const Inputs& x) { return values(meanCosine() * x.scalar(0)); },
+                     .tolerance = {.forward = 4, .why = "a product; the integral is exact to 1e-8"}});
     cases.push_back({.function = "tgSurroundingsLevel",
                      .body = "return float4(tgSurroundingsLevel(a0), 0, 0, 0);",
                      .arguments = {linear(0, 2)},

@@ -32,7 +32,13 @@ double softDisc(glm::dvec2 uv, double depth, double radius, double turn) {
 struct SoftLight {
     double size = 0;
     bool point = false;
+    glm::dvec2 slope{0}; // of the plane that it falls on
 
+    /// mm to that plane, so many texels away.
+    [[nodiscard]] double plane(double depth, const glm::dvec2& texels) const {
+        const double rise = glm::dot(slope, texels);
+        return point ? 1 / (1 / depth - rise / (depth * depth)) : depth + rise;
+    }
     [[nodiscard]] double width(double gap, double before) const { return size * gap / std::max(point ? before : 1.0, 1e-3); }
 };
 
@@ -130,13 +136,15 @@ SoftSearch softSearch(const glm::dvec2& uv, double depth, const SoftLight& light
     double widths = 0;
     SoftSearch found;
     for (int i = 0; i < taps; ++i) {
-        const glm::dvec2 texels = uv * double{kTestMapSize} + search * softTap(i, taps, turn);
+        const glm::dvec2 offset = search * softTap(i, taps, turn);
+        const glm::dvec2 texels = uv * double{kTestMapSize} + offset;
+        const double plane = light.plane(depth, offset);
         const double away = search * std::sqrt((i + 0.5) / taps);
         const double before = stored(texels);
         const double width = std::max(light.width(depth - before, before) / kFootprint, 1.5);
         found.margin = std::min(
-            {found.margin, std::abs(before - depth), std::abs(width + beside - away), awayFromBorders(texels, beside > 0 ? beside : 1)});
-        if (before > depth || away > width + beside) continue;
+            {found.margin, std::abs(before - plane), std::abs(width + beside - away), awayFromBorders(texels, beside > 0 ? beside : 1)});
+        if (before > plane || away > width + beside) continue;
         hiding += 1;
         widths += width;
     }
@@ -368,30 +376,43 @@ std::vector<FunctionCase> softShadowCases() {
          .domain =
              [](const Inputs& x) { return blocksSay(x.vec2(0), x.scalar(1), glm::dvec2(0), x.scalar(2), x.scalar(3)).margin > kSure; }});
     const auto light = [](const Inputs& x) { return SoftLight{.size = x.scalar(2), .point = x.scalar(3) > 0.5}; };
-    const auto glance = [light](const Inputs& x) { return softGlance(x.vec2(0), x.scalar(1), light(x), x.scalar(4)); };
-    const auto radius = [light](const Inputs& x) { return softRadius(x.vec2(0), x.scalar(1), light(x), x.scalar(4)); };
+    const auto sloping = [light](const Inputs& x) {
+        SoftLight it = light(x);
+        it.slope = x.vec2(5);
+        return it;
+    };
+    const auto glanceOf = [](const auto& of) {
+        return [of](const Inputs& x) { return softGlance(x.vec2(0), x.scalar(1), of(x), x.scalar(4)); };
+    };
+    const auto radiusOf = [](const auto& of) {
+        return [of](const Inputs& x) { return softRadius(x.vec2(0), x.scalar(1), of(x), x.scalar(4)); };
+    };
     const std::vector<Argument> arguments = {linear(0.1, 0.9, 2), linear(500, 700), linear(0.005, 0.02), whole(0, 1), linear(0, 6.28)};
+    std::vector<Argument> withSlope = arguments;
+    withSlope.push_back(linear(-1, 1, 2));
     cases.push_back({.function = "tgSoftReach",
                      .body = "return float4(tgSoftReach(a1, 0.5, float2(a2, a3), 400), 0, 0, 0);",
                      .arguments = arguments,
                      .expected = [light](const Inputs& x) { return values(softReach(x.scalar(1), light(x))); },
                      .tolerance = {.forward = 8, .why = "a product and two quotients"}});
     cases.push_back({.function = "tgSoftGlance",
-                     .body = "return float4(tgSoftGlance(TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), 0.5, float2(a2, a3), "
+                     .body = "return float4(tgSoftGlance(TG_SAMPLER2D_ARG(gTest), a0, a1, a5, 0.5, float2(a2, a3), "
                              "tgSoftReach(a1, 0.5, float2(a2, a3), 400), tgSoftWay(a4)), 0, 0, 0);",
-                     .arguments = arguments,
-                     .expected = [glance](const Inputs& x) { return values(glance(x).value); },
+                     .arguments = withSlope,
+                     .expected = [glance = glanceOf(sloping)](const Inputs& x) { return values(glance(x).value); },
                      .tolerance = {.why = "0 or 1"},
                      .map = &shadowMap(),
-                     .domain = [glance](const Inputs& x) { return glance(x).margin > kSure; }});
+                     .domain = [glance = glanceOf(sloping)](const Inputs& x) { return glance(x).margin > kSure; }});
     cases.push_back({.function = "tgSoftRadius",
-                     .body = "return float4(tgSoftRadius(TG_SAMPLER2D_ARG(gTest), a0, a1, float2(0, 0), 0.5, float2(a2, a3), "
+                     .body = "return float4(tgSoftRadius(TG_SAMPLER2D_ARG(gTest), a0, a1, a5, 0.5, float2(a2, a3), "
                              "tgSoftReach(a1, 0.5, float2(a2, a3), 400), tgSoftWay(a4)), 0, 0, 0);",
-                     .arguments = arguments,
-                     .expected = [radius](const Inputs& x) { return values(radius(x).value); },
+                     .arguments = withSlope,
+                     .expected = [radius = radiusOf(sloping)](const Inputs& x) { return values(radius(x).value); },
                      .tolerance = {.absolute = 2e-3, .why = "a mean of differences of 600, over 0.5"},
                      .map = &shadowMap(),
-                     .domain = [radius](const Inputs& x) { return radius(x).margin > kSure; }});
+                     .domain = [radius = radiusOf(sloping)](const Inputs& x) { return radius(x).margin > kSure; }});
+    const auto glance = glanceOf(light);
+    const auto radius = radiusOf(light);
     const auto filter = [glance, radius](const Inputs& x) { return glance(x).value > 0 ? radius(x).value : 1.5; };
     cases.push_back(
         {.function = "tgShadowSoft",

@@ -422,7 +422,7 @@ def run(mutants, arguments, results):
         known = results.get(m.id)
         if known is None or known["stage"] or known.get("same"):
             return known is None
-        return not reason_for(m, rules) and (arguments.retry or bool(known.get("left")) and known["budget"] < arguments.seconds)
+        return not reason_for(m, rules) and (arguments.retry or bool(known.get("left") or not known["budget"]) and known["budget"] < arguments.seconds)
     todo = [m for m in mutants if open_still(m)]
     if not todo:
         return

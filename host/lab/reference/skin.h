@@ -37,6 +37,8 @@ public:
     Texture(const Image& image, bool srgb);
     explicit Texture(const glm::dvec4& constant) : width_(1), height_(1), texels_{constant} {}
     [[nodiscard]] glm::dvec4 at(const glm::dvec2& uv) const;
+    /// Width and height of one, of the whole.
+    [[nodiscard]] glm::dvec2 texel() const { return 1.0 / glm::dvec2(width_, height_); }
 
 private:
     int width_ = 1;
@@ -57,6 +59,7 @@ public:
 
     /// Unit normal of the normal map (+Y), in the interpolated tangent frame.
     [[nodiscard]] glm::dvec3 mappedNormal(const SurfacePoint& point) const;
+    [[nodiscard]] glm::dvec2 texelOfNormals() const { return normals_.texel(); }
     [[nodiscard]] glm::dvec4 colour(const SurfacePoint& point) const { return colour_.at(point.uv); }
     /// Radius of Gosselin's blurs here, as a share of the largest.
     [[nodiscard]] double kernelSize(const SurfacePoint& point) const { return kernelSizes_.at(point.uv).x; }

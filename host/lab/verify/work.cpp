@@ -1,7 +1,5 @@
 #include "host/lab/verify/work.h"
 
-#include "host/image/compare.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +48,7 @@ std::optional<double> relativeApart(const Comparison& comparison) {
     for (std::size_t i = 0; i < apart.size(); ++i)
         apart[i] = apart[i] != 0 && !counted(comparison.counts, i) ? 1 : 0;
     if (std::ranges::count(apart, 1) == 0) return std::nullopt;
-    const auto difference = compareImages(packed(comparison.rendered, apart), packed(comparison.reference, apart));
+    const auto difference = differenceWhere(apart, comparison.rendered, comparison.reference);
     return difference ? std::optional(difference->relativeL2) : std::nullopt;
 }
 
@@ -81,8 +79,12 @@ void addMetric(ModuleReport& report, const Context& context, std::string name, d
                               .why = std::move(why)});
 }
 
+Result<Difference> differenceWhere(const std::vector<std::uint8_t>& counts, const Image& image, const Image& reference) {
+    return compareImages(packed(image, counts), packed(reference, counts));
+}
+
 Result<void> compare(ModuleReport& report, const Context& context, const Comparison& comparison, const Limits& limits) {
-    const auto difference = compareImages(packed(comparison.rendered, comparison.counts), packed(comparison.reference, comparison.counts));
+    const auto difference = differenceWhere(comparison.counts, comparison.rendered, comparison.reference);
     if (!difference) return difference.error();
     const auto add = [&](const char* name, double value, double limit) {
         if (limit >= 0) addMetric(report, context, fmt::format("{}: {}", comparison.subject, name), value, limit, limits.why);

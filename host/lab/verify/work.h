@@ -2,6 +2,7 @@
 // Inside host/lab/verify: what the sources of the modules share.
 
 #include "host/effect/model.h"
+#include "host/image/compare.h"
 #include "host/lab/verify/verify.h"
 #include "host/run/run.h"
 
@@ -52,6 +53,9 @@ struct Comparison {
     std::vector<std::uint8_t> counts; // per pixel; empty: all
     std::vector<std::uint8_t> within; // of these, those that do not count are treated apart and measured by themselves; empty: none
 };
+
+/// Of the pixels that count; none given: of all.
+[[nodiscard]] Result<Difference> differenceWhere(const std::vector<std::uint8_t>& counts, const Image& image, const Image& reference);
 
 /// Metrics of the pixels that count, and three pictures.
 [[nodiscard]] Result<void> compare(ModuleReport& report, const Context& context, const Comparison& comparison, const Limits& limits);

@@ -33,16 +33,16 @@ std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder) {
     return functions;
 }
 
-std::set<std::string> macrosIn(const std::filesystem::path& folder) {
-    static const std::regex kMacro(R"((?:^|\n)#define (\w+)\()");
-    std::set<std::string> macros;
+std::set<std::string> constantsAndMacrosIn(const std::filesystem::path& folder) {
+    static const std::regex kDefinition(R"((?:^|\n)(?:#define (?=\w+\()|static const \w+ )(\w+))");
+    std::set<std::string> names;
     for (const auto& path : filesIn(folder)) {
         const auto text = readFile(path);
         if (!text) continue;
-        for (auto match = std::sregex_iterator(text->begin(), text->end(), kMacro); match != std::sregex_iterator(); ++match)
-            macros.insert((*match)[1]);
+        for (auto match = std::sregex_iterator(text->begin(), text->end(), kDefinition); match != std::sregex_iterator(); ++match)
+            names.insert((*match)[1]);
     }
-    return macros;
+    return names;
 }
 
 } // namespace tegument::test

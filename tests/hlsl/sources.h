@@ -16,7 +16,8 @@ struct ShaderFunction {
 /// Every function with a body in the .fxh files below `folder`, in order of path and place.
 [[nodiscard]] std::vector<ShaderFunction> functionsIn(const std::filesystem::path& folder);
 
-/// Every macro with parameters in those files: some define entry points, a line for each, and their cases bear the macro's name.
-[[nodiscard]] std::set<std::string> macrosIn(const std::filesystem::path& folder);
+/// Every constant in those files, and every macro with parameters: some define entry points, a line for each, and their cases bear the
+/// macro's name.
+[[nodiscard]] std::set<std::string> constantsAndMacrosIn(const std::filesystem::path& folder);
 
 } // namespace tegument::test

@@ -13,8 +13,8 @@ import unittest
 
 import screen as screens
 
-PROGRAM, REPOSITORY = sys.argv[1], pathlib.Path(sys.argv[2])
-PICTURES = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
+PROGRAM, REPOSITORY = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
+PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
 SIZE = 320
 PATIENCE = 60  # seconds: lavapipe beside other tests
 SKIPPED = 77

@@ -4,6 +4,7 @@
 #include "host/spirv/glsl.h"
 #include "host/support/file.h"
 #include "tests/check/effect_files.h"
+#include "tests/support/variable.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <unistd.h>
 
 namespace tegument::test {
@@ -48,22 +48,6 @@ protected:
 
 private:
     fs::path folder_;
-};
-
-/// One of the environment, for a while.
-class Variable {
-public:
-    Variable(const char* name, const std::string& value) : name_(name) {
-        if (const char* before = std::getenv(name)) before_ = before;
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~Variable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> before_;
 };
 
 TEST(EmitKinds, have_the_names_of_the_command_line) {

@@ -77,13 +77,13 @@ double alongRow(double row, double segments) {
 
 std::vector<FunctionCase> rows() {
     std::vector<FunctionCase> cases;
-    cases.push_back(computed("FurCoat.fx", "ribbonAlong", "return float4(ribbonAlong(a0), ribbonSegments(), 0, 0);", {whole(0, 6)},
-                             [](const Inputs& x) { return values(alongRow(std::round(x.scalar(0)), 6), 6); },
-                             {.forward = 4, .backward = 0, .why = "whole parts of 31"}));
-    cases.push_back(computed("FurCoat.fx", "ribbonAlong", "return float4(ribbonAlong(a0), ribbonSegments(), 0, 0);", {whole(0, 15)},
-                             [](const Inputs& x) { return values(alongRow(std::round(x.scalar(0)), 15), 15); },
-                             {.forward = 4, .backward = 0, .why = "whole parts of 31"}));
-    cases.back().globals["gCoatSegments"] = {15};
+    for (const int segments : {6, 15}) { // of 15 a row lies just below the middle between two parts
+        cases.push_back(computed("FurCoat.fx", "ribbonAlong", "return float4(ribbonAlong(a0), ribbonSegments(), 0, 0);",
+                                 {whole(0, segments)},
+                                 [segments](const Inputs& x) { return values(alongRow(std::round(x.scalar(0)), segments), segments); },
+                                 {.forward = 4, .backward = 0, .why = "whole parts of 31"}));
+        cases.back().globals["gCoatSegments"] = {static_cast<double>(segments)};
+    }
     cases.push_back(computed("FurCoat.fx", "ribbonRow", "return float4(ribbonRow(a0 / 31.0), 0, 0, 0);", {whole(0, 31)},
                              [](const Inputs& x) { // the row that is nearest there
                                  const double along = std::round(x.scalar(0)) / 31;

@@ -54,7 +54,6 @@ std::vector<FunctionCase> places() {
     cases.push_back(strandRootCase(
         "strandTexel", "return float4(strandTexel(float2(a0, a1), a2), 0, 0);", {whole(0, 1365), whole(0, 255), whole(0, 6)},
         [](const Inputs& x) { return values(std::round(x.scalar(0)), 7 * std::round(x.scalar(1)) + std::round(x.scalar(2))); }, exact));
-    cases.back().globals["gCoatSegments"] = {6};
     const char* vertex = "VertexInput i = (VertexInput)0; i.position = a3; i.tangent = float4(a3.yzx, a2 > 0.5 ? 1 : -1); "
                          "i.uv = float2(70.0 + a1 / 32.0, a0); RootVarying v = RibbonRootsVS(i); ";
     const auto add = [&](const char* returned, std::function<Values(const Inputs&)> expected) {

@@ -104,7 +104,7 @@ Result<ModuleReport> verifySpecular(const Context& context) {
                         .p99 = 1e-3,
                         .largest = 5e-3,
                         .bias = 5e-4,
-                        .why = "floats, and what look-ups a step of 8 bits between texels away would make of the reference"};
+                        .why = "floats, and what the reference changes by where look-ups lie 1/256 texel off, as on graphics hardware"};
     const Limits printed{.relativeL2 = 0.1, .bias = 0.02, .why = "false shadows of the printed comparison (docs/design/modules/TSM.md)"};
     const Limits shadowed{.relativeL2 = 2e-3,
                           .p99 = 3e-3,

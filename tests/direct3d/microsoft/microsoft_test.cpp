@@ -1,6 +1,7 @@
 #include "host/direct3d/microsoft.h"
 
 #include "host/support/file.h"
+#include "tests/support/variable.h"
 
 #include <gtest/gtest.h>
 
@@ -215,15 +216,9 @@ TEST_F(Microsoft, names_outside_ascii_are_handed_over) {
 TEST(MicrosoftMissing, names_the_library_that_is_not_there) {
     if (const std::string other = microsoftCompilerMissing(); !other.empty() && other.find("d3dcompiler_47.dll") == std::string::npos)
         GTEST_SKIP() << other;
-    const char* before = std::getenv("TEGUMENT_D3DCOMPILER");
-    const std::string kept = before == nullptr ? "" : before;
-    ::setenv("TEGUMENT_D3DCOMPILER", "/nowhere/d3dcompiler_47.dll", 1);
+    const Variable compiler("TEGUMENT_D3DCOMPILER", "/nowhere/d3dcompiler_47.dll");
     EXPECT_NE(microsoftCompilerMissing().find("/nowhere/d3dcompiler_47.dll"), std::string::npos);
     EXPECT_FALSE(compileWithMicrosoft({}));
-    if (kept.empty())
-        ::unsetenv("TEGUMENT_D3DCOMPILER");
-    else
-        ::setenv("TEGUMENT_D3DCOMPILER", kept.c_str(), 1);
 }
 
 } // namespace

@@ -227,7 +227,7 @@ int render(const RenderOptions& given) {
     auto device = gpu::Device::create({.validation = options.job.validate, .prefer = options.job.device});
     if (!device) return fail(device.error(), options.json);
     job->run.compiling = [&](std::size_t done, std::size_t total) {
-        done < total ? progress.count("compiling pass", done + 1, total) : progress.say("rendering");
+        done < total ? progress.count("compiling shader", done, total) : progress.say("rendering");
     };
     job->run.meshTextures = furTextures([&](const std::string& made) {
         progress.clear();

@@ -69,7 +69,7 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
         say(made);
     });
     run.compiling = [&progress](std::size_t done, std::size_t total) {
-        done < total ? progress.count("compiling pass", done + 1, total) : progress.clear();
+        done < total ? progress.count("compiling shader", done, total) : progress.clear();
     };
     return {.effect = job->effect.file,
             .load = loadOptions(options.job.effect),

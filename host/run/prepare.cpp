@@ -2,11 +2,14 @@
 
 #include "host/run/geometry.h"
 #include "host/run/pause.h"
+#include "host/support/parallel.h"
 #include "host/support/text.h"
+#include "host/support/threads.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace tegument::run {
 
@@ -41,29 +44,48 @@ Result<void> checkTextureNames(const RunInput& input) {
     return {};
 }
 
+constexpr unsigned kAtOnce = 8; // each takes some 20 MB
+
+/// On several processors. Who may give the frame up is asked by this thread, after each few shaders.
+Result<Stages> compileStages(const RunInput& input, const std::vector<const Pass*>& passes) {
+    const std::vector<StageKey> keys = stagesOf(passes);
+    const unsigned threads = std::min(availableThreads(), kAtOnce);
+    const std::size_t atOnce = input.options.pieces.goOn ? threads : std::max<std::size_t>(keys.size(), 1);
+    Stages stages;
+    std::mutex mutex;
+    for (std::size_t first = 0; first < keys.size(); first += atOnce) {
+        forEachInParallel(
+            std::min(atOnce, keys.size() - first),
+            [&](std::size_t item) {
+                auto shader = compileStage(input.effect, keys[first + item], input.options.compiler);
+                const std::scoped_lock lock(mutex);
+                stages.emplace(keys[first + item], std::move(shader));
+                if (input.options.compiling) input.options.compiling(stages.size(), keys.size());
+            },
+            {}, threads);
+        if (const auto pause = pauseAfter(input.options); !pause) return pause.error();
+    }
+    return stages;
+}
+
 Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
-    const std::set<const Pass*> passes = prepared.plan.passes();
-    bool said = false;
-    const auto say = [&](std::size_t done) {
-        if (input.options.compiling) input.options.compiling(done, passes.size());
-        said = true;
-    };
-    for (const Pass* pass : passes) {
+    std::vector<const Pass*> unknown;
+    for (const Pass* pass : prepared.plan.passes())
         if (const auto known = input.compiled ? input.compiled->find(pass) : Programs::const_iterator();
-            input.compiled && known != input.compiled->end()) {
+            input.compiled && known != input.compiled->end())
             prepared.programs.insert(*known);
-            continue;
-        }
-        say(prepared.programs.size());
-        auto program = compilePass(input.effect, *pass, input.options.compiler);
+        else
+            unknown.push_back(pass);
+    const auto stages = compileStages(input, unknown);
+    if (!stages) return stages.error();
+    for (const Pass* pass : unknown) {
+        auto program = compilePass(input.effect, *pass, input.options.compiler, *stages);
         if (!program) return program.error();
         for (const Shader* shader :
              {&program->vertex, program->pixel ? &*program->pixel : nullptr, program->compute ? &*program->compute : nullptr})
             if (shader) prepared.warnings.insert(prepared.warnings.end(), shader->warnings.begin(), shader->warnings.end());
         prepared.programs.emplace(pass, std::make_shared<const PassProgram>(std::move(*program)));
-        if (const auto pause = pauseAfter(input.options); !pause) return pause;
     }
-    if (said) say(passes.size());
     return {};
 }
 

@@ -30,23 +30,13 @@ Result<void> checkStages(const Pass& pass) {
     return {};
 }
 
-Result<Shader> compileStage(const Effect& effect, const ShaderReference& reference, Stage stage, Compiler compiler) {
-    const bool own = !reference.code.empty();
-    const ShaderRequest request{.code = own ? reference.code : effect.code,
-                                .file = effect.file.string(),
-                                .entry = reference.entry,
-                                .stage = stage,
-                                .defines = {},
-                                .includeFolders = {},
-                                .language2018 = own};
-    auto shader = compileShader(request, compiler);
-    if (shader) return shader;
-    Error error = shader.error();
-    for (Diagnostic& diagnostic : error.diagnostics) // SPIR-V knows names, and no lines
-        if (diagnostic.code == 3006 && diagnostic.at.line == 0)
-            for (const Parameter& parameter : effect.parameters)
-                if (diagnostic.text.find(" " + parameter.name + " ") != std::string::npos) diagnostic.at = parameter.at;
-    return error;
+StageKey keyOf(const ShaderReference& reference, Stage stage) {
+    return {.stage = stage, .entry = reference.entry, .code = reference.code};
+}
+
+Result<Shader> madeOf(const Effect& effect, const StageKey& key, Compiler compiler, const Stages& stages) {
+    const auto found = stages.find(key);
+    return found != stages.end() ? found->second : compileStage(effect, key, compiler);
 }
 
 BindingKind kindOf(ResourceKind kind) {
@@ -102,9 +92,9 @@ Result<void> gatherStored(const Effect& effect, const Pass& pass, const Reflecti
     return {};
 }
 
-Result<PassProgram> compileCompute(const Effect& effect, const Pass& pass, Compiler compiler) {
+Result<PassProgram> compileCompute(const Effect& effect, const Pass& pass, Compiler compiler, const Stages& stages) {
     PassProgram program;
-    auto compute = compileStage(effect, *pass.computeShader, Stage::Compute, compiler);
+    auto compute = madeOf(effect, keyOf(*pass.computeShader, Stage::Compute), compiler, stages);
     if (!compute) return compute.error();
     program.compute = std::move(*compute);
     gather(*program.compute, program);
@@ -135,15 +125,49 @@ bool discardsPixels(const std::vector<std::uint32_t>& spirv) {
 
 } // namespace
 
-Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler) {
+std::vector<StageKey> stagesOf(const std::vector<const Pass*>& passes) {
+    std::vector<StageKey> keys;
+    const auto add = [&](const std::optional<ShaderReference>& reference, Stage stage) {
+        if (reference && std::ranges::find(keys, keyOf(*reference, stage)) == keys.end()) keys.push_back(keyOf(*reference, stage));
+    };
+    for (const Pass* pass : passes) {
+        if (!checkStages(*pass)) break;
+        add(pass->computeShader, Stage::Compute);
+        if (pass->computeShader) continue;
+        add(pass->vertexShader, Stage::Vertex);
+        add(pass->pixelShader, Stage::Pixel);
+    }
+    return keys;
+}
+
+Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler compiler) {
+    const bool own = !key.code.empty();
+    const ShaderRequest request{.code = own ? key.code : effect.code,
+                                .file = effect.file.string(),
+                                .entry = std::string(key.entry),
+                                .stage = key.stage,
+                                .defines = {},
+                                .includeFolders = {},
+                                .language2018 = own};
+    auto shader = compileShader(request, compiler);
+    if (shader) return shader;
+    Error error = shader.error();
+    for (Diagnostic& diagnostic : error.diagnostics) // SPIR-V knows names, and no lines
+        if (diagnostic.code == 3006 && diagnostic.at.line == 0)
+            for (const Parameter& parameter : effect.parameters)
+                if (diagnostic.text.find(" " + parameter.name + " ") != std::string::npos) diagnostic.at = parameter.at;
+    return error;
+}
+
+Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler, const Stages& stages) {
     if (const auto checked = checkStages(pass); !checked) return checked.error();
-    if (pass.computeShader) return compileCompute(effect, pass, compiler);
+    if (pass.computeShader) return compileCompute(effect, pass, compiler, stages);
     PassProgram program;
-    auto vertex = compileStage(effect, *pass.vertexShader, Stage::Vertex, compiler);
+    auto vertex = madeOf(effect, keyOf(*pass.vertexShader, Stage::Vertex), compiler, stages);
     if (!vertex) return vertex.error();
     program.vertex = std::move(*vertex);
     if (pass.pixelShader) {
-        auto pixel = compileStage(effect, *pass.pixelShader, Stage::Pixel, compiler);
+        auto pixel = madeOf(effect, keyOf(*pass.pixelShader, Stage::Pixel), compiler, stages);
         if (!pixel) return pixel.error();
         program.pixel = std::move(*pixel);
         if (const auto linked = linkStages(program.vertex, *program.pixel); !linked) return linked.error();

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tegument::run {
@@ -32,8 +33,23 @@ using Programs = std::map<const Pass*, std::shared_ptr<const PassProgram>>;
 /// $Globals and every cbuffer.
 [[nodiscard]] std::vector<const UniformBlock*> blocksOf(const Reflection& reflection);
 
+/// A shader by what it is compiled from: `code` is its own, or empty, then it is the effect's.
+struct StageKey {
+    Stage stage;
+    std::string_view entry;
+    std::string_view code;
+    auto operator<=>(const StageKey&) const = default;
+};
+
+/// Compiled ahead.
+using Stages = std::map<StageKey, Result<Shader>>;
+
+/// What these passes need, each once, up to the first pass that is refused unseen.
+[[nodiscard]] std::vector<StageKey> stagesOf(const std::vector<const Pass*>& passes);
+[[nodiscard]] Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler compiler);
+
 /// TG4002 a pass without vertex shader, TG4003 a stage or an argument that this host does not have, TG4062 a texture that is written and
-/// belongs to no target; and what compiler and linker say.
-[[nodiscard]] Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler);
+/// belongs to no target; and what compiler and linker say. Compiles what is not among `stages`.
+[[nodiscard]] Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler, const Stages& stages = {});
 
 } // namespace tegument::run

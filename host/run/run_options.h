@@ -57,7 +57,7 @@ struct RunOptions {
     /// Albedo, linear, and the scatter mask of skin for which nothing gives a colour map (semantic DIFFUSE), with a warning. None: the
     /// effect's own Fallback.
     std::optional<std::array<float, 4>> plainSkin;
-    /// Hears of each pass that has to be compiled, before it is: how many of its frame are done; and at the end that all are.
+    /// Hears of each shader of a frame that was compiled: how many of all are. Never from two threads at once.
     std::function<void(std::size_t done, std::size_t total)> compiling;
     bool clearsApart = false; // clears are drawn and timed by themselves; otherwise on the way of the pass behind them
     /// What the last frame of a session left in its targets is not drawn again where it would be the same, bit for bit. Of one frame

@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <shared_mutex>
 #endif
 
@@ -60,10 +61,15 @@ const Library& library() {
     return kLibrary;
 }
 
+/// DXC's own exceptions do not leave it.
+void throwWhereMemoryEnded(HRESULT result) {
+    if (result == E_OUTOFMEMORY) throw std::bad_alloc();
+}
+
 template <class T>
 CComPtr<T> instance(REFCLSID type) {
     CComPtr<T> made;
-    if (library().create != nullptr) library().create(type, __uuidof(T), reinterpret_cast<void**>(&made));
+    if (library().create != nullptr) throwWhereMemoryEnded(library().create(type, __uuidof(T), reinterpret_cast<void**>(&made)));
     return made;
 }
 
@@ -194,6 +200,7 @@ Made madeBy(IDxcResult* result) {
     HRESULT status = E_FAIL;
     CComPtr<IDxcBlob> object;
     result->GetStatus(&status);
+    throwWhereMemoryEnded(status);
     if (SUCCEEDED(status)) result->GetOutput(DXC_OUT_OBJECT, __uuidof(IDxcBlob), reinterpret_cast<void**>(&object), nullptr);
     if (FAILED(status) || !object) return made;
     made.object.assign(static_cast<const char*>(object->GetBufferPointer()), object->GetBufferSize());
@@ -222,8 +229,8 @@ Made make(const ShaderRequest& request, Output output, IncludeReader& includes) 
     const DxcBuffer source{request.code.data(), request.code.size(), DXC_CP_UTF8};
     IncludeHandler handler(includes, utils);
     CComPtr<IDxcResult> result;
-    compiler->Compile(&source, pointers.data(), static_cast<UINT32>(pointers.size()), &handler, __uuidof(IDxcResult),
-                      reinterpret_cast<void**>(&result));
+    throwWhereMemoryEnded(compiler->Compile(&source, pointers.data(), static_cast<UINT32>(pointers.size()), &handler, __uuidof(IDxcResult),
+                                            reinterpret_cast<void**>(&result)));
     if (!result) return {.started = false};
     Made made = madeBy(result);
     if (output == Output::Dxil && !made.object.empty()) made.listing = listingOf(compiler, made.object);
@@ -251,6 +258,8 @@ std::vector<std::string> unpacked(std::string_view bytes) {
     return parts;
 }
 
+constexpr std::string_view kNoMemory = "memory";
+
 /// In the other process. Such code has its includes in it.
 std::string answerTo(std::string_view message) {
     const std::vector<std::string> parts = unpacked(message);
@@ -260,8 +269,12 @@ std::string answerTo(std::string_view message) {
     for (std::size_t i = 5; i + 1 < parts.size(); i += 2)
         request.defines.emplace_back(parts[i], parts[i + 1]);
     IncludeReader includes(request.file, {});
-    const Made made = make(request, static_cast<Output>(std::atoi(parts[4].c_str())), includes);
-    return packed({made.started ? "1" : "0", made.log, made.object, made.listing});
+    try {
+        const Made made = make(request, static_cast<Output>(std::atoi(parts[4].c_str())), includes);
+        return packed({made.started ? "1" : "0", made.log, made.object, made.listing});
+    } catch (const std::bad_alloc&) {
+        return packed({kNoMemory, "", "", ""});
+    }
 }
 
 constexpr double kLongest = 120; // seconds for one shader; the longest seen takes four
@@ -292,6 +305,7 @@ Result<Made> makeApart(const ShaderRequest& request, Output output) {
     if (!answer.answered) return broughtDown(request, answer);
     const std::vector<std::string> made = unpacked(answer.bytes);
     if (made.size() != 4) return Made{.started = false};
+    if (made[0] == kNoMemory) throw std::bad_alloc();
     return Made{.started = made[0] == "1", .log = made[1], .object = made[2], .listing = made[3]};
 }
 

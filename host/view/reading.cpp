@@ -32,7 +32,7 @@ Reading::Reading(ToRead asked) {
     asked.run.pieces = {.goOn = [shared = shared_] { return shared->goOn.load(); }};
     asked.run.coarser = {};
     asked.run.compiling = [shared = shared_](std::size_t done, std::size_t total) {
-        shared->passes = total;
+        shared->shaders = total;
         shared->compiled = done;
     };
     result_ = std::async(std::launch::async, readAhead, std::move(asked));
@@ -44,9 +44,9 @@ Reading::~Reading() {
 }
 
 std::string Reading::progress() const {
-    const std::size_t passes = shared_->passes;
+    const std::size_t shaders = shared_->shaders;
     const std::size_t compiled = shared_->compiled;
-    return compiled < passes ? fmt::format("pass {} of {}", compiled + 1, passes) : std::string();
+    return compiled < shaders ? fmt::format("shader {} of {}", compiled + 1, shaders) : std::string();
 }
 
 } // namespace tegument::view

@@ -45,13 +45,13 @@ public:
     [[nodiscard]] bool done() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
     /// Once, when it is done.
     [[nodiscard]] ReadAhead take() { return result_.get(); }
-    /// "pass 3 of 13"; empty: no shader is being compiled.
+    /// "shader 3 of 19"; empty: no shader is being compiled.
     [[nodiscard]] std::string progress() const;
 
 private:
     struct Shared {
         std::atomic<bool> goOn = true;
-        std::atomic<std::size_t> passes = 0;
+        std::atomic<std::size_t> shaders = 0;
         std::atomic<std::size_t> compiled = 0;
     };
     std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();

@@ -88,7 +88,7 @@ private:
     [[nodiscard]] Result<void> drawMaking();
     [[nodiscard]] Result<void> finishMaking(SessionFrame frame);
     [[nodiscard]] Result<void> failMaking(const Error& error);
-    /// "technique Lambert, pass 3 of 13"; empty: nothing is made.
+    /// "technique Lambert, shader 3 of 19"; empty: nothing is made.
     [[nodiscard]] std::string makingText() const;
     /// What is drawn first of a picture whose costs are those of the one before.
     [[nodiscard]] Sharpness soon() const;

@@ -9,12 +9,15 @@
 #include "tests/run/fixture.h"
 #include "tests/run/sphere.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <random>
+#include <set>
 
 namespace tegument::test {
 namespace {
@@ -98,14 +101,32 @@ TEST_F(MadeAhead, errors_come_from_the_thread_as_they_would_from_the_session) {
 }
 
 TEST_F(MadeAhead, a_thread_that_is_given_up_ends_behind_a_shader) {
+    const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2); // a shader for each
     RunOptions options = options_;
-    int passes = 0;
-    options.compiling = [&](std::size_t, std::size_t) { ++passes; };
-    options.pieces.goOn = [&] { return passes < 2; };
+    int shaders = 0;
+    options.compiling = [&](std::size_t, std::size_t) { ++shaders; };
+    options.pieces.goOn = [&] { return shaders < 2; };
     const auto ahead = run::prepareAhead(*effect_, scene(), closeUp(), options, {});
     ASSERT_FALSE(ahead);
     EXPECT_TRUE(run::isGivenUp(ahead.error()));
-    EXPECT_EQ(passes, 2);
+    EXPECT_EQ(shaders, 2);
+}
+
+TEST_F(MadeAhead, shaders_that_passes_share_are_compiled_once) {
+    std::vector<const Pass*> passes;
+    std::set<std::string> entries;
+    for (const Technique& technique : effect_->techniques)
+        for (const Pass& pass : technique.passes) {
+            passes.push_back(&pass);
+            for (const auto& shader : {pass.vertexShader, pass.pixelShader, pass.computeShader})
+                if (shader) entries.insert(shader->entry);
+        }
+    const std::vector<run::StageKey> keys = run::stagesOf(passes);
+    std::set<std::string> compiled;
+    for (const run::StageKey& key : keys)
+        EXPECT_TRUE(compiled.insert(std::string(key.entry)).second) << key.entry << ": no entry of this effect has two stages";
+    EXPECT_EQ(compiled, entries);
+    EXPECT_LT(keys.size(), 2 * passes.size());
 }
 
 TEST_F(MadeAhead, a_first_frame_that_is_given_up_again_and_again_gets_done_and_is_right) {

@@ -49,8 +49,8 @@ TEST(Estimate, is_said_once_it_is_worth_saying) {
     estimate.count(1, 5, 12);
     estimate.count(2, 5, 14);
     EXPECT_EQ(estimate.line(14), "drawing the cube map, 40 %, 14 s, about 6 s left");
-    estimate.say("compiling pass 3 of 13", 20);
-    EXPECT_EQ(estimate.line(20), "compiling pass 3 of 13");
+    estimate.say("compiling shader 3 of 19", 20);
+    EXPECT_EQ(estimate.line(20), "compiling shader 3 of 19");
 }
 
 TEST(Estimate, takes_no_other_numbers_for_a_count) {

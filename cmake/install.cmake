@@ -27,7 +27,7 @@ endforeach()
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
 install(PROGRAMS meshprep/fetch.py DESTINATION share/tegument/meshprep)
 if(TEGUMENT_LAB)
-  install(FILES host/lab/bench/plot.py host/lab/bench/flip.py DESTINATION share/tegument/host/lab/bench)
+  install(FILES lab/bench/plot.py lab/bench/flip.py DESTINATION share/tegument/lab/bench)
 endif()
 # Side by side as in the tree, so that the links of one to the other hold.
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION share/doc/tegument)

@@ -1,10 +1,10 @@
 // Many inputs, each by a shell of its own: what is run, what is kept, and what one poisoned input does to the others.
 
-#include "host/batch/inputs.h"
-#include "host/batch/run.h"
-#include "host/batch/slurm.h"
-#include "host/batch/table.h"
 #include "host/support/file.h"
+#include "tools/batch/inputs.h"
+#include "tools/batch/run.h"
+#include "tools/batch/slurm.h"
+#include "tools/batch/table.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,20 +1,19 @@
-# Configures a build without laboratory and human, and looks at what it would compile and link.
+# Configures a build without options, and looks at what it would compile and link.
 set(work ${BUILD}/core_test)
 file(REMOVE_RECURSE ${work})
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${work} -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER} -DTEGUMENT_LAB=OFF -DTEGUMENT_HUMAN=OFF
-                        -DTEGUMENT_TESTS=OFF
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${work} -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
                 RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "a build without the laboratory does not configure\n${output}")
 endif()
 
 file(READ ${work}/compile_commands.json commands)
-foreach(room host/app/without_lab.cpp host/app/without_human.cpp host/support/rays/ host/run/ host/view/ meshprep/prepare/ meshprep/fur/)
+foreach(room tools/cli/without_lab.cpp tools/cli/left_out.cpp host/support/rays/ host/run/ meshprep/prepare/ meshprep/fur/)
   if(NOT commands MATCHES "${SOURCE}/${room}")
     message(FATAL_ERROR "${room} is not compiled")
   endif()
 endforeach()
-foreach(room host/lab/ meshprep/human/ tests/)
+foreach(room lab/ meshprep/human/ tests/ tools/view/ tools/lsp/ tools/cli/batch.cpp)
   if(commands MATCHES "${SOURCE}/${room}")
     message(FATAL_ERROR "${room} is compiled")
   endif()
@@ -24,7 +23,7 @@ file(READ ${work}/build.ninja rules)
 if(NOT rules MATCHES "libembree")
   message(FATAL_ERROR "host/support/rays does not link Embree: this test looks for the wrong name")
 endif()
-if(rules MATCHES "libosdCPU|libgtest")
+if(rules MATCHES "libosdCPU|libgtest|libglfw")
   message(FATAL_ERROR "links ${CMAKE_MATCH_0}")
 endif()
 file(REMOVE_RECURSE ${work})

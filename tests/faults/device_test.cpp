@@ -1,7 +1,7 @@
 // A device that fails at its N-th call, for every N until nothing fails: one clear message, the exit code of a machine's fault, and the
 // picture of an earlier run as it was.
 
-#include "tests/app/program.h"
+#include "tests/cli/program.h"
 
 #include <gtest/gtest.h>
 

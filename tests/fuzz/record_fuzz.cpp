@@ -1,7 +1,7 @@
 // Any bytes are the record of a batch, or one error; what is read is written to a line that reads as the same.
 
-#include "host/batch/record.h"
 #include "tests/scene/fuzz/fuzz_mesh.h"
+#include "tools/batch/record.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const std::string kPath = "/tmp/tegument-record-fuzz-" + std::to_string(::getpid()) + ".json";

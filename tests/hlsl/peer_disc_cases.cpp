@@ -1,6 +1,6 @@
-// hlsl/peers/burley.fxh: Burley's disc on the pixels of a picture. References: docs/design/peers.md, host/lab/reference/peers.h.
+// hlsl/peers/burley.fxh: Burley's disc on the pixels of a picture. References: docs/design/peers.md, lab/reference/peers.h.
 
-#include "host/lab/reference/peers.h"
+#include "lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 // hlsl/peers on the pixels of a picture: geometry, the separable kernel. References: docs/design/peers.md,
-// host/lab/reference/peers.h.
+// lab/reference/peers.h.
 
-#include "host/lab/reference/peers.h"
+#include "lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"
 
 #include <map>

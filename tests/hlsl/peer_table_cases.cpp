@@ -1,6 +1,6 @@
-// hlsl/peers/preintegrated.fxh and penumbra.fxh. References: docs/design/peers.md, host/lab/reference/peers.h.
+// hlsl/peers/preintegrated.fxh and penumbra.fxh. References: docs/design/peers.md, lab/reference/peers.h.
 
-#include "host/lab/reference/peers.h"
+#include "lab/reference/peers.h"
 #include "tests/hlsl/peer_cases.h"
 
 namespace tegument::test {

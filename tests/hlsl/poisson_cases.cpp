@@ -1,6 +1,6 @@
 // hlsl/scatter/poisson.fxh against seed equations 36 and 40, Table 7, and the printed disc.
 
-#include "host/lab/reference/convolution.h"
+#include "lab/reference/convolution.h"
 #include "tests/hlsl/maps.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "tests/hlsl/skin_scene.h"
 
-#include "host/lab/reference/specular.h"
+#include "lab/reference/specular.h"
 
 #include <algorithm>
 #include <cmath>

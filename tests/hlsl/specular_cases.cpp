@@ -1,6 +1,6 @@
-// hlsl/specular against host/lab/reference and the formulas of docs/design/modules/Beckmann.md and EnergyAttenuation.md.
+// hlsl/specular against lab/reference and the formulas of docs/design/modules/Beckmann.md and EnergyAttenuation.md.
 
-#include "host/lab/reference/specular.h"
+#include "lab/reference/specular.h"
 #include "tests/hlsl/function_case.h"
 
 #include <algorithm>

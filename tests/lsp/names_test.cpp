@@ -1,7 +1,7 @@
 // What is found in a file, and what stands at a place, from tokens alone.
 
-#include "host/lsp/documents.h"
-#include "host/lsp/names.h"
+#include "tools/lsp/documents.h"
+#include "tools/lsp/names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The server over two pipes, as an editor speaks to it.
 
-#include "host/lsp/documents.h"
-#include "host/lsp/rpc.h"
-#include "host/lsp/server.h"
 #include "host/spirv/compile.h"
+#include "tools/lsp/documents.h"
+#include "tools/lsp/rpc.h"
+#include "tools/lsp/server.h"
 
 #include <gtest/gtest.h>
 

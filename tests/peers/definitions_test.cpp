@@ -1,8 +1,8 @@
-// host/lab/reference/peers against published numbers, and the settings of docs/design/peers.md against the profile that they are fitted to.
+// lab/reference/peers against published numbers, and the settings of docs/design/peers.md against the profile that they are fitted to.
 
-#include "host/lab/reference/edge_study.h"
-#include "host/lab/reference/peers.h"
-#include "host/lab/reference/quadrature.h"
+#include "lab/reference/edge_study.h"
+#include "lab/reference/peers.h"
+#include "lab/reference/quadrature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Each peer on a plane with an edge reproduces its own kernel's or profile's response: along both axes of the picture, at any shape of it,
 // on planes that are seen at an angle.
 
-#include "host/lab/reference/peers.h"
+#include "lab/reference/peers.h"
 #include "tests/peers/fixture.h"
 
 namespace tegument::test {

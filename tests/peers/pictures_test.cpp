@@ -1,7 +1,7 @@
 // The peers as wholes: the same light, shadow and reflection as Main.fx, both compilers, every form; balls and shadows whose shading is
 // known.
 
-#include "host/lab/reference/peers.h"
+#include "lab/reference/peers.h"
 #include "tests/peers/fixture.h"
 #include "tests/peers/forms.h"
 #include "tests/spirv/missing.h"

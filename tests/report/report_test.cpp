@@ -1,8 +1,8 @@
 // A page's text, a picture's floats in it, and two runs beside each other.
 
-#include "host/report/against.h"
-#include "host/report/plane.h"
-#include "host/report/report.h"
+#include "tools/report/against.h"
+#include "tools/report/plane.h"
+#include "tools/report/report.h"
 
 #include <gtest/gtest.h>
 

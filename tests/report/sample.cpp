@@ -1,8 +1,8 @@
 // A page with a section of every kind, from formulas, into the file that is named.
 
-#include "host/report/against.h"
-#include "host/report/plane.h"
-#include "host/report/report.h"
+#include "tools/report/against.h"
+#include "tools/report/plane.h"
+#include "tools/report/report.h"
 
 #include <cmath>
 #include <cstdio>

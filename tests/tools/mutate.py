@@ -40,7 +40,7 @@ PROGRAMS = [
     ("tests/light/scene_light_tests", "^$"),
     ("tests/lab/verify/verify_tests", "^Errata|^FullFur|^Full/Modules.*(_corrected|/Fur|/Pyramid|/Surroundings|/Lamps)|^Full/Sliders"),
     ("tests/peers/peer_tests", "^$"),
-    ("tests/app/app_tests", "^(?!Beckmann|EnergyAtt|FurMotion|FurPose|FurShells|FurStrands|LightUnits|Modules|Pictures|WhiteIrr|Backlit)|Modules.every"),
+    ("tests/cli/app_tests", "^(?!Beckmann|EnergyAtt|FurMotion|FurPose|FurShells|FurStrands|LightUnits|Modules|Pictures|WhiteIrr|Backlit)|Modules.every"),
 ]
 # How likely a test kills before any was seen to: references are, comparisons of two pictures of one shader are not.
 STRICT, LIKELY, UNLIKELY = r"reference_says|computed_picture_is|compute_shaders_are|exact|is_the_difference_of", 0.8, 0.05

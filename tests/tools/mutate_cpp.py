@@ -6,7 +6,7 @@
     mutate_cpp.py run FOLDER [--jobs N] [--minutes M]          which cases reach which mutant, then those cases with it; goes on where it stopped
     mutate_cpp.py report FOLDER
 
-The rooms are host/lab/reference, meshprep/order, meshprep/prepare and host/run. Numbers: times 1.1, whole ones plus 1, an index another one. + and -,
+The rooms are lab/reference, meshprep/order, meshprep/prepare and host/run. Numbers: times 1.1, whole ones plus 1, an index another one. + and -,
 * and /, comparisons are exchanged as in mutate.py; min and max, sin and cos, exp and exp2 too; sqrt and abs are taken away; the condition of an `if` is
 turned round. Not mutated: && and ||, whose second side must not be evaluated at times, and what the compiler evaluates. A mutant whose other form does not compile
 (strings are not subtracted) is none. FOLDER/mutants.jsonl lists them, FOLDER/results.jsonl says what became of each.
@@ -28,7 +28,7 @@ import mutate
 from reproducible import copied
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = ("host/lab/reference", "meshprep/order", "meshprep/prepare", "host/run")
+ROOMS = ("lab/reference", "meshprep/order", "meshprep/prepare", "host/run")
 PROGRAMS = {"reference_tests": "tests/lab/reference", "order_tests": "tests/order", "prepare_tests": "tests/meshprep/prepare", "run_tests": "tests/run",
             "verify_tests": "tests/lab/verify", "hlsl_tests": "tests/hlsl"}
 LEFT_OUT = {"verify_tests": "-Full*:ErrataMeasured*"}  # minutes each

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The rooms of host and meshprep: `rooms.py [ROOT]` prints each with its sources, its lines of code and the rooms that it includes.
+"""The rooms of host, meshprep, tools and lab: `rooms.py [ROOT]` prints each with its sources, its lines of code and the rooms that it includes.
 
 A room is a folder with C++ in it; its folder `windows` is part of it. They come in an order in which each includes only rooms above it; what is in a cycle, or includes one that is,
 comes last and is marked. Lines of code are those with more than blanks and comments.
@@ -10,6 +10,7 @@ import re
 import sys
 
 SOURCES = {".cpp", ".h"}
+TOPS = ("host", "meshprep", "tools", "lab")
 COMMENT = r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/'
 
 
@@ -19,7 +20,7 @@ def room_of(folder):
 
 def sources(root):
     """(room, path) of every source."""
-    for top in ("host", "meshprep"):
+    for top in TOPS:
         for path in sorted((root / top).rglob("*")):
             if path.suffix in SOURCES:
                 yield room_of(path.relative_to(root).parent.as_posix()), path
@@ -29,7 +30,7 @@ def includes(root):
     """For each room the others that its sources include."""
     found = {}
     for room, path in sources(root):
-        names = re.findall(r'^#include "((?:host|meshprep)/[^"]+)/[^/"]+"', path.read_text(encoding="utf-8"), re.MULTILINE)
+        names = re.findall(r'^#include "((?:host|meshprep|tools|lab)/[^"]+)/[^/"]+"', path.read_text(encoding="utf-8"), re.MULTILINE)
         found.setdefault(room, set()).update({room_of(name) for name in names} - {room})
     return found
 

@@ -1,9 +1,9 @@
 // What stands beside the picture, without a window: errors as colours, text with its errors, times of a replay.
 
-#include "host/view/beside.h"
-#include "host/view/probe.h"
-#include "host/view/reactions.h"
-#include "host/view/source_text.h"
+#include "tools/view/beside.h"
+#include "tools/view/probe.h"
+#include "tools/view/reactions.h"
+#include "tools/view/source_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Pictures one after another take no memory, as a viewer that stays open shows them.
 
 #include "host/run/read_back.h"
-#include "host/view/canvas.h"
-#include "host/view/unfold.h"
+#include "tools/view/canvas.h"
+#include "tools/view/unfold.h"
 
 #include "tests/gpu/with_device.h"
 

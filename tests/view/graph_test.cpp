@@ -1,6 +1,6 @@
 // The arrows between targets, from effects as they are read and planned, without a GPU; and from passes written by hand.
 
-#include "host/view/graph.h"
+#include "tools/view/graph.h"
 
 #include "host/adopt/adopt.h"
 #include "host/effect/load.h"

@@ -1,7 +1,7 @@
 // How a mesh lies on its texture: figures by hand.
 
-#include "host/view/mesh_figures.h"
-#include "host/view/panel.h"
+#include "tools/view/mesh_figures.h"
+#include "tools/view/panel.h"
 
 #include "tests/run/fixture.h"
 

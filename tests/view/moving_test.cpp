@@ -2,9 +2,9 @@
 
 #include "host/run/read_back.h"
 #include "host/run/session.h"
-#include "host/view/sharpness.h"
-#include "host/view/state.h"
 #include "tests/run/fixture.h"
+#include "tools/view/sharpness.h"
+#include "tools/view/state.h"
 
 #include <gtest/gtest.h>
 

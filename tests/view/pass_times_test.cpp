@@ -1,6 +1,6 @@
 // Times of passes over the last frames.
 
-#include "host/view/pass_times.h"
+#include "tools/view/pass_times.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // What stands under the cursor, and how values are spread.
 
-#include "host/view/panel.h"
-#include "host/view/probe.h"
-#include "host/view/state.h"
+#include "tools/view/panel.h"
+#include "tools/view/probe.h"
+#include "tools/view/state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // What the viewer does without a window: camera and light, watched files, steps through passes and targets, how targets are shown.
 
 #include "host/run/scene_bounds.h"
-#include "host/view/keys.h"
-#include "host/view/layout.h"
-#include "host/view/levels.h"
-#include "host/view/orbit.h"
-#include "host/view/panel.h"
-#include "host/view/state.h"
-#include "host/view/watch.h"
+#include "tools/view/keys.h"
+#include "tools/view/layout.h"
+#include "tools/view/levels.h"
+#include "tools/view/orbit.h"
+#include "tools/view/panel.h"
+#include "tools/view/state.h"
+#include "tools/view/watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Layers of fur as the device draws them: at edges of triangles with several samples a pixel, and where one part's fringe lies before
 // another part's coat.
 
+#include "lab/measure/body_fur.h"
 #include "tests/gpu/with_device.h"
-#include "tests/measure/body_fur.h"
 
-#include "host/lab/reference/fur_body.h"
+#include "lab/reference/fur_body.h"
 
 #include <algorithm>
 #include <cmath>

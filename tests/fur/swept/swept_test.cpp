@@ -2,12 +2,12 @@
 // beside exact rays through the same pixels.
 
 #include "host/image/dds.h"
-#include "host/lab/reference/fur_patch.h"
 #include "host/run/run.h"
+#include "lab/measure/flat_view.h"
+#include "lab/measure/plain_strands.h"
+#include "lab/reference/fur_patch.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "tests/gpu/with_device.h"
-#include "tests/measure/flat_view.h"
-#include "tests/measure/plain_strands.h"
 #include "tests/run/slider_ends.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // tegument bench --stability as a user runs it.
 
-#include "tests/app/program.h"
+#include "tests/cli/program.h"
 
 #include <gtest/gtest.h>
 

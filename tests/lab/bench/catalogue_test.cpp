@@ -1,7 +1,7 @@
 // The list of what can be compared.
 
-#include "host/lab/bench/catalogue.h"
 #include "host/support/file.h"
+#include "lab/bench/catalogue.h"
 
 #include <gtest/gtest.h>
 

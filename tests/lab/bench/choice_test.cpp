@@ -1,6 +1,6 @@
 // The front, the pick, and the command that draws what was picked.
 
-#include "host/lab/bench/choice.h"
+#include "lab/bench/choice.h"
 
 #include <gtest/gtest.h>
 

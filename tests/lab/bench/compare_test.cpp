@@ -1,10 +1,10 @@
 // Contenders on a scene, from effect to error.
 
-#include "host/lab/bench/ablation.h"
-#include "host/lab/bench/choice.h"
-#include "host/lab/bench/growth.h"
-#include "host/lab/bench/report.h"
-#include "host/lab/bench/truth.h"
+#include "lab/bench/ablation.h"
+#include "lab/bench/choice.h"
+#include "lab/bench/growth.h"
+#include "lab/bench/report.h"
+#include "lab/bench/truth.h"
 #include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // How far a picture is from the truth, where the answer is known.
 
-#include "host/lab/bench/measure.h"
-#include "host/lab/bench/textures.h"
+#include "lab/bench/measure.h"
+#include "lab/bench/textures.h"
 
 #include <gtest/gtest.h>
 

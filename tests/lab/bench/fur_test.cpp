@@ -1,9 +1,9 @@
 // Every technique of fur on one table: the same strands, the same views, errors to exact rays.
 
-#include "host/lab/bench/fur.h"
+#include "lab/bench/fur.h"
 
-#include "host/app/fur_textures.h"
 #include "tests/gpu/with_device.h"
+#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 

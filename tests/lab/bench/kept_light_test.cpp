@@ -1,7 +1,7 @@
 // Light that is computed once: by parts, by whoever comes first, and again where a file is missing or torn.
 
-#include "host/lab/bench/kept_light.h"
 #include "host/support/file.h"
+#include "lab/bench/kept_light.h"
 
 #include <gtest/gtest.h>
 

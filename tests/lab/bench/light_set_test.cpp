@@ -1,10 +1,10 @@
 // Lights of a comparison: the same for those that draw and for the reference.
 
-#include "host/app/fur_textures.h"
 #include "host/effect/model.h"
-#include "host/lab/bench/bench.h"
-#include "host/lab/bench/light_set.h"
+#include "lab/bench/bench.h"
+#include "lab/bench/light_set.h"
 #include "tests/gpu/with_device.h"
+#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Flicker: figures of paths whose errors are known, and what moves along a path.
 
-#include "host/app/fur_textures.h"
-#include "host/lab/bench/motion.h"
+#include "lab/bench/motion.h"
 #include "tests/gpu/with_device.h"
+#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 

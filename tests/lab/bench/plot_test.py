@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of host/lab/bench/plot.py. Exit code 77: matplotlib is not installed (ctest: skipped)."""
+"""Tests of lab/bench/plot.py. Exit code 77: matplotlib is not installed (ctest: skipped)."""
 
 import importlib.util
 import pathlib

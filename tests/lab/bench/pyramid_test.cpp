@@ -1,8 +1,8 @@
 // Pyramid against the truth: light by brute force, on scenes that each technique must get right.
 
-#include "host/app/fur_textures.h"
-#include "host/lab/bench/bench.h"
+#include "lab/bench/bench.h"
 #include "tests/gpu/with_device.h"
+#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 

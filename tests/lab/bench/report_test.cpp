@@ -1,6 +1,6 @@
 // What is written for programs and for pages.
 
-#include "host/lab/bench/report.h"
+#include "lab/bench/report.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // The named scenes: what their names mean, and that their meshes are sound.
 
-#include "host/lab/bench/scenes.h"
-#include "host/lab/bench/shapes.h"
-#include "host/lab/reference/surface.h"
 #include "host/support/file.h"
+#include "lab/bench/scenes.h"
+#include "lab/bench/shapes.h"
+#include "lab/reference/surface.h"
 
 #include <gtest/gtest.h>
 

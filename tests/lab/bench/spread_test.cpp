@@ -1,6 +1,6 @@
 // Figures of repeated measurements.
 
-#include "host/lab/bench/statistics.h"
+#include "lab/bench/statistics.h"
 
 #include <gtest/gtest.h>
 

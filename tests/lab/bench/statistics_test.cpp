@@ -1,6 +1,6 @@
 // Laws through measured times.
 
-#include "host/lab/bench/statistics.h"
+#include "lab/bench/statistics.h"
 
 #include <gtest/gtest.h>
 

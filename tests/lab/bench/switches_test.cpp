@@ -1,7 +1,7 @@
 // The switches that take one optimisation out of the skin passes (docs/settings.md): each does that, and nothing else.
 
-#include "host/lab/verify/verify.h"
 #include "host/run/run.h"
+#include "lab/verify/verify.h"
 #include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What frames fetch and move: held against passes whose counts can be told by head.
 
-#include "host/lab/bench/traffic.h"
+#include "lab/bench/traffic.h"
 #include "tests/gpu/with_device.h"
 #include "tests/spirv/missing.h"
 

@@ -1,8 +1,8 @@
 // Why some pictures differ more than others (docs/design/invariance.md): the cause is taken out of a copy of the shaders, and the
 // difference goes with it.
 
-#include "host/lab/invariance/invariance.h"
 #include "host/support/file.h"
+#include "lab/invariance/invariance.h"
 
 #include <gtest/gtest.h>
 

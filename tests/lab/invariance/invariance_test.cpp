@@ -2,10 +2,10 @@
 
 #include "host/effect/model.h"
 #include "host/image/compare.h"
-#include "host/lab/invariance/cases.h"
-#include "host/lab/invariance/invariance.h"
-#include "host/lab/invariance/painter.h"
 #include "host/support/file.h"
+#include "lab/invariance/cases.h"
+#include "lab/invariance/invariance.h"
+#include "lab/invariance/painter.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Without validation layers, which would double the time: tests/run and tests/app have the same passes under them.
+/// Without validation layers, which would double the time: tests/run and tests/cli have the same passes under them.
 gpu::Device* device(std::string& reason) {
     static Result<gpu::Device> made = gpu::Device::create();
     if (made) return &*made;

@@ -1,6 +1,6 @@
 // The surface integral against closed forms on a plane and a sphere, and against itself divided more finely.
 
-#include "host/lab/reference/bssrdf.h"
+#include "lab/reference/bssrdf.h"
 #include "tests/lab/reference/meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What the eye sees of a mesh by the surface integral: shadows, plain material, slabs; points chosen; results kept on disk.
 
-#include "host/lab/reference/bssrdf.h"
 #include "host/support/file.h"
+#include "lab/reference/bssrdf.h"
 #include "tests/lab/reference/meshes.h"
 #include "tests/lab/reference/near.h"
 

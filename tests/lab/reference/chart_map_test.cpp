@@ -1,6 +1,6 @@
 // Blurs in millimetres: what a map of any size must agree on.
 
-#include "host/lab/reference/chart_map.h"
+#include "lab/reference/chart_map.h"
 #include "tests/lab/reference/meshes.h"
 
 #include <gtest/gtest.h>

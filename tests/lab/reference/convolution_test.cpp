@@ -1,6 +1,6 @@
 // The convolutions of the references: laws of a Gaussian on a grid, and the printed kernels' own figures.
 
-#include "host/lab/reference/convolution.h"
+#include "lab/reference/convolution.h"
 
 #include <gtest/gtest.h>
 

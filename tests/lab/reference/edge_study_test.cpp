@@ -1,6 +1,6 @@
 // The one-dimensional study of the printed pipeline, within 15 % or 0.002 of an independent one (its rows are quoted here).
 
-#include "host/lab/reference/edge_study.h"
+#include "lab/reference/edge_study.h"
 
 #include <gtest/gtest.h>
 

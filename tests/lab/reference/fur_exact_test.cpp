@@ -1,8 +1,8 @@
 // Strands in space beside what is known of them without meshes and searches.
 
-#include "host/lab/reference/fur_body.h"
-#include "host/lab/reference/fur_exact.h"
-#include "host/lab/reference/pinhole.h"
+#include "lab/reference/fur_body.h"
+#include "lab/reference/fur_exact.h"
+#include "lab/reference/pinhole.h"
 
 #include <gtest/gtest.h>
 

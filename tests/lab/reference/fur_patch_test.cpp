@@ -1,6 +1,6 @@
 // The fur patch whose picture is known, and what shells lose of it.
 
-#include "host/lab/reference/fur_patch.h"
+#include "lab/reference/fur_patch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Shadows by rays near a body's own horizon, where facets hide each other, beside the round body in closed form.
 
-#include "host/lab/reference/skin.h"
+#include "lab/reference/skin.h"
 #include "tests/lab/reference/meshes.h"
 
 #include <gtest/gtest.h>

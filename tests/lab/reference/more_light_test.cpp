@@ -1,9 +1,9 @@
 // Lamps and surroundings of the reference against closed forms.
 
-#include "host/lab/reference/more_light.h"
-#include "host/lab/reference/pinhole.h"
-#include "host/lab/reference/skin.h"
-#include "host/lab/reference/specular.h"
+#include "lab/reference/more_light.h"
+#include "lab/reference/pinhole.h"
+#include "lab/reference/skin.h"
+#include "lab/reference/specular.h"
 #include "tests/lab/reference/meshes.h"
 
 #include <gtest/gtest.h>

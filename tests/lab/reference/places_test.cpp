@@ -1,11 +1,11 @@
 // Parts that references are put together from, each against a closed form of its own: places of a mesh, cameras, maps, lattices.
 
-#include "host/lab/reference/fur_body.h"
-#include "host/lab/reference/fur_exact.h"
-#include "host/lab/reference/fur_patch.h"
-#include "host/lab/reference/pinhole.h"
-#include "host/lab/reference/skin.h"
-#include "host/lab/reference/surface.h"
+#include "lab/reference/fur_body.h"
+#include "lab/reference/fur_exact.h"
+#include "lab/reference/fur_patch.h"
+#include "lab/reference/pinhole.h"
+#include "lab/reference/skin.h"
+#include "lab/reference/surface.h"
 #include "tests/lab/reference/meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Closed forms of the profile against published values and against the integrals that they solve.
 
-#include "host/lab/reference/profile.h"
-#include "host/lab/reference/quadrature.h"
+#include "lab/reference/profile.h"
+#include "lab/reference/quadrature.h"
 
 #include <gtest/gtest.h>
 

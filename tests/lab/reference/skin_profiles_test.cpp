@@ -1,6 +1,6 @@
 // Profiles against each other, and against simulated skin.
 
-#include "host/lab/reference/skin_profiles.h"
+#include "lab/reference/skin_profiles.h"
 #include "tests/lab/reference/near.h"
 
 #include <gtest/gtest.h>

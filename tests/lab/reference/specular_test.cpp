@@ -1,7 +1,7 @@
 // The reflection of the references against published values and against plainer integrals.
 
-#include "host/lab/reference/quadrature.h"
-#include "host/lab/reference/specular.h"
+#include "lab/reference/quadrature.h"
+#include "lab/reference/specular.h"
 
 #include <gtest/gtest.h>
 

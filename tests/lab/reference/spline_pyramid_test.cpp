@@ -1,6 +1,6 @@
 // The pyramid's reference against what boxes, ramps and variances say of it.
 
-#include "host/lab/reference/spline_pyramid.h"
+#include "lab/reference/spline_pyramid.h"
 
 #include <gtest/gtest.h>
 

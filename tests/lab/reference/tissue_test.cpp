@@ -1,7 +1,7 @@
 // Photons in tissue against closed forms, the theory of isotropic scattering, and published simulations.
 
-#include "host/lab/reference/quadrature.h"
-#include "host/lab/reference/tissue.h"
+#include "lab/reference/quadrature.h"
+#include "lab/reference/tissue.h"
 
 #include <gtest/gtest.h>
 

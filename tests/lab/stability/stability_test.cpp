@@ -1,7 +1,7 @@
 // The stability report: what it must find, and that the effects keep its limits on their hard cases.
 
-#include "host/lab/stability/stability.h"
 #include "host/support/file.h"
+#include "lab/stability/stability.h"
 #include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The errata as measured have the sizes that docs/design/skin.md and docs/design/skin-error.md state.
 
-#include "host/lab/verify/errata.h"
+#include "lab/verify/errata.h"
 #include "tests/lab/verify/fixture.h"
 
 #include <algorithm>

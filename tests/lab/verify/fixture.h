@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of modules share: a device, and what a report must be.
 
-#include "host/lab/verify/verify.h"
+#include "lab/verify/verify.h"
 #include "tests/gpu/with_device.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #pragma once
 // What the tests of fur on bodies share: a picture with other parameters, and figures of pictures.
 
-#include "host/lab/verify/scene.h"
 #include "host/run/run.h"
+#include "lab/verify/scene.h"
 #include "tests/lab/verify/fixture.h"
 
 #include <algorithm>

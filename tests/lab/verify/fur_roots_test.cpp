@@ -1,12 +1,12 @@
 // Strands on the surface where it is hard: no value that is not finite, no light out of nothing. And on a ball, beside exact rays.
 
 #include "host/image/dds.h"
-#include "host/lab/verify/corner_grid.h"
-#include "host/lab/verify/fur_exact.h"
-#include "host/lab/verify/fur_roots_scene.h"
-#include "host/lab/verify/fur_scene.h"
+#include "lab/measure/body_fur.h"
+#include "lab/verify/corner_grid.h"
+#include "lab/verify/fur_exact.h"
+#include "lab/verify/fur_roots_scene.h"
+#include "lab/verify/fur_scene.h"
 #include "tests/lab/verify/fur_fixture.h"
-#include "tests/measure/body_fur.h"
 #include "tests/run/slider_ends.h"
 
 #include <algorithm>

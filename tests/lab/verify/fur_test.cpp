@@ -1,9 +1,9 @@
 // Fur where it is hard: no value that is not finite, no hole, no light out of nothing.
 
 #include "host/image/dds.h"
-#include "host/lab/verify/fur_scene.h"
+#include "lab/measure/flat_fur.h"
+#include "lab/verify/fur_scene.h"
 #include "tests/lab/verify/fur_fixture.h"
-#include "tests/measure/flat_fur.h"
 #include "tests/run/slider_ends.h"
 
 #include <algorithm>

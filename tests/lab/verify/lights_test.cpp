@@ -1,6 +1,6 @@
 // Lights other than one that stands far away with its pyramid fitted to the mesh: parallel, with a map smaller than the mesh, near by.
 
-#include "host/lab/verify/scene.h"
+#include "lab/verify/scene.h"
 #include "tests/lab/verify/fixture.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Writes the tables of docs/design/skin-error.md: skin_accuracy > tables.md, from the repository's root.
 
-#include "host/lab/verify/errata.h"
+#include "lab/verify/errata.h"
 
 #include <cstdio>
 

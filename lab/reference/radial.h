@@ -1,0 +1,27 @@
+#pragma once
+// Diffusion profiles as functions of the distance: what leaves per mm^2 at that distance from where unit light entered.
+
+#include "lab/reference/profile.h"
+
+#include <functional>
+
+namespace tegument::reference {
+
+struct RadialProfile {
+    std::function<glm::dvec3(double distance)> density; // per mm^2; called from several threads
+    double reach = 0;                                   // mm beyond which it counts as 0
+    double finest = 0;                                  // mm within which it is smooth, or holds too little to matter
+};
+
+/// Reach: six sigma of the widest, where 1.5e-8 of it is left out.
+[[nodiscard]] RadialProfile radial(const Profile& gaussians);
+
+/// Burley's normalised diffusion (Christensen and Burley 2015) with albedo 1: R = (exp(-r/d) + exp(-r/(3d))) / (8 pi d r), d in mm for each
+/// channel. Reach: 3e-5 of the widest is left out.
+[[nodiscard]] RadialProfile burley(const glm::dvec3& d);
+/// Its share within this distance: 1 - exp(-r/d)/4 - 3 exp(-r/(3d))/4.
+[[nodiscard]] glm::dvec3 burleyWithin(const glm::dvec3& d, double distance);
+/// Light on x > 0 of a plane, seen at x.
+[[nodiscard]] glm::dvec3 burleyHalfPlane(const glm::dvec3& d, double x);
+
+} // namespace tegument::reference

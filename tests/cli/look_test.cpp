@@ -1,0 +1,236 @@
+// Pictures to be looked at: samples, sizes, formats, turntables, presets, the list.
+#include "tests/cli/picture.h"
+#include "tests/cli/program.h"
+
+#include "host/scene/presets.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace tegument::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+Ran renderLitBall(const std::string& file, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {"render", "effects/Specular.fx", "-w", ballWorkspace(), "--size", "96", "-o", file};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tegument::test::tegument(arguments);
+}
+
+std::string bytesOf(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Mean of the absolute differences of the first three channels, of 0..1.
+double apart(const std::string& a, const std::string& b) {
+    const auto first = tegument::loadImage(a);
+    const auto second = tegument::loadImage(b);
+    EXPECT_TRUE(first && second) << a << " " << b;
+    if (!first || !second || first->width != second->width || first->height != second->height) return 1e9;
+    double sum = 0;
+    for (int y = 0; y < first->height; ++y)
+        for (int x = 0; x < first->width; ++x)
+            for (int c = 0; c < 3; ++c)
+                sum += std::abs(static_cast<double>(first->at(x, y, c)) - static_cast<double>(second->at(x, y, c)));
+    return sum / (3.0 * first->width * first->height);
+}
+
+} // namespace
+
+TEST(Look, a_picture_has_four_samples_a_pixel_unless_another_number_is_asked_for) {
+    ASSERT_EQ(renderLitBall(out("usual.exr")).code, 0);
+    ASSERT_EQ(renderLitBall(out("four.exr"), {"--samples", "4"}).code, 0);
+    ASSERT_EQ(renderLitBall(out("one.exr"), {"--samples", "1"}).code, 0);
+    EXPECT_EQ(apart(out("usual.exr"), out("four.exr")), 0);
+    EXPECT_GT(apart(out("usual.exr"), out("one.exr")), 0);
+}
+
+TEST(Look, a_technique_that_cannot_have_several_samples_is_drawn_with_one_unless_they_are_asked_for) {
+    const std::string effect = write("effects/Mixed.fx", R"(
+#ifndef FX_ENTRY
+#endif
+float4x4 gView : WORLDVIEWPROJECTION;
+Texture2D gOwnMap : RENDERCOLORTARGET < string Format = "A8R8G8B8"; >;
+float gScript : STANDARDSGLOBAL < string Script = "Technique=Mixed;"; >;
+float4 VS(float3 position : POSITION) : SV_Position { return mul(float4(position, 1.0), gView); }
+float4 PS() : SV_Target0 { return float4(1.0, 0.5, 0.25, 1.0); }
+technique Mixed < string Script = "RenderColorTarget0=gOwnMap; RenderDepthStencilTarget=; ClearSetColor=gClear; Clear=Color; Pass=Draw; RenderColorTarget0=; Pass=Draw;"; >
+{
+    pass Draw < string Script = "Draw=Geometry;"; >
+    {
+        VertexShader = compile vs_3_0 VS();
+        PixelShader = compile ps_3_0 PS();
+        ZEnable = TRUE;
+        ZWriteEnable = TRUE;
+    }
+}
+float4 gClear = { 0.0, 0.0, 0.0, 1.0 };
+)");
+    const std::vector<std::string> base = {"render", effect, "-w", ballWorkspace(), "--size", "32", "--json", "-o", out("mixed.png")};
+    const Ran usual = tegument::test::tegument(base);
+    ASSERT_EQ(usual.code, 0) << usual.err;
+    EXPECT_EQ(usual.json()["samples"], 1);
+    auto asked = base;
+    asked.insert(asked.end(), {"--samples", "4"});
+    const Ran refused = tegument::test::tegument(asked);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_NE((refused.err + refused.out).find("TG4039"), std::string::npos) << refused.err;
+}
+
+TEST(Look, fur_has_no_pixel_that_is_not_a_number) {
+    const Ran ran = tegument::test::tegument(
+        {"render", "effects/Fur.fx", "--mesh", ballMesh(), "--size", "200", "--set", "gFurKajiyaKay=1", "-o", out("fur.exr")});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto image = tegument::loadImage(out("fur.exr"));
+    ASSERT_TRUE(image);
+    for (const float value : image->pixels)
+        ASSERT_TRUE(std::isfinite(value)) << "black and white dots at the outline";
+}
+
+TEST(Look, one_number_is_the_size_of_a_square) {
+    ASSERT_EQ(renderLitBall(out("square.png")).code, 0);
+    const auto image = tegument::loadImage(out("square.png"));
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->width, 96);
+    EXPECT_EQ(image->height, 96);
+    for (const char* size : {"96x", "x96", "0", "-5", "96 96", "96x96x3"}) {
+        const Ran refused = renderLitBall(out("refused.png"), {"--size", size});
+        EXPECT_EQ(refused.code, 2) << size;
+        EXPECT_FALSE(fs::exists(out("refused.png"))) << size;
+    }
+}
+
+TEST(Look, a_jpeg_shows_what_the_png_does) {
+    ASSERT_EQ(renderLitBall(out("ball.png")).code, 0);
+    for (const char* name : {"ball.jpg", "ball.JPEG"}) {
+        const Ran ran = renderLitBall(out(name));
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        EXPECT_EQ(bytesOf(out(name)).substr(0, 2), "\xff\xd8");
+        EXPECT_LT(apart(out(name), out("ball.png")), 0.01) << "quality 92 moves no value by more than a hundredth, on the mean";
+    }
+    EXPECT_NE(bytesOf(out("ball.jpg")).find("technique: Specular"), std::string::npos) << "its metadata, as a comment";
+}
+
+TEST(Look, a_turntable_is_a_file_for_each_picture_and_begins_with_the_scene_as_it_stands) {
+    const Ran ran = renderLitBall(out("turn.exr"), {"--turntable", "4", "--json", "--samples", "1"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    ASSERT_EQ(ran.json()["files"].size(), 4U) << ran.out;
+    ASSERT_EQ(renderLitBall(out("still.exr"), {"--samples", "1"}).code, 0);
+    EXPECT_LT(apart(out("turn-001.exr"), out("still.exr")), 1e-5) << "positions are brought into the world first, and rounded there";
+    EXPECT_LT(apart(out("turn-003.exr"), out("still.exr")), 1e-5) << "its bumps come twice in a turn";
+    for (const char* aside : {"turn-002.exr", "turn-004.exr"})
+        EXPECT_GT(apart(out(aside), out("still.exr")), 1e-4) << "and are elsewhere after a quarter";
+}
+
+TEST(Look, a_turntable_is_one_animation_where_the_name_ends_in_webp) {
+    const Ran ran = renderLitBall(out("turn.webp"), {"--turntable", "5"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::string bytes = bytesOf(out("turn.webp"));
+    EXPECT_EQ(bytes.substr(0, 4) + bytes.substr(8, 4), "RIFFWEBP");
+    std::size_t frames = 0;
+    for (std::size_t at = bytes.find("ANMF"); at != std::string::npos; at = bytes.find("ANMF", at + 4))
+        ++frames;
+    EXPECT_EQ(frames, 5U);
+    EXPECT_NE(ran.out.find("wrote " + out("turn.webp")), std::string::npos) << ran.out;
+}
+
+TEST(Look, what_a_turntable_cannot_be_is_refused_before_work) {
+    EXPECT_EQ(renderLitBall(out("one.webp")).code, 2) << "an animation of one picture";
+    EXPECT_EQ(renderLitBall(out("one.gif")).code, 2) << "likewise";
+    EXPECT_EQ(renderLitBall(out("turn.mp4"), {"--turntable", "4"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "1"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "4", "--dump", "all"}).code, 2);
+    EXPECT_EQ(renderLitBall(out("turn.png"), {"--turntable", "4", "--frames", "9"}).code, 2);
+    EXPECT_FALSE(fs::exists(out("turn-001.png")));
+}
+
+TEST(Look, a_preset_is_its_values_and_a_set_wins_over_it) {
+    const std::vector<std::string> oily = {"--preset", "OILY"};
+    const auto render = [](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"render", "effects/Main.fx", "-w", ballWorkspace(), "--size", "48", "--map-size", "64",
+                                              "-o",     out(name)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = tegument::test::tegument(arguments);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+    };
+    const auto presets = tegument::loadPresets("effects/Main.fx");
+    ASSERT_TRUE(presets);
+    std::vector<std::string> sets;
+    for (const tegument::Preset& preset : *presets)
+        if (preset.name == "oily")
+            for (const auto& [name, value] : preset.parameters)
+                sets.insert(sets.end(), {"-s", fmt::format("{}={}", name, value.front())});
+    ASSERT_GE(sets.size(), 4U);
+    render("preset.exr", oily);
+    render("sets.exr", sets);
+    render("plain.exr", {});
+    EXPECT_EQ(apart(out("preset.exr"), out("sets.exr")), 0);
+    EXPECT_GT(apart(out("preset.exr"), out("plain.exr")), 1e-4);
+    std::vector<std::string> back = {"-s", "gRoughness=0.3", "-s", "gSpecularIntensity=0.18", "--preset", "oily"};
+    render("back.exr", back);
+    EXPECT_EQ(apart(out("back.exr"), out("plain.exr")), 0) << "these are the defaults";
+}
+
+TEST(Look, a_preset_that_does_not_exist_is_refused_with_those_that_do) {
+    const std::vector<std::string> base = {"render", "effects/Main.fx", "-w", ballWorkspace(), "-o", out("none.png"), "--preset"};
+    auto near = base;
+    near.emplace_back("oilly");
+    const Ran meant = tegument::test::tegument(near);
+    EXPECT_EQ(meant.code, 2);
+    for (const char* text : {"TG8043", "did you mean 'oily'?"})
+        EXPECT_NE(meant.err.find(text), std::string::npos) << meant.err;
+    auto far = base;
+    far.emplace_back("velvet");
+    EXPECT_NE(tegument::test::tegument(far).err.find("it has dry, oily, old"), std::string::npos);
+    const Ran none = tegument::test::tegument({"render", "effects/Beckmann.fx", "--preset", "dry", "-o", out("none.png")});
+    EXPECT_NE(none.err.find("Beckmann.presets.json"), std::string::npos) << none.err;
+}
+
+TEST(Look, a_preset_that_its_effect_cannot_take_is_an_error_with_its_place) {
+    const std::string effect = write("effects/Preset.fx", "float gA = 1;\ntechnique T { pass P { } }\n");
+    for (const char* parameters : {"{ \"gB\": 1 }", "{ \"gA\": [1, 2] }"}) {
+        static_cast<void>(write("effects/Preset.presets.json", fmt::format("{{\n \"mine\": {{ \"parameters\": {} }} }}", parameters)));
+        const Ran ran = tegument::test::tegument({"render", effect, "--preset", "mine", "-o", out("none.png")});
+        EXPECT_EQ(ran.code, 1) << ran.err;
+        for (const char* text : {"TG8044", "Preset.presets.json(2,", "mine"})
+            EXPECT_NE(ran.err.find(text), std::string::npos) << text << " in " << ran.err;
+    }
+}
+
+TEST(Look, the_list_names_what_there_is_and_the_command_that_brings_what_is_not) {
+    const std::map<std::string, std::string> bare = {{"TEGUMENT_CACHE", (scratch() / "nothing").string()}};
+    const Ran ran = tegument::test::tegument({"list", "--json"}, bare);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto json = ran.json();
+    const auto named = [&](const char* kind, const std::string& name) {
+        for (const auto& row : json[kind])
+            if (row["name"] == name) return row;
+        ADD_FAILURE() << "no " << name << " among " << kind;
+        return nlohmann::json();
+    };
+    const auto mainRow = named("effects", "Main");
+    EXPECT_EQ(mainRow["techniques"].front(), "DEonLuebke") << "the one that is drawn when none is named";
+    EXPECT_EQ(mainRow["presets"].size(), 3U);
+    EXPECT_EQ(named("effects", "Separable")["techniques"].size(), 4U);
+    EXPECT_EQ(named("workspaces", "human")["ready"], false);
+    EXPECT_EQ(named("workspaces", "human")["command"], "tegument prep human");
+    EXPECT_EQ(named("workspaces", "bunny")["command"], "tegument prep bunny");
+    const Ran text = tegument::test::tegument({"list"}, bare);
+    for (const char* part : {"Main", "DEonLuebke", "oily", "human.glb", "tegument prep human", "tegument prep bunny"})
+        EXPECT_NE(text.out.find(part), std::string::npos) << part << " in\n" << text.out;
+    std::istringstream lines(text.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(Look, a_value_beyond_its_range_is_blamed_on_where_it_was_given) {
+    const Ran set = renderLitBall(out("range.png"), {"--set", "gRoughness=9"});
+    EXPECT_EQ(set.code, 0);
+    EXPECT_NE(set.err.find("warning TG4012: gRoughness is set to 9"), std::string::npos) << set.err;
+    EXPECT_EQ(set.err.find("specular.fxh"), std::string::npos) << "the effect is not at fault: " << set.err;
+}

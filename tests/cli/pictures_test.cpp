@@ -1,0 +1,155 @@
+// The whole way through the house on a mesh that every machine has: what the program draws obeys the laws of the model.
+
+#include "tests/cli/picture.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace tegument::test;
+using ::tegument::Image;
+
+namespace {
+
+Picture head(const std::string& name, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"effects/Main.fx", "-w", ballWorkspace(), "--size", "256x256", "--map-size", "512"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return render(name, arguments);
+}
+
+bool finite(const Image& image) {
+    return std::ranges::all_of(image.pixels, [](float value) { return std::isfinite(value); });
+}
+
+double mean(const Image& image) {
+    return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0) / static_cast<double>(image.pixels.size());
+}
+
+/// Share of values that differ by more than `limit`.
+double shareBeyond(const Image& a, const Image& b, double limit) {
+    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        beyond += std::abs(a.pixels[i] - b.pixels[i]) > limit;
+    return static_cast<double>(beyond) / static_cast<double>(a.pixels.size());
+}
+
+/// Largest distance from `expected` over what the charts cover (alpha 1).
+double largestError(const Image& image, const std::array<double, 3>& expected) {
+    double largest = 0;
+    std::size_t covered = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (image.at(x, y, 3) < 0.5F) continue;
+            ++covered;
+            for (int c = 0; c < 3; ++c)
+                largest = std::max(largest, std::abs(image.at(x, y, c) - expected[static_cast<std::size_t>(c)]));
+        }
+    }
+    EXPECT_GT(covered, image.pixels.size() / 8) << "the charts cover less than half of the map";
+    return largest;
+}
+
+/// d'Eon and Luebke's table, written out again: the shader's own copy is what is tested.
+constexpr double kWeights[6][3] = {{.233, .455, .649}, {.100, .336, .344}, {.118, .198, 0},
+                                   {.113, .007, .007}, {.358, .004, 0},    {.078, 0, 0}};
+
+/// Sum of the weights, each pass multiplying by `gain`: Gaussian i has seen 2 (i - 1) passes.
+std::array<double, 3> whiteSum(double gain) {
+    std::array<double, 3> sum{};
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            sum[c] += kWeights[i][c] * std::pow(gain, 2.0 * static_cast<double>(i));
+    return sum;
+}
+
+Picture white(const std::string& setting, int bits, const std::string& technique = "White", int repair = 1) {
+    return render(fmt::format("{}-{}-{}-{}", technique, setting, bits, repair),
+                  {"effects/Convolution.fx", "-w", ballWorkspace(), "--technique", technique, "--setting", setting, "--size", "256x256",
+                   "--map-size", "256", "-D", fmt::format("TEGUMENT_MAP_BITS={}", bits), "-D",
+                   fmt::format("TEGUMENT_SEAM_REPAIR={}", repair)});
+}
+
+} // namespace
+
+TEST(Pictures, both_compilers_draw_the_same_head) {
+    if (!tegument::test::tegument({"check", "effects/TSM.fx", "--target", "spirv-dxc", "--json"}).json()["complete"].get<bool>())
+        GTEST_SKIP() << "DXC was left out of this build (./bootstrap test brings it): there is no second picture to compare with";
+    const Picture dxc = head("dxc", {"--compiler", "dxc"});
+    const Picture glslang = head("glslang", {"--compiler", "glslang"});
+    // Both front ends order arithmetic as they like: a shadow comparison may flip beside an edge, nothing else may move.
+    EXPECT_LT(shareBeyond(dxc.image, glslang.image, 1e-3 * mean(dxc.image)), 1e-3);
+    EXPECT_GT(mean(dxc.image), 0.01);
+}
+
+TEST(Pictures, every_setting_is_finite_and_differs_from_the_others) {
+    const Picture seed = head("seed", {"--setting", "seed"});
+    const Picture deon = head("deon2007", {"--setting", "deon2007"});
+    const Picture corrected = head("corrected", {"--setting", "corrected"});
+    for (const Picture* picture : {&seed, &deon, &corrected})
+        EXPECT_TRUE(finite(picture->image));
+    EXPECT_GT(shareBeyond(seed.image, deon.image, 1e-3), 0.05);
+    EXPECT_GT(shareBeyond(deon.image, corrected.image, 1e-3), 0.05);
+}
+
+TEST(Pictures, diffusion_softens_the_terminator_and_keeps_the_energy) {
+    const Picture diffused = head("diffused");
+    const Picture lambert = head("lambert", {"--technique", "Lambert"});
+    EXPECT_GT(shareBeyond(diffused.image, lambert.image, 1e-3), 0.05);
+    // Scattering moves light about; only transmission adds and the closed ball loses nothing.
+    EXPECT_NEAR(mean(diffused.image) / mean(lambert.image), 1.0, 0.05);
+}
+
+TEST(Pictures, dump_all_writes_every_target_that_was_allocated) {
+    const Picture dumped = head("dump", {"--dump", "all"});
+    ASSERT_FALSE(dumped.report["targets"].empty());
+    for (const auto& target : dumped.report["targets"]) {
+        const std::string name = target["name"];
+        if (name.starts_with('<')) continue; // the picture's own, given by the caller
+        ASSERT_TRUE(dumped.report["dumped"].contains(name)) << name;
+        const auto image = ::tegument::loadImage(dumped.report["dumped"][name].get<std::string>());
+        ASSERT_TRUE(image) << name;
+        EXPECT_EQ(image->width, target["width"].get<int>()) << name;
+        EXPECT_TRUE(finite(*image)) << name;
+    }
+}
+
+TEST(Pictures, report_names_fifteen_passes_with_the_prepasses_and_thirteen_without) {
+    const auto with = head("with", {"--set", "gUsePrePass=1"}).report;
+    const auto without = head("without").report;
+    EXPECT_EQ(with["passes"].size(), 15u);
+    EXPECT_EQ(without["passes"].size(), 13u);
+    EXPECT_EQ(with["passes"][0]["name"], "TSM");
+    EXPECT_EQ(with["passes"][14]["name"], "Final");
+    EXPECT_EQ(with["map_size"], 512);
+}
+
+TEST(WhiteIrradiance, comes_out_of_the_corrected_cascade_as_the_sum_of_weights) {
+    // Float targets: rounding of ten passes. Half targets: lavapipe truncates to half, 2^-11 a pass on six maps.
+    EXPECT_LT(largestError(white("corrected", 32).image, whiteSum(1.0)), 1e-5);
+    EXPECT_LT(largestError(white("corrected", 16).image, whiteSum(1.0)), 3e-3);
+}
+
+TEST(WhiteIrradiance, grows_by_the_printed_kernels_sum_in_the_printed_settings) {
+    for (const char* setting : {"seed", "deon2007"}) {
+        EXPECT_LT(largestError(white(setting, 32).image, whiteSum(1.001)), 1e-5) << setting;
+        EXPECT_GT(largestError(white(setting, 32).image, whiteSum(1.0)), 1e-4) << setting << ": the printed gain is gone";
+    }
+}
+
+TEST(WhiteIrradiance, stays_white_under_poisson_blurs_in_every_setting) {
+    for (const char* setting : {"seed", "deon2007", "corrected"}) {
+        // Three means of 13; half targets round each to 2^-11.
+        EXPECT_LT(largestError(white(setting, 32, "WhitePoisson").image, {1, 1, 1}), 1e-6) << setting;
+        EXPECT_LT(largestError(white(setting, 16, "WhitePoisson").image, {1, 1, 1}), 2e-3) << setting;
+    }
+}
+
+TEST(WhiteIrradiance, darkens_along_the_charts_where_the_seams_are_not_repaired) {
+    for (const char* technique : {"White", "WhitePoisson"})
+        for (const char* setting : {"seed", "corrected"})
+            EXPECT_GT(largestError(white(setting, 32, technique, 0).image, {1, 1, 1}), 0.1) << technique << ", " << setting;
+}

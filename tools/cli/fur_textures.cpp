@@ -1,0 +1,159 @@
+#include "tools/cli/fur_textures.h"
+
+#include "tools/cli/skin_links.h"
+#include "tools/cli/surroundings.h"
+
+#include "host/image/dds.h"
+#include "host/support/file.h"
+#include "meshprep/fur/cube_texture.h"
+#include "meshprep/fur/fur_map.h"
+#include "meshprep/fur/ribbons/ribbons.h"
+#include "meshprep/fur/roots/head_hair.h"
+#include "meshprep/fur/roots/root_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <span>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Say = std::function<void(const std::string&)>;
+
+constexpr const char* kCubeMap = "fur cube map";
+constexpr const char* kSphereMap = "fur sphere map";
+
+/// Cones that stand 3 texels apart, as ./bootstrap demo makes them.
+constexpr int kMapSide = 2048;
+constexpr FurOptions kMapOptions{.density = 0.05, .spacing = 2.8, .radius = 3.4, .shortest = 0.45, .taper = true};
+/// What `tegument fur texture` prints for these: tests/cli/own_mesh_test.cpp.
+const std::map<std::string, std::vector<double>> kMapParameters = {
+    {"gFurTaper", {1}}, {"gFurDeviation", {0.194}}, {"gFurGrain", {0.00473}}};
+
+bool growsRoots(const std::string& generator) {
+    return generator == kRootsGenerator || generator == kHairGenerator;
+}
+
+/// Part of every name in the cache: a change of what is made takes another number.
+constexpr int kVersion = 1;
+
+template <class T>
+std::string_view bytesOf(const std::vector<T>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+std::string keyOf(const Mesh& mesh) {
+    std::string all = fmt::format("{} ", kVersion);
+    for (const std::string_view part : {bytesOf(mesh.positions), bytesOf(mesh.normals), bytesOf(mesh.indices)})
+        all += contentHash(part);
+    return contentHash(all);
+}
+
+Result<DdsTexture> drawMap(const std::string& generator) {
+    const int side = generator == kCubeMap ? cubeMapSide(kMapSide) : kMapSide;
+    const auto strands = strandsOnSphere(generator == kCubeMap ? cubeMapTexels(side) : sphereMapTexels(side), kMapOptions);
+    if (!strands) return strands.error();
+    if (generator == kCubeMap) return cubeTexture(drawCubeMap(*strands, side, kMapOptions), DdsFormat::Rgba8);
+    return makeDds(drawSphereMap(*strands, side, kMapOptions), DdsFormat::Rgba8, true);
+}
+
+Result<RootOptions> hairOptions(const Mesh& mesh) {
+    auto hair = hairOfHead(mesh);
+    if (!hair)
+        return inputError(4054, {.file = mesh.name, .byte = {}}, "no hair is known for this mesh: it has no part 'eyes' to measure from",
+                          "take the default head, or give roots: tegument fur roots MESH --density-map MAP -o FILE.dds");
+    constexpr std::size_t kLocks = 150'000; // if all of the head were scalp; about a third of them is left
+    return RootOptions{
+        .count = kLocks, .shortest = 0.75, .densityMap = FurMap(std::move(hair->density)), .lengthMap = FurMap(std::move(hair->length))};
+}
+
+Result<DdsTexture> drawRoots(const std::string& generator, const Mesh& mesh) {
+    Result<RootOptions> options = RootOptions{.shortest = 0.5}; // lengths as of the Bunny in ./bootstrap demo
+    if (generator == kHairGenerator) options = hairOptions(mesh);
+    if (!options) return options.error();
+    auto roots = makeRoots(mesh, *options);
+    if (!roots) return roots.error();
+    auto texture = buildRootTexture(*roots);
+    if (!texture) return texture.error();
+    return DdsTexture{.format = DdsFormat::Rgba32F, .images = {std::move(texture->image)}};
+}
+
+Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say& say) {
+    if (generator == kSkinLinksGenerator) return cachedSkinLinks(mesh, say);
+    if (generator == kStudioGenerator || generator == kSkyGenerator) return cachedEnvironment(generator, say);
+    if (generator == kOcclusionGenerator) return cachedOcclusion(mesh, say);
+    const bool roots = growsRoots(generator);
+    if (roots && hasRibbons(mesh))
+        return inputError(4061, {.file = mesh.name, .byte = {}}, "the mesh has strands, and nothing names the roots that they stand on",
+                          "tegument fur strands has written them beside the mesh: give that file");
+    if (!roots && generator != kCubeMap && generator != kSphereMap)
+        return inputError(4054, {}, fmt::format("nothing makes a '{}'", generator),
+                          fmt::format("the annotation Generator knows \"{}\", \"{}\", \"{}\", \"{}\", \"{}\", \"{}\" and \"{}\"", kCubeMap,
+                                      kSphereMap, kRootsGenerator, kSkinLinksGenerator, kStudioGenerator, kSkyGenerator,
+                                      kOcclusionGenerator));
+    const fs::path file = cacheFolder() / "fur" / "made" /
+                          (roots ? fmt::format("{}_{}.dds", generator == kHairGenerator ? "hair" : "roots", keyOf(mesh))
+                                 : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));
+    if (isWholeDds(file)) return file;
+    const auto start = std::chrono::steady_clock::now();
+    const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
+    if (!texture) return texture.error();
+    if (const auto written = writeDds(file, *texture); !written) return written.error();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    say(fmt::format("made {}{} in {:.1f} s: {}", generator, roots ? " for " + mesh.name : "", seconds, file.string()));
+    return file;
+}
+
+/// Files that do not hold roots are left to who loads them.
+Result<void> check(const std::string& generator, const fs::path& file, const Mesh& mesh) {
+    if (generator == kSkinLinksGenerator) return checkSkinLinks(file, mesh);
+    if (!growsRoots(generator)) return {};
+    const auto texture = loadDds(file);
+    if (!texture || texture->isCube()) return {};
+    if (const auto other = hasRibbons(mesh) ? whyNotItsRoots(mesh, texture->at(0, 0)) : std::nullopt)
+        return inputError(4061, {.file = file.string(), .byte = {}},
+                          fmt::format("the strands of {} were made from other roots: {}", mesh.name, *other),
+                          "give the roots that they were made from, or make both again: tegument fur strands MESH");
+    const auto figures = figuresIn(texture->at(0, 0));
+    if (!figures) return {};
+    const auto why = whyNotSame(*figures, surfaceFigures(mesh));
+    if (!why) return {};
+    return inputError(4055, {.file = file.string(), .byte = {}},
+                      fmt::format("these roots were made for another mesh than {}: {}", mesh.name, *why),
+                      "leave them out, and they are made; or: tegument fur roots MESH -o FILE.dds");
+}
+
+bool named(const std::map<std::string, std::string>& textures, const std::string& name) {
+    return textures.contains(name);
+}
+
+} // namespace
+
+MeshTextures furTextures(std::function<void(const std::string&)> say) {
+    return {.make = [say = std::move(say)](const std::string& generator, const Mesh& mesh) { return make(generator, mesh, say); },
+            .check = check};
+}
+
+void setFurMapParameters(const Effect& effect, const RunOptions& options, Scene& scene) {
+    const auto isMap = [&](const Parameter& parameter) {
+        const auto generator = parameter.annotations.string("Generator");
+        return generator && (*generator == kCubeMap || *generator == kSphereMap);
+    };
+    const auto apply = [&](Workspace& workspace) {
+        const bool own = std::ranges::any_of(effect.parameters, [&](const Parameter& parameter) {
+            return isMap(parameter) && (named(options.textures, parameter.name) || named(workspace.textures, parameter.name));
+        });
+        if (own || std::ranges::none_of(effect.parameters, isMap)) return;
+        workspace.parameters.insert(kMapParameters.begin(), kMapParameters.end());
+    };
+    apply(scene.workspace);
+    for (RunObject& object : scene.objects)
+        apply(object.workspace);
+}
+
+} // namespace tegument::app

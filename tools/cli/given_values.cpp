@@ -1,0 +1,191 @@
+#include "tools/cli/given_values.h"
+
+#include "host/support/text.h"
+#include "tools/cli/names.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace tegument::app {
+
+namespace {
+
+std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        const std::string_view item = trim(text.substr(0, comma));
+        double number = 0;
+        const auto parsed = std::from_chars(item.data(), item.data() + item.size(), number);
+        if (parsed.ec != std::errc() || parsed.ptr != item.data() + item.size() || !std::isfinite(number)) return std::nullopt;
+        numbers.push_back(number);
+        if (comma == std::string_view::npos) return numbers;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<std::string> parameterNames(const Effect& effect) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : effect.parameters)
+        names.push_back(parameter.name);
+    return names;
+}
+
+std::string typeOf(const Parameter& parameter) {
+    const Type& type = parameter.type;
+    return type.elements ? fmt::format("{}[{}]", type.name, type.elements) : type.name;
+}
+
+/// What is wrong with numbers for this parameter; empty when nothing is.
+std::string misfit(const Parameter& parameter, const std::vector<double>& numbers) {
+    if (!parameter.type.isNumeric()) return fmt::format("{} is a {}, and takes no numbers", parameter.name, typeOf(parameter));
+    const auto expected = static_cast<std::size_t>(parameter.type.scalarCount());
+    if (numbers.size() != expected)
+        return fmt::format("{} is a {}: it takes {} number{}, {} given", parameter.name, typeOf(parameter), expected,
+                           expected == 1 ? "" : "s", numbers.size());
+    const bool whole = std::ranges::all_of(numbers, [](double number) { return number == std::floor(number); });
+    if (parameter.type.base != BaseType::Float && !whole)
+        return fmt::format("{} is a {}: it takes whole numbers only", parameter.name, typeOf(parameter));
+    return {};
+}
+
+/// What a workspace gives: of the whole scene, or of one of its objects.
+struct Given {
+    const std::map<std::string, std::vector<double>>* parameters = nullptr;
+    const std::map<std::string, std::string>* textures = nullptr;
+};
+
+std::vector<Given> givenBy(const Workspace& workspace) {
+    std::vector<Given> all = {{&workspace.parameters, &workspace.textures}};
+    for (const SceneObject& object : workspace.objects)
+        all.push_back({&object.parameters, &object.textures});
+    return all;
+}
+
+bool takesTexture(const Effect& effect, const std::string& name) {
+    return std::ranges::any_of(effect.parameters, [&](const Parameter& parameter) {
+        return parameter.type.isTexture() && (parameter.name == name || equalsIgnoreCase(parameter.semantic, name));
+    });
+}
+
+/// The names that this effect does not have.
+std::vector<std::string> unknownNames(const Effect& effect, const std::vector<Given>& given) {
+    std::vector<std::string> unknown;
+    for (const Given& one : given) {
+        for (const auto& [name, numbers] : *one.parameters)
+            if (!effect.findParameter(name)) unknown.push_back(name);
+        for (const auto& [name, file] : *one.textures)
+            if (!takesTexture(effect, name) && !equalsIgnoreCase(name, "DIFFUSE") && !equalsIgnoreCase(name, "NORMAL") &&
+                !equalsIgnoreCase(name, "KERNELSIZE") && !equalsIgnoreCase(name, "SHINE"))
+                unknown.push_back(name);
+    }
+    std::ranges::sort(unknown);
+    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
+    return unknown;
+}
+
+/// Those that no effect beside it has either.
+void dropThoseOfOthers(const Effect& effect, std::vector<std::string>& unknown) {
+    for (const std::filesystem::path& file : effectsBeside(effect.file)) {
+        if (unknown.empty()) return;
+        const auto other = loadEffect(file);
+        if (!other) continue;
+        std::erase_if(unknown, [&](const std::string& name) { return other->findParameter(name) || takesTexture(*other, name); });
+    }
+}
+
+} // namespace
+
+Result<void> applySet(const std::string& set, const Effect& effect, RunOptions& run) {
+    const std::size_t equals = set.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return usageError(8011, fmt::format("--set {} has no '='", set), "write --set NAME=VALUE, for example --set gMix=0.5");
+    const std::string name = set.substr(0, equals);
+    const std::string value = set.substr(equals + 1);
+    const Parameter* parameter = effect.findParameter(name);
+    const bool texture = parameter ? parameter->type.isTexture() : takesTexture(effect, name); // textures go by their semantic, too
+    if (!parameter && !texture) {
+        const std::string near = didYouMean(name, parameterNames(effect));
+        return usageError(8012, fmt::format("--set {}: {} has no parameter '{}'", set, effect.file.string(), name),
+                          near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near);
+    }
+    if (texture) {
+        if (const auto exists = fileExists(value, fmt::format("--set {}:", name)); !exists) return exists.error();
+        run.textures[name] = value;
+        return {};
+    }
+    auto numbers = parseNumbers(value);
+    if (!numbers)
+        return usageError(8013, fmt::format("--set {}: '{}' is not a number or a list of numbers", name, value),
+                          "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    if (const std::string wrong = misfit(*parameter, *numbers); !wrong.empty()) {
+        const bool pairs = parameter->type.isNumeric() && numbers->size() == 2 * static_cast<std::size_t>(parameter->type.scalarCount());
+        return usageError(8013, fmt::format("--set {}: {}", set, wrong),
+                          pairs ? fmt::format("a decimal has a point: --set {}=0.5; commas stand between numbers", name)
+                                : "separate the numbers by commas: --set gTint=1,0.9,0.8");
+    }
+    run.parameters[name] = std::move(*numbers);
+    return {};
+}
+
+Result<std::vector<Preset>> presetsOf(const Effect& effect) {
+    auto presets = loadPresets(effect.file);
+    if (!presets) return presets;
+    for (const Preset& preset : *presets)
+        for (const auto& [name, numbers] : preset.parameters) {
+            const Parameter* parameter = effect.findParameter(name);
+            if (!parameter)
+                return inputError(8044, preset.at,
+                                  fmt::format("preset '{}': {} has no parameter '{}'", preset.name, effect.file.string(), name),
+                                  didYouMean(name, parameterNames(effect)));
+            if (const std::string wrong = misfit(*parameter, numbers); !wrong.empty())
+                return inputError(8044, preset.at, fmt::format("preset '{}': {}", preset.name, wrong));
+        }
+    return presets;
+}
+
+Result<void> applyPreset(const std::string& name, const Effect& effect, RunOptions& run) {
+    const auto presets = presetsOf(effect);
+    if (!presets) return presets.error();
+    std::vector<std::string> names;
+    for (const Preset& preset : *presets) {
+        names.push_back(preset.name);
+        if (!equalsIgnoreCase(preset.name, name)) continue;
+        for (const auto& [parameter, numbers] : preset.parameters)
+            run.parameters[parameter] = numbers;
+        return {};
+    }
+    const std::string near = didYouMean(name, names);
+    const std::string all = names.empty() ? fmt::format("it has none: they would stand in {}", presetsFile(effect.file).string())
+                                          : fmt::format("it has {}", fmt::join(names, ", "));
+    return usageError(8043, fmt::format("{} has no preset '{}'", effect.file.string(), name), near.empty() ? all : near);
+}
+
+Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const Workspace& workspace) {
+    const std::vector<Given> given = givenBy(workspace);
+    const SourcePosition at{.file = workspace.file.string(), .byte = {}};
+    for (const Given& one : given)
+        for (const auto& [name, numbers] : *one.parameters)
+            if (const Parameter* parameter = effect.findParameter(name))
+                if (const std::string wrong = misfit(*parameter, numbers); !wrong.empty()) return inputError(8019, at, wrong);
+    std::vector<std::string> unknown = unknownNames(effect, given);
+    dropThoseOfOthers(effect, unknown);
+    std::vector<Diagnostic> warnings;
+    for (const std::string& name : unknown) {
+        const std::string near = didYouMean(name, parameterNames(effect));
+        warnings.push_back({.severity = Severity::Warning,
+                            .code = 8018,
+                            .at = at,
+                            .text = fmt::format("no effect has a parameter '{}': it is passed over", name),
+                            .hint = near.empty() ? fmt::format("tegument info {} lists them", shellWord(effect.file.string())) : near,
+                            .sourceLine = {}});
+    }
+    return warnings;
+}
+
+} // namespace tegument::app

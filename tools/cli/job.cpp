@@ -1,0 +1,188 @@
+#include "tools/cli/job.h"
+
+#include "tools/cli/command_line.h"
+#include "tools/cli/foreign.h"
+#include "tools/cli/fur_pose.h"
+#include "tools/cli/fur_strands.h"
+#include "tools/cli/fur_textures.h"
+#include "tools/cli/given_values.h"
+#include "tools/cli/names.h"
+#include "tools/cli/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <utility>
+
+namespace tegument::app {
+
+namespace {
+
+/// The workspace that shows the effect when none is named.
+std::string usualWorkspace(const Effect& effect) {
+    for (const Parameter& parameter : effect.parameters)
+        if (equalsIgnoreCase(parameter.semantic, "STANDARDSGLOBAL"))
+            return parameter.annotations.string("Workspace").value_or("human.json");
+    return "human.json";
+}
+
+bool drawsGeometry(const Pass& pass) {
+    if (!pass.script.given) return true;
+    for (const Command& command : pass.script.commands)
+        if (command.kind == CommandKind::Draw && command.options.front() != "Buffer") return true;
+    return false;
+}
+
+bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshFor) {
+    const auto draws = [](const Technique& candidate) { return std::ranges::any_of(candidate.passes, drawsGeometry); };
+    if (meshFor == MeshFor::AnyTechnique) return std::ranges::any_of(effect.techniques, draws);
+    const Technique* chosen = technique.empty() ? effect.defaultTechnique() : effect.findTechnique(technique);
+    const auto external = [](const Command& command) { return command.kind == CommandKind::ScriptExternal; };
+    if (chosen && effect.adopted && std::ranges::any_of(chosen->script.commands, external)) return true;
+    return chosen && draws(*chosen);
+}
+
+} // namespace
+
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+    std::pair<int, int> size{0, 0};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.first);
+    const bool square = width.ec == std::errc() && width.ptr == end;
+    const bool separator = width.ec == std::errc() && !square && (*width.ptr == 'x' || *width.ptr == 'X');
+    const auto height = separator ? std::from_chars(width.ptr + 1, end, size.second) : width;
+    if (square) size.second = size.first;
+    if ((!square && !separator) || height.ec != std::errc() || height.ptr != end || size.first < 1 || size.second < 1)
+        return usageError(8010, fmt::format("--size {} is not a picture size", text),
+                          "write WIDTHxHEIGHT in pixels, for example 1280x720, or one number for a square");
+    return size;
+}
+
+Result<Compiler> chosenCompiler(const std::string& name) {
+    const Compiler compiler = name.empty() ? defaultCompiler() : name == "dxc" ? Compiler::Dxc : Compiler::Glslang;
+    // Who names a library means it: another compiler in its place would go unseen.
+    const char* own = name.empty() ? std::getenv("TEGUMENT_DXC") : nullptr;
+    const bool asked = own != nullptr && *own != '\0';
+    if (compilerAvailable(compiler) && (!asked || compiler == Compiler::Dxc)) return compiler;
+    const std::string why = whyCompilerMissing(asked ? Compiler::Dxc : compiler);
+    return machineError(8015, fmt::format("the compiler is not available: {}", why), "run ./bootstrap build, or use --compiler glslang");
+}
+
+void addJobOptions(CLI::App& command, JobOptions& options) {
+    command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
+    command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
+    command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .obj, .ply, .stl, .off); default: the workspace's");
+    CLI::Option* pose = command.add_option(
+        "--pose", options.scene.pose, "The same mesh, bent: a file with its vertices moved; strands of FurCoat follow their triangles");
+    command.add_option("--pose-before", options.scene.poseBefore, "The same in the frame before, for gMotionMap")->needs(pose);
+    command.add_option(
+        "-w,--workspace", options.scene.workspace,
+        "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "
+        "human.json, of workspaces/ beside it");
+    command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
+    command.add_flag_callback(
+        "--head", [&options] { options.scene.head = true; }, "The mesh is a human head: refuse a size that no head has");
+    command.add_flag_callback(
+        "--no-head", [&options] { options.scene.head = false; }, "It is none, whatever the workspace says");
+    command
+        .add_option_function<std::string>(
+            "--up", [&options](const std::string& axis) { options.scene.up = axis == "z" ? UpAxis::Z : UpAxis::Y; },
+            "Which axis of --mesh points up: y or z; default: z of STL files, else y")
+        ->transform(oneOf({"y", "z"}));
+    command.add_option(
+        "--turn", options.scene.turn,
+        "Degrees by which the scene is turned, counter-clockwise seen from above; camera and light stay: 180 shows the back");
+    command.add_option("-p,--preset", options.preset,
+                       "Named values of parameters, such as oily: those of NAME.presets.json beside NAME.fx");
+    repeatable(
+        command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
+    repeatable(command.add_option("--bind", options.binds,
+                                  "NAME=RULE: what a parameter of a foreign effect gets, such as WORLDVIEWPROJECTION; may be repeated"));
+    command.add_option("--size", options.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square")->capture_default_str();
+    command
+        .add_option("--samples", options.samples,
+                    "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
+                    "cannot have several or has Direct3D 9's half pixel, and for render --frames")
+        ->check(CLI::IsMember({1, 2, 4, 8}));
+    command
+        .add_option("--picture", options.picture,
+                    "What the picture is drawn into: float (RGBA32F), or half (RGBA16F), as engines do, into which blending costs less")
+        ->transform(oneOf({"float", "half"}))
+        ->capture_default_str();
+    command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
+        ->transform(oneOf({"dxc", "glslang"}));
+    command.add_option("--device", options.device, "Part of the Vulkan device's name; NAME#2: the second of that name");
+    command.add_flag("--validate", options.validate, "Run under the Vulkan validation layers; any message is a failure");
+    addEffectOptions(command, options.effect);
+}
+
+Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
+    const auto size = parseSize(options.size);
+    if (!size) return size.error();
+    const auto file = findEffect(options.file);
+    if (!file) return file.error();
+    SceneOptions sceneOptions = options.scene;
+    sceneOptions.effect = file->string();
+    if (!options.scene.workspace.empty()) {
+        const auto workspace = findWorkspace(options.scene.workspace, *file);
+        if (!workspace) return workspace.error();
+        sceneOptions.workspace = workspace->string();
+    }
+    if (!options.scene.mesh.empty())
+        if (const auto exists = fileExists(options.scene.mesh, "--mesh"); !exists) return exists.error();
+    LoadOptions load = loadOptions(options.effect);
+    if (!sceneOptions.workspace.empty()) load.roots.folders.push_back(std::filesystem::path(sceneOptions.workspace).parent_path());
+    for (const std::string& pose : {options.scene.pose, options.scene.poseBefore})
+        if (!pose.empty())
+            if (const auto exists = fileExists(pose, "--pose"); !exists) return exists.error();
+    if (!options.scene.pose.empty()) load.defines.emplace_back("TEGUMENT_FUR_POSE", "1");
+    if (!options.scene.poseBefore.empty()) load.defines.emplace_back("TEGUMENT_MOTION", "1");
+    sceneOptions.roots = load.roots;
+    sceneOptions.roots.folders.insert(sceneOptions.roots.folders.end(), load.includeFolders.begin(), load.includeFolders.end());
+    auto effect = loadEffect(*file, load);
+    if (!effect) return effect.error();
+    if (const auto exists = techniqueExists(*effect, options.technique); !exists) return exists.error();
+    const auto rules = bindRules(options.binds);
+    if (!rules) return rules.error();
+    Adoption foreign =
+        adopted(std::move(*effect), {.bind = *rules, .technique = options.technique, .width = size->first, .height = size->second});
+    Job job{.effect = std::move(foreign.effect), .scene = {}, .run = {}};
+    job.bindings = std::move(foreign.bindings);
+    job.run.technique = options.technique;
+    job.run.width = size->first;
+    job.run.height = size->second;
+    job.run.samples = options.samples > 0 ? options.samples : foreign.halfPixel ? 1 : kUsualSamples;
+    job.run.halfPicture = options.picture == "half";
+    job.run.samplesAreAsked = options.samples > 0;
+    job.run.plainSkin = {0.53F, 0.34F, 0.27F, 1}; // the mean of the default human's colour map
+    const auto compiler = chosenCompiler(options.compiler);
+    if (!compiler) return compiler.error();
+    job.run.compiler = *compiler;
+    if (!options.preset.empty())
+        if (const auto applied = applyPreset(options.preset, job.effect, job.run); !applied) return applied.error();
+    for (const std::string& set : options.sets)
+        if (const auto applied = applySet(set, job.effect, job.run); !applied) return applied.error();
+
+    sceneOptions.usual = usualWorkspace(job.effect);
+    sceneOptions.aspect = static_cast<double>(size->first) / size->second;
+    sceneOptions.turns = turns;
+    sceneOptions.foreign = job.effect.adopted;
+    auto scene = loadScene(sceneOptions, needsMesh(job.effect, options.technique, meshFor));
+    if (!scene) return scene.error();
+    job.scene = std::move(*scene);
+    auto warnings = checkWorkspaceValues(job.effect, job.scene.workspace);
+    if (!warnings) return warnings.error();
+    job.warnings = std::move(foreign.notes);
+    job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
+    setFurMapParameters(job.effect, job.run, job.scene);
+    const auto say = [](const std::string& made) { app::say(made); };
+    const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
+                                                                 : std::filesystem::path(sceneOptions.mesh);
+    if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh, say); !grown) return grown.error();
+    if (const auto posed = poseStrands(job.effect, job.run, job.scene); !posed) return posed.error();
+    return job;
+}
+
+} // namespace tegument::app

@@ -1,0 +1,84 @@
+#include "tools/cli/output.h"
+
+#include "host/support/file.h"
+#include "host/support/text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tegument::app {
+
+Json toJson(const Diagnostic& diagnostic) {
+    constexpr const char* kSeverity[] = {"note", "warning", "error"};
+    Json json{{"severity", kSeverity[static_cast<int>(diagnostic.severity)]}, {"code", fmt::format("TG{:04}", diagnostic.code)}};
+    if (!diagnostic.at.file.empty()) json["file"] = diagnostic.at.file;
+    if (diagnostic.at.line > 0) json["line"] = diagnostic.at.line;
+    if (diagnostic.at.column > 0) json["column"] = diagnostic.at.column;
+    if (diagnostic.at.byte) json["byte"] = *diagnostic.at.byte;
+    json["text"] = diagnostic.text;
+    if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+    return json;
+}
+
+Json toJson(const std::vector<Diagnostic>& diagnostics) {
+    Json list = Json::array();
+    for (const Diagnostic& diagnostic : diagnostics)
+        list.push_back(toJson(diagnostic));
+    return list;
+}
+
+void print(const Json& json) {
+    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void say(const std::string& line) {
+    std::fputs((line + '\n').c_str(), stderr);
+}
+
+int fail(const Error& error, bool json) {
+    if (json) print({{"diagnostics", toJson(error.diagnostics)}});
+    say(format(error));
+    return static_cast<int>(error.blame);
+}
+
+void warn(const std::vector<Diagnostic>& warnings) {
+    for (const Diagnostic& warning : warnings)
+        say(format(warning));
+}
+
+Result<void> checkOutput(const std::string& path, const std::vector<std::string>& endings, const std::string& hint) {
+    if (path.empty()) return {};
+    const std::string ending = toLower(std::filesystem::path(path).extension().string());
+    if (!endings.empty() && std::ranges::find(endings, ending) == endings.end())
+        return usageError(8024, fmt::format("cannot write {}: its name must end in {}", path, fmt::join(endings, " or ")), hint);
+    return canWrite(path);
+}
+
+Result<void> checkFolder(const std::string& folder) {
+    return canWrite(std::filesystem::path(folder) / "x");
+}
+
+std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const std::string& cell : header)
+        widths.push_back(cell.size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+
+    const auto line = [&](const std::vector<std::string>& cells) {
+        std::string text;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            text += i == 0 ? fmt::format("{:<{}}", cells[i], widths[i]) : fmt::format("  {:>{}}", cells[i], widths[i]);
+        return text + '\n';
+    };
+    std::string text = line(header);
+    for (const auto& row : rows)
+        text += line(row);
+    return text;
+}
+
+} // namespace tegument::app

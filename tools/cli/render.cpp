@@ -1,0 +1,285 @@
+// tegument render: runs an effect on a scene and writes what it drew.
+
+#include "host/mesh/length.h"
+#include "tools/cli/command_line.h"
+#include "tools/cli/foreign.h"
+#include "tools/cli/fur_textures.h"
+#include "tools/cli/job.h"
+#include "tools/cli/output.h"
+#include "tools/cli/picture_files.h"
+#include "tools/cli/turntable.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include <memory>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RenderOptions {
+    JobOptions job;
+    std::vector<std::string> dump;
+    PictureOptions pictures;
+    int frames = 1;
+    int turntable = 0; // pictures of a turn; 0: one picture
+    bool json = false;
+};
+
+std::string metadata(const RunResult& result, const char* entry) {
+    const auto found = result.image.metadata.find(entry);
+    return found == result.image.metadata.end() ? std::string() : found->second;
+}
+
+int samplesOf(const RunResult& result) {
+    const std::string samples = metadata(result, "samples");
+    return samples.empty() ? 1 : std::atoi(samples.c_str());
+}
+
+int mapSize(const RenderOptions& options, const RunResult& result) {
+    if (options.job.effect.mapSize > 0) return options.job.effect.mapSize;
+    return std::atoi(metadata(result, "map_size").c_str());
+}
+
+Json vectorJson(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json objectsJson(const std::vector<RunObject>& objects) {
+    Json json = Json::array();
+    for (const RunObject& object : objects)
+        json.push_back({{"mesh", object.mesh->name},
+                        {"attribution", object.mesh->attribution},
+                        {"position", vectorJson(object.placement.position)},
+                        {"rotation", vectorJson(object.placement.rotation)},
+                        {"scale", vectorJson(object.placement.scale)}});
+    return json;
+}
+
+Json passesJson(const RunResult& result, bool several) {
+    Json passes = Json::array();
+    for (const PassReport& pass : result.passes) {
+        passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
+        if (several) passes.back()["object"] = pass.object;
+    }
+    return passes;
+}
+
+Json resultJson(const RenderOptions& options, const Job& job, const gpu::Device& device, const RunResult& result,
+                const std::vector<fs::path>& files) {
+    Json targets = Json::array();
+    for (const TargetReport& target : result.targets)
+        targets.push_back({{"name", target.name},
+                           {"width", target.width},
+                           {"height", target.height},
+                           {"format", target.format},
+                           {"bytes", target.bytes}});
+    const bool several = !job.scene.objects.empty();
+    Json json{{"effect", job.effect.file.string()},
+              {"technique", result.technique},
+              {"setting", metadata(result, "setting")},
+              {"compiler", compilerName(job.run.compiler)},
+              {"device", device.info().name},
+              {"driver", device.info().driver},
+              {"resolution", {job.run.width, job.run.height}},
+              {"samples", samplesOf(result)},
+              {"map_size", mapSize(options, result)},
+              {"passes", passesJson(result, several)},
+              {"targets", targets},
+              {"bytes", result.bytes},
+              {"device_bytes", result.deviceBytes},
+              {"output", files.back().string()}};
+    if (several) json["objects"] = objectsJson(job.scene.objects);
+    Json dumps = Json::object();
+    for (const auto& dumped : result.dumped)
+        dumps[dumped.first] = dumpPath(files.back(), dumped.first, options.pictures.formats.front()).string();
+    if (!dumps.empty()) json["dumped"] = dumps;
+    for (const fs::path& file : files)
+        json["files"].push_back(file.string());
+    if (!result.warnings.empty()) json["warnings"] = toJson(result.warnings);
+    for (const ParameterBinding& binding : job.bindings)
+        json["bindings"].push_back({{"parameter", binding.parameter}, {"got", binding.source}, {"by", binding.rule}});
+    if (job.effect.adopted)
+        if (const auto plain = plainPictureNote(result.image, job.effect.file.string())) json["picture"] = plain->text;
+    if (options.job.validate) json["validation_messages"] = device.validationMessages();
+    return json;
+}
+
+/// The passes' times; of several objects summed over them.
+std::vector<std::vector<std::string>> timeRows(const RunResult& result) {
+    double total = 0;
+    std::vector<std::pair<std::string, double>> times;
+    int object = 0;
+    std::size_t next = 0; // of this object's passes
+    for (const PassReport& pass : result.passes) {
+        if (pass.object != object) next = 0;
+        object = pass.object;
+        if (next < times.size() && times[next].first == pass.name)
+            times[next].second += pass.milliseconds;
+        else
+            times.emplace_back(pass.name, pass.milliseconds);
+        ++next;
+        total += pass.milliseconds;
+    }
+    times.emplace_back("total", total);
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [name, milliseconds] : times)
+        rows.push_back({name, fmt::format("{:.3f}", milliseconds)});
+    return rows;
+}
+
+/// A wrong unit shows in no picture, but in how soft skin looks and how long fur.
+void printSize(const Job& job) {
+    if (job.scene.meshes.size() != 1) return;
+    const Bounds& bounds = job.scene.meshes.front().bounds;
+    const glm::vec3 size = bounds.maximum - bounds.minimum;
+    fmt::print("the mesh is {} x {} x {} mm (another size: --unit-mm X; it lies down: --up z; it shows its back: --turn 180)\n",
+               lengthText(static_cast<double>(size.x)), lengthText(static_cast<double>(size.y)), lengthText(static_cast<double>(size.z)));
+}
+
+void printReport(const Job& job, const gpu::Device& device, const RunResult& result, const std::vector<fs::path>& files) {
+    fmt::print("{} {}, {}x{}, {}\n{} ({}){}\n\n{}", job.effect.file.filename().string(), result.technique, job.run.width, job.run.height,
+               compilerName(job.run.compiler), device.info().name, device.info().driver,
+               device.info().cpu ? ", a software device: times are good as ratios only" : "", table({"pass", "ms"}, timeRows(result)));
+    fmt::print("\n{} targets, {:.1f} MiB\n", result.targets.size(), static_cast<double>(result.bytes) / (1024.0 * 1024.0));
+    if (job.scene.isOwn) printSize(job);
+    if (!job.scene.objects.empty()) fmt::print("{} objects, {} meshes\n", job.scene.objects.size(), job.scene.meshes.size());
+    if (const auto found = result.image.metadata.find("attribution"); found != result.image.metadata.end())
+        fmt::print("mesh: {}\n", found->second);
+    for (const fs::path& file : files)
+        fmt::print("wrote {}\n", file.string());
+}
+
+Result<void> targetsExist(const Effect& effect, const std::vector<std::string>& dump) {
+    std::vector<std::string> targets;
+    for (const Parameter& parameter : effect.parameters)
+        if (equalsIgnoreCase(parameter.semantic, "RENDERCOLORTARGET") || equalsIgnoreCase(parameter.semantic, "RENDERDEPTHSTENCILTARGET"))
+            targets.push_back(parameter.name);
+    for (const std::string& name : dump) {
+        if (name == "all" || std::ranges::find(targets, name) != targets.end()) continue;
+        const std::string near = didYouMean(name, targets);
+        return usageError(8023, fmt::format("--dump {}: {} has no such target", name, effect.file.string()),
+                          near.empty() ? fmt::format("it has {}", targets.empty() ? "none" : fmt::format("{}", fmt::join(targets, ", ")))
+                                       : near);
+    }
+    return {};
+}
+
+int endOf(const gpu::Device& device) {
+    const auto messages = device.validationMessages();
+    for (const std::string& message : messages)
+        fmt::print(stderr, "validation: {}\n", message);
+    return messages.empty() ? 0 : static_cast<int>(Blame::Machine);
+}
+
+int renderTurning(const RenderOptions& options, const Job& job, gpu::Device& device, const fs::path& output, Progress& progress) {
+    const auto say = [&](int done) {
+        progress.count("rendering", static_cast<std::size_t>(done), static_cast<std::size_t>(options.turntable));
+    };
+    const auto turned = renderTurntable(device, job, options.pictures, output, options.turntable, say);
+    progress.clear();
+    if (!turned) return fail(turned.error(), options.json);
+    warn(turned->first.warnings);
+    if (options.json) {
+        Json files = Json::array();
+        for (const fs::path& file : turned->files)
+            files.push_back(file.string());
+        print({{"effect", job.effect.file.string()},
+               {"technique", turned->first.technique},
+               {"device", device.info().name},
+               {"resolution", {job.run.width, job.run.height}},
+               {"turntable", options.turntable},
+               {"files", files}});
+    } else {
+        fmt::print("{} {}, {} pictures of {}x{}, {}\n", job.effect.file.filename().string(), turned->first.technique, options.turntable,
+                   job.run.width, job.run.height, device.info().name);
+        for (const fs::path& file : turned->files)
+            fmt::print("wrote {}\n", file.string());
+    }
+    return endOf(device);
+}
+
+int render(const RenderOptions& given) {
+    RenderOptions options = given;
+    const auto output = outputPath(options.pictures, options.job.file, options.turntable > 0);
+    if (!output) return fail(output.error(), options.json);
+    Progress progress;
+    progress.say("reading");
+    auto job = loadJob(options.job, MeshFor::Technique, options.turntable > 0);
+    if (!job) return fail(job.error(), options.json);
+    if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
+    if (options.frames > 1 && options.job.samples == 0) job->run.samples = 1; // what is measured, as bench does
+    options.pictures.displayReferred = job->effect.adopted;
+    job->run.frames = options.frames;
+    job->run.warmUpFrames = options.frames > 1 ? 2 : 0;
+    job->run.dump = options.dump;
+    progress.clear();
+    warn(job->effect.warnings);
+    warn(job->warnings);
+    for (const Mesh& mesh : job->scene.meshes)
+        warn(mesh.warnings);
+
+    auto device = gpu::Device::create({.validation = options.job.validate, .prefer = options.job.device});
+    if (!device) return fail(device.error(), options.json);
+    job->run.compiling = [&](std::size_t done, std::size_t total) {
+        done < total ? progress.count("compiling shader", done, total) : progress.say("rendering");
+    };
+    job->run.meshTextures = furTextures([&](const std::string& made) {
+        progress.clear();
+        say(made);
+        progress.say("rendering");
+    });
+    progress.say("rendering");
+    if (options.turntable > 0) return renderTurning(options, *job, *device, *output, progress);
+    const auto result = runScene(*device, job->effect, job->scene, job->run);
+    progress.clear();
+    if (!result) return fail(result.error(), options.json);
+    warn(result->warnings);
+    if (job->effect.adopted)
+        if (const auto plain = plainPictureNote(result->image, job->effect.file.string())) warn({*plain});
+    const auto files = writePictures(options.pictures, *output, *result);
+    if (!files) return fail(files.error(), options.json);
+
+    if (options.json) {
+        print(resultJson(options, *job, *device, *result, *files));
+    } else {
+        printReport(*job, *device, *result, *files);
+        printBindings(job->bindings);
+    }
+    return endOf(*device);
+}
+
+} // namespace
+
+void addRender(CLI::App& program, Action& action) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = program.add_subcommand("render", "Run an effect on a mesh and write the picture");
+    addJobOptions(*command, options->job);
+    CLI::Option* dump =
+        repeatable(command->add_option("--dump", options->dump, "Write this target beside the picture, or all of them; may be repeated"));
+    addPictureOptions(*command, options->pictures);
+    CLI::Option* frames = command->add_option("--frames", options->frames, "Frames to time; the table shows medians")
+                              ->check(CLI::Range(1, 10000))
+                              ->capture_default_str();
+    command
+        ->add_option(
+            "--turntable", options->turntable,
+            "So many pictures while the scene turns once: files numbered from 001, or one animation where -o names a .webp or .gif")
+        ->check(CLI::Range(2, 999))
+        ->excludes(dump)
+        ->excludes(frames);
+    command->add_flag("--json", options->json, "Print JSON");
+    addExamples(*command, {{"render Main -o head.png", "the default head"},
+                           {"render Main --mesh head.glb --set gRoughness=0.25", "a head of your own"},
+                           {"render Fur --mesh scan.ply -o scan.jpg", "any mesh in fur"},
+                           {"render Fur --mesh scan.ply --turntable 48 -o scan.webp", "from all sides, as an animation"},
+                           {"render Main --dump all", "with every intermediate target as EXR"}});
+    command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+} // namespace tegument::app

@@ -1,0 +1,193 @@
+#include "tools/cli/scene.h"
+
+#include "host/run/scene_bounds.h"
+#include "host/support/text.h"
+#include "tools/cli/foreign.h"
+#include "tools/cli/fur_pose.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// --workspace, else the usual one of the effects' own folder, else built-in defaults. With --mesh only its light, its background and its
+/// parameters stay.
+Result<Workspace> chooseWorkspace(const SceneOptions& options, bool mesh) {
+    const WorkspaceOptions load{.requireMesh = mesh && options.mesh.empty()};
+    if (!options.workspace.empty()) return loadWorkspace(options.workspace, load);
+    const fs::path usual = fs::path(options.effect).parent_path() / "workspaces" / options.usual;
+    std::error_code code;
+    if (!fs::is_regular_file(usual, code)) return Workspace{};
+    Result<Workspace> workspace = loadWorkspace(usual, load);
+    if (!workspace || options.mesh.empty()) return workspace;
+    workspace->attribution.clear(); // these spoke of its mesh
+    workspace->textures.clear();
+    workspace->unitMm.reset();
+    workspace->flipV = false;
+    return workspace;
+}
+
+fs::path beside(const Workspace& workspace, const std::string& path) {
+    return workspace.file.has_parent_path() ? workspace.file.parent_path() / path : fs::path(path);
+}
+
+Result<Mesh> readMesh(const fs::path& path, const MeshOptions& load, const std::string& attribution) {
+    Result<Mesh> mesh = loadMesh(path, load);
+    if (mesh && mesh->attribution.empty()) mesh->attribution = attribution;
+    return mesh;
+}
+
+/// What the workspace says is of its own mesh.
+std::string attributionOf(const SceneOptions& options, const Workspace& workspace) {
+    std::error_code code;
+    const bool another =
+        !options.mesh.empty() && !workspace.meshPath.empty() && !fs::equivalent(options.mesh, beside(workspace, workspace.meshPath), code);
+    return another ? "" : workspace.attribution;
+}
+
+/// A mesh of one's own without a workspace that somebody chose for it.
+bool isFramed(const SceneOptions& options) {
+    return !options.mesh.empty() && options.workspace.empty();
+}
+
+UpAxis upOf(const SceneOptions& options) {
+    return options.up.value_or(toLower(fs::path(options.mesh).extension().string()) == ".stl" ? UpAxis::Z : UpAxis::Y);
+}
+
+/// Turned counter-clockwise seen from above, y up.
+glm::vec3 aboutVertical(const glm::vec3& v, double degrees) {
+    const auto angle = static_cast<float>(glm::radians(degrees));
+    return {std::cos(angle) * v.x + std::sin(angle) * v.z, v.y, std::cos(angle) * v.z - std::sin(angle) * v.x};
+}
+
+/// Seen from the right and a little above, with the usual light turned to the mesh's up.
+void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
+    constexpr glm::vec3 kDirection(0.38F, 0.2F, 0.9F);
+    constexpr float kFov = 25;
+    const UpAxis up = upOf(options);
+    const auto turned = [&](const glm::vec3& v) { return aboutVertical(v, -options.turn); };
+    workspace.camera = (options.turns ? frameTurningMesh : frameMesh)(mesh, turned(kDirection), up, kFov, options.aspect);
+    workspace.cameraRelative = false;
+    if (!workspace.lightRelative) workspace.light = Workspace{}.light; // it was placed for another mesh
+    workspace.lightRelative = true;
+    workspace.light.position = alongUp(up, turned(workspace.light.position));
+    if (workspace.light.direction) workspace.light.direction = alongUp(up, turned(*workspace.light.direction));
+    if (up == UpAxis::Z) workspace.parameters.insert({"gFurDown", {0, 0, -1}});
+}
+
+Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
+    const std::string& path = options.mesh.empty() ? workspace.meshPath : options.mesh;
+    if (path.empty() && options.foreign) return ball();
+    if (path.empty()) return usageError(8014, "this technique draws a mesh and none was given", "add --mesh FILE or --workspace FILE");
+    MeshOptions load = meshOptions(workspace);
+    if (options.unitMm) load.unitMm = options.unitMm;
+    if (isFramed(options)) load.expectHead = false;
+    if (options.head) load.expectHead = *options.head;
+    load.guessUnit = !options.mesh.empty() && !load.expectHead;
+    load.roots = options.roots;
+    return readMesh(options.mesh.empty() ? beside(workspace, path) : fs::path(path), load, attributionOf(options, workspace));
+}
+
+Result<void> readPoses(const SceneOptions& options, const Mesh& rest, Scene& scene) {
+    for (const auto& [file, pose] : {std::pair(&options.pose, &scene.pose), std::pair(&options.poseBefore, &scene.poseBefore)}) {
+        if (file->empty()) continue;
+        auto read = readPose(*file, rest, meshOptions(scene.workspace));
+        if (!read) return read.error();
+        *pose = *std::move(read);
+    }
+    return {};
+}
+
+/// Foreign effects expect about that, round the origin; many know no WORLD.
+void toUnitSize(Mesh& mesh) {
+    if (!(mesh.bounds.radius > 0)) return;
+    for (glm::vec3& position : mesh.positions)
+        position = (position - mesh.bounds.centre) / mesh.bounds.radius;
+    computeBounds(mesh);
+}
+
+/// The workspace as it would have to be to say the same without the command line.
+void adoptMesh(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) {
+    std::error_code none;
+    if (!options.mesh.empty()) workspace.meshPath = fs::absolute(options.mesh, none).string();
+    if (!options.mesh.empty() || options.unitMm) workspace.unitMm = mesh.unitMm;
+    if (isFramed(options)) workspace.head = false;
+    if (options.head) workspace.head = *options.head;
+}
+
+/// Objects whose meshes are read alike share one.
+Result<void> loadObjects(Scene& scene, const Roots& roots) {
+    std::map<std::tuple<std::string, std::optional<double>, bool, float, std::string>, const Mesh*> known;
+    for (const SceneObject& object : scene.workspace.objects) {
+        const fs::path path = beside(scene.workspace, object.meshPath);
+        const float judged = object.head ? object.placement.scale.y : 0; // a head's size is judged with it
+        const Mesh*& mesh = known[{fs::weakly_canonical(path).string(), object.unitMm, object.flipV, judged, object.attribution}];
+        if (!mesh) {
+            MeshOptions load = meshOptions(object);
+            load.roots = roots;
+            auto read = readMesh(path, load, object.attribution);
+            if (!read) return read.error();
+            mesh = &scene.meshes.emplace_back(std::move(*read));
+        }
+        scene.objects.push_back({.mesh = mesh, .workspace = workspaceOf(scene.workspace, object), .placement = object.placement});
+    }
+    return {};
+}
+
+/// A scene that was not framed, as `frame` does with those that are.
+void turn(double degrees, Scene& scene) {
+    if (degrees == 0) return;
+    const SessionScene seen = sessionScene(scene);
+    const glm::dvec3 pivot(run::boundsOf(seen).centre);
+    scene.workspace = turnedScene(run::inWorld(scene.workspace, seen), pivot, glm::radians(degrees));
+}
+
+} // namespace
+
+Result<Scene> loadScene(const SceneOptions& options, bool needsMesh) {
+    auto workspace = chooseWorkspace(options, needsMesh);
+    if (!workspace) return workspace.error();
+    Scene scene{.workspace = std::move(*workspace), .meshes = {}, .objects = {}, .isOwn = !options.mesh.empty()};
+    if (!needsMesh) return scene;
+    if (!scene.workspace.objects.empty()) {
+        if (!options.mesh.empty() || options.unitMm || !options.pose.empty())
+            return usageError(8017,
+                              fmt::format("{} has {} objects: which of them is meant?", options.workspace, scene.workspace.objects.size()),
+                              "leave --mesh and --unit-mm out, or give a workspace of one mesh");
+        if (const auto loaded = loadObjects(scene, options.roots); !loaded) return loaded.error();
+        turn(options.turn, scene);
+        return scene;
+    }
+    auto mesh = chooseMesh(options, scene.workspace);
+    if (!mesh) return mesh.error();
+    if (options.foreign && options.workspace.empty()) toUnitSize(*mesh);
+    if (const auto read = readPoses(options, *mesh, scene); !read) return read.error();
+    if (isFramed(options)) frame(options, scene.pose ? *scene.pose : *mesh, scene.workspace);
+    if (options.foreign && options.workspace.empty()) { // shells and waves leave the mesh's own bounds
+        scene.workspace.camera.nearPlane = 0.1F;
+        scene.workspace.camera.farPlane = 100;
+    }
+    adoptMesh(options, *mesh, scene.workspace);
+    scene.meshes.push_back(std::move(*mesh));
+    if (!isFramed(options)) turn(options.turn, scene);
+    return scene;
+}
+
+SessionScene sessionScene(const Scene& scene) {
+    if (!scene.objects.empty()) return {.mesh = nullptr, .objects = scene.objects};
+    return {.mesh = scene.meshes.empty() ? nullptr : &scene.meshes.front(), .objects = {}};
+}
+
+Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options) {
+    if (!scene.objects.empty()) return runScene(device, effect, scene.objects, scene.workspace, options);
+    return runEffect(device, effect, scene.meshes.empty() ? nullptr : &scene.meshes.front(), scene.workspace, options);
+}
+
+} // namespace tegument::app

@@ -1,0 +1,109 @@
+#include "tools/cli/skin_links.h"
+
+#include "host/image/dds.h"
+#include "host/support/file.h"
+#include "meshprep/fur/roots/surface_figures.h"
+#include "meshprep/skin/link_cells.h"
+#include "tools/cli/output.h"
+
+#include <fmt/format.h>
+
+namespace tegument::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kKind = "tegument skin links";
+
+template <class T>
+std::string_view bytesOf(const std::vector<T>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+std::string keyOf(const Mesh& mesh, const LinkOptions& options) {
+    std::string all = fmt::format("{} {} {} {} {} {} {} {} ", kLinkVersion, options.variances[0], options.variances[1], options.fourth,
+                                  options.fourthShare, options.lost, options.nearest, options.growth);
+    for (const std::string_view part : {bytesOf(mesh.positions), bytesOf(mesh.uvs), bytesOf(mesh.indices)})
+        all += contentHash(part);
+    return contentHash(all + contentHash(bytesOf(skinMask(mesh))));
+}
+
+fs::path besides(const fs::path& file) {
+    return fs::path(file).replace_extension(".json");
+}
+
+Json figuresJson(const SurfaceFigures& figures) {
+    return {{"area", figures.area},
+            {"middle", {figures.middle.x, figures.middle.y, figures.middle.z}},
+            {"spread", {figures.spread.x, figures.spread.y, figures.spread.z}}};
+}
+
+Json toJson(const Mesh& mesh, const SkinLinks& links, const LinkOptions& options) {
+    const double mean = links.lists > 0 ? static_cast<double>(links.links) / static_cast<double>(links.lists) : 0;
+    return {
+        {"kind", kKind},
+        {"version", kLinkVersion},
+        {"mesh", {{"name", mesh.name}, {"surface", figuresJson(surfaceFigures(mesh))}}},
+        {"profile", {{"variances_mm2", options.variances}}},
+        {"map", {{"side", kLinkSide}, {"texel_mm", links.sideMm}}},
+        {"sheet", {{"tiles", links.tiles}, {"width", links.sheet.width}, {"height", links.sheet.height}, {"format", "R16G16B16A16_FLOAT"}}},
+        {"fourth", links.fourth},
+        {"lists", links.lists},
+        {"links", links.links},
+        {"mean", mean},
+        {"longest", links.longest},
+        {"quarters", links.quarters},
+        {"seconds", {{"cells", links.seconds.cells}, {"links", links.seconds.links}, {"sheet", links.seconds.sheet}}}};
+}
+
+std::optional<glm::dvec3> vectorOf(const Json& json) {
+    if (!json.is_array() || json.size() != 3 || !json[0].is_number() || !json[1].is_number() || !json[2].is_number()) return std::nullopt;
+    return glm::dvec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+}
+
+std::optional<SurfaceFigures> figuresOf(const Json& json) {
+    const Json mesh = json.contains("mesh") ? json["mesh"] : Json();
+    const Json surface = mesh.is_object() && mesh.contains("surface") ? mesh["surface"] : Json();
+    if (!surface.is_object() || !surface.contains("area") || !surface["area"].is_number()) return std::nullopt;
+    const auto middle = vectorOf(surface.value("middle", Json()));
+    const auto spread = vectorOf(surface.value("spread", Json()));
+    if (!middle || !spread) return std::nullopt;
+    return SurfaceFigures{.middle = *middle, .area = surface["area"].get<double>(), .spread = *spread};
+}
+
+} // namespace
+
+Result<void> writeSkinLinks(const fs::path& file, const Mesh& mesh, const SkinLinks& links, const LinkOptions& options) {
+    const DdsTexture dds{.format = DdsFormat::Rgba16F, .images = {links.sheet}};
+    if (const auto written = writeDds(file, dds); !written) return written;
+    return writeFile(besides(file), toJson(mesh, links, options).dump(2) + "\n");
+}
+
+Result<fs::path> cachedSkinLinks(const Mesh& mesh, const std::function<void(const std::string&)>& say) {
+    const LinkOptions options;
+    const fs::path file = cacheFolder() / "skin" / "made" / fmt::format("links_{}.dds", keyOf(mesh, options));
+    if (isWholeDds(file)) return file;
+    const auto links = makeSkinLinks(mesh, options);
+    if (!links) return links.error();
+    if (const auto written = writeSkinLinks(file, mesh, *links, options); !written) return written.error();
+    const auto& s = links->seconds;
+    say(fmt::format("made {} for {} in {:.1f} s: {}", kSkinLinksGenerator, mesh.name, s.cells + s.links + s.sheet, file.string()));
+    return file;
+}
+
+Result<void> checkSkinLinks(const fs::path& file, const Mesh& mesh) {
+    const auto text = readFile(besides(file));
+    if (!text) return {};
+    const Json json = Json::parse(*text, nullptr, false);
+    if (!json.is_object() || !json.contains("kind") || json["kind"] != kKind) return {};
+    const auto made = figuresOf(json);
+    if (!made) return {};
+    const auto why = whyNotSame(*made, surfaceFigures(mesh));
+    if (!why) return {};
+    return inputError(4055, {.file = file.string(), .byte = {}},
+                      fmt::format("these links were made for another mesh than {}: {}", mesh.name, *why),
+                      "leave them out, and they are made; or: tegument prep links MESH -o FILE.dds");
+}
+
+} // namespace tegument::app

@@ -1,0 +1,151 @@
+// The Python module's part in C++: a Scene that is kept between pictures. All else is tools/python/tegument/__init__.py.
+
+#include "tools/cli/names.h"
+#include "tools/python/scene.h"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+using tegument::Diagnostic;
+using tegument::Image;
+using tegument::Result;
+using tegument::python::Scene;
+
+namespace {
+
+using Vector = std::array<float, 3>;
+using Picture = nb::ndarray<nb::numpy, float, nb::ndim<3>>;
+
+/// tegument.Error, which __init__.py defines: raised with (text, blame, codes).
+[[noreturn]] void raise(const tegument::Error& error) {
+    nb::list codes;
+    for (const Diagnostic& diagnostic : error.diagnostics)
+        codes.append(fmt::format("TG{}", diagnostic.code));
+    const nb::object type = nb::module_::import_("tegument").attr("Error");
+    const nb::object raised = type(tegument::format(error), static_cast<int>(error.blame), codes);
+    PyErr_SetObject(type.ptr(), raised.ptr());
+    throw nb::python_error();
+}
+
+/// Each as a UserWarning, which a filter may turn into an exception.
+void warn(Scene& scene) {
+    for (const Diagnostic& diagnostic : scene.takeWarnings())
+        if (PyErr_WarnEx(PyExc_UserWarning, tegument::format(diagnostic).c_str(), 1) != 0) throw nb::python_error();
+}
+
+/// Height x width x channels; NumPy takes the pixels over, without a copy.
+Picture pictureOf(Result<Image> image) {
+    if (!image) raise(image.error());
+    auto* kept = new Image(std::move(*image));
+    const nb::capsule owner(kept, [](void* pointer) noexcept { delete static_cast<Image*>(pointer); });
+    const std::size_t shape[] = {static_cast<std::size_t>(kept->height), static_cast<std::size_t>(kept->width),
+                                 static_cast<std::size_t>(kept->channels)};
+    return Picture(kept->pixels.data(), 3, shape, owner);
+}
+
+nb::ndarray<nb::numpy, std::uint8_t, nb::ndim<3>>
+toSrgb(const nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>& picture) {
+    if (picture.shape(2) < 3 || picture.shape(2) > 4) throw nb::value_error("a picture has 3 or 4 channels");
+    Image radiance{.width = static_cast<int>(picture.shape(1)),
+                   .height = static_cast<int>(picture.shape(0)),
+                   .channels = static_cast<int>(picture.shape(2)),
+                   .pixels = {picture.data(), picture.data() + picture.size()}};
+    const Image shown = tegument::displayed(radiance);
+    auto* bytes = new std::vector<std::uint8_t>(shown.pixels.size());
+    const nb::capsule owner(bytes, [](void* pointer) noexcept { delete static_cast<std::vector<std::uint8_t>*>(pointer); });
+    std::ranges::transform(shown.pixels, bytes->begin(),
+                           [](float value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255)); });
+    return {bytes->data(), {picture.shape(0), picture.shape(1), 3}, owner};
+}
+
+glm::vec3 vectorOf(const Vector& v) {
+    return {v[0], v[1], v[2]};
+}
+
+Vector listOf(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+std::unique_ptr<Scene> load(const std::string& effect, const std::string& technique, const std::string& workspace, const std::string& mesh,
+                            std::optional<double> unitMm, const std::string& preset, const std::vector<std::string>& defines,
+                            const std::vector<std::string>& sets, const std::string& setting, int samples, const std::string& device) {
+    tegument::app::JobOptions options;
+    options.file = effect;
+    options.technique = technique;
+    options.scene.workspace = workspace;
+    options.scene.mesh = mesh;
+    options.scene.unitMm = unitMm;
+    options.preset = preset;
+    options.effect.defines = defines;
+    options.effect.setting = setting;
+    options.sets = sets;
+    options.samples = samples;
+    options.device = device;
+    auto scene = [&] {
+        const nb::gil_scoped_release others;
+        return Scene::load(options);
+    }();
+    if (!scene) raise(scene.error());
+    warn(**scene);
+    return std::move(*scene);
+}
+
+Picture render(Scene& scene, int width, int height) {
+    auto image = [&] {
+        const nb::gil_scoped_release others;
+        return scene.render(width, height);
+    }();
+    warn(scene);
+    return pictureOf(std::move(image));
+}
+
+void setCamera(Scene& scene, const std::optional<Vector>& position, const std::optional<Vector>& target, std::optional<float> fov) {
+    tegument::Camera camera = scene.camera();
+    if (position) camera.position = vectorOf(*position);
+    if (target) camera.target = vectorOf(*target);
+    if (fov) camera.horizontalFov = *fov;
+    scene.place(camera, {});
+}
+
+void setLight(Scene& scene, const std::optional<Vector>& position, const std::optional<Vector>& color) {
+    tegument::Light light = scene.light();
+    if (position) light.position = vectorOf(*position);
+    if (color) light.color = vectorOf(*color);
+    scene.place({}, light);
+}
+
+} // namespace
+
+NB_MODULE(_tegument, module) {
+    module.def("set_own_folder", [](const std::string& folder) { tegument::app::setOwnFolder(folder); });
+    module.def("load", &load);
+    module.def("to_srgb", &toSrgb);
+    nb::class_<Scene>(module, "Scene")
+        .def("render", &render)
+        .def("target", [](Scene& scene, const std::string& name) { return pictureOf(scene.target(name)); })
+        .def("set",
+             [](Scene& scene, const std::string& assignment) {
+                 if (const auto done = scene.set(assignment); !done) raise(done.error());
+             })
+        .def("set_camera", &setCamera, "position"_a = nb::none(), "target"_a = nb::none(), "fov"_a = nb::none())
+        .def("set_light", &setLight, "position"_a = nb::none(), "color"_a = nb::none())
+        .def_prop_ro("camera", [](const Scene& scene) { return listOf(scene.camera().position); })
+        .def_prop_ro("light", [](const Scene& scene) { return listOf(scene.light().position); })
+        .def_prop_ro("targets", &Scene::targets)
+        .def_prop_ro("times", &Scene::times)
+        .def_prop_ro("device", &Scene::device);
+}

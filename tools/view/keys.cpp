@@ -1,0 +1,87 @@
+#include "tools/view/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tegument::view {
+
+namespace {
+
+constexpr std::array kKeys = {
+    KeyBinding{U'h', Command::Help, "h", "this help"},
+    KeyBinding{U't', Command::NextTechnique, "t", "next technique"},
+    KeyBinding{U'T', Command::PreviousTechnique, "T", "previous technique"},
+    KeyBinding{kKeyRight, Command::NextPass, "right", "stop after the next pass, show what it drew into"},
+    KeyBinding{kKeyLeft, Command::PreviousPass, "left", "stop after the previous pass"},
+    KeyBinding{kKeyDown, Command::NextTarget, "down", "next intermediate target of the whole frame"},
+    KeyBinding{kKeyUp, Command::PreviousTarget, "up", "previous intermediate target"},
+    KeyBinding{kKeyEscape, Command::Picture, "Esc", "back to the picture"},
+    KeyBinding{U'm', Command::NextSetting, "m", "next setting of the effect"},
+    KeyBinding{U'a', Command::NextChannel, "a", "colour, red, green, blue, alpha"},
+    KeyBinding{U'l', Command::NextLevel, "l", "next mip level of the target"},
+    KeyBinding{U'z', Command::Closer, "z", "twice as large about the cursor, up to 32 times"},
+    KeyBinding{U'Z', Command::Whole, "Z", "the whole again"},
+    KeyBinding{U'+', Command::Brighter, "+", "half a stop brighter"},
+    KeyBinding{U'-', Command::Darker, "-", "half a stop darker"},
+    KeyBinding{U'0', Command::Automatic, "0", "exposure as it was found"},
+    KeyBinding{U'p', Command::Parameters, "p", "the effect's parameters as sliders"},
+    KeyBinding{U'n', Command::NextPreset, "n", "next preset of the effect"},
+    KeyBinding{U'x', Command::Probe, "x", "values under the cursor, and how they are spread"},
+    KeyBinding{U'v', Command::Strip, "v", "targets as small pictures, arrows between them; a click opens one"},
+    KeyBinding{U'g', Command::Times, "g", "GPU milliseconds of each pass, over the last frames"},
+    KeyBinding{U'u', Command::Mesh, "u", "the mesh in false colours: texels, stretch, seams, fur"},
+    KeyBinding{U'o', Command::Textures, "o", "textures: where each comes from, its size; a click opens it"},
+    KeyBinding{U'b', Command::Bindings, "b", "a foreign effect's parameters: what each got, others to choose"},
+    KeyBinding{U'k', Command::Keep, "k", "keep this picture to the left of a border; again: give it up"},
+    KeyBinding{U'e', Command::Errors, "e", "error against the kept picture in false colours"},
+    KeyBinding{U'f', Command::Source, "f", "the effect's text beside the picture; Ctrl+S writes it"},
+    KeyBinding{U'i', Command::Information, "i", "text on the picture on and off"},
+    KeyBinding{U'1', Command::Front, "1", "from the front, as in Blender"},
+    KeyBinding{U'3', Command::Side, "3", "from the right"},
+    KeyBinding{U'7', Command::Top, "7", "from above"},
+    KeyBinding{U'r', Command::Reset, "r", "camera, light and parameters as at the start"},
+    KeyBinding{U's', Command::Save, "s", "write what is shown as PNG"},
+    KeyBinding{U'w', Command::SaveWorkspace, "w", "write camera, light and parameters as a workspace"},
+    KeyBinding{U'c', Command::CopyCommand, "c", "that, and copy the tegument render line of this picture"},
+    KeyBinding{kKeyF5, Command::Reload, "F5", "read the effect again"},
+    KeyBinding{U'q', Command::Quit, "q", "quit"},
+};
+
+constexpr std::array kMouse = {
+    MouseBinding{"left or middle drag", "turn the camera"},
+    MouseBinding{"wheel", "nearer, farther; Ctrl middle or Alt right drag, too"},
+    MouseBinding{"Shift drag", "move the camera; Shift or Alt middle drag, too"},
+    MouseBinding{"right or Ctrl drag", "turn the light"},
+    MouseBinding{"Ctrl wheel", "light nearer, farther"},
+    MouseBinding{"Shift right drag", "turn the surroundings; Ctrl Shift drag, too"},
+    MouseBinding{"drag of the border", "more of the kept picture, or less"},
+    MouseBinding{"files dropped", "a mesh, texture, effect or workspace is shown"},
+};
+
+} // namespace
+
+std::span<const KeyBinding> keyBindings() {
+    return kKeys;
+}
+
+std::span<const MouseBinding> mouseBindings() {
+    return kMouse;
+}
+
+std::optional<Command> commandOf(char32_t key) {
+    const auto found = std::ranges::find(kKeys, key, &KeyBinding::key);
+    return found == kKeys.end() ? std::nullopt : std::optional(found->command);
+}
+
+std::string bindingsHelp() {
+    std::string text;
+    for (const KeyBinding& key : kKeys)
+        text += fmt::format("  {:<22}{}\n", key.label, key.text);
+    for (const MouseBinding& mouse : kMouse)
+        text += fmt::format("  {:<22}{}\n", mouse.label, mouse.text);
+    return text;
+}
+
+} // namespace tegument::view

@@ -1,0 +1,34 @@
+#pragma once
+// Text and sliders on the picture: Dear ImGui, drawn by the canvas.
+
+#include "tools/view/canvas.h"
+#include "tools/view/window.h"
+
+#include <functional>
+#include <memory>
+
+namespace tegument::view {
+
+/// One at a time, as Dear ImGui has it. To be destroyed before the window is.
+class Overlay {
+public:
+    /// Without a window there is no input, and the display has the target's size.
+    static Result<Overlay> create(gpu::Device& device, const Window* window);
+    Overlay(Overlay&&) noexcept;
+    Overlay& operator=(Overlay&&) noexcept;
+    ~Overlay();
+
+    /// The mouse is over something that takes it.
+    [[nodiscard]] bool wantsMouse() const;
+    /// Somebody types a number into it.
+    [[nodiscard]] bool wantsKeys() const;
+    /// Runs `content`, which calls Dear ImGui, and draws what it laid out over `target`.
+    [[nodiscard]] Result<void> draw(Canvas& canvas, gpu::Texture& target, const std::function<void()>& content);
+
+private:
+    struct State;
+    explicit Overlay(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace tegument::view

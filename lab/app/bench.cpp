@@ -9,11 +9,10 @@
 #include "lab/bench/fur.h"
 #include "lab/bench/python.h"
 #include "lab/bench/report.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/effect_options.h"
-#include "tools/cli/fur_textures.h"
-#include "tools/cli/job.h"
-#include "tools/cli/names.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 
 #include <fmt/chrono.h>
@@ -101,13 +100,13 @@ std::vector<int> shadowSizesOf(const BenchArguments& arguments, const Defaults& 
 
 Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu::Device& device) {
     const Defaults defaults = defaultsFor(device);
-    const auto size = parseSize(arguments.size.empty() ? defaults.size : arguments.size);
+    const auto size = assets::parseSize(arguments.size.empty() ? defaults.size : arguments.size);
     if (!size) return size.error();
-    const auto compiler = chosenCompiler(arguments.compiler);
+    const auto compiler = assets::chosenCompiler(arguments.compiler);
     if (!compiler) return compiler.error();
     const auto pixels = referencePixels(arguments.reference);
     if (!pixels) return pixels.error();
-    bench::BenchOptions options{.effects = ownFile(arguments.catalogue).parent_path(),
+    bench::BenchOptions options{.effects = assets::ownFile(arguments.catalogue).parent_path(),
                                 .sceneFolder = arguments.keepScenes,
                                 .scenes = arguments.scenes,
                                 .width = size->first,
@@ -121,7 +120,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
-                                .meshTextures = furTextures([](const std::string& made) { say(made); }),
+                                .meshTextures = assets::meshTextures([](const std::string& made) { say(made); }),
                                 .lights = arguments.lights};
     return options;
 }
@@ -221,7 +220,7 @@ auto shown(Measure measure) {
 Result<void> plot(const BenchArguments& arguments, const char* kind, const std::string& json) {
     const fs::path data = fs::path(arguments.plot) / (std::string(kind) + ".json");
     if (const auto written = writeTo(data.string(), json); !written) return written.error();
-    const auto plotted = bench::runHelper(ownFile(kPlotScript), {kind, data.string(), arguments.plot});
+    const auto plotted = bench::runHelper(assets::ownFile(kPlotScript), {kind, data.string(), arguments.plot});
     if (!plotted) return plotted.error();
     std::fflush(stdout); // the table before what follows it
     fmt::print(stderr, "{}", *plotted);
@@ -297,7 +296,7 @@ Result<int> compare(const BenchArguments& arguments, const std::vector<bench::Co
     const Temporary scratch(fs::temp_directory_path() / fmt::format("tegument-bench-pictures-{}", ::getpid()));
     if (!arguments.report.html.empty() && work.options.pictures.empty() && work.options.pixels == 0) work.options.pictures = scratch.path();
     const auto rows = shown([&](const bench::Say& say) {
-        return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(ownFile(kFlipScript))});
+        return bench::runBench(work.device, contenders, work.options, {.say = say, .flip = bench::flipMeter(assets::ownFile(kFlipScript))});
     });
     if (!rows) return rows.error();
     auto code = report(arguments, *rows, work.machine);
@@ -337,9 +336,9 @@ Result<int> writeMarkdown(const std::string& file) {
 }
 
 Result<int> stability(const BenchArguments& arguments) {
-    const auto compiler = chosenCompiler(arguments.compiler);
+    const auto compiler = assets::chosenCompiler(arguments.compiler);
     if (!compiler) return compiler.error();
-    StabilityArguments chosen{.effects = ownFile(arguments.catalogue).parent_path(),
+    StabilityArguments chosen{.effects = assets::ownFile(arguments.catalogue).parent_path(),
                               .parts = arguments.parts,
                               .modules = arguments.modules,
                               .compiler = *compiler,
@@ -366,7 +365,7 @@ Result<int> runChosen(const BenchArguments& arguments) {
     if (arguments.stability) return stability(arguments);
     if (arguments.pick && arguments.maxError <= 0 && arguments.maxMs <= 0)
         return usageError(8079, "--pick needs a limit", "add --max-error E or --max-ms T");
-    const auto catalogue = bench::loadCatalogue(ownFile(arguments.catalogue));
+    const auto catalogue = bench::loadCatalogue(assets::ownFile(arguments.catalogue));
     if (!catalogue) return catalogue.error();
     const auto contenders = bench::choose(*catalogue, arguments.techniques, arguments.settings);
     if (!contenders) return contenders.error();

@@ -4,10 +4,9 @@
 #include "generated/setting_names.h"
 #include "host/support/file.h"
 #include "lab/app/commands.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/effect_options.h"
-#include "tools/cli/job.h"
-#include "tools/cli/names.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -37,12 +36,12 @@ struct InvarianceArguments {
 Result<std::vector<fs::path>> filesOf(const InvarianceArguments& arguments) {
     std::vector<fs::path> files;
     for (const std::string& named : arguments.files) {
-        auto file = findEffect(named);
+        auto file = assets::findEffect(named);
         if (!file) return file.error();
         files.push_back(*std::move(file));
     }
     if (!files.empty()) return files;
-    files = effectFiles(ownFile(arguments.effects));
+    files = effectFiles(assets::ownFile(arguments.effects));
     if (files.empty())
         return inputError(8060, {.file = arguments.effects, .byte = {}}, "this folder holds no effect",
                           "name the folder of the .fx files with --effects");
@@ -52,16 +51,16 @@ Result<std::vector<fs::path>> filesOf(const InvarianceArguments& arguments) {
 /// The mesh of a user's own, or none.
 Result<std::optional<Scene>> loadOwnScene(const InvarianceArguments& arguments) {
     if (arguments.mesh.empty() && arguments.workspace.empty()) return std::optional<Scene>();
-    const fs::path effect = ownFile("effects/Main.fx");
+    const fs::path effect = assets::ownFile("effects/Main.fx");
     std::string workspace;
     if (!arguments.workspace.empty()) {
-        const auto found = findWorkspace(arguments.workspace, effect);
+        const auto found = assets::findWorkspace(arguments.workspace, effect);
         if (!found) return found.error();
         workspace = found->string();
     }
     if (!arguments.mesh.empty())
-        if (const auto exists = fileExists(arguments.mesh, "--mesh"); !exists) return exists.error();
-    auto scene = loadScene(
+        if (const auto exists = assets::fileExists(arguments.mesh, "--mesh"); !exists) return exists.error();
+    auto scene = assets::loadScene(
         {.effect = effect.string(), .workspace = workspace, .usual = "human.json", .mesh = arguments.mesh, .unitMm = arguments.unitMm},
         true);
     if (!scene) return scene.error();
@@ -85,7 +84,7 @@ Result<std::vector<InvarianceCell>> measureAll(const InvarianceArguments& argume
 
 int invariance(const InvarianceArguments& arguments) {
     InvarianceOptions options = arguments.options;
-    const auto compiler = chosenCompiler(arguments.compiler);
+    const auto compiler = assets::chosenCompiler(arguments.compiler);
     if (!compiler) return fail(compiler.error(), arguments.json);
     options.compiler = *compiler;
     if (const auto can = checkFolder(arguments.output); !can) return fail(can.error(), arguments.json);

@@ -4,10 +4,9 @@
 #include "host/support/file.h"
 #include "lab/app/commands.h"
 #include "lab/app/verify_page.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/effect_options.h"
-#include "tools/cli/job.h"
-#include "tools/cli/names.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -77,10 +76,10 @@ void tell(const std::vector<VerifiedModule>& modules) {
 
 Result<VerifyOptions> optionsOf(const VerifyArguments& arguments) {
     VerifyOptions options;
-    options.effects = ownFile(arguments.effects);
+    options.effects = assets::ownFile(arguments.effects);
     options.mapSize = arguments.mapSize;
     options.pictureSize = arguments.pictureSize;
-    const auto compiler = chosenCompiler(arguments.compiler);
+    const auto compiler = assets::chosenCompiler(arguments.compiler);
     if (!compiler) return compiler.error();
     options.compiler = *compiler;
     if (arguments.modules.empty() && verifiableModules(options.effects).empty())

@@ -15,7 +15,7 @@ namespace tegument::bench {
 
 namespace {
 
-constexpr double kShortest = 0.5; // as roots that are made for a mesh (tools/cli/fur_textures.cpp)
+constexpr double kShortest = 0.5; // as roots that are made for a mesh (meshprep/assets/generators.cpp)
 
 /// The mesh with its roots: as one draws it who needs ribbons, as the others do, and as strands in space.
 struct FurStage {

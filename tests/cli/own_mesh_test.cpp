@@ -152,7 +152,7 @@ TEST(OwnMesh, has_fur_maps_with_the_figures_that_their_parameters_are_set_to) {
     const Ran ran = tegument::test::tegument({"fur", "texture", "-o", (scratch() / "maps").string(), "--size", "2048", "--density", "0.05",
                                               "--spacing", "2.8", "--radius", "3.4", "--shortest", "0.45", "--taper", "--json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
-    EXPECT_NEAR(ran.json()["height_deviation"], 0.194, 0.0005) << "gFurDeviation of tools/cli/fur_textures.cpp";
+    EXPECT_NEAR(ran.json()["height_deviation"], 0.194, 0.0005) << "gFurDeviation of meshprep/assets/generators.cpp";
     EXPECT_NEAR(ran.json()["height_grain"], 0.00473, 0.00001) << "gFurGrain";
     ASSERT_EQ(draw("maps", {"effects/Fur.fx", "--mesh", ballMesh()}, freshCache()).ran.code, 0);
     const auto made = tegument::loadDds(scratch() / "fresh/fur/made/cube_1.dds");

@@ -1,7 +1,7 @@
 #include "tools/cli/batch_options.h"
 
 #include "host/support/system.h"
-#include "tools/cli/names.h"
+#include "meshprep/assets/names.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ std::optional<fs::path> fileBehind(const std::string& word) {
     std::error_code code;
     if (fs::is_regular_file(word, code)) return word;
     if (word.empty() || word[0] == '-' || word.find_first_of("=/") != std::string::npos) return {};
-    for (const auto& known : {knownEffects(), knownWorkspaces()})
+    for (const auto& known : {assets::knownEffects(), assets::knownWorkspaces()})
         for (const fs::path& file : known)
             if (file.stem() == word || file.filename() == word) return file;
     return {};

@@ -3,11 +3,11 @@
 #include "host/check/check.h"
 #include "host/check/resources.h"
 #include "host/emit/emit.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/check_page.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/commands.h"
-#include "tools/cli/effect_options.h"
-#include "tools/cli/names.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ Result<void> namesAreDistinct(const std::vector<std::filesystem::path>& files) {
 }
 
 CheckOptions checkOptions(const CheckArguments& arguments) {
-    const LoadOptions load = loadOptions(arguments.effect);
+    const LoadOptions load = assets::loadOptions(arguments.effect);
     CheckOptions options{.variants = {Variant{.name = load.setting, .defines = load.defines, .setting = load.setting}},
                          .includeFolders = load.includeFolders};
     options.allSettings = arguments.allSettings;
@@ -232,7 +232,7 @@ Result<void> argumentsFit(const CheckArguments& arguments, const std::vector<std
 Result<std::vector<std::filesystem::path>> filesOf(const CheckArguments& arguments) {
     std::vector<std::filesystem::path> files;
     for (const std::string& named : arguments.files) {
-        auto file = findEffect(named);
+        auto file = assets::findEffect(named);
         if (!file) return file.error();
         files.push_back(*std::move(file));
     }
@@ -266,7 +266,7 @@ void printText(const CheckReport& report, const CheckArguments& arguments, const
 }
 
 int check(const CheckArguments& arguments) {
-    if (arguments.server) return serveEditor(loadOptions(arguments.effect));
+    if (arguments.server) return serveEditor(assets::loadOptions(arguments.effect));
     const auto targets = chosenTargets(arguments.targets);
     if (!targets) return fail(targets.error(), arguments.json);
     const auto files = filesOf(arguments);

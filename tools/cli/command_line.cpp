@@ -1,7 +1,7 @@
 #include "tools/cli/command_line.h"
 
 #include "host/support/text.h"
-#include "tools/cli/names.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ std::string commandFor(const CLI::App& command, const std::string& word) {
     if (command.get_parent()) return {};
     if (isMeshName(word))
         return fmt::format("tegument prep {0} -o NEW.glb prepares a mesh, tegument render EFFECT --mesh {0} draws it", shellWord(word));
-    if (endsLike(word, {".fx"}) || findEffect(word)) return fmt::format("tegument render {} draws an effect", shellWord(word));
+    if (endsLike(word, {".fx"}) || assets::findEffect(word)) return fmt::format("tegument render {} draws an effect", shellWord(word));
     return {};
 }
 

@@ -1,8 +1,8 @@
 // tegument compare: how far is one picture from another, and where?
 
 #include "host/image/compare.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ void printDifference(const CompareArguments& arguments, const Difference& differ
 Result<Difference> compareFiles(const CompareArguments& arguments) {
     if (const auto can = checkOutput(arguments.output, {".png"}); !can) return can.error();
     for (const std::string& file : {arguments.image, arguments.reference})
-        if (const auto exists = fileExists(file, "the picture"); !exists) return exists.error();
+        if (const auto exists = assets::fileExists(file, "the picture"); !exists) return exists.error();
     auto image = loadImage(arguments.image);
     if (!image) return image.error();
     const auto reference = loadImage(arguments.reference);

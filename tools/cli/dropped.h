@@ -1,7 +1,7 @@
 #pragma once
 // Files that are dropped on the window of `tegument view`.
 
-#include "tools/cli/job.h"
+#include "tools/cli/job_options.h"
 
 namespace tegument::app {
 

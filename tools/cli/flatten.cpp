@@ -2,8 +2,8 @@
 
 #include "host/emit/flatten.h"
 #include "host/support/file.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ constexpr const char* kLibraryHead = "hlsl/tegument.fxh";
 
 int flatten(const FlattenArguments& arguments) {
     if (const auto can = checkOutput(arguments.output, {}); !can) return fail(can.error(), false);
-    const auto file = arguments.library && arguments.file.empty() ? ownFile(kLibraryHead) : findEffect(arguments.file);
+    const auto file = arguments.library && arguments.file.empty() ? assets::ownFile(kLibraryHead) : assets::findEffect(arguments.file);
     if (!file) return fail(file.error(), false);
     PreprocessOptions options{.defines = {}, .includeFolders = {}, .read = {}};
     for (const std::string& folder : arguments.includeFolders)

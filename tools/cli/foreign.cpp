@@ -7,54 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace tegument::app {
 
 namespace {
 
-constexpr int kRings = 64;
-constexpr int kSectors = 128;
-constexpr float kRadius = 1000;      // mm
 constexpr float kLeast = 0.5F / 255; // a difference that eight bits can show
 
 } // namespace
-
-Result<std::map<std::string, std::string>> bindRules(const std::vector<std::string>& given) {
-    std::map<std::string, std::string> rules;
-    for (const std::string& text : given) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-            return usageError(8011, fmt::format("--bind {} is not NAME=RULE", text), "for example --bind gMatrix=WORLDVIEWPROJECTION");
-        rules[text.substr(0, equals)] = text.substr(equals + 1);
-    }
-    return rules;
-}
-
-Mesh ball() {
-    Mesh mesh;
-    mesh.name = "ball";
-    for (int ring = 0; ring <= kRings; ++ring)
-        for (int sector = 0; sector <= kSectors; ++sector) {
-            const float v = static_cast<float>(ring) / kRings;
-            const float u = static_cast<float>(sector) / kSectors;
-            const float polar = v * std::numbers::pi_v<float>;
-            const float around = u * 2 * std::numbers::pi_v<float>;
-            const glm::vec3 normal(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
-            mesh.positions.push_back(normal);
-            mesh.normals.push_back(normal);
-            mesh.tangents.emplace_back(std::cos(around), 0.0F, -std::sin(around), 1.0F);
-            mesh.uvs.emplace_back(u, v);
-        }
-    for (int ring = 0; ring < kRings; ++ring)
-        for (int sector = 0; sector < kSectors; ++sector) {
-            const auto at = static_cast<std::uint32_t>(ring * (kSectors + 1) + sector);
-            const std::uint32_t below = at + kSectors + 1;
-            mesh.indices.insert(mesh.indices.end(), {at, below, at + 1, at + 1, below, below + 1});
-        }
-    computeBounds(mesh);
-    return mesh;
-}
 
 void printBindings(const std::vector<ParameterBinding>& bindings) {
     if (bindings.empty()) return;

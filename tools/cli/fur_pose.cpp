@@ -2,9 +2,10 @@
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
+#include "meshprep/assets/names.h"
+#include "meshprep/assets/strands.h"
 #include "meshprep/fur/ribbons/pose.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -16,10 +17,6 @@ namespace tegument::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kRoots = "gFurRootsMap";
-constexpr const char* kPose = "gFurPoseMap";
-constexpr const char* kPoseBefore = "gFurPoseBeforeMap";
 
 struct PoseArguments {
     std::string rest, posed, roots, seats;
@@ -49,10 +46,10 @@ struct Posed {
 Result<Posed> pose(const PoseArguments& arguments) {
     for (const auto& [file, what] :
          {std::pair(arguments.rest, "the mesh"), std::pair(arguments.posed, "the pose"), std::pair(arguments.roots, "--roots")})
-        if (const auto exists = fileExists(file, what); !exists) return exists.error();
+        if (const auto exists = assets::fileExists(file, what); !exists) return exists.error();
     const auto rest = loadMesh(arguments.rest, arguments.mesh);
     if (!rest) return rest.error();
-    const auto posed = readPose(arguments.posed, *rest, arguments.mesh);
+    const auto posed = assets::readPose(arguments.posed, *rest, arguments.mesh);
     if (!posed) return posed.error();
     auto roots = loadRootTexture(arguments.roots);
     if (!roots) return roots.error();
@@ -87,55 +84,7 @@ int poseFile(const PoseArguments& arguments) {
     return 0;
 }
 
-/// Into the cache: a texture has a name.
-Result<void> givePose(const char* parameter, Image image, Scene& scene) {
-    const std::string_view bytes(reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(float));
-    const fs::path file = cacheFolder() / "fur" / "made" / fmt::format("pose_{}.dds", contentHash(bytes));
-    if (!isWholeDds(file))
-        if (const auto written = writeTexture(file, std::move(image)); !written) return written;
-    scene.workspace.textures[parameter] = fs::absolute(file).string();
-    return {};
-}
-
 } // namespace
-
-Result<Mesh> readPose(const std::string& file, const Mesh& rest, MeshOptions load) {
-    load.unitMm = rest.unitMm;
-    load.guessUnit = false;
-    load.expectHead = false;
-    auto posed = loadMesh(file, load);
-    if (!posed) return posed;
-    for (glm::vec3& position : posed->positions)
-        position += glm::vec3(posed->origin - rest.origin);
-    computeBounds(*posed);
-    if (sameTriangles(rest, *posed)) return posed;
-    return inputError(8048, {.file = file, .byte = {}},
-                      fmt::format("this is no pose of {}: {} vertices and {} triangles, or in another order than its {} and {}", rest.name,
-                                  posed->positions.size(), posed->indices.size() / 3, rest.positions.size(), rest.indices.size() / 3),
-                      "move the vertices of that file, and neither add nor merge any");
-}
-
-Result<void> poseStrands(const Effect& effect, const RunOptions& options, Scene& scene) {
-    if (!scene.pose) return {};
-    if (!effect.findParameter(kPose))
-        return usageError(8047, fmt::format("--pose: {} draws no strands that bend", effect.file.string()),
-                          "give the bent mesh itself: --mesh FILE; FurCoat takes --pose");
-    const auto set = options.textures.find(kRoots);
-    const fs::path named = scene.workspace.file.parent_path() / scene.workspace.textures[kRoots];
-    const auto roots = loadRootTexture(set != options.textures.end() ? set->second : named.string());
-    if (!roots) return roots.error();
-    Mesh& mesh = scene.meshes.front();
-    const Mesh skin = skinOf(mesh, *scene.pose);
-    const auto seats = seatsOfRoots(skin, *roots);
-    if (!seats) return seats.error();
-    Image pose = poseTexture(*seats, skin, *scene.pose, *roots);
-    if (effect.findParameter(kPoseBefore)) {
-        const Mesh& before = scene.poseBefore ? *scene.poseBefore : *scene.pose;
-        if (const auto given = givePose(kPoseBefore, poseTexture(*seats, skin, before, *roots), scene); !given) return given;
-    }
-    applyPose(mesh, *scene.pose, pose);
-    return givePose(kPose, std::move(pose), scene);
-}
 
 void addFurPose(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<PoseArguments>();

@@ -4,10 +4,10 @@
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
+#include "meshprep/assets/names.h"
 #include "meshprep/fur/roots/root_picture.h"
 #include "meshprep/fur/roots/vertex_maps.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 
 #include <fmt/format.h>
 
@@ -222,10 +222,10 @@ void addMaps(CLI::App& command, RootArguments& arguments) {
 } // namespace
 
 Result<void> checkRootInputs(const RootArguments& arguments) {
-    if (const auto exists = fileExists(arguments.input, "the mesh"); !exists) return exists.error();
+    if (const auto exists = assets::fileExists(arguments.input, "the mesh"); !exists) return exists.error();
     for (const std::string& map : {arguments.densityMap, arguments.lengthMap, arguments.directionMap})
         if (!map.empty())
-            if (const auto exists = fileExists(map, "the map"); !exists) return exists.error();
+            if (const auto exists = assets::fileExists(map, "the map"); !exists) return exists.error();
     return {};
 }
 

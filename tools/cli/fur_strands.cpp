@@ -4,13 +4,14 @@
 #include "host/run/parts.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/names.h"
+#include "meshprep/assets/strands.h"
 #include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/fur/roots/head_hair.h"
 #include "meshprep/fur/roots/vertex_maps.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/fur_roots.h"
-#include "tools/cli/fur_textures.h"
-#include "tools/cli/names.h"
 
 #include <fmt/format.h>
 
@@ -71,21 +72,6 @@ struct Grown {
     RibbonFigures figures;
 };
 
-Error ofAnotherMesh(const std::string& file, const Mesh& mesh, const std::string& why) {
-    return inputError(4055, {.file = file, .byte = {}}, fmt::format("these roots were made for another mesh than {}: {}", mesh.name, why),
-                      "leave them out, and they are made; or: tegument fur roots MESH -o FILE.dds");
-}
-
-Result<Image> loadRoots(const std::string& file, const Mesh& mesh) {
-    auto texture = loadDds(file);
-    if (!texture) return texture.error();
-    Image roots = texture->images.front();
-    const auto figures = texture->isCube() ? std::nullopt : figuresIn(roots);
-    const auto why = figures ? whyNotSame(*figures, surfaceFigures(mesh)) : std::nullopt;
-    if (why) return ofAnotherMesh(file, mesh, *why);
-    return roots;
-}
-
 Result<Grown> grow(StrandArguments& arguments, Progress& progress) {
     Grown grown;
     if (arguments.given.empty()) {
@@ -98,7 +84,7 @@ Result<Grown> grow(StrandArguments& arguments, Progress& progress) {
         auto mesh = loadMesh(arguments.roots.input, arguments.roots.mesh);
         if (!mesh) return mesh.error();
         grown.mesh = *std::move(mesh);
-        auto roots = loadRoots(arguments.given, grown.mesh);
+        auto roots = assets::loadRoots(arguments.given, grown.mesh);
         if (!roots) return roots.error();
         grown.roots = *std::move(roots);
     }
@@ -122,7 +108,8 @@ Result<void> checkInputs(const StrandArguments& arguments) {
     if (const auto exist = checkRootInputs(arguments.roots); !exist) return exist.error();
     for (const std::string& file : {arguments.given, arguments.flowMap, arguments.colorMap, arguments.regionMap})
         if (!file.empty())
-            if (const auto exists = fileExists(file, file == arguments.given ? "--roots" : "the map"); !exists) return exists.error();
+            if (const auto exists = assets::fileExists(file, file == arguments.given ? "--roots" : "the map"); !exists)
+                return exists.error();
     return {};
 }
 
@@ -190,77 +177,7 @@ void addShape(CLI::App& command, StrandArguments& arguments) {
         ->excludes(region);
 }
 
-std::string generatorOf(const Parameter& parameter) {
-    return parameter.annotations.string("Generator").value_or("");
-}
-
-/// The texture that strands read: the one whose generator makes roots.
-const Parameter* rootsOf(const Effect& effect) {
-    const auto found = std::ranges::find_if(effect.parameters, [](const Parameter& parameter) {
-        return generatorOf(parameter) == kRootsGenerator || generatorOf(parameter) == kHairGenerator;
-    });
-    return found == effect.parameters.end() ? nullptr : &*found;
-}
-
-/// The file that is named, relative to the workspace, or one that is made.
-Result<fs::path> rootsFile(const Parameter& roots, const RunOptions& options, const Workspace& workspace, const MeshTextures& textures,
-                           const Mesh& mesh) {
-    if (const auto set = options.textures.find(roots.name); set != options.textures.end()) return fs::path(set->second);
-    if (const auto named = workspace.textures.find(roots.name); named != workspace.textures.end())
-        return workspace.file.parent_path() / named->second;
-    return textures.make(generatorOf(roots), mesh);
-}
-
-/// Of ribbons that are grown here: what the parameter with the generator "fur strands segments" says.
-RibbonOptions ribbonsFor(const Effect& effect, const RunOptions& options, const Workspace& workspace) {
-    RibbonOptions ribbons;
-    for (const Parameter& parameter : effect.parameters) {
-        if (parameter.annotations.string("Generator") != "fur strands segments") continue;
-        const auto* value = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr;
-        if (const auto given = workspace.parameters.find(parameter.name); given != workspace.parameters.end()) value = &given->second;
-        if (const auto given = options.parameters.find(parameter.name); given != options.parameters.end()) value = &given->second;
-        if (value && value->size() == 1) ribbons.segments = static_cast<int>(std::lround(std::clamp(value->front(), 0.0, 1e6)));
-    }
-    return ribbons;
-}
-
-/// As a workspace's texture: for all objects that have this mesh.
-void nameRoots(Scene& scene, const Mesh& mesh, const std::string& parameter, const fs::path& file) {
-    const std::string path = fs::absolute(file).string();
-    for (RunObject& own : scene.objects)
-        if (own.mesh == &mesh) own.workspace.textures[parameter] = path;
-    if (scene.objects.empty()) scene.workspace.textures[parameter] = path;
-}
-
 } // namespace
-
-Result<void> growStrands(const Effect& effect, const RunOptions& options, Scene& scene, const fs::path& meshFile,
-                         const std::function<void(const std::string&)>& say) {
-    const Parameter* roots = rootsOf(effect);
-    if (!roots || (!run::drawsPart(effect, kStrandsPart) && !run::drawsPart(effect, kUnderfurPart))) return {};
-    const MeshTextures textures = furTextures(say);
-    for (Mesh& mesh : scene.meshes) {
-        const auto object = std::ranges::find_if(scene.objects, [&](const RunObject& own) { return own.mesh == &mesh; });
-        const Workspace& workspace = object == scene.objects.end() ? scene.workspace : object->workspace;
-        if (hasRibbons(mesh)) {
-            const fs::path beside = fs::path(meshFile).replace_extension(".dds");
-            if (std::error_code code; !workspace.textures.contains(roots->name) && fs::is_regular_file(beside, code))
-                nameRoots(scene, mesh, roots->name, beside);
-            continue;
-        }
-        const auto file = rootsFile(*roots, options, workspace, textures, mesh);
-        if (!file) return file.error();
-        const auto image = loadRoots(file->string(), mesh);
-        if (!image) return image.error();
-        RibbonOptions ribbons = ribbonsFor(effect, options, workspace);
-        if (generatorOf(*roots) == kHairGenerator)
-            if (auto hair = hairOfHead(mesh)) ribbons.flowMap = FurMap(std::move(hair->direction));
-        const auto grown = addRibbons(mesh, *image, ribbons);
-        if (!grown) return grown.error();
-        nameRoots(scene, mesh, roots->name, *file); // none can be made any more for a mesh with strands
-    }
-    return {};
-}
 
 void addFurStrands(CLI::App& fur, Action& action) {
     auto arguments = std::make_shared<StrandArguments>();

@@ -4,10 +4,10 @@
 #include "host/effect/script_run.h"
 #include "host/emit/effect_json.h"
 #include "host/run/semantics.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/effect_options.h"
 #include "tools/cli/foreign.h"
-#include "tools/cli/names.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -276,9 +276,9 @@ struct InfoOptions {
 };
 
 int info(const InfoOptions& options) {
-    const auto file = findEffect(options.file);
+    const auto file = assets::findEffect(options.file);
     if (!file) return fail(file.error(), options.json);
-    const Result<Effect> effect = loadEffect(*file, loadOptions(options.effect));
+    const Result<Effect> effect = loadEffect(*file, assets::loadOptions(options.effect));
     if (!effect) return fail(effect.error(), options.json);
     warn(effect->warnings);
     const std::vector<ParameterBinding> bindings = adopted(*effect).bindings; // none of an effect that is written for this host

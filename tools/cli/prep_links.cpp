@@ -1,9 +1,9 @@
 // tegument prep links: where the light of skin comes from, by place, for effects/Pyramid.fx.
 
+#include "meshprep/assets/cached_links.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/output.h"
 #include "tools/cli/prep_mesh.h"
-#include "tools/cli/skin_links.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ int prepLinks(LinkArguments& arguments) {
     const auto links = makeSkinLinks(*mesh, arguments.links);
     progress.clear();
     if (!links) return fail(links.error(), arguments.json);
-    if (const auto written = writeSkinLinks(arguments.output, *mesh, *links, arguments.links); !written)
+    if (const auto written = assets::writeSkinLinks(arguments.output, *mesh, *links, arguments.links); !written)
         return fail(written.error(), arguments.json);
     const fs::path beside = fs::path(arguments.output).replace_extension(".json");
     if (arguments.json) {

@@ -5,9 +5,9 @@
 #include "host/support/file.h"
 #include "host/support/left_out.h"
 #include "host/support/text.h"
+#include "meshprep/assets/names.h"
 #include "meshprep/prepare/manifold_levels.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 #include "tools/cli/prep_page.h"
 #include "tools/cli/prep_report.h"
 
@@ -72,7 +72,7 @@ Result<void> checkLevels(const prep::PrepOptions& options) {
 }
 
 Result<void> inputExists(const Arguments& arguments) {
-    return fileExists(arguments.input, "the mesh", {"human", "shape", "bunny"});
+    return assets::fileExists(arguments.input, "the mesh", {"human", "shape", "bunny"});
 }
 
 Result<void> isNotTheMesh(const std::string& mesh, const std::string& written) {

@@ -1,10 +1,10 @@
 // tegument render: runs an effect on a scene and writes what it drew.
 
 #include "host/mesh/length.h"
+#include "meshprep/assets/generators.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
-#include "tools/cli/fur_textures.h"
-#include "tools/cli/job.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/picture_files.h"
 #include "tools/cli/turntable.h"
@@ -210,7 +210,10 @@ int render(const RenderOptions& given) {
     if (!output) return fail(output.error(), options.json);
     Progress progress;
     progress.say("reading");
-    auto job = loadJob(options.job, MeshFor::Technique, options.turntable > 0);
+    auto job = assets::loadJob(options.job, MeshFor::Technique, options.turntable > 0, [&](const std::string& made) {
+        progress.clear();
+        say(made);
+    });
     if (!job) return fail(job.error(), options.json);
     if (const auto exist = targetsExist(job->effect, options.dump); !exist) return fail(exist.error(), options.json);
     if (options.frames > 1 && options.job.samples == 0) job->run.samples = 1; // what is measured, as bench does
@@ -229,14 +232,9 @@ int render(const RenderOptions& given) {
     job->run.compiling = [&](std::size_t done, std::size_t total) {
         done < total ? progress.count("compiling shader", done, total) : progress.say("rendering");
     };
-    job->run.meshTextures = furTextures([&](const std::string& made) {
-        progress.clear();
-        say(made);
-        progress.say("rendering");
-    });
     progress.say("rendering");
     if (options.turntable > 0) return renderTurning(options, *job, *device, *output, progress);
-    const auto result = runScene(*device, job->effect, job->scene, job->run);
+    const auto result = assets::runScene(*device, job->effect, job->scene, job->run);
     progress.clear();
     if (!result) return fail(result.error(), options.json);
     warn(result->warnings);

@@ -3,8 +3,8 @@
 #include "host/image/image.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/assets/names.h"
 #include "tools/cli/command_line.h"
-#include "tools/cli/names.h"
 #include "tools/cli/output.h"
 #include "tools/cli/typeface.h"
 
@@ -153,7 +153,7 @@ Result<void> checkFiles(const SheetArguments& arguments) {
         return usageError(8032, fmt::format("{} is neither a .png nor a .jpg", arguments.output), "PNG is exact, JPEG is smaller");
     if (const auto can = canWrite(arguments.output); !can) return can.error();
     for (const std::string& picture : arguments.pictures)
-        if (const auto exists = fileExists(picture, "the picture"); !exists) return exists.error();
+        if (const auto exists = assets::fileExists(picture, "the picture"); !exists) return exists.error();
     return {};
 }
 

@@ -5,7 +5,7 @@
 #include "host/support/system.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/foreign.h"
-#include "tools/cli/job.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/picture_files.h"
 
@@ -99,7 +99,7 @@ void blame(Row& row, const Error& error) {
 
 /// The effects of a folder may include each other's files.
 LoadOptions loadIn(const SurveyOptions& options) {
-    LoadOptions load = loadOptions(options.effect);
+    LoadOptions load = assets::loadOptions(options.effect);
     load.roots.folders.emplace_back(options.folder);
     return load;
 }
@@ -117,13 +117,13 @@ void draw(const SurveyOptions& options, const fs::path& file, gpu::Device& devic
     wanted.effect = options.effect;
     wanted.size = options.size;
     wanted.samples = 1;
-    auto job = loadJob(wanted, MeshFor::Technique);
+    auto job = assets::loadJob(wanted, MeshFor::Technique);
     const auto refused = [&](const Error& error) {
         row.drawn = "not drawn: " + codeOf(error);
         blame(row, error);
     };
     if (!job) return refused(job.error());
-    const auto result = runScene(device, job->effect, job->scene, job->run);
+    const auto result = assets::runScene(device, job->effect, job->scene, job->run);
     if (!result) return refused(result.error());
     row.drawn = pictureOf(result->image);
     if (options.pictures.empty()) return;

@@ -61,7 +61,7 @@ private:
 
 Result<Turntable> renderTurntable(gpu::Device& device, const Job& job, const PictureOptions& options, const fs::path& output, int pictures,
                                   const std::function<void(int done)>& say) {
-    const SessionScene scene = sessionScene(job.scene);
+    const SessionScene scene = assets::sessionScene(job.scene);
     const Workspace world = run::inWorld(job.scene.workspace, scene);
     const glm::dvec3 pivot = glm::dvec3(run::boundsOf(scene).centre);
     EffectSession session(device, job.effect, scene);

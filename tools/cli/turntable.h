@@ -3,7 +3,7 @@
 
 #include "host/gpu/gpu.h"
 #include "host/run/session_frame.h"
-#include "tools/cli/job.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/picture_files.h"
 
 #include <functional>

@@ -1,15 +1,15 @@
 // tegument view: an effect in a window.
 
 #include "tools/view/view.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/roots_on_mesh.h"
 #include "meshprep/prepare/levels.h"
 #include "tools/cli/command_line.h"
 #include "tools/cli/dropped.h"
 #include "tools/cli/foreign.h"
-#include "tools/cli/fur_textures.h"
-#include "tools/cli/job.h"
+#include "tools/cli/job_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/replay.h"
-#include "tools/cli/roots_on_mesh.h"
 #include "tools/view/keys.h"
 
 #include <fmt/format.h>
@@ -60,21 +60,25 @@ bool hasDisplay() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
+/// Says what was made, above the line of progress, which outlives the viewer.
+assets::Say told(Progress& progress) {
+    return [&progress](const std::string& made) {
+        progress.clear();
+        say(made);
+    };
+}
+
 ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progress) {
     const auto job = std::make_shared<const Job>(std::move(read));
     RunOptions run = job->run;
-    const auto rules = bindRules(options.job.binds); // loadJob() has read them
-    run.meshTextures = furTextures([&progress](const std::string& made) {
-        progress.clear();
-        say(made);
-    });
+    const auto rules = assets::bindRules(options.job.binds); // loadJob() has read them
     run.compiling = [&progress](std::size_t done, std::size_t total) {
         done < total ? progress.count("compiling shader", done, total) : progress.clear();
     };
     return {.effect = job->effect.file,
-            .load = loadOptions(options.job.effect),
+            .load = assets::loadOptions(options.job.effect),
             .binds = rules ? *rules : std::map<std::string, std::string>(),
-            .scene = sessionScene(job->scene),
+            .scene = assets::sessionScene(job->scene),
             .workspace = job->scene.workspace,
             .run = std::move(run),
             .device = options.job.device,
@@ -87,7 +91,7 @@ ViewRequest requestFor(const ViewOptions& options, Job&& read, Progress& progres
             .keepView = false,
             .open = {},
             .fewer = prep::quickLevel,
-            .rootsOn = rootsOnMesh};
+            .rootsOn = assets::rootsOnMesh};
 }
 
 /// The request with a way to open what is dropped next.
@@ -98,7 +102,7 @@ ViewRequest opening(const ViewOptions& options, ViewRequest request, Progress& p
         if (!job) return job.error();
         next.job = std::move(*job);
         progress.say("reading " + file.string());
-        auto read = loadJob(next.job, MeshFor::AnyTechnique);
+        auto read = assets::loadJob(next.job, MeshFor::AnyTechnique, false, told(progress));
         progress.clear();
         if (!read) return read.error();
         warnOf(*read);
@@ -139,7 +143,7 @@ int runView(const ViewOptions& options) {
         if (const auto can = checkFolder(options.pictures); !can) return fail(can.error(), false);
     Progress progress;
     progress.say("reading");
-    auto job = loadJob(options.job, MeshFor::AnyTechnique);
+    auto job = assets::loadJob(options.job, MeshFor::AnyTechnique, false, told(progress));
     progress.clear();
     if (!job) return fail(job.error(), false);
     warnOf(*job);

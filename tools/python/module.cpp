@@ -1,6 +1,6 @@
 // The Python module's part in C++: a Scene that is kept between pictures. All else is tools/python/tegument/__init__.py.
 
-#include "tools/cli/names.h"
+#include "meshprep/assets/names.h"
 #include "tools/python/scene.h"
 
 #include <nanobind/nanobind.h>
@@ -83,7 +83,7 @@ Vector listOf(const glm::vec3& v) {
 std::unique_ptr<Scene> load(const std::string& effect, const std::string& technique, const std::string& workspace, const std::string& mesh,
                             std::optional<double> unitMm, const std::string& preset, const std::vector<std::string>& defines,
                             const std::vector<std::string>& sets, const std::string& setting, int samples, const std::string& device) {
-    tegument::app::JobOptions options;
+    tegument::assets::JobOptions options;
     options.file = effect;
     options.technique = technique;
     options.scene.workspace = workspace;
@@ -131,7 +131,7 @@ void setLight(Scene& scene, const std::optional<Vector>& position, const std::op
 } // namespace
 
 NB_MODULE(_tegument, module) {
-    module.def("set_own_folder", [](const std::string& folder) { tegument::app::setOwnFolder(folder); });
+    module.def("set_own_folder", [](const std::string& folder) { tegument::assets::setOwnFolder(folder); });
     module.def("load", &load);
     module.def("to_srgb", &toSrgb);
     nb::class_<Scene>(module, "Scene")

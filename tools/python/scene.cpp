@@ -1,25 +1,24 @@
 #include "tools/python/scene.h"
 
 #include "host/run/read_back.h"
-#include "tools/cli/fur_textures.h"
-#include "tools/cli/given_values.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/given_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace tegument::python {
 
-Result<std::unique_ptr<Scene>> Scene::load(const app::JobOptions& options) {
-    auto job = app::loadJob(options, app::MeshFor::Technique);
+Result<std::unique_ptr<Scene>> Scene::load(const assets::JobOptions& options) {
+    auto job = assets::loadJob(options, assets::MeshFor::Technique);
     if (!job) return job.error();
     auto device = gpu::Device::create({.validation = options.validate, .prefer = options.device});
     if (!device) return device.error();
     return std::unique_ptr<Scene>(new Scene(std::move(*job), std::move(*device)));
 }
 
-Scene::Scene(app::Job job, gpu::Device device)
-    : job_(std::move(job)), device_(std::move(device)), session_(device_, job_.effect, app::sessionScene(job_.scene)) {
-    job_.run.meshTextures = app::furTextures([](const std::string&) {});
+Scene::Scene(assets::Job job, gpu::Device device)
+    : job_(std::move(job)), device_(std::move(device)), session_(device_, job_.effect, assets::sessionScene(job_.scene)) {
     keep(job_.effect.warnings);
     keep(job_.warnings);
     for (const Mesh& mesh : job_.scene.meshes)
@@ -28,7 +27,7 @@ Scene::Scene(app::Job job, gpu::Device device)
 
 Result<Image> Scene::render(int width, int height) {
     const std::scoped_lock lock(mutex_);
-    const auto size = app::parseSize(fmt::format("{}x{}", width, height));
+    const auto size = assets::parseSize(fmt::format("{}x{}", width, height));
     if (!size) return size.error();
     std::tie(job_.run.width, job_.run.height) = *size;
     auto frame = session_.draw(job_.scene.workspace, job_.run);
@@ -48,7 +47,7 @@ Result<Image> Scene::target(const std::string& name) {
 
 Result<void> Scene::set(const std::string& assignment) {
     const std::scoped_lock lock(mutex_);
-    return app::applySet(assignment, job_.effect, job_.run);
+    return assets::applySet(assignment, job_.effect, job_.run);
 }
 
 void Scene::place(const std::optional<Camera>& camera, const std::optional<Light>& light) {

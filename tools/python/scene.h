@@ -3,7 +3,7 @@
 
 #include "host/image/image.h"
 #include "host/run/session.h"
-#include "tools/cli/job.h"
+#include "meshprep/assets/job.h"
 
 #include <map>
 #include <memory>
@@ -17,7 +17,7 @@ namespace tegument::python {
 class Scene {
 public:
     /// What `tegument render` reads for the same options, and its errors.
-    [[nodiscard]] static Result<std::unique_ptr<Scene>> load(const app::JobOptions& options);
+    [[nodiscard]] static Result<std::unique_ptr<Scene>> load(const assets::JobOptions& options);
 
     /// The caller's colour target: linear radiance, RGBA, row 0 on top. TG4001 and on where drawing fails.
     [[nodiscard]] Result<Image> render(int width, int height);
@@ -38,11 +38,11 @@ public:
     [[nodiscard]] std::vector<Diagnostic> takeWarnings();
 
 private:
-    Scene(app::Job job, gpu::Device device);
+    Scene(assets::Job job, gpu::Device device);
     void keep(const std::vector<Diagnostic>& warnings);
 
     std::mutex mutex_;
-    app::Job job_;
+    assets::Job job_;
     gpu::Device device_;
     EffectSession session_;
     SessionFrame frame_;

@@ -1,6 +1,6 @@
 // What lies beside links: whose mesh they were made for.
 #include "host/support/file.h"
-#include "tools/cli/skin_links.h"
+#include "meshprep/assets/cached_links.h"
 
 #include <gtest/gtest.h>
 
@@ -34,10 +34,10 @@ struct Links {
 
 TEST(SkinLinksFile, of_another_mesh_is_refused_and_of_the_same_taken) {
     const Links links;
-    ASSERT_TRUE(app::writeSkinLinks(links.file, corner(1),
-                                    SkinLinks{.sheet = {.width = 4, .height = 4, .pixels = std::vector<float>(64), .metadata = {}}}, {}));
-    EXPECT_TRUE(app::checkSkinLinks(links.file, corner(1)));
-    const auto other = app::checkSkinLinks(links.file, corner(3));
+    ASSERT_TRUE(assets::writeSkinLinks(
+        links.file, corner(1), SkinLinks{.sheet = {.width = 4, .height = 4, .pixels = std::vector<float>(64), .metadata = {}}}, {}));
+    EXPECT_TRUE(assets::checkSkinLinks(links.file, corner(1)));
+    const auto other = assets::checkSkinLinks(links.file, corner(3));
     ASSERT_FALSE(other);
     const std::string said = format(other.error());
     for (const char* text : {"TG4055", "another mesh than corner"})
@@ -53,6 +53,6 @@ TEST(SkinLinksFile, with_any_json_beside_it_is_taken_as_it_is) {
           head + R"({"surface": {"area": 1, "middle": {"x": 1}, "spread": [0,0,0]}}})",
           head + R"({"surface": {"area": 1, "middle": [0,0], "spread": [0,null,0]}}})", head + std::string(100000, '[')}) {
         links.beside(text);
-        EXPECT_TRUE(app::checkSkinLinks(links.file, corner(1))) << text.substr(0, 120);
+        EXPECT_TRUE(assets::checkSkinLinks(links.file, corner(1))) << text.substr(0, 120);
     }
 }

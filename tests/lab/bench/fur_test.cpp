@@ -2,8 +2,8 @@
 
 #include "lab/bench/fur.h"
 
+#include "meshprep/assets/generators.h"
 #include "tests/gpu/with_device.h"
-#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ protected:
                     .frames = {.warmUp = 0, .timed = 1},
                     .compiler = defaultCompiler(),
                     .pixels = 0,
-                    .meshTextures = app::furTextures([](const std::string&) {})};
+                    .meshTextures = assets::meshTextures([](const std::string&) {})};
     }
     ~FurBench() override {
         std::error_code code;

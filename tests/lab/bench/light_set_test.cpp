@@ -3,8 +3,8 @@
 #include "host/effect/model.h"
 #include "lab/bench/bench.h"
 #include "lab/bench/light_set.h"
+#include "meshprep/assets/generators.h"
 #include "tests/gpu/with_device.h"
-#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST_F(LitSets, are_drawn_as_rays_and_quadrature_see_them) {
                          .frames = {.warmUp = 0, .timed = 1},
                          .compiler = defaultCompiler(),
                          .pixels = 12,
-                         .meshTextures = app::furTextures([](const std::string&) {})};
+                         .meshTextures = assets::meshTextures([](const std::string&) {})};
     for (const std::string& name : lightSetNames()) {
         options.lights = name;
         const auto rows = runBench(*device_, *chosen, options, {.say = [](const std::string&) {}, .flip = nullptr});

@@ -1,8 +1,8 @@
 // Flicker: figures of paths whose errors are known, and what moves along a path.
 
 #include "lab/bench/motion.h"
+#include "meshprep/assets/generators.h"
 #include "tests/gpu/with_device.h"
-#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ protected:
                     .shadowSizes = {256},
                     .compiler = defaultCompiler(),
                     .pixels = 64,
-                    .meshTextures = app::furTextures([](const std::string&) {})};
+                    .meshTextures = assets::meshTextures([](const std::string&) {})};
     }
     ~Motions() override {
         std::error_code code;

@@ -1,8 +1,8 @@
 // Pyramid against the truth: light by brute force, on scenes that each technique must get right.
 
 #include "lab/bench/bench.h"
+#include "meshprep/assets/generators.h"
 #include "tests/gpu/with_device.h"
-#include "tools/cli/fur_textures.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ protected:
                     .frames = {.warmUp = 0, .timed = 1},
                     .compiler = defaultCompiler(),
                     .pixels = 256,
-                    .meshTextures = app::furTextures([](const std::string&) {})};
+                    .meshTextures = assets::meshTextures([](const std::string&) {})};
     }
     ~Pyramids() override {
         std::error_code code;

@@ -1,5 +1,5 @@
 #pragma once
-// Options that every subcommand which loads an effect shares.
+// How an effect is to be loaded, as a command line or a script says it.
 
 #include "host/effect/model.h"
 #include "host/support/text.h"
@@ -7,11 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
-namespace tegument::app {
+namespace tegument::assets {
 
 struct EffectOptions {
     std::vector<std::string> defines; // NAME or NAME=VALUE
@@ -22,9 +18,7 @@ struct EffectOptions {
     int shadowSize = 0;  // likewise
 };
 
-void addEffectOptions(CLI::App& command, EffectOptions& options);
-
 /// Defines in the order given; --map-size becomes TEGUMENT_MAP_SIZE, --shadow-size TEGUMENT_SHADOW_SIZE.
 [[nodiscard]] LoadOptions loadOptions(const EffectOptions& options);
 
-} // namespace tegument::app
+} // namespace tegument::assets

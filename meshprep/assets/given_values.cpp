@@ -1,7 +1,7 @@
-#include "tools/cli/given_values.h"
+#include "meshprep/assets/given_values.h"
 
 #include "host/support/text.h"
-#include "tools/cli/names.h"
+#include "meshprep/assets/names.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace {
 
@@ -188,4 +188,4 @@ Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const
     return warnings;
 }
 
-} // namespace tegument::app
+} // namespace tegument::assets

@@ -1,32 +1,32 @@
-#include "tools/cli/skin_links.h"
+#include "meshprep/assets/cached_links.h"
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
 #include "meshprep/fur/roots/surface_figures.h"
 #include "meshprep/skin/link_cells.h"
-#include "tools/cli/output.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace fs = std::filesystem;
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr const char* kKind = "tegument skin links";
 
-template <class T>
-std::string_view bytesOf(const std::vector<T>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
 std::string keyOf(const Mesh& mesh, const LinkOptions& options) {
-    std::string all = fmt::format("{} {} {} {} {} {} {} {} ", kLinkVersion, options.variances[0], options.variances[1], options.fourth,
-                                  options.fourthShare, options.lost, options.nearest, options.growth);
-    for (const std::string_view part : {bytesOf(mesh.positions), bytesOf(mesh.uvs), bytesOf(mesh.indices)})
-        all += contentHash(part);
-    return contentHash(all + contentHash(bytesOf(skinMask(mesh))));
+    return CacheKey(kLinkVersion)
+        .add(fmt::format("{} {} {} {} {} {} {}", options.variances[0], options.variances[1], options.fourth, options.fourthShare,
+                         options.lost, options.nearest, options.growth))
+        .add(mesh.positions)
+        .add(mesh.uvs)
+        .add(mesh.indices)
+        .add(skinMask(mesh))
+        .text();
 }
 
 fs::path besides(const fs::path& file) {
@@ -80,16 +80,14 @@ Result<void> writeSkinLinks(const fs::path& file, const Mesh& mesh, const SkinLi
     return writeFile(besides(file), toJson(mesh, links, options).dump(2) + "\n");
 }
 
-Result<fs::path> cachedSkinLinks(const Mesh& mesh, const std::function<void(const std::string&)>& say) {
+Result<fs::path> cachedSkinLinks(const Mesh& mesh, const Say& say) {
     const LinkOptions options;
-    const fs::path file = cacheFolder() / "skin" / "made" / fmt::format("links_{}.dds", keyOf(mesh, options));
-    if (isWholeDds(file)) return file;
-    const auto links = makeSkinLinks(mesh, options);
-    if (!links) return links.error();
-    if (const auto written = writeSkinLinks(file, mesh, *links, options); !written) return written.error();
-    const auto& s = links->seconds;
-    say(fmt::format("made {} for {} in {:.1f} s: {}", kSkinLinksGenerator, mesh.name, s.cells + s.links + s.sheet, file.string()));
-    return file;
+    const auto make = [&](const fs::path& file) -> Result<void> {
+        const auto links = makeSkinLinks(mesh, options);
+        if (!links) return links.error();
+        return writeSkinLinks(file, mesh, *links, options);
+    };
+    return cachedDds("skin", "links_" + keyOf(mesh, options), fmt::format("{} for {}", kSkinLinksGenerator, mesh.name), say, make);
 }
 
 Result<void> checkSkinLinks(const fs::path& file, const Mesh& mesh) {
@@ -106,4 +104,4 @@ Result<void> checkSkinLinks(const fs::path& file, const Mesh& mesh) {
                       "leave them out, and they are made; or: tegument prep links MESH -o FILE.dds");
 }
 
-} // namespace tegument::app
+} // namespace tegument::assets

@@ -1,17 +1,17 @@
-#include "tools/cli/scene.h"
+#include "meshprep/assets/scene.h"
 
 #include "host/run/scene_bounds.h"
 #include "host/support/text.h"
-#include "tools/cli/foreign.h"
-#include "tools/cli/fur_pose.h"
+#include "meshprep/assets/strands.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace fs = std::filesystem;
 
@@ -80,6 +80,34 @@ void frame(const SceneOptions& options, const Mesh& mesh, Workspace& workspace) 
     workspace.light.position = alongUp(up, turned(workspace.light.position));
     if (workspace.light.direction) workspace.light.direction = alongUp(up, turned(*workspace.light.direction));
     if (up == UpAxis::Z) workspace.parameters.insert({"gFurDown", {0, 0, -1}});
+}
+
+/// Of radius 1, with texture coordinates and tangents: foreign effects expect objects of about one unit.
+Mesh ball() {
+    constexpr int kRings = 64;
+    constexpr int kSectors = 128;
+    Mesh mesh;
+    mesh.name = "ball";
+    for (int ring = 0; ring <= kRings; ++ring)
+        for (int sector = 0; sector <= kSectors; ++sector) {
+            const float v = static_cast<float>(ring) / kRings;
+            const float u = static_cast<float>(sector) / kSectors;
+            const float polar = v * std::numbers::pi_v<float>;
+            const float around = u * 2 * std::numbers::pi_v<float>;
+            const glm::vec3 normal(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
+            mesh.positions.push_back(normal);
+            mesh.normals.push_back(normal);
+            mesh.tangents.emplace_back(std::cos(around), 0.0F, -std::sin(around), 1.0F);
+            mesh.uvs.emplace_back(u, v);
+        }
+    for (int ring = 0; ring < kRings; ++ring)
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const auto at = static_cast<std::uint32_t>(ring * (kSectors + 1) + sector);
+            const std::uint32_t below = at + kSectors + 1;
+            mesh.indices.insert(mesh.indices.end(), {at, below, at + 1, at + 1, below, below + 1});
+        }
+    computeBounds(mesh);
+    return mesh;
 }
 
 Result<Mesh> chooseMesh(const SceneOptions& options, const Workspace& workspace) {
@@ -190,4 +218,4 @@ Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scen
     return runEffect(device, effect, scene.meshes.empty() ? nullptr : &scene.meshes.front(), scene.workspace, options);
 }
 
-} // namespace tegument::app
+} // namespace tegument::assets

@@ -1,13 +1,10 @@
-#include "tools/cli/job.h"
+#include "meshprep/assets/job.h"
 
-#include "tools/cli/command_line.h"
-#include "tools/cli/foreign.h"
-#include "tools/cli/fur_pose.h"
-#include "tools/cli/fur_strands.h"
-#include "tools/cli/fur_textures.h"
-#include "tools/cli/given_values.h"
-#include "tools/cli/names.h"
-#include "tools/cli/output.h"
+#include "host/support/text.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/given_values.h"
+#include "meshprep/assets/names.h"
+#include "meshprep/assets/strands.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +13,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace {
 
@@ -46,6 +43,17 @@ bool needsMesh(const Effect& effect, const std::string& technique, MeshFor meshF
 
 } // namespace
 
+Result<std::map<std::string, std::string>> bindRules(const std::vector<std::string>& given) {
+    std::map<std::string, std::string> rules;
+    for (const std::string& text : given) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+            return usageError(8011, fmt::format("--bind {} is not NAME=RULE", text), "for example --bind gMatrix=WORLDVIEWPROJECTION");
+        rules[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return rules;
+}
+
 Result<std::pair<int, int>> parseSize(const std::string& text) {
     std::pair<int, int> size{0, 0};
     const char* end = text.data() + text.size();
@@ -70,55 +78,7 @@ Result<Compiler> chosenCompiler(const std::string& name) {
     return machineError(8015, fmt::format("the compiler is not available: {}", why), "run ./bootstrap build, or use --compiler glslang");
 }
 
-void addJobOptions(CLI::App& command, JobOptions& options) {
-    command.add_option("effect", options.file, "Effect: a file (.fx), or the name of one of ours, such as Main")->required();
-    command.add_option("-t,--technique", options.technique, "Technique; default: the one the effect's script names");
-    command.add_option("-m,--mesh", options.scene.mesh, "Mesh (.glb, .gltf, .obj, .ply, .stl, .off); default: the workspace's");
-    CLI::Option* pose = command.add_option(
-        "--pose", options.scene.pose, "The same mesh, bent: a file with its vertices moved; strands of FurCoat follow their triangles");
-    command.add_option("--pose-before", options.scene.poseBefore, "The same in the frame before, for gMotionMap")->needs(pose);
-    command.add_option(
-        "-w,--workspace", options.scene.workspace,
-        "Workspace: a file (docs/workspace.md), or the name of one of ours, such as bunny; default: the one that the effect names, else "
-        "human.json, of workspaces/ beside it");
-    command.add_option("--unit-mm", options.scene.unitMm, "Millimetres in one unit of the mesh file")->check(CLI::PositiveNumber);
-    command.add_flag_callback(
-        "--head", [&options] { options.scene.head = true; }, "The mesh is a human head: refuse a size that no head has");
-    command.add_flag_callback(
-        "--no-head", [&options] { options.scene.head = false; }, "It is none, whatever the workspace says");
-    command
-        .add_option_function<std::string>(
-            "--up", [&options](const std::string& axis) { options.scene.up = axis == "z" ? UpAxis::Z : UpAxis::Y; },
-            "Which axis of --mesh points up: y or z; default: z of STL files, else y")
-        ->transform(oneOf({"y", "z"}));
-    command.add_option(
-        "--turn", options.scene.turn,
-        "Degrees by which the scene is turned, counter-clockwise seen from above; camera and light stay: 180 shows the back");
-    command.add_option("-p,--preset", options.preset,
-                       "Named values of parameters, such as oily: those of NAME.presets.json beside NAME.fx");
-    repeatable(
-        command.add_option("-s,--set", options.sets, "NAME=VALUE: numbers separated by commas, or a file for a texture; may be repeated"));
-    repeatable(command.add_option("--bind", options.binds,
-                                  "NAME=RULE: what a parameter of a foreign effect gets, such as WORLDVIEWPROJECTION; may be repeated"));
-    command.add_option("--size", options.size, "Picture size in pixels: WIDTHxHEIGHT, or one number for a square")->capture_default_str();
-    command
-        .add_option("--samples", options.samples,
-                    "Samples a pixel of the caller's targets: 1, 2, 4 or 8; the picture is their mean; default: 4; 1 where the technique "
-                    "cannot have several or has Direct3D 9's half pixel, and for render --frames")
-        ->check(CLI::IsMember({1, 2, 4, 8}));
-    command
-        .add_option("--picture", options.picture,
-                    "What the picture is drawn into: float (RGBA32F), or half (RGBA16F), as engines do, into which blending costs less")
-        ->transform(oneOf({"float", "half"}))
-        ->capture_default_str();
-    command.add_option("--compiler", options.compiler, "dxc or glslang; default: DXC where it is installed")
-        ->transform(oneOf({"dxc", "glslang"}));
-    command.add_option("--device", options.device, "Part of the Vulkan device's name; NAME#2: the second of that name");
-    command.add_flag("--validate", options.validate, "Run under the Vulkan validation layers; any message is a failure");
-    addEffectOptions(command, options.effect);
-}
-
-Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
+Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, const Say& say) {
     const auto size = parseSize(options.size);
     if (!size) return size.error();
     const auto file = findEffect(options.file);
@@ -176,13 +136,17 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns) {
     if (!warnings) return warnings.error();
     job.warnings = std::move(foreign.notes);
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
+    job.run.meshTextures = meshTextures(say);
     setFurMapParameters(job.effect, job.run, job.scene);
-    const auto say = [](const std::string& made) { app::say(made); };
     const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
                                                                  : std::filesystem::path(sceneOptions.mesh);
-    if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh, say); !grown) return grown.error();
+    if (const auto grown = growStrands(job.effect, job.run, job.scene, mesh); !grown) return grown.error();
     if (const auto posed = poseStrands(job.effect, job.run, job.scene); !posed) return posed.error();
     return job;
 }
 
-} // namespace tegument::app
+Result<RunResult> draw(gpu::Device& device, const Job& job) {
+    return runScene(device, job.effect, job.scene, job.run);
+}
+
+} // namespace tegument::assets

@@ -1,4 +1,4 @@
-#include "tools/cli/names.h"
+#include "meshprep/assets/names.h"
 
 #include "host/support/process.h"
 #include "host/support/system.h"
@@ -11,7 +11,7 @@
 #include <array>
 #include <fstream>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace fs = std::filesystem;
 
@@ -234,4 +234,4 @@ std::vector<fs::path> effectsBeside(const fs::path& effect) {
     return files;
 }
 
-} // namespace tegument::app
+} // namespace tegument::assets

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 struct SceneOptions {
     std::string effect;     // the effect file: its folder has the default workspace
@@ -46,4 +46,4 @@ struct Scene {
 
 [[nodiscard]] Result<RunResult> runScene(gpu::Device& device, const Effect& effect, const Scene& scene, const RunOptions& options);
 
-} // namespace tegument::app
+} // namespace tegument::assets

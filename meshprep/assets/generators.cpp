@@ -1,7 +1,7 @@
-#include "tools/cli/fur_textures.h"
+#include "meshprep/assets/generators.h"
 
-#include "tools/cli/skin_links.h"
-#include "tools/cli/surroundings.h"
+#include "meshprep/assets/cached_light.h"
+#include "meshprep/assets/cached_links.h"
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
@@ -14,16 +14,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <span>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using Say = std::function<void(const std::string&)>;
 
 constexpr const char* kCubeMap = "fur cube map";
 constexpr const char* kSphereMap = "fur sphere map";
@@ -41,18 +37,6 @@ bool growsRoots(const std::string& generator) {
 
 /// Part of every name in the cache: a change of what is made takes another number.
 constexpr int kVersion = 1;
-
-template <class T>
-std::string_view bytesOf(const std::vector<T>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
-std::string keyOf(const Mesh& mesh) {
-    std::string all = fmt::format("{} ", kVersion);
-    for (const std::string_view part : {bytesOf(mesh.positions), bytesOf(mesh.normals), bytesOf(mesh.indices)})
-        all += contentHash(part);
-    return contentHash(all);
-}
 
 Result<DdsTexture> drawMap(const std::string& generator) {
     const int side = generator == kCubeMap ? cubeMapSide(kMapSide) : kMapSide;
@@ -96,17 +80,16 @@ Result<fs::path> make(const std::string& generator, const Mesh& mesh, const Say&
                           fmt::format("the annotation Generator knows \"{}\", \"{}\", \"{}\", \"{}\", \"{}\", \"{}\" and \"{}\"", kCubeMap,
                                       kSphereMap, kRootsGenerator, kSkinLinksGenerator, kStudioGenerator, kSkyGenerator,
                                       kOcclusionGenerator));
-    const fs::path file = cacheFolder() / "fur" / "made" /
-                          (roots ? fmt::format("{}_{}.dds", generator == kHairGenerator ? "hair" : "roots", keyOf(mesh))
-                                 : fmt::format("{}_{}.dds", generator == kCubeMap ? "cube" : "sphere", kVersion));
-    if (isWholeDds(file)) return file;
-    const auto start = std::chrono::steady_clock::now();
-    const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
-    if (!texture) return texture.error();
-    if (const auto written = writeDds(file, *texture); !written) return written.error();
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    say(fmt::format("made {}{} in {:.1f} s: {}", generator, roots ? " for " + mesh.name : "", seconds, file.string()));
-    return file;
+    std::string name = fmt::format("{}_{}", generator == kCubeMap ? "cube" : "sphere", kVersion);
+    if (roots)
+        name = (generator == kHairGenerator ? "hair_" : "roots_") +
+               CacheKey(kVersion).add(mesh.positions).add(mesh.normals).add(mesh.indices).text();
+    const auto write = [&](const fs::path& file) -> Result<void> {
+        const auto texture = roots ? drawRoots(generator, mesh) : drawMap(generator);
+        if (!texture) return texture.error();
+        return writeDds(file, *texture);
+    };
+    return cachedDds("fur", name, roots ? fmt::format("{} for {}", generator, mesh.name) : generator, say, write);
 }
 
 /// Files that do not hold roots are left to who loads them.
@@ -134,7 +117,7 @@ bool named(const std::map<std::string, std::string>& textures, const std::string
 
 } // namespace
 
-MeshTextures furTextures(std::function<void(const std::string&)> say) {
+MeshTextures meshTextures(Say say) {
     return {.make = [say = std::move(say)](const std::string& generator, const Mesh& mesh) { return make(generator, mesh, say); },
             .check = check};
 }
@@ -156,4 +139,4 @@ void setFurMapParameters(const Effect& effect, const RunOptions& options, Scene&
         apply(object.workspace);
 }
 
-} // namespace tegument::app
+} // namespace tegument::assets

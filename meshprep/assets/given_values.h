@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 /// NAME=VALUE: numbers for a numeric parameter, a file for a texture. TG8011 no '=', TG8012 no such parameter, TG8013 not that many finite
 /// numbers, or not whole ones; TG8008 no such file.
@@ -25,4 +25,4 @@ namespace tegument::app {
 /// value that the parameter cannot take.
 [[nodiscard]] Result<std::vector<Diagnostic>> checkWorkspaceValues(const Effect& effect, const Workspace& workspace);
 
-} // namespace tegument::app
+} // namespace tegument::assets

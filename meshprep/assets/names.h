@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 /// Where effects, hlsl and workspaces lie for a program that is not ours but has our library in it, such as Python: looked at first.
 void setOwnFolder(std::filesystem::path folder);
@@ -38,4 +38,4 @@ void setOwnFolder(std::filesystem::path folder);
 /// The effects that share workspaces with this one: of its folder and the folder `peers` below it; of a peer also those above.
 [[nodiscard]] std::vector<std::filesystem::path> effectsBeside(const std::filesystem::path& effect);
 
-} // namespace tegument::app
+} // namespace tegument::assets

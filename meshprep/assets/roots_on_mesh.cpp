@@ -1,10 +1,10 @@
-#include "tools/cli/roots_on_mesh.h"
+#include "meshprep/assets/roots_on_mesh.h"
 
 #include "host/support/parallel.h"
 #include "meshprep/fur/roots/root_texture.h"
 #include "meshprep/prepare/near_surface.h"
 
-namespace tegument::app {
+namespace tegument::assets {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::vector<std::uint32_t> rootsOnMesh(const Mesh& mesh, const Image& roots) {
     return onto;
 }
 
-} // namespace tegument::app
+} // namespace tegument::assets

@@ -1,18 +1,16 @@
 #pragma once
 // Links of skin on any mesh: made when nothing names them, and kept in the cache folder, or by `tegument prep links`.
 
-#include "host/run/run_options.h"
+#include "meshprep/assets/cache.h"
 #include "meshprep/skin/skin_links.h"
 
-#include <functional>
-
-namespace tegument::app {
+namespace tegument::assets {
 
 /// What the annotation Generator calls them.
 inline constexpr const char* kSkinLinksGenerator = "skin links";
 
 /// The file in the cache, named by the mesh's shape and by what links are made of; made where it is not there. `say` is told.
-[[nodiscard]] Result<std::filesystem::path> cachedSkinLinks(const Mesh& mesh, const std::function<void(const std::string&)>& say);
+[[nodiscard]] Result<std::filesystem::path> cachedSkinLinks(const Mesh& mesh, const Say& say);
 
 /// The links, and beside them a JSON file that says of what mesh and profile they are.
 [[nodiscard]] Result<void> writeSkinLinks(const std::filesystem::path& file, const Mesh& mesh, const SkinLinks& links,
@@ -21,4 +19,4 @@ inline constexpr const char* kSkinLinksGenerator = "skin links";
 /// TG4055 where the JSON file beside the links says that they were made for another mesh; links without one are taken as they are.
 [[nodiscard]] Result<void> checkSkinLinks(const std::filesystem::path& file, const Mesh& mesh);
 
-} // namespace tegument::app
+} // namespace tegument::assets

@@ -1,13 +1,18 @@
 #pragma once
-// An effect, a scene and values: what the subcommands that draw read from disk before the device is touched.
+// A render request by names and files, and what is read for it: effect, scene and values, before a device is touched. What meshes and
+// effects need beside (fur maps, roots, strands, links, environment maps) is made, and cached in the cache folder.
 
 #include "host/adopt/adopt.h"
-#include "tools/cli/effect_options.h"
-#include "tools/cli/scene.h"
+#include "meshprep/assets/effect_options.h"
+#include "meshprep/assets/generators.h"
+#include "meshprep/assets/scene.h"
 
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
-namespace tegument::app {
+namespace tegument::assets {
 
 struct JobOptions {
     std::string file;
@@ -42,13 +47,19 @@ inline constexpr int kUsualSamples = 4;
 /// WIDTHxHEIGHT, or one number for a square. TG8010.
 [[nodiscard]] Result<std::pair<int, int>> parseSize(const std::string& text);
 
+/// --bind NAME=RULE. TG8011 no '='.
+[[nodiscard]] Result<std::map<std::string, std::string>> bindRules(const std::vector<std::string>& given);
+
 /// "dxc", "glslang", or the default for no name. TG8015 it is not there.
 [[nodiscard]] Result<Compiler> chosenCompiler(const std::string& name);
 
-void addJobOptions(CLI::App& command, JobOptions& options);
 /// TG8006 to TG8009 a file or technique that does not exist, TG8010 no size, TG8011 to TG8013 a --set that cannot be, TG8015 the compiler
 /// is not there, TG8019 a workspace's value that cannot be, TG8043 no such preset; and whatever loading says.
 /// `turns`: a mesh of one's own is framed so that it can turn.
-[[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns = false);
+/// `say` is told what was made.
+[[nodiscard]] Result<Job> loadJob(const JobOptions& options, MeshFor meshFor = MeshFor::Technique, bool turns = false, const Say& say = {});
 
-} // namespace tegument::app
+/// One picture of it, with the scene's meshes as loadJob() left them.
+[[nodiscard]] Result<RunResult> draw(gpu::Device& device, const Job& job);
+
+} // namespace tegument::assets

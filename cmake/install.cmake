@@ -1,29 +1,38 @@
 # cmake --install and cpack (.deb, .tar.gz): the program, effects, hlsl, workspaces, compiled effects, libraries, headers, package config.
 
-if(NOT TARGET tegument)
-  return()
-endif()
-
 option(TEGUMENT_PRECOMPILE "Compile the effects for engines when installing" ON)
 
-set(libraries tegument_options tegument_support tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check tegument_emit tegument_gpu tegument_image
-    tegument_mesh tegument_scene tegument_run)
-install(TARGETS tegument RUNTIME DESTINATION bin)
-install(TARGETS ${libraries} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
+# Targets: Tegument::host draws, Tegument::assets makes what effects take from meshes; the others are their parts.
+add_library(tegument_host INTERFACE)
+target_link_libraries(tegument_host INTERFACE tegument_run tegument_adopt tegument_check tegument_emit)
+set(exported tegument_host tegument_assets tegument_options tegument_support tegument_rays tegument_effect tegument_adopt tegument_spirv tegument_direct3d tegument_check
+    tegument_emit tegument_gpu tegument_image tegument_mesh tegument_scene tegument_run tegument_meshprep_base tegument_order tegument_fur tegument_roots
+    tegument_ribbons tegument_prepare tegument_skin_links tegument_surroundings)
+foreach(library IN LISTS exported)
+  string(REGEX REPLACE "^tegument_" "" name ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+endforeach()
+if(TARGET tegument)
+  install(TARGETS tegument RUNTIME DESTINATION bin)
+endif()
+install(TARGETS ${exported} EXPORT TegumentTargets ARCHIVE DESTINATION lib/tegument)
 install(EXPORT TegumentTargets NAMESPACE Tegument:: DESTINATION lib/cmake/Tegument)
-# What a program may include: these, and no other header of host. A repository check keeps them from including what is not installed.
+# What a program may include: these, and no other header. A repository check keeps them from including what is not installed.
 set(public_headers
-    host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/state.h
+    host/support/file.h host/support/layout.h host/support/result.h host/support/roots.h host/support/state.h host/support/text.h
     host/effect/model.h host/effect/script.h host/effect/script_run.h host/adopt/adopt.h
     host/spirv/compile.h host/spirv/dxil.h host/direct3d/microsoft.h host/check/check.h host/emit/emit.h
     host/image/compare.h host/image/dds.h host/image/image.h
-    host/mesh/mesh.h host/scene/placement.h host/scene/view.h host/scene/workspace.h
-    host/gpu/gpu.h host/run/geometry.h host/run/run.h host/run/run_options.h
-    host/run/session.h host/run/session_frame.h)
+    host/mesh/mesh.h host/scene/framing.h host/scene/placement.h host/scene/presets.h host/scene/view.h host/scene/workspace.h
+    host/gpu/gpu.h host/run/geometry.h host/run/pass_request.h host/run/run.h host/run/run_options.h
+    host/run/session.h host/run/session_frame.h
+    meshprep/assets/cache.h meshprep/assets/effect_options.h meshprep/assets/generators.h meshprep/assets/given_values.h meshprep/assets/job.h
+    meshprep/assets/names.h meshprep/assets/picture.h meshprep/assets/scene.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION include/tegument/${room})
 endforeach()
+install(FILES meshprep/assets/tegument.h DESTINATION include/tegument)
 install(DIRECTORY effects hlsl DESTINATION share/tegument)
 install(PROGRAMS meshprep/fetch.py DESTINATION share/tegument/meshprep)
 if(TEGUMENT_LAB)
@@ -32,6 +41,9 @@ endif()
 # Side by side as in the tree, so that the links of one to the other hold.
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION share/doc/tegument)
 install(DIRECTORY docs DESTINATION share/doc/tegument)
+if(NOT TARGET tegument)
+  return()
+endif()
 install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1\")
   execute_process(COMMAND \"$<TARGET_FILE:tegument>\" help --man OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tegument.1\"
                   COMMAND_ERROR_IS_FATAL ANY)")

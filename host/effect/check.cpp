@@ -25,7 +25,7 @@ struct KnownAnnotation {
 constexpr AnnotationKind kText = AnnotationKind::String;
 constexpr AnnotationKind kNumber = AnnotationKind::Number;
 
-constexpr std::array<KnownAnnotation, 66> kAnnotations{{
+constexpr std::array<KnownAnnotation, 44> kAnnotations{{
     {"Script", kText},
     {"ScriptClass", kText},
     {"ScriptOrder", kText},
@@ -57,30 +57,8 @@ constexpr std::array<KnownAnnotation, 66> kAnnotations{{
     {"Normalize", kNumber},
     {"Instances", kText},
     {"Part", kText},
-    {"Reach", kText},
-    {"ReachScale", kNumber},
-    {"Share", kText},
-    {"ShareRadius", kText},
-    {"ShareThinnest", kText},
-    {"ShareFewest", kText},
-    {"ShareFirst", kNumber},
-    {"Segment", kText},
-    {"SegmentsOf", kText},
-    {"SegmentScale", kNumber},
-    {"SegmentFewest", kNumber},
-    {"Least", kText},
-    {"LeastRadius", kText},
-    {"LeastSpacings", kText},
-    {"LeastScale", kNumber},
-    {"LeastTaper", kNumber},
     {"Stores", kText},
     {"Threads", kText},
-    {"Rows", kText},
-    {"RowsStrands", kText},
-    {"RowsMore", kText},
-    {"RowsEach", kText},
-    {"RowsScale", kNumber},
-    {"RowsMacro", kText},
     {"Viewport", kText},
     {"Groups", kNumber, 1, 3},
     {"GroupCount", kText},
@@ -323,11 +301,8 @@ private:
 
     /// The names of parameters in a pass's annotations get the spelling of their declaration, like those in scripts.
     void namedNumbers(Pass& pass) {
-        constexpr std::array kNames = {"Instances",  "Reach", "Share",       "ShareRadius",   "ShareThinnest", "ShareFewest", "Segment",
-                                       "SegmentsOf", "Least", "LeastRadius", "LeastSpacings", "RowsStrands",   "RowsMore",    "RowsEach"};
         for (Annotation& annotation : pass.annotations.list)
-            if (auto* name = std::get_if<std::string>(&annotation.value);
-                name != nullptr && std::ranges::any_of(kNames, [&](const char* own) { return equalsIgnoreCase(annotation.name, own); }))
+            if (auto* name = std::get_if<std::string>(&annotation.value); name != nullptr && equalsIgnoreCase(annotation.name, "Instances"))
                 scalar(*name, annotation.at);
     }
 
@@ -336,8 +311,7 @@ private:
         for (Annotation& annotation : pass.annotations.list) {
             auto* name = std::get_if<std::string>(&annotation.value);
             if (name == nullptr) continue;
-            for (const char* own : {"Threads", "Rows"})
-                if (equalsIgnoreCase(annotation.name, own)) target(*name, "RENDERCOLORTARGET", annotation.at);
+            if (equalsIgnoreCase(annotation.name, "Threads")) target(*name, "RENDERCOLORTARGET", annotation.at);
             if (equalsIgnoreCase(annotation.name, "Viewport") && !name->empty()) target(*name, "RENDERCOLORTARGET", annotation.at);
             if (equalsIgnoreCase(annotation.name, "GroupCount")) numeric(*name, annotation.at);
         }

@@ -81,9 +81,8 @@ std::optional<Error> checkUvs(Mesh& mesh, const Source& source, const MeshOption
     return std::nullopt;
 }
 
-/// Ribbons of fur stand on their roots and face nowhere.
 void warnOfFacing(Mesh& mesh, const Source& source) {
-    if (std::ranges::any_of(mesh.parts, isRibbons)) return;
+    if (std::ranges::any_of(mesh.parts, &MeshPart::expanded)) return;
     if (auto fault = facingFault(examineFacing(mesh, weldPositions(mesh.positions)), source.name())) mesh.warnings.push_back(*fault);
 }
 
@@ -136,6 +135,7 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
     if (options.flipV) flipV(mesh);
     dropDegenerate(mesh, source);
     if (mesh.indices.empty()) return meshfile::noTriangles(source.whole());
+    markExpandedParts(mesh);
     keepReferenced(mesh); // so that a stray point cannot stretch the bounds
     computeBounds(mesh);
     if (options.expectHead)
@@ -151,6 +151,16 @@ Result<Mesh> load(const std::filesystem::path& path, const MeshOptions& options)
 }
 
 } // namespace
+
+void markExpandedParts(Mesh& mesh) {
+    const auto at = [&](std::size_t i) { return mesh.positions[mesh.indices[i]]; };
+    for (MeshPart& part : mesh.parts) {
+        const std::size_t end = std::size_t{part.firstIndex} + part.indexCount;
+        part.expanded = part.indexCount > 0;
+        for (std::size_t i = part.firstIndex; part.expanded && i < end; i += 3)
+            part.expanded = at(i) == at(i + 1) && at(i) == at(i + 2);
+    }
+}
 
 std::optional<double> likelyUnit(const Bounds& bounds, double unitMm) {
     constexpr double kLeast = 10; // mm: a bead

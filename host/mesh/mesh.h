@@ -32,16 +32,10 @@ struct MeshPart {
     std::uint32_t indexCount = 0;
     std::vector<MeshCluster> clusters{};     // in order, without gaps; or none
     std::optional<std::uint32_t> material{}; // of the mesh's `materials`
+    /// The three vertices of each triangle stand at one place until a vertex shader moves them apart, as those of billboards do: they have
+    /// no area, face nowhere, and their texture coordinates are the shader's.
+    bool expanded = false;
 };
-
-/// The part whose triangles are ribbons of fur (docs/design/fur.md). Their vertices stand on their roots, so that whoever does not bend
-/// them draws nothing; their texture coordinates are none.
-inline constexpr const char* kStrandsPart = "strands";
-/// The same ribbons, of fewer segments: for what is short or far.
-inline constexpr const char* kUnderfurPart = "underfur";
-[[nodiscard]] inline bool isRibbons(const MeshPart& part) {
-    return part.name == kStrandsPart || part.name == kUnderfurPart;
-}
 
 struct Bounds {
     glm::vec3 minimum{0};
@@ -102,6 +96,9 @@ struct MeshOptions {
     double overlapWarning = 1e-3; // warn when more than this share of the UV area overlaps or lies outside [0,1]
     Roots roots{};                // where else files may lie that the mesh file names: host/support/roots.h
 };
+
+/// Sets MeshPart::expanded by the positions.
+void markExpandedParts(Mesh& mesh);
 
 /// glb/gltf, PLY, OBJ, STL, OFF by content and extension. Normals are made (angle weighted) where absent, tangents where there are UVs.
 [[nodiscard]] Result<Mesh> loadMesh(const std::filesystem::path& path, const MeshOptions& options = {});

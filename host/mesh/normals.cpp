@@ -48,7 +48,7 @@ glm::dvec3 faceNormal(const std::array<glm::dvec3, 3>& corners) {
 }
 
 bool hasArea(const Mesh& mesh) {
-    if (std::ranges::any_of(mesh.parts, isRibbons)) return true;
+    if (std::ranges::any_of(mesh.parts, &MeshPart::expanded)) return true;
     for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i)
         if (faceNormal(cornersOf(mesh, i)) != glm::dvec3(0)) return true;
     return false;

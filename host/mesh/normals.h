@@ -14,8 +14,7 @@ namespace tegument {
 /// Unit, to the side from which the corners run counter-clockwise; 0 for a triangle without area.
 [[nodiscard]] glm::dvec3 faceNormal(const std::array<glm::dvec3, 3>& corners);
 
-/// One triangle has an area, in the floats that the mesh holds. Ribbons of fur stand on their roots and have none until they are bent: they
-/// count.
+/// One triangle has an area, in the floats that the mesh holds. Parts that a shader expands have none before, and count.
 [[nodiscard]] bool hasArea(const Mesh& mesh);
 
 /// For each vertex the sum of the adjacent face normals weighted by their angle there, made unit; vertices of one group share it.

@@ -9,7 +9,6 @@ namespace {
 
 constexpr const char* kPositions = "posed position";
 constexpr const char* kNormals = "posed normal";
-constexpr float kFirstAddress = 4096; // kTgRibbonFirst of hlsl/fur/ribbons.fxh
 
 const MeshAttribute* named(const Mesh& mesh, const char* name) {
     const auto found = std::ranges::find(mesh.attributes, name, &MeshAttribute::name);
@@ -46,14 +45,22 @@ Bounds seenBounds(const Mesh& mesh) {
     const auto pose = poseOf(mesh);
     if (!pose) return mesh.bounds;
     Mesh seen;
+    const std::vector<bool> expanded = expandedVertices(mesh);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        if (!isOnRibbon(mesh, i)) seen.positions.emplace_back(pose->position(i)); // roots lie within
+        if (expanded.empty() || !expanded[i]) seen.positions.emplace_back(pose->position(i)); // roots lie within
     computeBounds(seen);
     return seen.bounds;
 }
 
-bool isOnRibbon(const Mesh& mesh, std::size_t vertex) {
-    return !mesh.uvs.empty() && mesh.uvs[vertex].y >= kFirstAddress;
+std::vector<bool> expandedVertices(const Mesh& mesh) {
+    std::vector<bool> expanded;
+    for (const MeshPart& part : mesh.parts) {
+        if (!part.expanded) continue;
+        expanded.resize(mesh.positions.size());
+        for (std::uint32_t i = 0; i < part.indexCount; ++i)
+            expanded[mesh.indices[part.firstIndex + i]] = true;
+    }
+    return expanded;
 }
 
 } // namespace tegument

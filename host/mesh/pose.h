@@ -1,11 +1,12 @@
 #pragma once
 // A pose of a mesh: where it takes the vertices. It travels as two attributes of the mesh, whose own positions stay those at rest, by which
-// fur is found. Drawn are skin where the pose has it, and ribbons at rest, which their shaders bend (docs/design/fur.md).
+// maps of it are found. Drawn is the pose; vertices of parts that a shader expands stay at rest, for the shader bends them.
 
 #include "host/mesh/mesh.h"
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace tegument {
 
@@ -29,7 +30,7 @@ void setPose(Mesh& mesh, std::span<const glm::vec3> positions, std::span<const g
 /// Of the vertices where the pose has them; without one the mesh's own.
 [[nodiscard]] Bounds seenBounds(const Mesh& mesh);
 
-/// Whether the vertex is a ribbon's: its v is the address of a root.
-[[nodiscard]] bool isOnRibbon(const Mesh& mesh, std::size_t vertex);
+/// Whether each vertex belongs to a part that a shader expands; empty where the mesh has no such part.
+[[nodiscard]] std::vector<bool> expandedVertices(const Mesh& mesh);
 
 } // namespace tegument

@@ -150,10 +150,9 @@ std::int64_t mapSize(double insideArea) {
     return static_cast<std::int64_t>(std::max(16.0, kFull * std::sqrt(std::min(1.0, kMostLayers / std::max(insideArea, 1.0)))));
 }
 
-/// Ribbons of fur hold no texture coordinates.
-bool ofStrands(const Mesh& mesh, std::size_t index) {
+bool isExpanded(const Mesh& mesh, std::size_t index) {
     return std::ranges::any_of(mesh.parts, [&](const MeshPart& part) {
-        return isRibbons(part) && index >= part.firstIndex && index - part.firstIndex < part.indexCount;
+        return part.expanded && index >= part.firstIndex && index - part.firstIndex < part.indexCount;
     });
 }
 
@@ -165,7 +164,7 @@ UvReport examineUvs(const Mesh& mesh) {
     double inside = 0;
     std::vector<Polygon> polygons;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        if (ofStrands(mesh, i)) continue;
+        if (isExpanded(mesh, i)) continue;
         const Polygon triangle = triangleAt(mesh, i);
         Polygon kept = insideUnitSquare(triangle);
         total += std::abs(signedArea(triangle));

@@ -3,8 +3,8 @@
 #include "host/run/constants.h"
 #include "host/run/describe.h"
 #include "host/run/groups.h"
-#include "host/run/noted_rows.h"
-#include "host/run/part_draws.h"
+#include "host/run/parts.h"
+#include "host/run/pass_request.h"
 #include "host/run/pause.h"
 #include "host/support/text.h"
 
@@ -171,6 +171,66 @@ Extent extentOf(const gpu::Targets& targets) {
     return {desc.width, desc.height};
 }
 
+PassRequest requestFor(const Builder& builder, const Pass& pass, const Extent& viewport, std::uint32_t instances) {
+    const Prepared& prepared = builder.prepared;
+    return {.effect = builder.input.effect,
+            .pass = pass,
+            .mesh = *builder.input.mesh,
+            .world = prepared.scene.world,
+            .viewProjection = glm::dmat4(prepared.scene.camera.viewProjection),
+            .eye = eyeOf(prepared.scene),
+            .horizontalFov = static_cast<double>(prepared.scene.camera.horizontalFov),
+            .viewportWidth = viewport.width,
+            .instances = instances,
+            .value = [&prepared](const Parameter& parameter) { return prepared.values.require(parameter); },
+            .rows = [&prepared](const std::string& target) -> std::optional<std::uint32_t> {
+                const auto found = prepared.targets.find(target);
+                if (found == prepared.targets.end()) return std::nullopt;
+                return found->second.extent.height;
+            }};
+}
+
+void setRanges(std::span<const ListedRange> ranges, gpu::Draw& draw) {
+    draw.first = draw.count = 0;
+    if (ranges.empty()) return;
+    draw.first = ranges.front().first;
+    draw.count = ranges.front().count;
+    if (ranges.front().instances > 0) draw.instances = ranges.front().instances;
+    for (const ListedRange& range : ranges.subspan(1))
+        draw.more.push_back({range.first, range.count, range.firstInstance, range.instances});
+}
+
+/// Indices of a list are uploaded once a frame.
+Result<const gpu::Buffer*> indicesOf(const std::shared_ptr<const DrawList>& list, Builder& builder) {
+    auto& lists = builder.frame.lists;
+    const auto found = std::ranges::find(lists, list, &FrameList::list);
+    if (found != lists.end()) return static_cast<const gpu::Buffer*>(found->indices.get());
+    auto buffer = builder.resources.device.createBuffer(gpu::BufferUsage::Index, std::as_bytes(std::span(list->indices)));
+    if (!buffer) return buffer.error();
+    lists.push_back({.list = list, .indices = std::make_unique<gpu::Buffer>(std::move(*buffer))});
+    return static_cast<const gpu::Buffer*>(lists.back().indices.get());
+}
+
+/// The draw has indices, ranges and instances of the whole mesh; it gets those of the pass.
+Result<void> chooseTriangles(Builder& builder, const DrawStep& step, const Extent& viewport, gpu::Draw& draw) {
+    if (const auto& ask = builder.input.options.assets.list) {
+        const auto list = ask(requestFor(builder, *step.pass, viewport, draw.instances));
+        if (!list) return list.error();
+        if (*list) {
+            setRanges((*list)->ranges, draw);
+            if ((*list)->indices.empty() || (*list)->ranges.empty()) return {};
+            const auto indices = indicesOf(*list, builder);
+            if (!indices) return indices.error();
+            draw.indices = *indices;
+            return {};
+        }
+    }
+    const auto ranges = partOf(builder.input.effect, *step.pass, *builder.input.mesh);
+    if (!ranges) return ranges.error();
+    setRanges(*ranges, draw);
+    return {};
+}
+
 /// Where the draw is of all of a mesh.
 void useCoarser(const Builder& builder, const Extent& viewport, gpu::Draw& draw) {
     const RunOptions& options = builder.input.options;
@@ -201,8 +261,7 @@ Result<void> addDraw(Builder& builder, const DrawStep& step) {
     item.draw.instances = *instances;
     const Extent viewport = extentOf(item.targets);
     if (step.kind != DrawKind::Buffer) {
-        const PartRequest request{builder.input, builder.prepared, *step.pass, viewport, builder.resources.device};
-        if (const auto chosen = chooseTriangles(request, builder.frame.lists, item.draw); !chosen) return chosen;
+        if (const auto chosen = chooseTriangles(builder, step, viewport, item.draw); !chosen) return chosen;
         useCoarser(builder, viewport, item.draw);
     }
     const PassProgram& program = *builder.prepared.programs.at(step.pass);
@@ -241,7 +300,8 @@ Extent extentOf(const Builder& builder, const DrawStep& step, const PassProgram&
 
 Result<void> addDispatch(Builder& builder, const DrawStep& step) {
     const PassProgram& program = *builder.prepared.programs.at(step.pass);
-    if (const auto fits = checkNotedRows(builder.input, builder.prepared, *step.pass); !fits) return fits;
+    if (const auto& fits = builder.input.options.assets.fits; fits && builder.input.mesh)
+        if (const auto fit = fits(requestFor(builder, *step.pass, {}, 1)); !fit) return fit;
     const auto groups = groupsOf(builder.input.effect, builder.prepared, *step.pass);
     if (!groups) return groups.error();
     const auto pipeline = computePipelineFor(builder, *step.pass, program);

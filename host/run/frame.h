@@ -1,7 +1,7 @@
 #pragma once
 // One frame ready to be recorded any number of times: pipelines made, uniform blocks laid out, resources bound.
 
-#include "host/run/part_draws.h"
+#include "host/run/pass_request.h"
 #include "host/run/resources.h"
 #include "host/run/session_frame.h"
 
@@ -65,10 +65,16 @@ struct FrameNode {
     bool* drawn = nullptr; // to be set once it is, so that a frame that is given up later finds it
 };
 
+/// A list of draws, and its indices on the device.
+struct FrameList {
+    std::shared_ptr<const DrawList> list;
+    std::unique_ptr<gpu::Buffer> indices;
+};
+
 struct Frame {
     std::vector<FrameNode> before; // in this order; without sections of their own
     std::vector<FrameItem> items;
-    PartLists lists;                     // that draws of parts of a mesh take their indices from
+    std::vector<FrameList> lists;        // that draws of parts of a mesh take their indices from
     bool clearsApart = false;            // RunOptions
     std::vector<bool> kept;              // of `items`: what it draws is there already (host/run/held.h); empty: of none
     bool resolveKept = false;            // likewise

@@ -39,8 +39,9 @@ std::vector<float> interleave(const Mesh& mesh) {
     std::vector<float> stream;
     stream.reserve(mesh.positions.size() * 12);
     const auto pose = poseOf(mesh);
+    const std::vector<bool> expanded = pose ? expandedVertices(mesh) : std::vector<bool>();
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const bool posed = pose && !isOnRibbon(mesh, i);
+        const bool posed = pose && (expanded.empty() || !expanded[i]);
         const glm::vec3 position = posed ? glm::vec3(pose->position(i)) : mesh.positions[i];
         const glm::vec3 normal = posed ? glm::vec3(pose->normal(i)) : mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
         const glm::vec4 tangent = mesh.tangents.empty() ? tangentAcross(normal) : mesh.tangents[i];

@@ -19,7 +19,7 @@ std::set<std::string> namedBy(const Effect& effect) {
     return names;
 }
 
-void append(std::vector<IndexRange>& ranges, const IndexRange& range) {
+void append(std::vector<ListedRange>& ranges, const ListedRange& range) {
     if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first)
         ranges.back().count += range.count;
     else
@@ -33,12 +33,11 @@ Error noSuchPart(const Pass& pass, const std::string& part, const Mesh& mesh) {
     return inputError(4060, {.file = mesh.name, .byte = {}},
                       fmt::format("pass {} draws the mesh's part '{}', and there is none: it has {}", pass.name, part,
                                   names.empty() ? "no parts" : fmt::format("{}", fmt::join(names, ", "))),
-                      part == kStrandsPart || part == kUnderfurPart ? "tegument fur strands MESH -o NEW.glb makes them"
-                                                                    : "name a primitive of the glTF file so");
+                      "name a primitive of the glTF file so");
 }
 
 /// Without the clusters that cannot be seen.
-void appendPart(std::vector<IndexRange>& ranges, const MeshPart& part, const PartView* view) {
+void appendPart(std::vector<ListedRange>& ranges, const MeshPart& part, const PartView* view) {
     if (!view || part.clusters.empty()) return append(ranges, {.first = part.firstIndex, .count = part.indexCount});
     for (const MeshCluster& cluster : part.clusters)
         if (canBeSeen(cluster, *view)) append(ranges, {.first = part.firstIndex + cluster.firstIndex, .count = cluster.indexCount});
@@ -63,19 +62,8 @@ PartView partView(const glm::dmat4& toClip, const glm::dvec3& eye, double reach)
     return view;
 }
 
-PartView partView(const SceneView& scene, double reach) {
-    return partView(glm::dmat4(scene.camera.viewProjection) * scene.world, eyeOf(scene), reach);
-}
-
 glm::dvec3 eyeOf(const SceneView& scene) {
     return glm::dvec3(glm::inverse(scene.world) * glm::dvec4(glm::dvec3(scene.camera.position), 1));
-}
-
-double horizonOf(double reach) {
-    constexpr double kLeast = 0.28;
-    constexpr double kLeaning = 1.5; // a strand that leans reaches further than one that stands
-    const double away = 1 + kLeaning * std::max(reach, kLeast);
-    return -std::sqrt(1 - 1 / (away * away));
 }
 
 bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view) {
@@ -97,13 +85,13 @@ bool canBeSeen(const MeshCluster& cluster, const PartView& view) {
     return least <= std::acos(view.hidden);
 }
 
-Result<std::vector<IndexRange>> partOf(const Effect& effect, const Pass& pass, const Mesh& mesh, const PartView* view) {
+Result<std::vector<ListedRange>> partOf(const Effect& effect, const Pass& pass, const Mesh& mesh, const PartView* view) {
     const auto part = pass.annotations.string("Part");
-    if (!part) return std::vector<IndexRange>{{.first = 0, .count = static_cast<std::uint32_t>(mesh.indices.size())}};
+    if (!part) return std::vector<ListedRange>{{.first = 0, .count = static_cast<std::uint32_t>(mesh.indices.size())}};
     const bool named = std::ranges::any_of(mesh.parts, [&](const MeshPart& own) { return own.name == *part; });
     if (!named && *part != kSkinPart) return noSuchPart(pass, *part, mesh);
     const std::set<std::string> others = namedBy(effect);
-    std::vector<IndexRange> ranges;
+    std::vector<ListedRange> ranges;
     bool any = false;
     for (const MeshPart& own : mesh.parts)
         if (named ? own.name == *part : !others.contains(own.name)) {

@@ -3,18 +3,13 @@
 
 #include "host/effect/model.h"
 #include "host/mesh/mesh.h"
+#include "host/run/pass_request.h"
 #include "host/run/semantics.h"
 
 #include <array>
 #include <vector>
 
 namespace tegument::run {
-
-struct IndexRange {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    bool operator==(const IndexRange&) const = default;
-};
 
 /// What parts may be called "skin" where none is: every part that no pass of the effect names.
 inline constexpr const char* kSkinPart = "skin";
@@ -31,23 +26,15 @@ struct PartView {
 };
 /// toClip: out of the mesh's space, GLM's order.
 [[nodiscard]] PartView partView(const glm::dmat4& toClip, const glm::dvec3& eye, double reach);
-[[nodiscard]] PartView partView(const SceneView& scene, double reach);
 [[nodiscard]] glm::dvec3 eyeOf(const SceneView& scene);
 
-/// False only for what lies outside of the picture as a whole, or looks away from the eye as a whole: so far that what grows there
-/// does not reach over the horizon.
+/// False only for what lies outside of the picture as a whole, or looks away from the eye as a whole, by more than `hidden` allows.
 [[nodiscard]] bool canBeSeen(const MeshCluster& cluster, const PartView& view);
 /// Of what grows on a vertex.
 [[nodiscard]] bool canBeSeen(const glm::dvec3& place, const glm::dvec3& normal, const PartView& view);
-/// Least cosine between a normal and the way to the eye at which strands are still drawn, for a pass that reaches so many of the mesh's
-/// radii: over the horizon of a ball of radius R strands of the length K R that stand reach at -sqrt(1 - 1 / (1 + K)^2), leaning ones as if
-/// they were half as long again. K is the reach, 0.28 at least: Reach is four lengths, and a body bends as a ball of a quarter of the
-/// mesh's radius. ribbonHorizon of effects/passes/fur_ribbons.fxh is the same.
-[[nodiscard]] double horizonOf(double reach);
-
 /// In order, those that touch made one; with a view, without the clusters that cannot be seen: perhaps none. TG4060 the mesh has no part of
 /// that name.
-[[nodiscard]] Result<std::vector<IndexRange>> partOf(const Effect& effect, const Pass& pass, const Mesh& mesh,
-                                                     const PartView* view = nullptr);
+[[nodiscard]] Result<std::vector<ListedRange>> partOf(const Effect& effect, const Pass& pass, const Mesh& mesh,
+                                                      const PartView* view = nullptr);
 
 } // namespace tegument::run

@@ -194,7 +194,7 @@ Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter,
         if (const auto file = madeBefore(input, made->generator)) return TextureSource(FileSource{*file, "its annotation Generator"});
         const auto begin = std::chrono::steady_clock::now();
         const auto written = std::filesystem::file_time_type::clock::now();
-        auto file = input.options.meshTextures.make(made->generator, *input.mesh);
+        auto file = input.options.assets.make(made->generator, *input.mesh);
         if (!file) return namedBy("its annotation Generator", parameter, file.error());
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
         std::error_code unknown;
@@ -207,10 +207,10 @@ Result<TextureSource> madeFor(const RunInput& input, const Parameter& parameter,
     }
     const auto generator = parameter.annotations.string("Generator");
     const auto* file = std::get_if<FileSource>(&source);
-    if (!generator || !file || !input.mesh || !input.options.meshTextures.check) return source;
+    if (!generator || !file || !input.mesh || !input.options.assets.check) return source;
     const std::tuple all(input.mesh, *generator, file->path);
     if (input.known && input.known->checked.contains(all)) return source;
-    if (const auto checked = input.options.meshTextures.check(*generator, file->path, *input.mesh); !checked)
+    if (const auto checked = input.options.assets.check(*generator, file->path, *input.mesh); !checked)
         return namedBy(file->namedBy, parameter, checked.error());
     if (input.known) input.known->checked.insert(all);
     return source;
@@ -232,9 +232,23 @@ void paint(const RunInput& input, const Parameter& parameter, TextureSource& sou
                         .sourceLine = {}});
 }
 
+/// A texture that a library would make from the mesh, and a constant stands in: fur would be bald, and skin without its links.
+void warnOfNothingMade(const RunInput& input, const Parameter& parameter, const TextureSource& source, std::vector<Diagnostic>& warnings) {
+    const auto generator = parameter.annotations.string("Generator");
+    if (!generator || !input.mesh || input.options.assets.make || !std::holds_alternative<ConstantSource>(source)) return;
+    warnings.push_back(
+        {.severity = Severity::Warning,
+         .code = 4080,
+         .at = parameter.at,
+         .text = fmt::format("nothing makes {} ('{}') for {}: a constant stands in for it", parameter.name, *generator, input.mesh->name),
+         .hint = "set RunOptions::assets (Tegument::assets has meshAssets()), or give a file",
+         .sourceLine = {}});
+}
+
 Result<TextureSource> sourceOf(const RunInput& input, const Parameter& parameter, Prepared& prepared) {
     auto source = findTexture(parameter, input.effect, input.options, input.workspace, input.mesh);
     if (!source) return source;
+    warnOfNothingMade(input, parameter, *source, prepared.warnings);
     paint(input, parameter, *source, prepared.warnings);
     return madeFor(input, parameter, std::move(*source), prepared);
 }

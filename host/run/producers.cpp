@@ -20,7 +20,7 @@ constexpr int kProducerPicture = 64;
 
 RunOptions producerOptions(const RunOptions& options, const Effect& effect) {
     RunOptions own{.technique = {}, .width = kProducerPicture, .height = kProducerPicture, .compiler = options.compiler};
-    own.meshTextures = options.meshTextures;
+    own.assets = options.assets;
     own.plainSkin = options.plainSkin;
     own.compiling = options.compiling;
     for (const auto& [name, value] : options.parameters)

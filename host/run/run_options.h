@@ -17,13 +17,20 @@
 
 namespace tegument {
 
-/// Textures that belong to a mesh, by the annotation `Generator` of their parameters (docs/running.md). Without functions none are made,
-/// and none judged.
-struct MeshTextures {
+struct DrawList;
+struct PassRequest;
+
+/// What a library that knows meshes makes of them for effects. Without functions nothing is made and nothing judged: parameters with the
+/// annotation `Generator` (docs/running.md) are warned of (TG4080).
+struct MeshAssets {
     /// Makes the file where nothing gives one, or finds it made.
     std::function<Result<std::filesystem::path>(const std::string& generator, const Mesh& mesh)> make;
     /// Refuses a file that was made for another mesh.
     std::function<Result<void>(const std::string& generator, const std::filesystem::path& file, const Mesh& mesh)> check;
+    /// Which triangles a pass draws (host/run/pass_request.h); null: all of its part. Passes that draw the same get the same object.
+    std::function<Result<std::shared_ptr<const DrawList>>(const PassRequest& request)> list;
+    /// Refuses a compute pass that has no room for the mesh.
+    std::function<Result<void>(const PassRequest& request)> fits;
 };
 
 /// Triangles of meshes over the same vertices, fewer than they have.
@@ -53,7 +60,7 @@ struct RunOptions {
     std::map<std::string, std::vector<double>> parameters; // --set; wins over the workspace, which wins over the defaults
     std::map<std::string, std::string> textures;           // --set NAME=file for textures; relative to the current folder
     std::vector<std::string> dump;                         // target names; "all"
-    MeshTextures meshTextures;
+    MeshAssets assets;
     /// Albedo, linear, and the scatter mask of skin for which nothing gives a colour map (semantic DIFFUSE), with a warning. None: the
     /// effect's own Fallback.
     std::optional<std::array<float, 4>> plainSkin;

@@ -111,7 +111,7 @@ Result<TextureSource> findTexture(const Parameter& parameter, const Effect& effe
     if (const EmbeddedTexture* texture = embedded(parameter, mesh)) return TextureSource(texture);
     if (const auto path = resource(parameter, effect)) return within(parameter, effect, *path, FileSource{*path, kResourceName});
     if (parameter.annotations.find("Producer")) return producer(parameter, effect);
-    if (const auto generator = parameter.annotations.string("Generator"); generator && mesh && options.meshTextures.make)
+    if (const auto generator = parameter.annotations.string("Generator"); generator && mesh && options.assets.make)
         return TextureSource(GeneratorSource{*generator});
     if (parameter.annotations.find("Fallback")) return fallback(parameter);
     if (auto name = parameter.annotations.string("Procedure")) return TextureSource(ProcedureSource{std::move(*name)});

@@ -120,7 +120,7 @@ Result<bench::BenchOptions> optionsOf(const BenchArguments& arguments, const gpu
                                 .kept = cacheFolder() / "bench" / "light",
                                 .pictures = arguments.pictures,
                                 .count = arguments.count,
-                                .meshTextures = assets::meshTextures([](const std::string& made) { say(made); }),
+                                .assets = assets::meshAssets([](const std::string& made) { say(made); }),
                                 .lights = arguments.lights};
     return options;
 }

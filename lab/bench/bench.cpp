@@ -244,7 +244,7 @@ Result<std::vector<Row>> runBench(gpu::Device& device, const std::vector<Contend
                                       .mapSize = mapSize,
                                       .compiler = options.compiler,
                                       .shadowSize = shadowSize,
-                                      .meshTextures = options.meshTextures};
+                                      .assets = options.assets};
                 const std::size_t first = rows.size();
                 if (const auto run = runContest(device, **stage, contest, contenders, options, tools, rows); !run) return run.error();
                 for (std::size_t i = first; options.count && i < rows.size(); ++i)

@@ -26,7 +26,7 @@ struct BenchOptions {
     std::filesystem::path kept;     // folder for references of many pixels; empty: none is kept
     std::filesystem::path pictures; // folder for the truth and what each technique draws of it, as EXR; empty: none
     bool count = false;             // what each frame fetches and moves, too (traffic.h)
-    MeshTextures meshTextures;
+    MeshAssets assets;
     std::string lights = kKeyAlone; // of every scene (light_set.h)
 };
 

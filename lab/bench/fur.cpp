@@ -181,7 +181,7 @@ Result<void> runView(gpu::Device& device, const FurStage& stage, const FurView& 
                                        .mapSize = options.mapSizes.front(),
                                        .compiler = options.compiler,
                                        .shadowSize = options.shadowSizes.front(),
-                                       .meshTextures = options.meshTextures},
+                                       .assets = options.assets},
                            .contender = contender});
     const auto drawn = drawInTurns(device, entries, options.frames,
                                    [&](const std::string& what) { tools.say(fmt::format("{}{}: {}", plain.name, view.name, what)); });

@@ -113,7 +113,7 @@ RunOptions runOptionsOf(const Contest& contest, const Contender& contender) {
             .height = contest.height,
             .compiler = contest.compiler,
             .parameters = contender.parameters,
-            .meshTextures = contest.meshTextures,
+            .assets = contest.assets,
             .clearsApart = true};
 }
 

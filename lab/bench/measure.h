@@ -49,8 +49,8 @@ struct Contest {
     int height = 0;
     int mapSize = 0;
     Compiler compiler = Compiler::Dxc;
-    int shadowSize = 0;        // texels along each side of the maps seen from the light; 0: as many as mapSize
-    MeshTextures meshTextures; // made for the scene's mesh where an effect asks for them
+    int shadowSize = 0; // texels along each side of the maps seen from the light; 0: as many as mapSize
+    MeshAssets assets;  // made for the scene's mesh where an effect asks for them
 };
 
 /// The contender's effect with the contest's sizes, and how it is drawn.

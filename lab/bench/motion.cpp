@@ -216,7 +216,7 @@ Result<std::vector<MotionRow>> measureMotion(gpu::Device& device, const std::vec
                           .mapSize = options.mapSizes.front(),
                           .compiler = options.compiler,
                           .shadowSize = options.shadowSizes.front(),
-                          .meshTextures = options.meshTextures};
+                          .assets = options.assets};
     std::vector<MotionRow> rows;
     for (const Motion& motion : motions()) {
         const Path path = pathOf(*scene, motion, options, tools.say);

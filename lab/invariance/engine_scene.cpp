@@ -1,6 +1,7 @@
 #include "lab/invariance/engine_scene.h"
 
 #include "host/scene/view.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 
 #include "meshprep/assets/cached_light.h"
 #include "meshprep/assets/cached_links.h"
+#include "meshprep/assets/strand_passes.h"
 
 #include "host/image/dds.h"
 #include "host/support/file.h"
@@ -117,9 +118,12 @@ bool named(const std::map<std::string, std::string>& textures, const std::string
 
 } // namespace
 
-MeshTextures meshTextures(Say say) {
+MeshAssets meshAssets(Say say) {
+    const auto strands = std::make_shared<StrandPasses>();
     return {.make = [say = std::move(say)](const std::string& generator, const Mesh& mesh) { return make(generator, mesh, say); },
-            .check = check};
+            .check = check,
+            .list = [strands](const PassRequest& request) { return strands->list(request); },
+            .fits = checkStrandRows};
 }
 
 void setFurMapParameters(const Effect& effect, const RunOptions& options, Scene& scene) {

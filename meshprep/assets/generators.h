@@ -13,7 +13,7 @@ inline constexpr const char* kHairGenerator = "hair roots";
 
 /// Generators `fur cube map` and `fur sphere map` make one map for all meshes, `fur roots` and `skin links` a file for each; one of another
 /// mesh is TG4055. `say` is told what was made.
-[[nodiscard]] MeshTextures meshTextures(Say say = {});
+[[nodiscard]] MeshAssets meshAssets(Say say = {});
 
 /// A fur map that is made holds cones: parameters that tell a shader so get their values where the scene has none.
 void setFurMapParameters(const Effect& effect, const RunOptions& options, Scene& scene);

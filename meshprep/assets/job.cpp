@@ -136,7 +136,7 @@ Result<Job> loadJob(const JobOptions& options, MeshFor meshFor, bool turns, cons
     if (!warnings) return warnings.error();
     job.warnings = std::move(foreign.notes);
     job.warnings.insert(job.warnings.end(), warnings->begin(), warnings->end());
-    job.run.meshTextures = meshTextures(say);
+    job.run.assets = meshAssets(say);
     setFurMapParameters(job.effect, job.run, job.scene);
     const std::filesystem::path mesh = sceneOptions.mesh.empty() ? job.scene.workspace.file.parent_path() / job.scene.workspace.meshPath
                                                                  : std::filesystem::path(sceneOptions.mesh);

@@ -51,7 +51,7 @@ Result<fs::path> rootsFile(const Parameter& roots, const RunOptions& options, co
     if (const auto set = options.textures.find(roots.name); set != options.textures.end()) return fs::path(set->second);
     if (const auto named = workspace.textures.find(roots.name); named != workspace.textures.end())
         return workspace.file.parent_path() / named->second;
-    return options.meshTextures.make(generatorOf(roots), mesh);
+    return options.assets.make(generatorOf(roots), mesh);
 }
 
 /// Of ribbons that are grown here: what the parameter with the generator "fur strands segments" says.

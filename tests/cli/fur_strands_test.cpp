@@ -2,6 +2,7 @@
 
 #include "host/image/image.h"
 #include "host/mesh/mesh.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 #include "tests/cli/program.h"
 
 #include <gtest/gtest.h>

@@ -203,7 +203,7 @@ protected:
         effect_ = std::make_unique<Effect>(std::move(*effect));
         options_ = row(4, "Made");
         options_.keepUnchanged = true;
-        options_.meshTextures.make = [this](const std::string&, const Mesh&) -> Result<std::filesystem::path> {
+        options_.assets.make = [this](const std::string&, const Mesh&) -> Result<std::filesystem::path> {
             ++asked_;
             if (!std::filesystem::exists(folder_ / "map.png")) {
                 const Image image{.width = 1, .height = 1, .channels = 3, .pixels = {0.5F, 0.5F, 0.5F}, .metadata = {}};
@@ -211,7 +211,7 @@ protected:
             }
             return folder_ / "map.png";
         };
-        options_.meshTextures.check = [this](const std::string&, const std::filesystem::path&, const Mesh&) -> Result<void> {
+        options_.assets.check = [this](const std::string&, const std::filesystem::path&, const Mesh&) -> Result<void> {
             ++checked_;
             return {};
         };
@@ -270,7 +270,7 @@ TEST_F(MadeOfAMesh, says_how_long_it_took_to_whoever_finds_it_later) {
 }
 
 TEST_F(MadeOfAMesh, is_held_against_the_mesh_once_where_it_is_given) {
-    ASSERT_TRUE(succeeded(options_.meshTextures.make("", mesh_)));
+    ASSERT_TRUE(succeeded(options_.assets.make("", mesh_)));
     options_.textures["gMadeMap"] = (folder_ / "map.png").string();
     EffectSession session(*device_, *effect_, {.mesh = &mesh_, .objects = {}});
     for (int i = 0; i < 3; ++i)

@@ -96,7 +96,7 @@ TEST(MeshInFigures, a_mesh_without_texture_coordinates_and_one_of_ribbons_are_no
     Mesh mesh = plainSquare();
     mesh.uvs.clear();
     EXPECT_EQ(examineMesh(mesh).flat, 2U);
-    mesh.parts.front().name = kStrandsPart;
+    mesh.parts.front().expanded = true;
     EXPECT_EQ(examineMesh(mesh).triangles.size(), 0U);
     EXPECT_EQ(linesOf(MeshShow::Seams, examineMesh(mesh), 64).size(), 6U);
 }

@@ -3,6 +3,7 @@
 #include "host/image/dds.h"
 #include "host/support/file.h"
 #include "host/support/text.h"
+#include "meshprep/assets/picture.h"
 #include "tools/cli/animation.h"
 #include "tools/cli/command_line.h"
 
@@ -39,23 +40,6 @@ std::string formatOf(const RunResult& result, const std::string& target) {
     return found == result.targets.end() ? std::string() : found->format;
 }
 
-/// Three channels from 0 to 1: what a foreign effect leaves in alpha is not meant for looking through.
-Image opaque(const Image& image) {
-    if (image.channels < 3) return image;
-    Image result{.width = image.width, .height = image.height, .channels = 3, .pixels = {}};
-    result.metadata = image.metadata;
-    for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))
-        for (std::size_t c = 0; c < 3; ++c)
-            result.pixels.push_back(std::isfinite(image.pixels[i + c]) ? std::clamp(image.pixels[i + c], 0.0F, 1.0F) : 0.0F);
-    return result;
-}
-
-/// For looking: tone mapped, eight bits.
-bool isDisplayed(const fs::path& path) {
-    const std::string extension = toLower(path.extension().string());
-    return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
-}
-
 } // namespace
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
@@ -75,7 +59,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
 Result<fs::path> outputPath(const PictureOptions& options, const fs::path& effect, bool moving) {
     const fs::path output = options.output.empty() ? fs::path("out") / effect.stem().concat(".png") : fs::path(options.output);
     const std::string extension = toLower(output.extension().string());
-    const bool still = isDisplayed(output) || extension == ".exr" || extension == ".dds";
+    const bool still = assets::isDisplayed(output) || extension == ".exr" || extension == ".dds";
     if (still || (moving && isAnimation(output))) {
         if (const auto can = canWrite(output); !can) return can.error();
         return output;
@@ -96,10 +80,8 @@ fs::path dumpPath(const fs::path& output, const std::string& target, const std::
 }
 
 Result<void> writePicture(const PictureOptions& options, const fs::path& output, const Image& image) {
-    if (!isDisplayed(output)) return writeTarget(options, output, image, "A32B32G32R32F");
-    const bool png = toLower(output.extension().string()) == ".png";
-    if (options.displayReferred) return png ? writePng(output, opaque(image), PngEncoding::Raw) : writeJpeg(output, opaque(image));
-    return png ? writePng(output, image, PngEncoding::Display) : writeJpeg(output, displayed(image));
+    if (!assets::isDisplayed(output)) return writeTarget(options, output, image, "A32B32G32R32F");
+    return assets::writePicture(output, image, options.displayReferred);
 }
 
 Result<std::vector<fs::path>> writePictures(const PictureOptions& options, const fs::path& output, const RunResult& result) {

@@ -171,7 +171,7 @@ void spreadRoots(std::vector<RootsAbout>& about, const MeshFigures& figures, con
 std::vector<MeshTriangle> trianglesOf(const Mesh& mesh) {
     std::vector<MeshTriangle> triangles;
     for (const MeshPart& part : mesh.parts) {
-        if (isRibbons(part)) continue;
+        if (part.expanded) continue;
         for (std::size_t i = part.firstIndex; i + 2 < std::size_t{part.firstIndex} + part.indexCount; i += 3)
             triangles.push_back(
                 {.corners = {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]}, .number = static_cast<std::uint32_t>(i / 3)});

@@ -34,8 +34,9 @@ std::set<const Mesh*> largeMeshes(const SessionScene& scene) {
     if (scene.mesh) meshes.insert(scene.mesh);
     for (const RunObject& object : scene.objects)
         meshes.insert(object.mesh);
-    std::erase_if(
-        meshes, [](const Mesh* mesh) { return mesh->indices.size() / 3 < kManyTriangles || std::ranges::any_of(mesh->parts, isRibbons); });
+    std::erase_if(meshes, [](const Mesh* mesh) {
+        return mesh->indices.size() / 3 < kManyTriangles || std::ranges::any_of(mesh->parts, &MeshPart::expanded);
+    });
     return meshes;
 }
 

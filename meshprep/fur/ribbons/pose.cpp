@@ -3,6 +3,7 @@
 #include "host/mesh/pose.h"
 #include "host/support/parallel.h"
 #include "meshprep/fur/ribbons/below.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 #include "meshprep/fur/roots/root_texture.h"
 
 #include <algorithm>

@@ -157,7 +157,8 @@ private:
         const std::size_t each = 3 * (kept.size() - 2);
         MeshPart part{.name = name,
                       .firstIndex = static_cast<std::uint32_t>(mesh_.indices.size()),
-                      .indexCount = static_cast<std::uint32_t>(strands * each)};
+                      .indexCount = static_cast<std::uint32_t>(strands * each),
+                      .expanded = true};
         mesh_.indices.resize(mesh_.indices.size() + part.indexCount);
         inChunks(strands, threads, [&](std::size_t first, std::size_t last, std::size_t) {
             for (std::size_t strand = first; strand < last; ++strand) {

@@ -32,6 +32,14 @@ struct RibbonFigures {
     double seconds = 0;
 };
 
+/// The part whose triangles are ribbons (docs/design/fur.md). Their vertices stand on their roots until a shader bends them.
+inline constexpr const char* kStrandsPart = "strands";
+/// The same ribbons, of fewer segments: for what is short or far.
+inline constexpr const char* kUnderfurPart = "underfur";
+[[nodiscard]] inline bool isRibbons(const MeshPart& part) {
+    return part.name == kStrandsPart || part.name == kUnderfurPart;
+}
+
 /// Adds a ribbon for each root as part "strands", and every second row of it as part "underfur", in place of those that are there. The mesh
 /// as loadMesh gives it. TG7103 an option that makes no sense, TG7106 a map that the mesh has no coordinates for, TG7109 no texture of
 /// roots.

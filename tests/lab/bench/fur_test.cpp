@@ -31,7 +31,7 @@ protected:
                     .frames = {.warmUp = 0, .timed = 1},
                     .compiler = defaultCompiler(),
                     .pixels = 0,
-                    .meshTextures = assets::meshTextures([](const std::string&) {})};
+                    .assets = assets::meshAssets([](const std::string&) {})};
     }
     ~FurBench() override {
         std::error_code code;

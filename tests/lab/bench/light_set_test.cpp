@@ -49,7 +49,7 @@ TEST_F(LitSets, are_drawn_as_rays_and_quadrature_see_them) {
                          .frames = {.warmUp = 0, .timed = 1},
                          .compiler = defaultCompiler(),
                          .pixels = 12,
-                         .meshTextures = assets::meshTextures([](const std::string&) {})};
+                         .assets = assets::meshAssets([](const std::string&) {})};
     for (const std::string& name : lightSetNames()) {
         options.lights = name;
         const auto rows = runBench(*device_, *chosen, options, {.say = [](const std::string&) {}, .flip = nullptr});

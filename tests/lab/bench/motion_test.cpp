@@ -46,7 +46,7 @@ protected:
                     .shadowSizes = {256},
                     .compiler = defaultCompiler(),
                     .pixels = 64,
-                    .meshTextures = assets::meshTextures([](const std::string&) {})};
+                    .assets = assets::meshAssets([](const std::string&) {})};
     }
     ~Motions() override {
         std::error_code code;

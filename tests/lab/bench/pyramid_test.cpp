@@ -29,7 +29,7 @@ protected:
                     .frames = {.warmUp = 0, .timed = 1},
                     .compiler = defaultCompiler(),
                     .pixels = 256,
-                    .meshTextures = assets::meshTextures([](const std::string&) {})};
+                    .assets = assets::meshAssets([](const std::string&) {})};
     }
     ~Pyramids() override {
         std::error_code code;

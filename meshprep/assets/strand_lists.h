@@ -1,6 +1,6 @@
 #pragma once
-// Which ribbons of fur a pass is given (docs/running.md, "Parts of a mesh"): those that the eye can see, of thin ones a share, of short
-// ones fewer rows. Needs no GPU.
+// Ribbons of fur that a pass draws (docs/running.md, "Parts of a mesh"): those that the eye can see, of thin ones a share, of short
+// ones fewer rows.
 
 #include "host/mesh/mesh.h"
 #include "host/run/parts.h"
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace tegument::run {
+namespace tegument::assets {
 
 /// Strand n of a root is drawn while (n + rank of the root) / strands is below a share: the annotation Share of a pass, with
 /// ShareRadius, ShareThinnest, ShareFewest and ShareFirst. The effect's shaders leave out the same strands; here a few more may be kept,
@@ -30,19 +30,6 @@ struct StrandShare {
     bool operator==(const StrandShare&) const = default;
 };
 
-struct StrandRange {
-    IndexRange range; // of StrandLists::indices
-    std::uint32_t firstInstance = 0;
-    std::uint32_t instances = 0;
-    bool operator==(const StrandRange&) const = default;
-};
-
-/// What to draw in place of a part.
-struct StrandLists {
-    std::vector<std::uint32_t> indices; // in the part's order
-    std::vector<StrandRange> ranges;    // the first begins at instance 0
-};
-
 /// Share of the strands of a root at this distance in mm, at least what a shader finds.
 [[nodiscard]] double shareAt(const StrandShare& share, double distance);
 
@@ -57,9 +44,9 @@ struct StrandLists {
 [[nodiscard]] double rankOf(float address, double first = 0);
 inline constexpr double kRankTolerance = 1e-3; // a shader multiplies by addresses of 4 digits in single precision: 2.5e-4, twice
 
-/// The ribbons of the part; a ribbon is a run of triangles of one address. `view`: of those only what canBeSeen. Nothing where all of it is
-/// to be drawn anyway.
-[[nodiscard]] std::optional<StrandLists> listStrands(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye,
-                                                     const StrandShare& share);
+/// The ribbons of the part, in its order, the first range from instance 0 on; a ribbon is a run of triangles of one address. `view`: of
+/// those only what canBeSeen. Nothing where all of it is to be drawn anyway.
+[[nodiscard]] std::optional<DrawList> listStrands(const Mesh& mesh, const MeshPart& part, const run::PartView* view, const glm::dvec3& eye,
+                                                  const StrandShare& share);
 
-} // namespace tegument::run
+} // namespace tegument::assets

@@ -1,4 +1,4 @@
-#include "host/run/strands.h"
+#include "meshprep/assets/strand_lists.h"
 
 #include "host/mesh/pose.h"
 #include "host/support/parallel.h"
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-namespace tegument::run {
+namespace tegument::assets {
 
 namespace {
 
@@ -56,12 +56,12 @@ void appendRows(std::span<const std::uint32_t> ribbon, const Seen& seen, std::ve
 
 class Lister {
 public:
-    Lister(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye, const StrandShare& share)
+    Lister(const Mesh& mesh, const MeshPart& part, const run::PartView* view, const glm::dvec3& eye, const StrandShare& share)
         : mesh_(mesh), pose_(poseOf(mesh)), part_(part), view_(view), eye_(eye), share_(share) {}
 
-    std::optional<StrandLists> list() {
+    std::optional<DrawList> list() {
         find();
-        StrandLists lists;
+        DrawList lists;
         std::size_t indices = 0;
         for (const Seen& ribbon : seen_)
             indices += ribbon.segments > 0 ? ribbon.drawn * kQuad : ribbon.count;
@@ -87,7 +87,7 @@ private:
         std::vector<Found> found(chunkCount(clusters.size()));
         inChunks(clusters.size(), 0, [&](std::size_t first, std::size_t last, std::size_t chunk) {
             for (std::size_t i = first; i < last; ++i)
-                if (!bounded || !view_ || canBeSeen(clusters[i], *view_)) findIn(clusters[i], found[chunk]);
+                if (!bounded || !view_ || run::canBeSeen(clusters[i], *view_)) findIn(clusters[i], found[chunk]);
         });
         for (const Found& one : found) {
             seen_.insert(seen_.end(), one.ribbons.begin(), one.ribbons.end());
@@ -110,7 +110,7 @@ private:
 
     void judge(Seen ribbon, std::uint32_t root, float address, Found& found) const {
         const glm::dvec3 place = pose_ ? pose_->position(root) : glm::dvec3(mesh_.positions[root]);
-        if (view_ && !canBeSeen(place, pose_ ? pose_->normal(root) : glm::dvec3(mesh_.normals[root]), *view_)) return;
+        if (view_ && !run::canBeSeen(place, pose_ ? pose_->normal(root) : glm::dvec3(mesh_.normals[root]), *view_)) return;
         const double distance = glm::distance(eye_, place);
         const double thin = thinFrom(share_, distance, view_ ? view_->reach : distance);
         if (!(thin > 0)) return;
@@ -137,7 +137,7 @@ private:
     }
 
     /// Whether any is.
-    bool append(StrandLists& lists, std::uint32_t instance, std::uint32_t instances) const {
+    bool append(DrawList& lists, std::uint32_t instance, std::uint32_t instances) const {
         const auto from = static_cast<std::uint32_t>(lists.indices.size());
         for (const Seen& ribbon : seen_)
             if (instance + instances <= fewest_ || ribbon.strands > instance - kRankTolerance) {
@@ -148,15 +148,14 @@ private:
                     lists.indices.insert(lists.indices.end(), indices.begin(), indices.end());
             }
         const auto count = static_cast<std::uint32_t>(lists.indices.size()) - from;
-        if (count > 0)
-            lists.ranges.push_back({.range = {.first = from, .count = count}, .firstInstance = instance, .instances = instances});
+        if (count > 0) lists.ranges.push_back({.first = from, .count = count, .firstInstance = instance, .instances = instances});
         return count > 0;
     }
 
     const Mesh& mesh_;
     const std::optional<PoseView> pose_;
     const MeshPart& part_;
-    const PartView* view_;
+    const run::PartView* view_;
     const glm::dvec3 eye_;
     const StrandShare share_;
     std::vector<Seen> seen_;
@@ -194,9 +193,9 @@ double rankOf(float address, double first) {
     return rank < 1 - kRankTolerance ? rank : 0; // of a number just below the next whole one a shader may find 0
 }
 
-std::optional<StrandLists> listStrands(const Mesh& mesh, const MeshPart& part, const PartView* view, const glm::dvec3& eye,
-                                       const StrandShare& share) {
+std::optional<DrawList> listStrands(const Mesh& mesh, const MeshPart& part, const run::PartView* view, const glm::dvec3& eye,
+                                    const StrandShare& share) {
     return Lister(mesh, part, view, eye, share).list();
 }
 
-} // namespace tegument::run
+} // namespace tegument::assets

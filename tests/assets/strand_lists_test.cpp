@@ -1,6 +1,7 @@
 // Which ribbons a pass is given: none that a shader would draw is left out, and most of those that it would not.
 
-#include "host/run/strands.h"
+#include "meshprep/assets/strand_lists.h"
+#include "meshprep/fur/ribbons/ribbons.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include <random>
 #include <set>
 
-namespace tegument::run {
+namespace tegument::assets {
 namespace {
 
 constexpr std::uint32_t kRoots = 3000;
@@ -49,14 +50,13 @@ std::uint32_t rootOf(std::uint32_t vertex) {
 /// (root, instance) of every ribbon that is drawn.
 using Drawn = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
-Drawn drawnOf(const Mesh& mesh, const std::optional<StrandLists>& lists, std::uint32_t count) {
+Drawn drawnOf(const Mesh& mesh, const std::optional<DrawList>& lists, std::uint32_t count) {
     Drawn drawn;
-    const StrandLists all{
-        .indices = mesh.indices,
-        .ranges = {{.range = {.first = 0, .count = static_cast<std::uint32_t>(mesh.indices.size())}, .instances = count}}};
-    const StrandLists& used = lists ? *lists : all;
-    for (const StrandRange& range : used.ranges)
-        for (std::uint32_t i = range.range.first; i < range.range.first + range.range.count; i += 3 * kTriangles)
+    const DrawList all{.indices = mesh.indices,
+                       .ranges = {{.first = 0, .count = static_cast<std::uint32_t>(mesh.indices.size()), .instances = count}}};
+    const DrawList& used = lists ? *lists : all;
+    for (const ListedRange& range : used.ranges)
+        for (std::uint32_t i = range.first; i < range.first + range.count; i += 3 * kTriangles)
             for (std::uint32_t n = 0; n < range.instances; ++n)
                 drawn.emplace(rootOf(used.indices[i]), range.firstInstance + n);
     return drawn;
@@ -70,9 +70,9 @@ float shaderRank(float address) {
     return sum - std::floor(sum);
 }
 
-PartView viewFrom(const glm::dvec3& eye, double reach) {
-    PartView view =
-        partView(glm::perspective(0.5, 1.5, 1.0, 10000.0) * glm::lookAt(eye, glm::dvec3(10, 0, 0), glm::dvec3(0, 1, 0)), eye, reach);
+run::PartView viewFrom(const glm::dvec3& eye, double reach) {
+    run::PartView view =
+        run::partView(glm::perspective(0.5, 1.5, 1.0, 10000.0) * glm::lookAt(eye, glm::dvec3(10, 0, 0), glm::dvec3(0, 1, 0)), eye, reach);
     view.hidden = horizonOf(reach / kRadius);
     return view;
 }
@@ -157,7 +157,7 @@ TEST_P(TaperOfAPass, leaves_out_rows_that_are_thin_from_their_beginning_on_and_n
     for (const double distance : {600.0, 900.0, 1500.0, 2500.0}) {
         const StrandShare asked{.pixel = 0.001, .count = 1, .widest = 2, .least = 0.7, .taper = GetParam()};
         const glm::dvec3 eye(0, 0, distance);
-        const PartView view = viewFrom(eye, 5);
+        const run::PartView view = viewFrom(eye, 5);
         const auto lists = listStrands(mesh, mesh.parts[0], &view, eye, asked);
         ASSERT_TRUE(lists);
         for (const auto& [root, drawn] : segmentsOf(lists->indices, kSegments)) {
@@ -180,7 +180,7 @@ TEST(TaperOfAPass, leaves_rows_out_of_fewer_segments_too_and_keeps_them_joined) 
     constexpr std::uint32_t kSegments = 6;
     const Mesh mesh = ribbonsInRows(kSegments);
     const glm::dvec3 eye(0, 0, 900);
-    const PartView view = viewFrom(eye, 5);
+    const run::PartView view = viewFrom(eye, 5);
     StrandShare asked{.pixel = 0.001, .count = 1, .length = 6, .segment = 2, .fewestSegments = 3, .widest = 2, .least = 0.7, .taper = 1};
     const auto cut = listStrands(mesh, mesh.parts[0], &view, eye, asked);
     asked.taper = 0;
@@ -237,7 +237,7 @@ TEST_P(StrandsOfAPass, hold_every_one_that_a_shader_draws_and_few_that_it_does_n
             for (const std::uint32_t count : {1U, 4U}) {
                 const glm::dvec3 eye(0.2 * distance, 0.1 * distance, distance);
                 const StrandShare asked{.share = share, .width = 0.2, .thinnest = 0.7, .pixel = 0.001, .count = count};
-                const PartView view = viewFrom(eye, 6);
+                const run::PartView view = viewFrom(eye, 6);
                 const Drawn drawn = drawnOf(mesh, listStrands(mesh, mesh.parts[0], &view, eye, asked), count);
                 std::size_t wanted = 0;
                 for (std::uint32_t root = 0; root < kRoots; ++root) {
@@ -245,7 +245,7 @@ TEST_P(StrandsOfAPass, hold_every_one_that_a_shader_draws_and_few_that_it_does_n
                     const glm::vec3 place = mesh.positions[vertex];
                     const float away = glm::distance(place, glm::vec3(eye));
                     const float part = static_cast<float>(share) * std::min(0.2F / (0.7F * 0.001F * away), 1.0F);
-                    if (!canBeSeen(glm::dvec3(place), glm::dvec3(mesh.normals[vertex]), view)) continue;
+                    if (!run::canBeSeen(glm::dvec3(place), glm::dvec3(mesh.normals[vertex]), view)) continue;
                     for (std::uint32_t n = 0; n < count; ++n)
                         if ((static_cast<float>(n) + shaderRank(mesh.uvs[vertex].y)) / static_cast<float>(count) < part) {
                             ++wanted;
@@ -290,12 +290,12 @@ TEST(StrandsOfAPassThatShowsAll, are_drawn_from_the_mesh_itself) {
 TEST(StrandsOfAPassThatShowsNothing, are_none) {
     const Mesh mesh = furryBall(100);
     const glm::dvec3 eye(0, 0, 300);
-    const PartView away =
-        partView(glm::perspective(0.5, 1.5, 1.0, 10000.0) * glm::lookAt(eye, glm::dvec3(0, 0, 900), glm::dvec3(0, 1, 0)), eye, 6);
+    const run::PartView away =
+        run::partView(glm::perspective(0.5, 1.5, 1.0, 10000.0) * glm::lookAt(eye, glm::dvec3(0, 0, 900), glm::dvec3(0, 1, 0)), eye, 6);
     const auto lists = listStrands(mesh, mesh.parts[0], &away, eye, {.count = 4});
     ASSERT_TRUE(lists);
     EXPECT_TRUE(lists->ranges.empty());
 }
 
 } // namespace
-} // namespace tegument::run
+} // namespace tegument::assets

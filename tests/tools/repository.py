@@ -172,7 +172,7 @@ def public_headers_are_meant_for_users(root):
     listed = public_headers(root)
     for name in listed:
         text = text_of(root / name)
-        if not re.match(r"#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
+        if not re.match(r"(?:// SPDX-\S+ MIT\n)?#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
             yield f"{name}: is installed, yet does not say what a user has of it"
         for other in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE):
             if other not in listed:

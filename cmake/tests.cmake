@@ -16,7 +16,8 @@ function(tegument_test_program name)
   endif()
 endfunction()
 
-# tegument_cases(name label [property value]...): each case of the program is a test and a process of its own.
+# tegument_cases(name label [property value]...): each case of the program is a test and a process of its own. @PART@ in a property is the number
+# that stands behind `part_` in the case's name.
 function(tegument_cases name label)
   if(TEGUMENT_TEST_PROGRAMS AND NOT name IN_LIST TEGUMENT_TEST_PROGRAMS)
     return()
@@ -40,6 +41,17 @@ function(tegument_one_process test name label)
   endif()
   add_test(NAME ${test} COMMAND ${name} ${ARGN} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${test} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77)
+endfunction()
+
+# tegument_parts(test name label count [argument]...): the same in `count` processes, TEST_1 to TEST_count, to which GoogleTest deals the cases out.
+function(tegument_parts test name label count)
+  foreach(part RANGE 1 ${count})
+    tegument_one_process(${test}_${part} ${name} ${label} ${ARGN})
+    if(TEST ${test}_${part})
+      math(EXPR index "${part} - 1")
+      set_tests_properties(${test}_${part} PROPERTIES ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index}")
+    endif()
+  endforeach()
 endfunction()
 
 # tegument_command(test label command [argument]...): any other program; exit code 77 says that it is skipped.

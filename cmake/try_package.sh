@@ -1,5 +1,5 @@
 #!/bin/bash
-# Runs in a bare Debian 12, where the package lies beside it: installs it, then does what README begins with, without compilers of others.
+# Runs in a bare Debian, where the package lies beside it: installs it, then does what README begins with, without compilers of others.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C
 cd "$(dirname "$0")"

@@ -14,8 +14,9 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+/// Takes the types of C in Vulkan-Hpp 1.3, those of C++ in 1.4.
+template <class Severity, class Types, class Data>
+VKAPI_ATTR vk::Bool32 VKAPI_CALL collect(Severity, Types, const Data* data, void* user) {
     auto* log = static_cast<MessageLog*>(user);
     const std::scoped_lock lock(log->mutex);
     log->messages.emplace_back(data->pMessage);

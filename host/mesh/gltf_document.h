@@ -15,6 +15,7 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<GltfDocument>> open(const Source& source);
 
     [[nodiscard]] GltfValue root() const { return {*source_, json_, ""}; }
+    [[nodiscard]] const Source& source() const { return *source_; }
 
     /// `components` numbers per element, converted to float (normalised integers to -1..1 or 0..1), sparse substitutions applied.
     [[nodiscard]] Result<std::vector<float>> floats(std::size_t accessor, std::size_t components) const;

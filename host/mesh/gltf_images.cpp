@@ -58,7 +58,7 @@ std::optional<Error> GltfTextures::add(const GltfValue& material, Mesh& mesh) {
         const auto index = reference.whole("index", SIZE_MAX, {});
         if (!index) return index.error();
         if (reference.has("extensions") && reference["extensions"].has("KHR_texture_transform"))
-            warn(mesh, 5323, document_.root().source().whole(), reference.path() + ": KHR_texture_transform is ignored");
+            warn(mesh, 5323, document_.source().whole(), reference.path() + ": KHR_texture_transform is ignored");
         return addTexture(role, *index, reference, mesh);
     };
     const GltfValue surface = material["pbrMetallicRoughness"];
@@ -81,14 +81,14 @@ std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size
     if (texture >= textures.size()) return from.wrong(fmt::format("names texture {} of {}", texture, textures.size()));
     const auto image = textures[texture].whole("source", SIZE_MAX, {});
     if (!image) { // an extension names it, in a form that is not read
-        warn(mesh, 5328, document_.root().source().whole(), fmt::format("the '{}' texture is left out: it is no PNG or JPEG file", role),
+        warn(mesh, 5328, document_.source().whole(), fmt::format("the '{}' texture is left out: it is no PNG or JPEG file", role),
              "export the textures as PNG or JPEG");
         return std::nullopt;
     }
     const auto [known, isNew] = imageOfRole_.emplace(role, *image);
     if (!isNew) {
         if (known->second != *image)
-            warn(mesh, 5326, document_.root().source().whole(),
+            warn(mesh, 5326, document_.source().whole(),
                  fmt::format("{}: a second '{}' texture is ignored: one mesh carries one of each role", from.path(), role),
                  "name the texture in the workspace, or split the mesh");
         return std::nullopt;
@@ -100,7 +100,7 @@ std::optional<Error> GltfTextures::addTexture(const std::string& role, std::size
     auto loaded = bytes ? decodeImage(std::as_bytes(std::span(*bytes)), name) : Result<Image>(bytes.error());
     if (!loaded) {
         warn(
-            mesh, 5328, document_.root().source().whole(),
+            mesh, 5328, document_.source().whole(),
             fmt::format("the '{}' texture {} cannot be read: {}", role, nameOf(document_, *image), loaded.error().diagnostics.front().text),
             hintFor(loaded.error(), "put the pictures where the file says, or give one: --set gSkinMap=FILE"));
         return std::nullopt;

@@ -22,7 +22,7 @@ struct Visit {
 
 class SceneWalk {
 public:
-    SceneWalk(const GltfDocument& document, Mesh& mesh) : document_(document), source_(document.root().source()), mesh_(mesh) {}
+    SceneWalk(const GltfDocument& document, Mesh& mesh) : document_(document), source_(document.source()), mesh_(mesh) {}
 
     Result<std::vector<GltfDraw>> walk() {
         if (auto error = visitScene()) return *error;

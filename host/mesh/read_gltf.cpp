@@ -31,7 +31,7 @@ std::string nameToKeep(const std::string& name) {
 
 class SceneReader {
 public:
-    explicit SceneReader(const GltfDocument& document) : document_(document), source_(document.root().source()), textures_(document) {}
+    explicit SceneReader(const GltfDocument& document) : document_(document), source_(document.source()), textures_(document) {}
 
     Result<ReadMesh> read() {
         mesh_.attribution = document_.root()["asset"].text("copyright");

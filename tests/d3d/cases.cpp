@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <numbers>
 
 namespace tegument::test {
@@ -98,7 +99,36 @@ std::vector<Case> discover() {
     return cases;
 }
 
+/// The library's client is compared with Main.fx.
+std::string together(const Case& drawn) {
+    return drawn.effect == libraryCase().effect ? "Main" : drawn.effect.stem().string();
+}
+
+/// Each effect goes where the fewest cases are, those with most techniques first.
+std::map<std::string, int> deal() {
+    std::map<std::string, int> techniques;
+    for (const Case& drawn : allCases())
+        ++techniques[together(drawn)];
+    std::vector<std::pair<int, std::string>> effects;
+    for (const auto& [name, count] : techniques)
+        effects.emplace_back(-count, name);
+    std::ranges::sort(effects);
+    std::map<std::string, int> parts;
+    std::array<int, kParts> filled{};
+    for (const auto& [count, name] : effects) {
+        const auto least = std::ranges::min_element(filled);
+        *least -= count;
+        parts[name] = static_cast<int>(least - filled.begin()) + 1;
+    }
+    return parts;
+}
+
 } // namespace
+
+int partOf(const Case& drawn) {
+    static const std::map<std::string, int> kDealt = deal();
+    return kDealt.at(together(drawn));
+}
 
 std::string engineName(Engine engine) {
     constexpr std::array kNames = {"vulkan", "d3d9", "d3d10", "d3d11", "d3d12"};

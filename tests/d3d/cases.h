@@ -49,6 +49,10 @@ std::string engineName(Engine engine); // "d3d9"
 /// Pyramid.fx with three that have penumbras. The client of the library comes last.
 [[nodiscard]] const std::vector<Case>& allCases();
 
+/// They are drawn in parts, one process after the other: from 1. What is compiled together, and what is compared, is in one part.
+inline constexpr int kParts = TEGUMENT_DRAWING_PARTS;
+[[nodiscard]] int partOf(const Case& drawn);
+
 /// tests/library/Skin.fx, skin by tegument.hlsl alone: for engines that take entry points.
 [[nodiscard]] const Case& libraryCase();
 /// Compute shaders and compiled entry points are not for Direct3D 9 and 10; penumbras are not for Direct3D 9. Cube maps

@@ -60,7 +60,10 @@ TEST_P(Drawn, as_vulkan_draws_it) {
 
 /// The picture of the client of the library against that of Main.fx, by the same engine. The formulas are the same, the compilers order
 /// sums as they find them: what rounds differently by one step turns a comparison at the edge of shadow here and there.
-void expectSkinOfTheLibrary(Engine engine) {
+class LibrarySkin : public testing::TestWithParam<Engine> {};
+
+TEST_P(LibrarySkin, is_that_of_the_effect) {
+    const Engine engine = GetParam();
     if (const auto missing = readFile(missingFile())) GTEST_SKIP() << *missing;
     const auto library = readFloats(drawing(libraryCase(), engine, "picture"));
     const auto effect = readFloats(drawing({.effect = "effects/Main.fx", .technique = "DEonLuebke"}, engine, "picture"));
@@ -76,19 +79,15 @@ void expectSkinOfTheLibrary(Engine engine) {
     EXPECT_GT(lit / kPixels, 0.05) << "a head fills more than a twentieth of the picture";
 }
 
-TEST(LibrarySkin, is_that_of_the_effect_on_vulkan) {
-    expectSkinOfTheLibrary(Engine::Vulkan);
+/// tests/d3d/CMakeLists.txt reads the part.
+std::string comparisonName(const Case& drawn, Engine engine) {
+    return fmt::format("part_{}_{}_on_{}", partOf(drawn), drawn.name(), engineName(engine));
 }
 
-TEST(LibrarySkin, is_that_of_the_effect_on_direct3d_11) {
-    expectSkinOfTheLibrary(Engine::Direct3D11);
-}
-
-std::string comparisonName(const testing::TestParamInfo<Comparison>& tested) {
-    return allCases().at(tested.param.drawn).name() + "_on_" + engineName(tested.param.engine);
-}
-
-INSTANTIATE_TEST_SUITE_P(Engines, Drawn, testing::ValuesIn(comparisons()), comparisonName);
+INSTANTIATE_TEST_SUITE_P(Engines, Drawn, testing::ValuesIn(comparisons()),
+                         [](const auto& tested) { return comparisonName(allCases().at(tested.param.drawn), tested.param.engine); });
+INSTANTIATE_TEST_SUITE_P(Engines, LibrarySkin, testing::Values(Engine::Vulkan, Engine::Direct3D11),
+                         [](const auto& tested) { return comparisonName(libraryCase(), tested.param); });
 
 } // namespace
 } // namespace tegument::test

@@ -1,4 +1,5 @@
-// Draws everything with everything, once; compare_test.cpp looks at the results. CTest runs this first (a fixture).
+// Draws everything with everything, once, in parts; compare_test.cpp looks at the results. CTest runs what they share first, then each part
+// before what compares it (fixtures).
 
 #include "host/emit/flatten.h"
 #include "host/run/read_back.h"
@@ -73,7 +74,7 @@ std::string missing(std::optional<gpu::Device>& device) {
     return "";
 }
 
-TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
+TEST(Drawings, have_their_meshes_maps_and_library) {
     fs::remove_all(drawings());
     std::optional<gpu::Device> device;
     if (const std::string reason = missing(device); !reason.empty()) {
@@ -87,28 +88,45 @@ TEST(Drawings, every_technique_of_every_effect_is_drawn_by_every_engine) {
     for (const auto& written : {writeLibrary(), writeMeshFile(drawings() / kMeshFile, *mesh), roots,
                                 writeMeshFile(drawings() / kFurMeshFile, torus), writeFurMaps()})
         ASSERT_TRUE(written) << format(written.error());
+}
 
-    ASSERT_FALSE(allCases().empty());
+class Part : public testing::TestWithParam<int> {};
+
+TEST_P(Part, is_drawn_by_every_engine) {
+    if (const auto reason = readFile(missingFile())) GTEST_SKIP() << *reason;
+    std::optional<gpu::Device> device;
+    ASSERT_EQ(missing(device), "");
+    const auto mesh = testMesh();
+    ASSERT_TRUE(mesh) << format(mesh.error());
+    Mesh torus = furMesh();
+    const auto roots = writeFurRoots(torus);
+    ASSERT_TRUE(roots) << format(roots.error());
+
+    std::vector<Case> part;
+    std::ranges::copy_if(allCases(), std::back_inserter(part), [](const Case& drawn) { return partOf(drawn) == GetParam(); });
+    ASSERT_FALSE(part.empty());
     std::map<Engine, std::vector<std::string>> jobFiles;
-    for (const Case& drawn : allCases()) {
+    for (const Case& drawn : part) {
         const auto done = drawWithVulkan(*device, drawsFur(drawn) ? torus : *mesh, drawn, jobFiles);
         ASSERT_TRUE(done) << drawn.name() << "\n" << format(done.error());
     }
-    const auto refused = compileAll(allCases());
+    const auto refused = compileAll(part);
     ASSERT_TRUE(refused) << format(refused.error());
     for (const std::string& message : *refused)
         ADD_FAILURE() << message;
-    const auto emitted = emitAll(allCases());
+    const auto emitted = emitAll(part);
     ASSERT_TRUE(emitted) << format(emitted.error());
     for (const Engine engine : kDirect3D) {
         std::vector<Case> cases;
-        std::ranges::copy_if(allCases(), std::back_inserter(cases), [&](const Case& drawn) { return drawnBy(drawn, engine); });
+        std::ranges::copy_if(part, std::back_inserter(cases), [&](const Case& drawn) { return drawnBy(drawn, engine); });
         const auto done = drawAll(engine, cases, jobFiles[engine]);
         ASSERT_TRUE(done) << format(done.error());
         for (const Case& drawn : cases)
             EXPECT_EQ(statusOf(drawn, engine), "ok") << drawn.name() << " on " << engineName(engine);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Drawings, Part, testing::Range(1, kParts + 1), [](const auto& tested) { return std::to_string(tested.param); });
 
 } // namespace
 } // namespace tegument::test

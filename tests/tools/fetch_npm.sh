@@ -1,6 +1,6 @@
 #!/bin/bash
-# fetch_npm.sh FOLDER: what tests want of npm goes to FOLDER: gltf/ (gltf-validator and gltfpack, which judge what `tegument prep` writes) and
-# three/ (three.js, which docs/samples/three draws with). npm holds them against the hashes of each package-lock.json; no script of theirs is run.
+# fetch_npm.sh FOLDER: what tests want of npm goes to FOLDER: gltf/ (gltf-validator and gltfpack, which judge what `tegument prep` writes),
+# three/ (three.js, which docs/samples/three draws with) and vscode/ (the protocol of VS Code's clients, which talks to the language server). npm holds them against the hashes of each package-lock.json; no script of theirs is run.
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 
@@ -20,3 +20,4 @@ fetch() ( # FROM TO
 folder="$(realpath -m "$1")"
 fetch "$here/gltf" "$folder/gltf"
 fetch "$here/../../docs/samples/three" "$folder/three"
+fetch "$here/../../tools/vscode" "$folder/vscode"

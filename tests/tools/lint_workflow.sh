@@ -1,8 +1,8 @@
 #!/bin/bash
-# Holds docs/samples/ci/workflow.yml against yamllint (Debian's) and actionlint, a Go module of one version: Go knows its hash by its own database.
+# Holds .github/workflows against yamllint (Debian's) and actionlint, a Go module of one version: Go knows its hash by its own database.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-workflow=docs/samples/ci/workflow.yml
+workflow=.github/workflows/tegument.yml
 yamllint --strict -d '{extends: default, rules: {line-length: {max: 180}, comments: {min-spaces-from-content: 1}}}' "$workflow"
 GOBIN="$(mktemp -d)"
 export GOBIN

@@ -35,7 +35,7 @@ PROGRAMS = {
     "tests/fur/swept/fur_swept_tests": "",
     "tests/peers/peer_tests": "",
     "tests/lab/app/lab_app_tests": "",
-    "tests/lab/bench/bench_tests": "Comparison.growth_*",
+    "tests/lab/bench/bench_tests": "",
     "tests/lab/invariance/invariance_tests": "",
     "tests/lab/stability/stability_tests": "",
     "tests/batch/batch_tests": "",

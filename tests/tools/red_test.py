@@ -127,8 +127,20 @@ set_tests_properties(Second PROPERTIES FIXTURES_REQUIRED first)""")
 
     def test_each_case_is_a_test_where_cases_are_discovered(self):
         self.project("tegument_cases(red_cases fast)")
-        out = self.ends(1, "1 passed, 6 failed, 1 skipped")
+        out = self.ends(1, "2 passed, 6 failed, 1 skipped")
         self.assertIn("Ends.is_skipped: it lacks something", out)
+
+    def test_parts_lose_no_case(self):
+        self.project(f"tegument_parts(Whole red_cases fast 3 {HIDDEN}Ends.passes:Ends.in_part_2_passes:Ends.fails:Ends.is_skipped)")
+        self.ends(1, "2 passed, 1 failed, 1 skipped")
+
+    def test_a_case_waits_for_what_its_own_part_needs(self):
+        self.project("""tegument_cases(red_cases fast FIXTURES_REQUIRED made_@PART@)
+tegument_command(Make fast false)
+set_tests_properties(Make PROPERTIES FIXTURES_SETUP made_2)""")
+        _, out = run(["ctest", "--test-dir", self.build, "-R", "passes"])
+        self.assertRegex(out, r"Ends\.passes \.+ +Passed")
+        self.assertRegex(out, r"Ends\.in_part_2_passes \.+\*\*\*Not Run")
 
     def test_skips_are_printed_with_their_reason_and_only_some_are_allowed(self):
         self.cases("Ends.passes", "Ends.is_skipped")

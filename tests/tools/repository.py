@@ -155,7 +155,7 @@ def data_goes_down_from_folder_to_folder(root):
 
 def some_libraries_are_known_to_one_room(root):
     """What stands behind a wrapper of ours, or serves one subcommand, is included there alone: other rooms build without it."""
-    homes = {"embree3": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "tools/cli", "webp": "tools/cli", "gif_lib": "tools/cli", "GLFW": "tools/view"}
+    homes = {"embree3": "host/support/rays", "embree4": "host/support/rays", "opensubdiv": "meshprep/human", "tbb": "host/support", "ft2build": "tools/cli", "webp": "tools/cli", "gif_lib": "tools/cli", "GLFW": "tools/view"}
     for path in [path for folder in rooms.TOPS for path in files(root / folder, {".cpp", ".h"})]:
         for library in re.findall(r"^#include <(\w+)[./]", text_of(path), re.MULTILINE):
             if library in homes and path.relative_to(root).parent.as_posix() != homes[library]:
@@ -172,7 +172,7 @@ def public_headers_are_meant_for_users(root):
     listed = public_headers(root)
     for name in listed:
         text = text_of(root / name)
-        if not re.match(r"#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
+        if not re.match(r"(?:// SPDX-\S+ MIT\n)?#pragma once\n// \S", text) or re.search(r"\b[Ii]nside (?:host|this room)\b", text):
             yield f"{name}: is installed, yet does not say what a user has of it"
         for other in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE):
             if other not in listed:

@@ -13,7 +13,7 @@ struct BoxTree::State {
 
 namespace {
 
-struct Search : RTCIntersectContext {
+struct Search : QueryContext {
     float (*visitor)(void*, std::uint32_t) = nullptr;
     void* own = nullptr;
 };
@@ -50,12 +50,11 @@ BoxTree::~BoxTree() = default;
 
 void BoxTree::search(const glm::vec3& origin, const glm::vec3& direction, float last, Visitor visitor, void* own) const {
     Search search{};
-    rtcInitIntersectContext(&search);
     search.visitor = visitor;
     search.own = own;
     RTCRayHit query{.ray = rayFrom(origin, direction, 0, last), .hit = {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(state_->embree.scene, &search, &query);
+    meetNearest(state_->embree.scene, search, query);
 }
 
 } // namespace tegument

@@ -1,7 +1,11 @@
 #pragma once
-// Inside host/support/rays: what both trees share of Embree.
+// Inside host/support/rays: what both trees share of Embree, and all that differs between its versions 3 and 4.
 
+#if TEGUMENT_EMBREE == 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <glm/glm.hpp>
 
 namespace tegument {
@@ -34,6 +38,35 @@ struct EmbreeScene {
         rtcCommitScene(scene);
     }
 };
+
+#if TEGUMENT_EMBREE == 4
+using QueryContext = RTCRayQueryContext;
+
+inline void meetNearest(RTCScene scene, QueryContext& context, RTCRayHit& query) {
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    rtcIntersect1(scene, &query, &arguments);
+}
+
+inline void meetAny(RTCScene scene, RTCRay& ray) {
+    rtcOccluded1(scene, &ray);
+}
+#else
+using QueryContext = RTCIntersectContext;
+
+inline void meetNearest(RTCScene scene, QueryContext& context, RTCRayHit& query) {
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+}
+
+inline void meetAny(RTCScene scene, RTCRay& ray) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+}
+#endif
 
 inline RTCRay rayFrom(const glm::vec3& origin, const glm::vec3& direction, float first, float last) {
     RTCRay ray{};

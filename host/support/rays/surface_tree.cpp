@@ -44,18 +44,15 @@ SurfaceTree::~SurfaceTree() = default;
 std::optional<RayHit> SurfaceTree::nearest(const glm::vec3& origin, const glm::vec3& direction, const RayRange& range) const {
     RTCRayHit query{.ray = rayFrom(origin, direction, range.first, range.last), .hit = {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(state_->embree.scene, &context, &query);
+    QueryContext context;
+    meetNearest(state_->embree.scene, context, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return RayHit{.face = query.hit.primID, .distance = query.ray.tfar};
 }
 
 bool SurfaceTree::meetsAny(const glm::vec3& origin, const glm::vec3& direction, const RayRange& range) const {
     RTCRay ray = rayFrom(origin, direction, range.first, range.last);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(state_->embree.scene, &context, &ray);
+    meetAny(state_->embree.scene, ray);
     return !(ray.tfar >= 0); // Embree sets it to minus infinity on a hit
 }
 

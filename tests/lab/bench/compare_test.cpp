@@ -2,7 +2,6 @@
 
 #include "lab/bench/ablation.h"
 #include "lab/bench/choice.h"
-#include "lab/bench/growth.h"
 #include "lab/bench/report.h"
 #include "lab/bench/truth.h"
 #include "tests/gpu/with_device.h"
@@ -152,18 +151,6 @@ TEST_F(Comparison, a_camera_that_sees_no_skin_is_an_error) {
     const auto rows = runBench(*device_, *catalogue, options_, {.say = [](const std::string&) {}, .flip = nullptr});
     ASSERT_FALSE(rows);
     EXPECT_EQ(rows.error().diagnostics.front().code, 8075);
-}
-
-TEST_F(Comparison, growth_is_measured_at_four_sizes_of_each_quantity) {
-    // A software device compiles in the first frame, and other work may take any single one.
-    const auto all =
-        measureGrowth(*device_, {.effects = "effects", .compiler = defaultCompiler(), .frames = {.warmUp = 1, .timed = 7}, .small = true},
-                      [](const std::string&) {});
-    ASSERT_TRUE(all) << format(all.error());
-    for (const Growth& growth : *all) {
-        EXPECT_EQ(growth.x.size(), 4) << growth.what;
-        EXPECT_GT(growth.law.exponent, 0) << growth.what;
-    }
 }
 
 TEST_F(Comparison, culling_leaves_the_picture_within_what_it_costs) {

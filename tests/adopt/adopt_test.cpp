@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(Spellings, MatrixNames,
 /// What one parameter of an effect gets.
 ParameterBinding binding(const std::string& declaration, const AdoptOptions& options = {}) {
     Effect effect = foreign(declaration);
-    return adopt::bindParameter(effect.parameters[0], options, false);
+    return adopt::bindParameter(effect.parameters[0], options, 0);
 }
 
 struct BoundCase {

@@ -220,6 +220,7 @@ const std::string& prelude() {
     // not load, each depth is a shifted one. The smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
+struct tg_rows { int none; float4 Load(int i) { int r = i & 3; return float4(r == 0, r == 1, r == 2, r == 3); } };
 #define tg_pow(x, y) pow(abs(x), y)
 #define tg_sqrt(x) sqrt(abs(x))
 #define tg_rsqrt(x) rsqrt(max(abs(x), 1e-30))

@@ -966,7 +966,10 @@ std::optional<PositionFlow> positionFlow(const Code& code, const ShaderReference
                 return runner.contains(index, [&](const Node& node) { return node.op == "parameter" && isTargetSize(node.name); });
             };
             for (const int component : value.at) {
-                flow.placed = flow.placed || runner.contains(component, [](const Node& node) { return node.op == "matrix"; });
+                flow.placed = flow.placed || runner.contains(component, [](const Node& node) {
+                    return node.op == "matrix" &&
+                           node.name != "MatrixTransform"; // XNA's SpriteBatch makes the target's pixels clip space with it
+                });
                 flow.pixels = flow.pixels || runner.contains(component, [&](const Node& node) {
                     return (node.op == "/" || node.op == "*") && node.of.size() == 2 && runner.contains(node.of[0], isStream) &&
                            sized(node.of[1]);

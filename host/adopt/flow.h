@@ -14,7 +14,7 @@
 namespace tegument::adopt {
 
 struct PositionFlow {
-    bool placed = false;   // a matrix among the parameters reaches the position
+    bool placed = false;   // a matrix among the parameters reaches the position, other than that of sprites
     bool pixels = false;   // the stream's position is divided by the size of the target
     bool farthest = false; // depth is w: the far plane
 };

@@ -236,6 +236,16 @@ struct tg_s1D { Texture2D<float4> t; SamplerState s; };
 struct tg_s2D { Texture2D<float4> t; SamplerState s; };
 struct tg_s3D { Texture2D<float4> t; SamplerState s; };
 struct tg_sCUBE { TextureCube<float4> t; SamplerState s; };
+struct tg_array { Texture2D<float4> t;
+float4 Sample(SamplerState s, float3 u) { return t.Sample(s, u.xy); }
+float4 SampleBias(SamplerState s, float3 u, float b) { return t.SampleBias(s, u.xy, b); }
+float4 SampleLevel(SamplerState s, float3 u, float l) { return t.SampleLevel(s, u.xy, l); }
+float4 SampleGrad(SamplerState s, float3 u, float2 x, float2 y) { return t.SampleGrad(s, u.xy, x, y); }
+float SampleCmp(SamplerComparisonState s, float3 u, float c) { return t.SampleCmp(s, u.xy, c); }
+float SampleCmpLevelZero(SamplerComparisonState s, float3 u, float c) { return t.SampleCmpLevelZero(s, u.xy, c); }
+float4 Load(int4 u) { return t.Load(int3(u.xy, u.w)); }
+float4 Load(int2 u, int n) { return t.Load(int3(u, 0)); }
+void GetDimensions(out float w, out float h, out float n) { t.GetDimensions(w, h); n = 1; } };
 #define TG_FETCHES(N, D, V, L, C, P) \
 float4 N(D s, V uv) { return s.t.Sample(s.s, L(uv)); } \
 float4 N(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, L(uv), L(dx), L(dy)); } \

@@ -94,6 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
              "V VS(float4 p : POSITION, float2 t : TEXCOORD0) { V o; o.t = mul(float4(t, 0, 1), texMatrix).xy; o.p = float4(p.xy, 0, 1); "
              "return o; }\n",
              "quad"},
+        Case{"sprites_are_placed",
+             "float4x4 MatrixTransform;\nvoid VS(float4 p : POSITION, out float4 o : POSITION) { o = mul(p, MatrixTransform); }\n", "quad"},
         Case{"a_matrix_places_by_way_of_functions",
              "float4x4 world, viewProj;\nfloat4 place(float4 p) { float4 w = mul(p, world); return mul(w, viewProj); }\n"
              "void VS(float4 p : POSITION, out float4 o : POSITION) { float4 q = p; q.xyz *= 1.0; o = place(q); }\n",

@@ -13,7 +13,8 @@ namespace tegument::adopt {
 
 namespace {
 
-constexpr std::size_t kMostNodes = 60'000;
+constexpr std::size_t kMostNodes = 30'000;
+constexpr int kDeepestNode = 4000; // bounds our own recursion
 constexpr int kMostStatements = 20'000;
 constexpr int kDeepestCall = 24;
 constexpr int kDeepestExpression = 100;
@@ -886,14 +887,16 @@ public:
     Signs(const Runner& runner, std::map<std::string, int>& votes) : runner_(runner), votes_(votes) {}
 
     void visit(int index, int sign, bool lit) {
-        if (!seen_.insert({index, sign, lit}).second) return;
+        if (!seen_.insert({index, sign, lit}).second || depth_ > kDeepestNode) return;
         const Node& node = runner_.node(index);
         if (node.op == "dot") return vote(node, sign, lit);
         const bool lights = node.op == "saturate" || node.op == "max" || node.op == "clamp" || node.op == "lit" || node.op == "smoothstep";
+        ++depth_;
         for (std::size_t i = 0; i < node.of.size(); ++i) {
             const bool turned = node.op == "-1" || (node.op == "-" && i == 1);
             visit(node.of[i], turned ? -sign : sign, lit || lights);
         }
+        --depth_;
     }
 
 private:
@@ -909,7 +912,9 @@ private:
     /// Parameters and streams that this component is a multiple of, with their signs.
     const Leaves& leavesOf(int index) {
         if (const auto known = leaves_.find(index); known != leaves_.end()) return known->second;
+        if (depth_ > kDeepestNode) return leaves_[index];
         leaves_[index] = {};
+        ++depth_;
         const Node& node = runner_.node(index);
         Leaves found;
         if (node.op == "parameter") found[node.name] = 1;
@@ -932,6 +937,7 @@ private:
             }
         if (node.op == "component" || node.op == "normalize" || node.op == "transformed" || node.op == "vector")
             if (!node.of.empty()) merge(found, leavesOf(node.of[0]), 1);
+        --depth_;
         return leaves_[index] = std::move(found);
     }
 
@@ -950,6 +956,7 @@ private:
     std::map<std::string, int>& votes_;
     std::set<std::tuple<int, int, bool>> seen_;
     std::map<int, Leaves> leaves_;
+    int depth_ = 0;
 };
 
 } // namespace
@@ -965,17 +972,16 @@ std::optional<PositionFlow> positionFlow(const Code& code, const ShaderReference
             const auto sized = [&](int index) {
                 return runner.contains(index, [&](const Node& node) { return node.op == "parameter" && isTargetSize(node.name); });
             };
-            for (const int component : value.at) {
-                flow.placed = flow.placed || runner.contains(component, [](const Node& node) {
-                    return node.op == "matrix" &&
-                           node.name != "MatrixTransform"; // XNA's SpriteBatch makes the target's pixels clip space with it
-                });
-                flow.pixels = flow.pixels || runner.contains(component, [&](const Node& node) {
-                    return (node.op == "/" || node.op == "*") && node.of.size() == 2 && runner.contains(node.of[0], isStream) &&
-                           sized(node.of[1]);
-                });
-            }
-            flow.pixels = flow.pixels && !flow.placed;
+            const auto anywhere = [&](const auto& is) {
+                return std::ranges::any_of(value.at, [&](int component) { return runner.contains(component, is); });
+            };
+            flow.placed = anywhere([](const Node& node) {
+                return node.op == "matrix" && node.name != "MatrixTransform"; // XNA's SpriteBatch makes pixels clip space with it
+            });
+            flow.pixels = !flow.placed && anywhere([&](const Node& node) {
+                return (node.op == "/" || node.op == "*") && node.of.size() == 2 && runner.contains(node.of[0], isStream) &&
+                       sized(node.of[1]);
+            });
             flow.farthest = value.at.size() == 4 && value.at[2] == value.at[3] && runner.node(value.at[2]).op != "number";
             return flow;
         }

@@ -1,5 +1,6 @@
 #include "host/check/work.h"
-#include "host/run/program.h"
+#include "host/run/geometry.h"
+#include "host/run/prepare.h"
 #include "host/spirv/compile.h"
 #include "host/spirv/reflect.h"
 
@@ -37,20 +38,41 @@ run::Stages compileAll(const Effect& effect, Compiler compiler) {
     return run::compileStages(effect, run::stagesOf(passes), compiler);
 }
 
+void addErrors(const Error& error, const Pass* pass, Severity most, TargetCheck& report) {
+    for (Diagnostic diagnostic : error.diagnostics) {
+        if (diagnostic.at.line == 0 && pass != nullptr && pass->pixelShader) diagnostic.at = pass->pixelShader->at;
+        diagnostic.severity = std::min(diagnostic.severity, most);
+        report.diagnostics.push_back(std::move(diagnostic));
+    }
+}
+
+/// All that a frame of another host's effect needs, of the technique that is drawn; a plain mesh stands for the user's.
+void prepareFrame(const Effect& effect, Compiler compiler, const run::Programs& programs, TargetCheck& report) {
+    constexpr int kSide = 64;
+    const Mesh mesh = run::fullScreenQuad();
+    const Workspace workspace;
+    const RunOptions options{.width = kSide, .height = kSide, .compiler = compiler};
+    const run::RunInput input{.effect = effect, .mesh = &mesh, .workspace = workspace, .options = options, .compiled = &programs};
+    auto prepared = run::prepare(input);
+    if (!prepared) return addErrors(prepared.error(), nullptr, Severity::Error, report);
+    if (const auto textures = run::prepareTextures(input, *prepared); !textures)
+        addErrors(textures.error(), nullptr, Severity::Error, report);
+}
+
 /// Each pass as it would be drawn. Of another host's effect the technique that is drawn decides: errors of others are warnings.
 void makePasses(const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
     const Technique* shown = effect.adopted ? effect.defaultTechnique() : nullptr;
+    run::Programs programs;
     for (const Technique& technique : effect.techniques)
         for (const Pass& pass : technique.passes) {
-            if (needsOtherStages(pass) && &technique != shown) continue;
-            const auto made = run::compilePass(effect, pass, compiler, stages);
-            if (made) continue;
-            for (Diagnostic diagnostic : made.error().diagnostics) {
-                if (diagnostic.at.line == 0 && pass.pixelShader) diagnostic.at = pass.pixelShader->at;
-                if (shown != nullptr && &technique != shown) diagnostic.severity = std::min(diagnostic.severity, Severity::Warning);
-                report.diagnostics.push_back(std::move(diagnostic));
-            }
+            if (needsOtherStages(pass)) continue;
+            auto made = run::compilePass(effect, pass, compiler, stages);
+            if (made)
+                programs.emplace(&pass, std::make_shared<const run::PassProgram>(std::move(*made)));
+            else if (&technique != shown)
+                addErrors(made.error(), &pass, effect.adopted ? Severity::Warning : Severity::Error, report);
         }
+    if (effect.adopted) prepareFrame(effect, compiler, programs, report);
 }
 
 /// `: POSITION` compiles to an ordinary varying without a word.

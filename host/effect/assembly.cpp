@@ -64,6 +64,9 @@ constexpr std::array<Operation, 36> kOperations{{
 /// Products with as many registers as the second number says, of the first number of components.
 constexpr std::array<std::string_view, 5> kProducts{"m4x4", "m4x3", "m3x4", "m3x3", "m3x2"};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kFactors{
+    {{"_x2", "2"}, {"_x4", "4"}, {"_x8", "8"}, {"_d2", "0.5"}, {"_d4", "0.25"}, {"_d8", "0.125"}}};
+
 struct Missing {
     std::string what;
 };
@@ -301,8 +304,7 @@ private:
         if (where.kind == "t") read_.insert(operand);
         if (where.kind == "r" || where.kind == "a") locals_.insert(operand);
         if (where.kind[0] == 'o') written_.insert(operand);
-        for (const auto& [form, factor] :
-             {std::pair("_x2", "2"), {"_x4", "4"}, {"_x8", "8"}, {"_d2", "0.5"}, {"_d4", "0.25"}, {"_d8", "0.125"}})
+        for (const auto& [form, factor] : kFactors)
             if (modifiers.find(form) != std::string::npos) text = fmt::format("({} * {})", text, factor);
         if (modifiers.find("_sat") != std::string::npos) text = fmt::format("saturate({})", text);
         const bool scalar = operand == "oFog" || operand == "oPts" || operand == "oDepth";

@@ -3,6 +3,7 @@
 #include "host/adopt/bind.h"
 #include "host/adopt/columns.h"
 #include "host/adopt/fill.h"
+#include "host/adopt/flow.h"
 #include "host/adopt/negated.h"
 #include "host/adopt/rewrite.h"
 #include "host/support/text.h"
@@ -78,6 +79,9 @@ public:
     Adoption run() {
         Effect& effect = adoption_.effect;
         effect.adopted = true;
+        for (const Technique& technique : effect.techniques)
+            for (const Pass& pass : technique.passes)
+                addDirectionSigns(rewriter_.code(), pass, signs_);
         for (Technique& technique : effect.techniques) {
             onPicture_ = drawsIntoPicture(technique);
             for (std::size_t i = 0; i < technique.passes.size(); ++i)
@@ -104,6 +108,7 @@ private:
         const bool later = technique.kind != TechniqueKind::D3D9;
         const bool depthOnly = later && !pass.pixelShader && pass.vertexShader;
         drawAtAll(pass);
+        flow_ = flowOf(pass);
         const bool quad = coversTarget(pass);
         place(pass, quad);
         std::vector<Port> written;
@@ -137,10 +142,18 @@ private:
         return true;
     }
 
-    /// A pass whose vertex shader knows no matrix gets the corners of the target as they are.
+    [[nodiscard]] std::optional<PositionFlow> flowOf(const Pass& pass) const {
+        if (!pass.vertexShader) return PositionFlow{.placed = true};
+        return positionFlow(rewriter_.code(), *pass.vertexShader, [&](const std::string& name) {
+            const Parameter* parameter = adoption_.effect.findParameter(name);
+            return parameter && parameter->type.base == BaseType::Float && isTargetSize(name, parameter->semantic);
+        });
+    }
+
+    /// A pass whose vertices no matrix places gets the corners of the target as they are.
     [[nodiscard]] bool coversTarget(const Pass& pass) const {
         if (!drawsGeometry(pass)) return true;
-        if (pass.vertexShader) return !rewriter_.readsMatrix(*pass.vertexShader);
+        if (pass.vertexShader) return flow_ ? !flow_->placed : !rewriter_.readsMatrix(*pass.vertexShader);
         if (!pass.vertexShader && !pass.state.depthTest) return true; // what an application draws over the picture, as a rule
         const auto& global = adoption_.effect.standardsGlobal;
         return global && (global->scriptClass == "scene" || global->scriptOrder == "postprocess");
@@ -249,6 +262,9 @@ private:
         WrapperJob job = rewriter_.job(shader, vertex, name);
         job.available = available;
         job.covers = covers;
+        job.pixels = vertex && covers && flow_ && flow_->pixels;
+        job.farthest = !vertex && pass.vertexShader && flow_ && flow_->farthest;
+        job.fogs = pass.fogs;
         job.pass = vertex ? nullptr : &pass;
         job.saturates = onPicture_ && pass.state.targets[0].enable;
         auto made = rewriter_.wrapped(job);
@@ -320,6 +336,10 @@ private:
 
     void bind() {
         const std::set<std::string> negated = negatedNames(rewriter_.code());
+        const auto signOf = [&](const std::string& name) {
+            const int sign = directionSign(signs_, name);
+            return sign != 0 ? sign : isNegated(negated, name) ? -1 : 0;
+        };
         const std::set<std::string> shown = namesOfTechnique();
         adoption_.halfPixel = shown.contains(kTargetSize);
         for (Parameter& parameter : adoption_.effect.parameters) {
@@ -328,7 +348,7 @@ private:
                 bindTexture(parameter, shown);
             } else if (parameter.type.isNumeric()) {
                 convertPixels(parameter);
-                ParameterBinding bound = bindParameter(parameter, options_, isNegated(negated, parameter.name));
+                ParameterBinding bound = bindParameter(parameter, options_, signOf(parameter.name));
                 if (shown.contains(parameter.name) && parameter.name != kTargetSize) adoption_.bindings.push_back(std::move(bound));
             }
         }
@@ -412,9 +432,11 @@ private:
     const AdoptOptions& options_;
     Rewriter rewriter_;
     std::set<std::pair<int, std::string>> said_;
-    bool onPicture_ = false; // drawsIntoPicture() of the technique in hand
-    bool plain_ = false;     // something is placed by kPlainMatrix
-    bool sized_ = false;     // something reads kTargetSize
+    std::map<std::string, int> signs_; // addDirectionSigns()
+    std::optional<PositionFlow> flow_; // of the pass in hand
+    bool onPicture_ = false;           // drawsIntoPicture() of the technique in hand
+    bool plain_ = false;               // something is placed by kPlainMatrix
+    bool sized_ = false;               // something reads kTargetSize
 };
 
 } // namespace

@@ -167,7 +167,7 @@ Meaning constant(Numbers value, std::string words) {
 
 class Binder {
 public:
-    Binder(Parameter& parameter, const AdoptOptions& options, bool negated) : parameter_(parameter), options_(options), negated_(negated) {}
+    Binder(Parameter& parameter, const AdoptOptions& options, int sign) : parameter_(parameter), options_(options), sign_(sign) {}
 
     ParameterBinding run() {
         if (const auto asked = options_.bind.find(parameter_.name); asked != options_.bind.end()) return byRule(asked->second);
@@ -262,8 +262,9 @@ private:
         return light ? semantic("POSITION", "PointLight0") : semantic("CAMERAPOSITION");
     }
 
-    /// DXSAS's DIRECTION is the one in which light goes; by name the code tells.
+    /// What the code does with it tells. Where it does not: DXSAS's DIRECTION is the one in which light goes, others lead to it.
     [[nodiscard]] std::optional<Meaning> lightDirection(bool travels) const {
+        if (sign_ != 0) travels = sign_ < 0;
         if (parameter_.type.elements > 0) return lights(1, travels ? -1 : 1);
         if (!isFloat() || !isVector(parameter_.type, 3)) return std::nullopt;
         return semantic(travels ? "LIGHTDIRECTION" : "TOLIGHT");
@@ -344,6 +345,7 @@ private:
     [[nodiscard]] std::optional<Meaning> ofSemantic(const std::string& text) const {
         if (auto found = matrix(text)) return found;
         if (isMatrix(parameter_.type)) return std::nullopt;
+        if (text == "LIGHTENABLE" || text == "LIGHTENABLED") return constant({1}, "on");
         if (text == "POSITION") return position(ofLight());
         if (holds(text, {"LIGHT"}) && holds(text, {"COL", "DIFFUSE", "SPECULAR", "AMBIENT", "INTENSITY"})) return colour(text);
         if (holds(text, {"LIGHTPOS"}) || (text.starts_with("LIGHT") && text.ends_with("POSITION"))) return position(true);
@@ -389,12 +391,14 @@ private:
             return std::nullopt;
         }
         const bool light = holds(name, {"light", "lamp", "sun", "lhtdir"}); // the last: a sample of an old SDK
+        if (light && parameter_.type.base == BaseType::Bool && holds(name, {"enable", "active"})) return constant({1}, "on");
         if (holds(name, {"eye", "camera", "viewer", "cam"}) || text == "VIEWPOSITION" || text == "VIEWPOS") {
             if (holds(name, {"dir", "forward", "look"})) return directionOfCamera();
-            if (holds(name, {"pos", "point", "location"}) || text == "EYE" || text == "CAMERA") return position(false);
+            if (holds(name, {"pos", "point", "location"}) || name.ends_with("pt") || text == "EYE" || text == "CAMERA")
+                return position(false);
         }
         const bool coloured = holds(name, {"col", "diffuse", "specular", "ambient", "intensity"}); // DirLight0DiffuseColor
-        if (light && !coloured && holds(name, {"dir", "vec", "normal"})) return lightDirection(negated_);
+        if (light && !coloured && holds(name, {"dir", "vec", "normal"})) return lightDirection(false);
         if (light && (holds(name, {"pos", "location"}) || text == "LIGHT" || text == "LAMP")) return position(true);
         if (holds(name, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "halfpixel", "rendertargetsize", "aspect"}))
             return viewport(text);
@@ -406,12 +410,23 @@ private:
         if (light || holds(name, {"diffuse", "specular", "ambient", "emissive", "shininess", "opacity", "alpha", "albedo", "colo",
                                   "material", "power", "intensity"}))
             return colour(text);
+        return factor(name);
+    }
+
+    /// What everything is multiplied with: zero would be black. An author's zero is meant.
+    [[nodiscard]] std::optional<Meaning> factor(const std::string& name) const {
+        if (!isFloat() || isMatrix(parameter_.type) || parameter_.defaultValue) return std::nullopt;
+        if (holds(name, {"weight"})) {
+            const int count = std::max(parameter_.type.elements, 1);
+            return constant({1.0 / count}, count > 1 ? "one, shared out" : "one");
+        }
+        if (holds(name, {"scale", "factor", "tone", "gain", "exposure", "multipl"})) return constant({1, 1, 1, 1}, "one");
         return std::nullopt;
     }
 
     Parameter& parameter_;
     const AdoptOptions& options_;
-    bool negated_;
+    int sign_;
 };
 
 } // namespace
@@ -439,8 +454,13 @@ std::optional<std::string> matrixName(std::string_view name) {
     return std::nullopt;
 }
 
-ParameterBinding bindParameter(Parameter& parameter, const AdoptOptions& options, bool negated) {
-    return Binder(parameter, options, negated).run();
+ParameterBinding bindParameter(Parameter& parameter, const AdoptOptions& options, int sign) {
+    return Binder(parameter, options, sign).run();
+}
+
+bool isTargetSize(std::string_view name, std::string_view semantic) {
+    const std::string both = lower(name) + " " + lower(semantic);
+    return holds(both, {"viewport", "screen", "resolution", "pixelsize", "texelsize", "targetsize", "targetdimensions", "backbuffer"});
 }
 
 std::string textureStandIn(const Parameter& parameter) {

@@ -47,6 +47,7 @@ const std::vector<double>* numbersOf(const Parameter& parameter) {
 Rewriter::Rewriter(Effect& effect) : code_(readCode(effect.code)), uses_(usesOf(code_)) {
     planSamplers(effect);
     planStructures(effect);
+    planLayers(effect);
     planNames(effect);
 }
 
@@ -107,6 +108,23 @@ std::string Rewriter::textureFor(Effect& effect, const Sampler* sampler, const s
     if (kind == "3D") made.annotations.list.push_back(volumeNote(at));
     if (!effect.findParameter(made.name)) effect.parameters.push_back(made);
     return made.name;
+}
+
+/// Layers and samples are not loaded: all of them are one picture.
+void Rewriter::planLayers(Effect& effect) {
+    for (const Item& item : code_.items) {
+        const auto* variable = std::get_if<Variable>(&item);
+        if (!variable || !variable->array.empty()) continue;
+        const std::string& type = variable->typeName();
+        if (type != "Texture2DArray" && type != "Texture2DMS" && type != "Texture2DMSArray") continue;
+        const std::string name = variable->name.text + "_layer";
+        layers_[variable->name.text] = name;
+        effect.parameters.push_back({.name = name,
+                                     .type = {.base = BaseType::Texture2D, .name = "texture"},
+                                     .semantic = {},
+                                     .annotations = {},
+                                     .at = {.file = effect.file.string(), .byte = {}}});
+    }
 }
 
 void Rewriter::planStructures(Effect& effect) {

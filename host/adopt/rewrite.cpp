@@ -152,6 +152,12 @@ void Rewriter::printVariable(Printer& printer, const Spelling& spelling, const V
             printer.own(fmt::format("static const tg_s{} {}[{}] = {{ {} }};", samplers_.at(name + "[0]").kind, spelt, count, values));
         return;
     }
+    if (variable.typeName() == "Buffer" && variable.array.empty()) // nothing fills it: rows of identities, as bones at rest are
+        return printer.own(fmt::format("static tg_rows {} = {{ 0 }};", spelling.respelt({variable.name})[0].text));
+    if (const auto layer = layers_.find(name); layer != layers_.end()) {
+        printer.own(fmt::format("Texture2D<float4> {};", layer->second));
+        return printer.own(fmt::format("static tg_array {} = {{ {} }};", spelling.respelt({variable.name})[0].text, layer->second));
+    }
     if (const auto size = sizes_.find(name); size != sizes_.end())
         return printer.own(fmt::format("static const int {} = {};", name, size->second));
     if (const auto leaves = structures_.find(name); leaves != structures_.end()) {

@@ -47,6 +47,7 @@ private:
     void planSampler(Effect& effect, const Variable& variable, const std::string& name);
     std::string textureFor(Effect& effect, const Sampler* sampler, const std::string& name, const std::string& kind,
                            const SourcePosition& at);
+    void planLayers(Effect& effect);
     void planStructures(Effect& effect);
     void planLeaves(Effect& effect, const Parameter& whole, const Type& type, const Words& words, const std::string& path,
                     std::size_t& next, std::vector<LeafPlan>& leaves, int depth);
@@ -69,6 +70,7 @@ private:
     std::map<std::string, std::string> renamed_;              // parameters that functions write: their copies
     std::map<std::string, std::string> sizes_;                // parameters that size an array: their values
     std::map<std::string, int> counts_;                       // elements of arrays
+    std::map<std::string, std::string> layers_;               // textures of layers or samples: the picture that each of them is
 };
 
 } // namespace tegument::adopt

@@ -220,6 +220,7 @@ const std::string& prelude() {
     // not load, each depth is a shifted one. The smallest normal float stands where hardware of Direct3D 9 gives no infinity.
     static const std::string kText =
         R"(float4 tg_lit(float l, float h, float m) { return float4(1, max(l, 0), l < 0 || h < 0 ? 0 : pow(h, m), 1); }
+struct tg_rows { int none; float4 Load(int i) { int r = i & 3; return float4(r == 0, r == 1, r == 2, r == 3); } };
 #define tg_pow(x, y) pow(abs(x), y)
 #define tg_sqrt(x) sqrt(abs(x))
 #define tg_rsqrt(x) rsqrt(max(abs(x), 1e-30))
@@ -235,6 +236,16 @@ struct tg_s1D { Texture2D<float4> t; SamplerState s; };
 struct tg_s2D { Texture2D<float4> t; SamplerState s; };
 struct tg_s3D { Texture2D<float4> t; SamplerState s; };
 struct tg_sCUBE { TextureCube<float4> t; SamplerState s; };
+struct tg_array { Texture2D<float4> t;
+float4 Sample(SamplerState s, float3 u) { return t.Sample(s, u.xy); }
+float4 SampleBias(SamplerState s, float3 u, float b) { return t.SampleBias(s, u.xy, b); }
+float4 SampleLevel(SamplerState s, float3 u, float l) { return t.SampleLevel(s, u.xy, l); }
+float4 SampleGrad(SamplerState s, float3 u, float2 x, float2 y) { return t.SampleGrad(s, u.xy, x, y); }
+float SampleCmp(SamplerComparisonState s, float3 u, float c) { return t.SampleCmp(s, u.xy, c); }
+float SampleCmpLevelZero(SamplerComparisonState s, float3 u, float c) { return t.SampleCmpLevelZero(s, u.xy, c); }
+float4 Load(int4 u) { return t.Load(int3(u.xy, u.w)); }
+float4 Load(int2 u, int n) { return t.Load(int3(u, 0)); }
+void GetDimensions(out float w, out float h, out float n) { t.GetDimensions(w, h); n = 1; } };
 #define TG_FETCHES(N, D, V, L, C, P) \
 float4 N(D s, V uv) { return s.t.Sample(s.s, L(uv)); } \
 float4 N(D s, V uv, V dx, V dy) { return s.t.SampleGrad(s.s, L(uv), L(dx), L(dy)); } \

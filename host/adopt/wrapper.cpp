@@ -25,6 +25,22 @@ struct Leaf {
     std::optional<int> row{}; // of a matrix
 };
 
+/// Direct3D 10's layouts name streams freely: "POS" is POSITION0, "TEX1" TEXCOORD1.
+std::string usualStream(const std::string& key) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kOthers{
+        {{"POS", "POSITION"},   {"VERTEX", "POSITION"},     {"VERTEXPOSITION", "POSITION"},
+         {"NORM", "NORMAL"},    {"NRM", "NORMAL"},          {"NORMALS", "NORMAL"},
+         {"TEX", "TEXCOORD"},   {"TEXTURE", "TEXCOORD"},    {"TEXCOORDS", "TEXCOORD"},
+         {"TEXUV", "TEXCOORD"}, {"UV", "TEXCOORD"},         {"TC", "TEXCOORD"},
+         {"TAN", "TANGENT"},    {"TANG", "TANGENT"},        {"BINORM", "BINORMAL"},
+         {"BITAN", "BINORMAL"}, {"COL", "COLOR"},           {"COLOUR", "COLOR"},
+         {"DIFFUSE", "COLOR"},  {"WEIGHTS", "BLENDWEIGHT"}, {"WEIGHT", "BLENDWEIGHT"}}};
+    const std::size_t digits = key.find_last_not_of("0123456789") + 1;
+    const auto* found =
+        std::ranges::find(kOthers, std::string_view(key).substr(0, digits), &std::pair<std::string_view, std::string_view>::first);
+    return found == kOthers.end() ? key : std::string(found->second) + key.substr(digits);
+}
+
 /// In one line, with the author's spaces and those without which two words would be one.
 std::string textOf(const Words& words) {
     const auto isWord = [](const Word& word) { return word.kind == TokenKind::Word || word.kind == TokenKind::Number; };
@@ -36,6 +52,7 @@ std::string textOf(const Words& words) {
     return text;
 }
 
+constexpr const char* kFog = "FOG0";
 constexpr std::string_view kCentroid = "_CENTROID"; // behind a semantic: where samples are taken
 
 const char* firstComponents(int count) {
@@ -275,7 +292,12 @@ private:
         return inputs_["$" + semantic] = name;
     }
 
-    std::string vertexInput(const std::string& key) {
+    std::string vertexInput(const std::string& written) {
+        const std::string key = usualStream(written);
+        if (job_.pixels && (key == "POSITION0" || key == "POSITIONT0" || key == "SV_POSITION0")) {
+            made_.readsTargetSize = true;
+            return fmt::format("float4(({0}.xy * float2(0.5, -0.5) + 0.5) * {1}, {0}.z, 1)", stream("POSITION", "float3"), kTargetSize);
+        }
         if (key == "POSITION0" || key == "POSITIONT0" || key == "SV_POSITION0")
             return fmt::format("float4({}, 1)", stream("POSITION", "float3"));
         if (key == "NORMAL0") return fmt::format("float4({}, 1)", stream("NORMAL", "float3"));
@@ -336,11 +358,13 @@ private:
             after_.push_back(fmt::format("{} = {};", place, padded(leaf, "1")));
             made_.writesPosition = true;
             // There an author moves his texture coordinates or his corners by half a pixel, or has the blur that comes of not doing so.
-            made_.readsTargetSize = job_.covers && profile_.direct3D9();
-            if (made_.readsTargetSize) after_.push_back(fmt::format("{0}.xy += float2(1, -1) / {1} * {0}.w;", place, kTargetSize));
+            const bool shifted = job_.covers && profile_.direct3D9();
+            made_.readsTargetSize = made_.readsTargetSize || shifted;
+            if (shifted) after_.push_back(fmt::format("{0}.xy += float2(1, -1) / {1} * {0}.w;", place, kTargetSize));
             return {};
         }
-        if (leaf.semantic == "PSIZE" || (profile_.direct3D9() && leaf.semantic == "FOG")) return {}; // for stages that no longer exist
+        if (leaf.semantic == "PSIZE" || (profile_.direct3D9() && leaf.semantic == "FOG" && !job_.fogs))
+            return {}; // for stages that no longer exist
         if (isSystem(leaf.semantic)) {
             if (given_.contains(key)) return {};
             after_.push_back(fmt::format("{} = {};", declareOutput(leaf.type, key), leaf.path));
@@ -425,17 +449,27 @@ std::string alphaTestCode(const AlphaTest& test, const std::string& alpha) {
     return fmt::format("if (!(floor(saturate({}) * 255 + 0.5) {} {})) discard;", alpha, kOperators[compare], test.reference);
 }
 
-std::vector<std::string> colourCode(const Pass& pass, const std::string& colour) {
+/// `fog`: the variable that holds how much of the colour the fog leaves; empty: none.
+std::vector<std::string> colourCode(const Pass& pass, const std::string& colour, const std::string& fog) {
     std::vector<std::string> lines;
     if (auto test = alphaTestCode(pass.alphaTest, colour + ".a"); !test.empty()) lines.push_back(std::move(test));
+    if (!fog.empty())
+        lines.push_back(fmt::format("{0}.rgb = lerp(float3({2}, {3}, {4}), {0}.rgb, saturate({1}.x));", colour, fog, pass.fogColor[0],
+                                    pass.fogColor[1], pass.fogColor[2]));
     if (pass.encodesSrgb) lines.push_back(fmt::format("{0}.rgb = tg_encoded({0}.rgb);", colour));
     return lines;
 }
 
 void Wrapping::finishColours() {
+    if (job_.farthest && !given_.contains("SV_Depth")) after_.push_back(fmt::format("{} = 1;", declareOutput("float", "SV_Depth")));
     const auto colour = given_.find("SV_Target0");
     if (colour == given_.end()) return;
-    for (std::string& line : colourCode(*job_.pass, colour->second))
+    std::string fog;
+    if (job_.pass->fogs && profile_.major < 3 && job_.available && provided(kFog)) {
+        fog = declareInput("float4", kFog);
+        made_.inputs.push_back({kFog});
+    }
+    for (std::string& line : colourCode(*job_.pass, colour->second, fog))
         after_.push_back(std::move(line));
     if (job_.saturates) after_.push_back(fmt::format("{0} = saturate({0});", colour->second));
 }
@@ -473,12 +507,19 @@ Wrapper plainVertexShader(const std::string& name, const std::vector<Port>& read
 
 Wrapper plainPixelShader(const std::string& name, const std::vector<Port>& available, const Pass& pass) {
     Wrapper made;
-    const bool coloured = std::ranges::find(available, "COLOR0", &Port::semantic) != available.end();
-    std::string body = coloured ? " o = c;\n" : " o = float4(1, 1, 1, 1);\n";
-    for (const std::string& line : colourCode(pass, "o"))
+    std::string signature;
+    const auto read = [&](const char* variable, const char* semantic) {
+        if (std::ranges::find(available, semantic, &Port::semantic) == available.end()) return false;
+        made.inputs.push_back({semantic});
+        signature += fmt::format("float4 {} : {}, ", variable, semantic);
+        return true;
+    };
+    std::string body = read("c", "COLOR0") ? " o = c;\n" : " o = float4(1, 1, 1, 1);\n";
+    if (pass.addsSpecular && read("s", "COLOR1")) body += " o.rgb = saturate(o.rgb + s.rgb);\n";
+    const bool fogs = pass.fogs && read("f", kFog);
+    for (const std::string& line : colourCode(pass, "o", fogs ? "f" : ""))
         body += " " + line + "\n";
-    if (coloured) made.inputs.push_back({"COLOR0"});
-    made.text = fmt::format("void {}({}out float4 o : SV_Target0) {{\n{}}}\n", name, coloured ? "float4 c : COLOR0, " : "", body);
+    made.text = fmt::format("void {}({}out float4 o : SV_Target0) {{\n{}}}\n", name, signature, body);
     return made;
 }
 

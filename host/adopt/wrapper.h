@@ -39,6 +39,9 @@ struct WrapperJob {
     const Pass* pass = nullptr;                   // of a pixel shader: alpha test and encoding
     std::map<std::string, std::string> renamed;   // as in Spelling
     bool covers = false;                          // of a vertex shader: it draws over the target, texel by texel
+    bool pixels = false;                          // of a vertex shader: the author's positions count pixels of the target
+    bool fogs = false;                            // of a vertex shader: what it writes to FOG is read
+    bool farthest = false;                        // of a pixel shader: it is drawn at the far plane, to the bit
     bool saturates = false;                       // of a pixel shader: what it blends into holds 0 to 1, as a display's picture does
 };
 

@@ -143,47 +143,49 @@ bool mentions(const std::filesystem::path& file, std::string_view word) {
     return text && text->find(word) != std::string::npos;
 }
 
-/// `respelt`: the same stage as host/adopt has it; null where the file's own words do.
-std::optional<std::size_t> addEntry(Work& work, const std::optional<ShaderReference>& shader, ShaderKind kind,
-                                    const std::optional<ShaderReference>* respelt, bool undrawn) {
-    if (!shader) return {};
-    const std::string code = respelt != nullptr && *respelt ? (*respelt)->code : std::string();
-    const auto same = [&](const EntryPoint& entry) {
-        return entry.name == shader->entry && entry.kind == kind && entry.arguments == shader->arguments && entry.code == code;
-    };
-    const auto found = std::ranges::find_if(work.report.entries, same);
-    if (found != work.report.entries.end()) {
-        found->undrawn = found->undrawn && undrawn;
-        return static_cast<std::size_t>(found - work.report.entries.begin());
-    }
-    EntryPoint entry{.name = shader->entry, .kind = kind, .profile = shader->profile, .at = shader->at, .arguments = shader->arguments};
-    entry.code = code;
-    entry.undrawn = undrawn;
-    if (respelt != nullptr && *respelt) {
-        entry.symbol = (*respelt)->entry;
-        entry.obstacle = (*respelt)->obstacle;
-    }
-    work.report.entries.push_back(std::move(entry));
-    return work.report.entries.size() - 1;
-}
-
-void collectPass(Work& work, const Pass& pass, const Pass* respelt) {
-    const bool undrawn = pass.geometryShader || pass.hullShader || pass.domainShader || pass.streamOutput;
-    const auto vertex = addEntry(work, pass.vertexShader, ShaderKind::Vertex, respelt ? &respelt->vertexShader : nullptr, undrawn);
-    const auto pixel = addEntry(work, pass.pixelShader, ShaderKind::Pixel, respelt ? &respelt->pixelShader : nullptr, undrawn);
-    addEntry(work, pass.geometryShader, ShaderKind::Geometry, nullptr, true);
-    addEntry(work, pass.computeShader, ShaderKind::Compute, nullptr, undrawn);
-    if (!vertex || !pixel || undrawn) return;
-    if (std::ranges::none_of(work.pairs, [&](const StagePair& pair) { return pair.vertex == *vertex && pair.pixel == *pixel; }))
-        work.pairs.push_back({*vertex, *pixel});
-}
-
+/// The file's own entry points, each with the source that host/adopt has for it where DXC needs one.
 void collectEntries(Work& work) {
     work.respelt = needsRespelling(work.effect());
-    const Effect respelt = work.respelt ? adopted(work.effect()).effect : Effect{};
-    for (std::size_t t = 0; t < work.effect().techniques.size(); ++t)
-        for (std::size_t p = 0; p < work.effect().techniques[t].passes.size(); ++p)
-            collectPass(work, work.effect().techniques[t].passes[p], work.respelt ? &respelt.techniques[t].passes[p] : nullptr);
+    if (!work.effect().ownDialect) work.drawn = adopted(work.effect()).effect;
+    Effect both = work.effect();
+    for (std::size_t t = 0; work.respelt && t < both.techniques.size(); ++t)
+        for (std::size_t p = 0; p < both.techniques[t].passes.size(); ++p)
+            for (const auto stage : {&Pass::vertexShader, &Pass::pixelShader}) {
+                auto& own = both.techniques[t].passes[p].*stage;
+                const auto& respelt = work.drawn->techniques[t].passes[p].*stage;
+                if (!own || !respelt) continue;
+                own->code = respelt->code;
+                own->original = respelt->entry;
+                own->obstacle = respelt->obstacle;
+            }
+    const auto same = [](const EntryPoint& entry, const ShaderReference& shader, ShaderKind kind) {
+        return entry.name == shader.entry && entry.kind == kind && entry.arguments == shader.arguments && entry.code == shader.code;
+    };
+    for (const ShaderUse& use : entryPoints(both)) {
+        const ShaderReference& shader = *use.shader;
+        work.report.entries.push_back({.name = shader.entry,
+                                       .kind = use.kind,
+                                       .profile = shader.profile,
+                                       .at = shader.at,
+                                       .arguments = shader.arguments,
+                                       .code = shader.code,
+                                       .symbol = shader.original,
+                                       .obstacle = shader.obstacle,
+                                       .undrawn = use.undrawn});
+    }
+    const auto place = [&](const ShaderReference& shader, ShaderKind kind) {
+        const auto& entries = work.report.entries;
+        return static_cast<std::size_t>(std::ranges::find_if(entries, [&](const auto& e) { return same(e, shader, kind); }) -
+                                        entries.begin());
+    };
+    for (const Technique& technique : both.techniques)
+        for (const Pass& pass : technique.passes) {
+            if (!pass.vertexShader || !pass.pixelShader || needsOtherStages(pass)) continue;
+            const StagePair made{place(*pass.vertexShader, ShaderKind::Vertex), place(*pass.pixelShader, ShaderKind::Pixel)};
+            if (std::ranges::none_of(work.pairs,
+                                     [&](const StagePair& pair) { return pair.vertex == made.vertex && pair.pixel == made.pixel; }))
+                work.pairs.push_back(made);
+        }
 }
 
 } // namespace

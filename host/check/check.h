@@ -2,6 +2,7 @@
 // Does an effect compile everywhere? Every target's own compiler is asked; what the machine lacks is `not checked`, never passed.
 
 #include "host/direct3d/microsoft.h"
+#include "host/effect/entry_points.h"
 #include "host/effect/model.h"
 #include "host/spirv/compile.h"
 #include "host/spirv/dxil.h"
@@ -84,8 +85,6 @@ inline constexpr std::array kSm3Limits = {
     Sm3Limit{"instruction slots", &Sm3Usage::instructionSlots, 512, 512}, Sm3Limit{"constant registers", &Sm3Usage::constants, 256, 224},
     Sm3Limit{"samplers", &Sm3Usage::samplers, 4, 16}, Sm3Limit{"interpolators", &Sm3Usage::interpolators, 10, 10}};
 
-enum class ShaderKind { Vertex, Pixel, Geometry, Compute };
-
 /// One entry point of an effect and what the compilers made of it; empty where they were not asked or refused.
 struct EntryPoint {
     std::string name;
@@ -127,8 +126,9 @@ struct CheckReport {
 };
 
 /// Loads each file, then:
-///   spirv-*  every entry point that a pass names: compiled, validated, vertex and pixel stage linked by semantic; when both are asked for,
-///            their reflections are held against each other (TG3201).
+///   spirv-*  every pass as host/run makes it: compiled, validated, stages linked by semantic, the vertex stream bound; when both are asked
+///            for, their reflections are held against each other (TG3201). By DXC an effect of another host is what host/adopt makes of it,
+///            and the technique that is drawn decides: of others errors are warnings.
 ///   sm5      every entry point by Microsoft's compiler as vs_5_0, ps_5_0, gs_5_0 or cs_5_0, as Direct3D 11 without effects loads it;
 ///            stages linked by register (TG3205).
 ///   dxil     every entry point by DXC as vs_6_0, ps_6_0 or cs_6_0, as Direct3D 12 loads it, held valid by its validator; stages linked by

@@ -1,4 +1,6 @@
 #include "host/check/work.h"
+#include "host/run/geometry.h"
+#include "host/run/prepare.h"
 #include "host/spirv/compile.h"
 #include "host/spirv/reflect.h"
 
@@ -23,18 +25,54 @@ void append(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more) 
     into.insert(into.end(), more.begin(), more.end());
 }
 
-void linkAll(const Work& work, Slot slot, TargetCheck& report) {
-    for (const StagePair& pair : work.pairs) {
-        const std::optional<Shader>& vertex = work.report.entries[pair.vertex].*slot;
-        std::optional<Shader> pixel = work.report.entries[pair.pixel].*slot; // another pass may pair it with another vertex shader
-        if (!vertex || !pixel) continue;
-        auto linked = linkStages(*vertex, *pixel);
-        if (linked) continue;
-        Error error = linked.error();
-        for (Diagnostic& diagnostic : error.diagnostics)
-            diagnostic.at = work.report.entries[pair.pixel].at;
-        append(report.diagnostics, error.diagnostics);
+/// What is drawn by this compiler: of another host's effect what host/adopt makes of it.
+const Effect& drawnBy(const Work& work, Compiler compiler) {
+    return compiler == Compiler::Dxc && work.drawn ? *work.drawn : work.effect();
+}
+
+run::Stages compileAll(const Effect& effect, Compiler compiler) {
+    std::vector<const Pass*> passes;
+    for (const Technique& technique : effect.techniques)
+        for (const Pass& pass : technique.passes)
+            if (!needsOtherStages(pass) && drawable(pass)) passes.push_back(&pass);
+    return run::compileStages(effect, run::stagesOf(passes), compiler);
+}
+
+void addErrors(const Error& error, const Pass* pass, Severity most, TargetCheck& report) {
+    for (Diagnostic diagnostic : error.diagnostics) {
+        if (diagnostic.at.line == 0 && pass != nullptr && pass->pixelShader) diagnostic.at = pass->pixelShader->at;
+        diagnostic.severity = std::min(diagnostic.severity, most);
+        report.diagnostics.push_back(std::move(diagnostic));
     }
+}
+
+/// All that a frame of another host's effect needs, of the technique that is drawn; a plain mesh stands for the user's.
+void prepareFrame(const Effect& effect, Compiler compiler, const run::Programs& programs, TargetCheck& report) {
+    constexpr int kSide = 64;
+    const Mesh mesh = run::fullScreenQuad();
+    const Workspace workspace;
+    const RunOptions options{.width = kSide, .height = kSide, .compiler = compiler};
+    const run::RunInput input{.effect = effect, .mesh = &mesh, .workspace = workspace, .options = options, .compiled = &programs};
+    auto prepared = run::prepare(input);
+    if (!prepared) return addErrors(prepared.error(), nullptr, Severity::Error, report);
+    if (const auto textures = run::prepareTextures(input, *prepared); !textures)
+        addErrors(textures.error(), nullptr, Severity::Error, report);
+}
+
+/// Each pass as it would be drawn. Of another host's effect the technique that is drawn decides: errors of others are warnings.
+void makePasses(const Effect& effect, Compiler compiler, const run::Stages& stages, TargetCheck& report) {
+    const Technique* shown = effect.adopted ? effect.defaultTechnique() : nullptr;
+    run::Programs programs;
+    for (const Technique& technique : effect.techniques)
+        for (const Pass& pass : technique.passes) {
+            if (needsOtherStages(pass)) continue;
+            auto made = run::compilePass(effect, pass, compiler, stages);
+            if (made)
+                programs.emplace(&pass, std::make_shared<const run::PassProgram>(std::move(*made)));
+            else if (&technique != shown)
+                addErrors(made.error(), &pass, effect.adopted ? Severity::Warning : Severity::Error, report);
+        }
+    if (effect.adopted) prepareFrame(effect, compiler, programs, report);
 }
 
 /// `: POSITION` compiles to an ordinary varying without a word.
@@ -52,13 +90,22 @@ void checkTarget(Work& work, Compiler compiler, Slot slot, TargetCheck& report) 
         return;
     }
     const auto start = std::chrono::steady_clock::now();
-    compileEach(work, report, [&](EntryPoint& entry, const ShaderRequest& request) {
-        auto shader = compileShader(request, compiler);
-        if (!shader) return shader.error().diagnostics;
-        entry.*slot = std::move(*shader);
-        return (entry.*slot)->warnings;
-    });
-    linkAll(work, slot, report);
+    const Effect& effect = drawnBy(work, compiler);
+    const run::Stages stages = compileAll(effect, compiler);
+    for (const auto& [key, shader] : stages)
+        if (shader) append(report.diagnostics, shader->warnings);
+    makePasses(effect, compiler, stages, report);
+    for (EntryPoint& entry : work.report.entries) {
+        if (entry.undrawn) continue;
+        ++report.entries;
+        const bool respelt = !entry.code.empty();
+        const run::StageKey key{.stage = stageOf(entry.kind), .entry = respelt ? entry.symbol : entry.name, .code = entry.code};
+        const auto known = stages.find(key);
+        if (known != stages.end() && known->second) entry.*slot = *known->second;
+        if (known != stages.end() || work.respelt) continue;
+        auto plain = run::compileStage(work.effect(), key, compiler); // as it is, to be written out: another source is drawn
+        if (plain) entry.*slot = std::move(*plain);
+    }
     checkPositions(work, slot, report);
     report.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

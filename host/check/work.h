@@ -22,7 +22,8 @@ struct Work {
     bool dialect = false;
     std::vector<StagePair> pairs; // each once
     bool compatible = false;      // CheckOptions
-    bool respelt = false;         // DXC gets the sources of host/adopt
+    bool respelt = false;         // DXC cannot take the file's own words
+    std::optional<Effect> drawn;  // of another host's effect: what host/adopt makes of it
     /// What fx_2_0 reads of a file of the dialect, where it may have more passes.
     std::optional<Effect> nine;
     FileReport report;

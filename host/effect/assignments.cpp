@@ -5,7 +5,9 @@
 #include "host/support/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -27,7 +29,7 @@ bool isTextureName(std::span<const Token> value) {
     const bool bracket =
         value.size() > 2 && ((value.front().is('<') && value.back().is('>')) || (value.front().is('(') && value.back().is(')')));
     if (bracket) value = value.subspan(1, value.size() - 2);
-    const bool indexed = value.size() == 4 && value[1].is('[') && value[3].is(']');
+    const bool indexed = value.size() >= 4 && value[1].is('[') && value.back().is(']');
     return (value.size() == 1 || indexed) && (value[0].kind == TokenKind::Word || value[0].is("0"));
 }
 
@@ -46,6 +48,14 @@ std::string valueHint(std::string_view name, Vocabulary vocabulary) {
     }
     const std::string near = didYouMean(name, names);
     return near.empty() ? all : near;
+}
+
+/// 0xaarrggbb, or components.
+std::array<double, 3> colourOf(const std::vector<double>& value) {
+    if (value.size() >= 3) return {value[0], value[1], value[2]};
+    const auto word = static_cast<std::uint32_t>(static_cast<std::int64_t>(value[0]));
+    const auto byte = [&](unsigned shift) { return static_cast<double>(word >> shift & 0xFFU) / 255; };
+    return {byte(16), byte(8), byte(0)};
 }
 
 template <class Target>
@@ -213,6 +223,22 @@ bool Parser::applyToPass(const Assignment& assignment, Pass& pass, States& state
         if (value) pass.encodesSrgb = (*value)[0] != 0;
         return value.has_value();
     }
+    for (const auto& [state, member] : {std::pair("SpecularEnable", &Pass::addsSpecular), std::pair("FogEnable", &Pass::fogs)})
+        if (sameStateName(name, state)) {
+            const auto value = stateValue(assignment, kBool);
+            if (value) pass.*member = (*value)[0] != 0;
+            return value.has_value();
+        }
+    if (sameStateName(name, "FogColor")) {
+        const auto value = stateValue(assignment, Vocabulary());
+        if (value) pass.fogColor = colourOf(*value);
+        return value.has_value();
+    }
+    if (toLower(name).starts_with("vertexshaderconstant") || toLower(name).starts_with("pixelshaderconstant") ||
+        equalsIgnoreCase(name, "Texture") || equalsIgnoreCase(name, "Sampler")) {
+        registers_.push_back(assignment);
+        return true;
+    }
     if (sameStateName(name, "AlphaTestEnable") || sameStateName(name, "AlphaFunc") || sameStateName(name, "AlphaRef"))
         return alphaTest(assignment, pass);
     return applyState(assignment, "", states);
@@ -251,7 +277,8 @@ bool Parser::samplerTexture(Sampler& sampler, const Assignment& assignment) {
         return true;
     }
     if (sampler.texture.empty()) return fail(1101, assignment.name, "Texture takes the name of a texture: Texture = <gMap>;");
-    result_.textureReferences.emplace_back(sampler.texture, position(tokens_[assignment.value.first]));
+    const Token& first = tokens_[assignment.value.first];
+    result_.textureReferences.push_back({.name = sampler.texture, .at = position(first), .bracket = first.is('<') || first.is('(')});
     return true;
 }
 

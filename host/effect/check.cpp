@@ -195,11 +195,14 @@ private:
 
     /// Sampler gSkin reads texture gSkinMap where its block names none.
     void samplers() {
-        for (const auto& [name, at] : parsed_.textureReferences) {
+        for (const auto& [name, at, bracket] : parsed_.textureReferences) {
             const std::string whole = name.substr(0, name.find('[')); // an element of an array of textures
             const Parameter* texture = effect_.findParameter(whole);
             if (parsed_.otherTextures.contains(whole)) continue;
-            if (texture == nullptr) fail(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
+            if (texture == nullptr && bracket) // MonoGame's compiler takes it: what draws sprites sets it
+                refuse(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
+            else if (texture == nullptr)
+                fail(2012, at, fmt::format("unknown texture '{}'", name), didYouMean(name, parameterNames(true)));
             if (texture != nullptr && !texture->type.isTexture())
                 refuse(2014, at, fmt::format("'{}' is a {}, not a texture", name, texture->type.name));
         }

@@ -207,18 +207,42 @@ std::optional<Constant> applyIntrinsic(std::string_view name, std::span<const Co
     return result && isFinite(*result) ? result : std::nullopt;
 }
 
-std::optional<Constant> elementOf(const Constant& value, double index) {
+std::optional<Constant> elementOf(const Constant& value, double index, bool clamped) {
     const auto count = static_cast<double>(value.elements > 0 ? value.elements
                                            : value.rows > 1   ? value.rows
                                                               : static_cast<int>(value.numbers.size()));
-    const double whole = std::trunc(index);
+    const double whole = clamped ? std::clamp(std::trunc(index), 0.0, std::max(count - 1, 0.0)) : std::trunc(index);
     if (!(whole >= 0 && whole < count)) return std::nullopt;
     const std::size_t stride = value.numbers.size() / static_cast<std::size_t>(count);
     const auto first = value.numbers.begin() + static_cast<std::ptrdiff_t>(stride * static_cast<std::size_t>(whole));
     return Constant{.numbers = {first, first + static_cast<std::ptrdiff_t>(stride)},
                     .integral = value.integral,
                     .elements = 0,
-                    .rows = value.elements > 0 ? value.rows : 1};
+                    .rows = value.elements > 0 ? value.rows : 1,
+                    .members = value.members};
+}
+
+Constant constantOf(const Type& type, std::vector<double> numbers) {
+    return {.numbers = std::move(numbers),
+            .integral = type.base != BaseType::Float,
+            .elements = type.elements,
+            .rows = type.rows,
+            .members = type.members};
+}
+
+namespace {
+
+std::optional<Constant> memberOf(const Constant& value, std::string_view name) {
+    std::size_t first = 0;
+    for (const TypeMember& member : *value.members) {
+        const auto count = static_cast<std::size_t>(member.type.isNumeric() || member.type.members ? member.type.scalarCount() : 0);
+        if (member.name == name && first + count <= value.numbers.size()) {
+            const auto begin = value.numbers.begin() + static_cast<std::ptrdiff_t>(first);
+            return constantOf(member.type, {begin, begin + static_cast<std::ptrdiff_t>(count)});
+        }
+        first += count;
+    }
+    return std::nullopt;
 }
 
 std::optional<Constant> swizzled(const Constant& value, std::string_view letters) {
@@ -232,6 +256,12 @@ std::optional<Constant> swizzled(const Constant& value, std::string_view letters
         result.numbers.push_back(value.numbers[place]);
     }
     return result;
+}
+
+} // namespace
+
+std::optional<Constant> partOf(const Constant& value, std::string_view name) {
+    return value.members && value.elements == 0 ? memberOf(value, name) : swizzled(value, name);
 }
 
 } // namespace tegument

@@ -1,7 +1,10 @@
 #pragma once
 // Values that are known when a file is read, and what HLSL's operators and intrinsics make of them.
 
+#include "host/effect/model.h"
+
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -15,7 +18,11 @@ struct Constant {
     bool integral = false;
     int elements = 0; // 0: no array
     int rows = 1;
+    std::shared_ptr<const std::vector<TypeMember>> members = nullptr; // of a structure: their numbers one behind the other
 };
+
+/// A value of this type; its numbers are as many as the type holds.
+[[nodiscard]] Constant constantOf(const Type& type, std::vector<double> numbers);
 
 /// An operator of one or two signs, such as "<=" or "+". Componentwise; a scalar meets every component of the other side, two vectors are
 /// cut to the shorter one as HLSL does. Nullopt where the result is no finite number.
@@ -25,9 +32,8 @@ struct Constant {
 [[nodiscard]] std::optional<Constant> applyIntrinsic(std::string_view name, std::span<const Constant> arguments);
 [[nodiscard]] bool isConstantIntrinsic(std::string_view name);
 
-/// `value[index]`; nullopt outside.
-[[nodiscard]] std::optional<Constant> elementOf(const Constant& value, double index);
-/// `value.xyz`, `value._m00`; nullopt when it has no such components.
-[[nodiscard]] std::optional<Constant> swizzled(const Constant& value, std::string_view letters);
-
+/// `value[index]`; outside nullopt, or the nearest one.
+[[nodiscard]] std::optional<Constant> elementOf(const Constant& value, double index, bool clamped);
+/// `value.member` of a structure, `value.xyz` of a vector; nullopt when it has no such part.
+[[nodiscard]] std::optional<Constant> partOf(const Constant& value, std::string_view name);
 } // namespace tegument

@@ -35,6 +35,10 @@ bool isShaderObject(const Token& token) {
     return false;
 }
 
+bool holdsNumbers(const Type& type) {
+    return type.isNumeric() || type.members != nullptr;
+}
+
 bool isStructure(const Token& token) {
     return token.is("struct") || token.is("class") || token.is("interface") || token.is("enum");
 }
@@ -188,7 +192,9 @@ bool Parser::semantic(std::string& text) {
 
 bool Parser::function(const Token& name) {
     result_.functions.insert(std::string(name.text));
+    const std::size_t parameters = at_;
     if (!skipBalanced()) return false;
+    rememberFunction(name, parameters);
     while (!atEnd() && !peek().is('{') && !peek().is(';') && !peek().is('<'))
         take(); // : COLOR0
     Annotations ignored;
@@ -261,35 +267,50 @@ bool Parser::declarator(Declarator d) {
     if (d.type.base == BaseType::Other && d.type.name.starts_with("Texture")) result_.otherTextures.insert(parameter.name);
     if (d.type.base == BaseType::Other) return true;
     if (const auto* numbers = parameter.defaultValue ? std::get_if<std::vector<double>>(&*parameter.defaultValue) : nullptr) {
-        std::size_t next = 0;
-        setConstants(parameter.name, parameter.type, *numbers, next);
-    } else if (lenient_) { // states may ask for it: the host sets it later, and it starts at zero
-        std::size_t next = 0;
-        setConstants(parameter.name, parameter.type, std::vector<double>(static_cast<std::size_t>(parameter.type.scalarCount())), next);
+        constants_[parameter.name] = constantOf(parameter.type, *numbers);
+    } else if (lenient_ && holdsNumbers(parameter.type)) { // states may ask for it: the host sets it later, and it starts at zero
+        constants_[parameter.name] =
+            constantOf(parameter.type, std::vector<double>(static_cast<std::size_t>(parameter.type.scalarCount())));
     }
     blankQualifiers(d);
     addParameter(std::move(parameter), d);
     return true;
 }
 
-/// Remembers the value of a numeric constant; everything else up to the end of the declarator is the compiler's business.
+/// Remembers the value of a constant; everything else up to the end of the declarator is the compiler's business.
 bool Parser::staticValue(const Declarator& d) {
     if (!accept('=')) return true;
-    if (d.modifiers.isConst && d.type.isNumeric() && d.type.elements == 0 && !peek().is('{')) {
+    if ((d.modifiers.isConst || lenient_) && holdsNumbers(d.type)) {
         const std::size_t first = at_;
         const std::size_t errors = result_.errors.size();
-        std::optional<Constant> value = expression();
+        const std::size_t warnings = result_.effect.warnings.size();
+        std::optional<Constant> value = staticNumbers(d.type);
         result_.errors.resize(std::min(errors, result_.errors.size()));
+        result_.effect.warnings.resize(std::min(warnings, result_.effect.warnings.size()));
         if (value && (peek().is(';') || peek().is(','))) {
-            value->integral = d.type.base != BaseType::Float;
-            value->rows = d.type.rows;
-            if (value->numbers.size() == 1) value->numbers.resize(static_cast<std::size_t>(d.type.scalarCount()), value->numbers[0]);
             constants_[std::string(d.name.text)] = std::move(*value);
             if (namedSince(first) != nullptr) changing_.emplace(d.name.text);
         }
         at_ = first;
     }
     return skipValue();
+}
+
+/// `{ 1, 2 }` or an expression, as a value of this type.
+std::optional<Constant> Parser::staticNumbers(Type type) {
+    if (!peek().is('{')) {
+        auto value = expression();
+        const bool same = value && value->elements == type.elements && (value->members != nullptr) == (type.members != nullptr);
+        return same ? std::optional(convertedTo(type, std::move(*value))) : std::nullopt;
+    }
+    std::vector<double> numbers;
+    if (!bracedValues(numbers, 0)) return std::nullopt;
+    const auto one = static_cast<std::size_t>(type.scalarCount());
+    if (type.unsized && one > 0) type.elements = static_cast<int>(numbers.size() / one);
+    if (numbers.size() != static_cast<std::size_t>(type.scalarCount())) return std::nullopt;
+    for (double& n : numbers)
+        n = type.isNumeric() ? convertedTo(type, n) : n;
+    return constantOf(type, std::move(numbers));
 }
 
 /// To the ';' or ',' behind an initial value that is none of our business.

@@ -31,6 +31,16 @@ double convertedTo(const Type& type, double value) {
     return type.base == BaseType::Int && whole >= kSignLimit && whole < kWords ? whole - kWords : whole;
 }
 
+Constant convertedTo(const Type& type, Constant value) {
+    if (!type.isNumeric()) return value;
+    for (double& n : value.numbers)
+        n = convertedTo(type, n);
+    const auto count = static_cast<std::size_t>(type.scalarCount());
+    replicate(value.numbers, count);
+    if (value.numbers.size() > count) value.numbers.resize(count);
+    return constantOf(type, std::move(value.numbers));
+}
+
 std::optional<double> Parser::number(const Token& token, bool& integral) {
     std::string_view text = token.text;
     double value = 0;
@@ -122,6 +132,8 @@ std::optional<Constant> Parser::bracketed(int depth, const Resolver& resolve) {
 
 std::optional<Constant> Parser::named(const Resolver& resolve) {
     const Token& token = take();
+    if (locals_ != nullptr)
+        if (const auto local = locals_->find(token.text); local != locals_->end()) return local->second.value;
     if (resolve)
         if (const std::optional<double> value = resolve(token.text)) return Constant{{*value}, true};
     if (const auto known = constants_.find(token.text); known != constants_.end()) return known->second;
@@ -151,37 +163,24 @@ std::optional<Constant> Parser::primary(int depth, const Resolver& resolve) {
     const bool calls = peek(1).is('(');
     const std::optional<Type> type = calls || peek(1).is('<') ? namedType(token.text) : std::nullopt;
     if (type && type->isNumeric() && (calls || type->name == "vector" || type->name == "matrix")) return constructor(depth, resolve);
+    if (calls && functionTexts_.contains(token.text)) return called(depth, resolve);
     if (calls && isConstantIntrinsic(token.text)) return intrinsic(depth, resolve);
     return named(resolve);
 }
 
-/// `[index]` and `.member` behind a value. Members of structures are constants of their own, by their whole name.
+/// `[index]` and `.member` behind a value.
 std::optional<Constant> Parser::postfix(int depth, const Resolver& resolve) {
-    const Token first = peek();
-    std::string path(first.text);
-    const bool name = first.kind == TokenKind::Word;
-    std::optional<Constant> value;
-    if (name && peek(1).is('.') && peek(2).kind == TokenKind::Word && constants_.contains(path + '.' + std::string(peek(2).text))) {
-        while (peek(1).is('.') && constants_.contains(path + '.' + std::string(peek(2).text))) {
-            path += '.' + std::string(peek(2).text);
-            take();
-            take();
-        }
-        take();
-        value = constants_.find(path)->second;
-    } else {
-        value = primary(depth, resolve);
-    }
+    std::optional<Constant> value = primary(depth, resolve);
     while (value && (peek().is('[') || peek().is('.'))) {
         const Token sign = take();
         if (sign.is('[')) {
             const auto index = conditional(depth + 1, resolve);
             if (!index || !expect(']', "after the index")) return std::nullopt;
-            value = elementOf(*value, index->numbers[0]);
+            value = elementOf(*value, index->numbers[0], lenient_); // the host sets an index before it draws
         } else {
             Token letters;
             if (!expectName(letters, "components")) return std::nullopt;
-            value = swizzled(*value, letters.text);
+            value = partOf(*value, letters.text);
         }
         if (!value) fail(1104, sign, "this is no part of the value");
     }

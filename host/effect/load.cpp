@@ -15,6 +15,16 @@ namespace {
 
 constexpr std::size_t kMostWarnings = 100;
 
+/// How files are read, and where one that is missing lies.
+struct Access {
+    FileReader read;
+    IncludeSearch search = {};
+};
+
+Access accessTo(const std::filesystem::path& file, const Roots& roots) {
+    return {.read = confinedReader(file, roots), .search = [=](const std::string& name) { return folderOfInclude(name, file, roots); }};
+}
+
 Error quoted(Error error, const Sources& sources) {
     for (Diagnostic& diagnostic : error.diagnostics)
         quote(diagnostic, sources);
@@ -26,32 +36,35 @@ bool losesDeclarations(const Diagnostic& diagnostic) {
     return diagnostic.code >= 1101 && diagnostic.code <= 1103;
 }
 
-Result<Preprocessed> view(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read, Sources& sources,
+Result<Preprocessed> view(const std::filesystem::path& file, const LoadOptions& options, const Access& access, Sources& sources,
                           std::pair<std::string, std::string> define) {
-    PreprocessOptions preprocessing{
-        .defines = options.defines, .includeFolders = options.includeFolders, .read = read, .anyCase = options.lenient};
+    PreprocessOptions preprocessing{.defines = options.defines,
+                                    .includeFolders = options.includeFolders,
+                                    .read = access.read,
+                                    .search = access.search,
+                                    .anyCase = options.lenient};
     preprocessing.defines.push_back(std::move(define));
     return preprocess(file, preprocessing, sources);
 }
 
 /// The plain HLSL. Its own errors matter only if the metadata view had none; they come from `#ifdef FX_ENTRY` branches.
-Result<void> addCode(Effect& effect, const LoadOptions& options, const FileReader& read) {
+Result<void> addCode(Effect& effect, const LoadOptions& options, const Access& access) {
     Sources sources;
-    const Result<Preprocessed> code = view(effect.file, options, read, sources, {"FX_ENTRY", "1"});
+    const Result<Preprocessed> code = view(effect.file, options, access, sources, {"FX_ENTRY", "1"});
     if (!code) return quoted(code.error(), sources);
     const Parsed parsed = Parser(sources, code->tokens, options.lenient && !code->ownDialect).run();
     if (!parsed.errors.empty()) return quoted({Blame::Input, parsed.errors}, sources);
-    effect.code = codeView(*code, sources, parsed.blanks);
+    effect.code = codeView(*code, sources, parsed.blanks) + parsed.assembled;
     for (const std::filesystem::path& include : code->includes)
         if (std::ranges::find(effect.includes, include) == effect.includes.end()) effect.includes.push_back(include);
     return {};
 }
 
 /// The setting asked for as a definition of its switch. The preprocessor alone finds which that is.
-Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions options, const FileReader& read) {
+Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions options, const Access& access) {
     if (options.setting.empty()) return options;
     Sources sources;
-    const Result<Preprocessed> plain = view(file, options, read, sources, {"FX_D3D11", "1"});
+    const Result<Preprocessed> plain = view(file, options, access, sources, {"FX_D3D11", "1"});
     if (!plain) return quoted(plain.error(), sources);
     const std::vector<std::string> names = plain->settings ? plain->settings->names : std::vector<std::string>();
     const auto found = std::ranges::find(names, options.setting);
@@ -63,9 +76,9 @@ Result<LoadOptions> withSetting(const std::filesystem::path& file, LoadOptions o
     return options;
 }
 
-Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read, const char* target) {
+Result<Effect> load(const std::filesystem::path& file, const LoadOptions& options, const Access& access, const char* target) {
     Sources sources;
-    Result<Preprocessed> metadata = view(file, options, read, sources, {target, "1"});
+    Result<Preprocessed> metadata = view(file, options, access, sources, {target, "1"});
     if (!metadata) return quoted(metadata.error(), sources);
     const bool lenient = options.lenient && !metadata->ownDialect;
     Parsed parsed = Parser(sources, metadata->tokens, lenient).run();
@@ -85,28 +98,30 @@ Result<Effect> load(const std::filesystem::path& file, const LoadOptions& option
     effect.warnings.resize(std::min(effect.warnings.size(), kMostWarnings));
     for (Diagnostic& warning : effect.warnings)
         quote(warning, sources);
-    if (Result<void> code = addCode(effect, options, read); !code) return code.error();
+    if (Result<void> code = addCode(effect, options, access); !code) return code.error();
     return effect;
+}
+
+Result<Effect> loadFrom(const std::filesystem::path& file, const LoadOptions& options, const Access& access, const char* target) {
+    const auto chosen = withSetting(file, options, access);
+    return chosen ? load(file, *chosen, access, target) : chosen.error();
 }
 
 } // namespace
 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options, const FileReader& read) {
-    const auto chosen = withSetting(file, options, read);
-    return chosen ? load(file, *chosen, read, "FX_D3D11") : chosen.error();
+    return loadFrom(file, options, {.read = read}, "FX_D3D11");
 }
 
 Result<Effect> loadEffect(const std::filesystem::path& file, const LoadOptions& options) {
-    Roots roots = rootsOf(file, options.includeFolders, options.roots);
-    auto effect = loadEffect(file, options, confinedReader(file, roots));
+    Roots roots = rootsOfEffect(file, options.includeFolders, options.roots);
+    auto effect = loadFrom(file, options, accessTo(file, roots), "FX_D3D11");
     if (effect) effect->roots = std::move(roots);
     return effect;
 }
 
 Result<Effect> loadEffectOfDirect3D9(const std::filesystem::path& file, const LoadOptions& options) {
-    const FileReader read = confinedReader(file, rootsOf(file, options.includeFolders, options.roots));
-    const auto chosen = withSetting(file, options, read);
-    return chosen ? load(file, *chosen, read, "FX_D3D9") : chosen.error();
+    return loadFrom(file, options, accessTo(file, rootsOfEffect(file, options.includeFolders, options.roots)), "FX_D3D9");
 }
 
 } // namespace tegument

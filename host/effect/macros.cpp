@@ -92,6 +92,22 @@ bool Macros::expandFrames(Frames& frames, std::vector<Token>& output) {
     return true;
 }
 
+bool Macros::isOpenCall(std::span<const Token> tokens) const {
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const auto macro = tokens[i].kind == TokenKind::Word ? table_.find(tokens[i].text) : table_.end();
+        if (macro == table_.end() || !macro->second.isFunction) continue;
+        int depth = 0;
+        std::size_t at = i + 1;
+        for (; at < tokens.size(); ++at) {
+            depth += tokens[at].is('(') ? 1 : tokens[at].is(')') ? -1 : 0;
+            if (depth <= 0) break;
+        }
+        if (at == tokens.size()) return true;
+        i = at;
+    }
+    return false;
+}
+
 std::optional<Token> Macros::builtIn(const Token& name) {
     Token token = name;
     if (name.text == "__LINE__") {
@@ -188,37 +204,26 @@ std::optional<Macros::Arguments> Macros::collect(Frames& frames, const Macro& ma
     return std::nullopt;
 }
 
-bool Macros::paste(std::vector<Token>& result, const Token& right, const Token& call) {
-    if (result.empty()) {
-        result.push_back(right);
-        return true;
-    }
-    Token& left = result.back();
-    const std::string text = std::string(left.text) + std::string(right.text);
-    const auto isNameLetter = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
-    const bool number = left.kind == TokenKind::Number;
-    if (left.kind == TokenKind::String && right.kind == TokenKind::String) { // they stay two, and strings side by side are one text
-        result.push_back(right);
-        return true;
-    }
-    const auto fits = [&](char c) { return isNameLetter(c) || (number && (c == '.' || c == '+' || c == '-')); };
-    if ((left.kind != TokenKind::Word && !number) || !std::ranges::all_of(text, fits))
-        return fail(1010, call, fmt::format("'{}' ## '{}' in macro '{}' is not one token", left.text, right.text, call.text));
-    left.text = sources_.keep(text);
-    left.noExpand = false;
-    return true;
+/// The texts side by side, read again: one token, several (`a##.##b`) or, of two strings, the two.
+void Macros::paste(std::vector<Token>& result, const Token& right) {
+    if (result.empty()) return result.push_back(right);
+    const Token left = result.back();
+    result.pop_back();
+    const std::string_view text = sources_.keep(std::string(left.text) + std::string(right.text));
+    std::vector<Token> tokens = tokensOf(sources_, text, left);
+    if (!tokens.empty()) tokens.front().space = left.space;
+    result.insert(result.end(), tokens.begin(), tokens.end());
 }
 
-bool Macros::appendArgument(std::vector<Token>& result, const std::vector<Token>& argument, bool pasted, const Token& call) {
+void Macros::appendArgument(std::vector<Token>& result, const std::vector<Token>& argument, bool pasted) {
     for (std::size_t i = 0; i < argument.size(); ++i) {
         if (i == 0 && pasted) {
-            if (!paste(result, argument[0], call)) return false;
+            paste(result, argument[0]);
             continue;
         }
         result.push_back(argument[i]);
         if (i == 0) result.back().space = true;
     }
-    return true;
 }
 
 Token Macros::stringified(const std::vector<Token>& argument, const Token& call) {
@@ -260,12 +265,12 @@ std::optional<std::vector<Token>> Macros::substitute(const Macro& macro, const A
         } else if (const std::size_t p = parameterIndex(macro, token); p < arguments.size()) {
             const bool raw = pasteNext || isPaste(macro.body, i + 1);
             if (!raw && !expanded[p] && !expand(arguments[p], expanded[p].emplace())) return std::nullopt;
-            if (!appendArgument(result, raw ? arguments[p] : *expanded[p], pasteNext, call)) return std::nullopt;
+            appendArgument(result, raw ? arguments[p] : *expanded[p], pasteNext);
             spaceAfter = true;
         } else if (!pasteNext) {
             result.push_back(token);
-        } else if (!paste(result, token, call)) {
-            return std::nullopt;
+        } else {
+            paste(result, token);
         }
         pasteNext = false;
         if (produced_ + result.size() > kMostTokens) {

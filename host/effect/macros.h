@@ -36,6 +36,9 @@ public:
     /// Appends the expansion of `input`, which holds whole macro calls, to `output`. False: see `failure`.
     bool expand(std::span<const Token> input, std::vector<Token>& output);
 
+    /// Whether the tokens end within the arguments of a macro's call, or on a name that can begin one.
+    [[nodiscard]] bool isOpenCall(std::span<const Token> tokens) const;
+
     [[nodiscard]] const std::optional<Diagnostic>& failure() const { return failure_; }
 
 private:
@@ -56,8 +59,8 @@ private:
     bool push(Frames& frames, Macro& macro, std::vector<Token> tokens);
     std::optional<Arguments> collect(Frames& frames, const Macro& macro, const Token& call);
     std::optional<std::vector<Token>> substitute(const Macro& macro, const Arguments& arguments, const Token& call);
-    bool appendArgument(std::vector<Token>& result, const std::vector<Token>& argument, bool paste, const Token& call);
-    bool paste(std::vector<Token>& result, const Token& right, const Token& call);
+    void appendArgument(std::vector<Token>& result, const std::vector<Token>& argument, bool pasted);
+    void paste(std::vector<Token>& result, const Token& right);
     [[nodiscard]] Token stringified(const std::vector<Token>& argument, const Token& call);
     [[nodiscard]] std::optional<Token> builtIn(const Token& name);
 

@@ -7,6 +7,7 @@
 #include "host/support/roots.h"
 #include "host/support/state.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -125,9 +126,12 @@ struct Pass {
     int assemblyShaders = 0;   // stages written in assembly: Microsoft's compiler takes them, nothing else does
     bool streamOutput = false; // its geometry shader writes into buffers
     AlphaTest alphaTest;
-    bool encodesSrgb = false; // SRGBWriteEnable
-    PipelineState state;      // every assignment of the pass applied to the defaults of its Direct3D version
-    Script script;            // default: Draw=Geometry;
+    bool encodesSrgb = false;  // SRGBWriteEnable
+    bool addsSpecular = false; // SpecularEnable: without a pixel shader COLOR1 is added
+    bool fogs = false;         // FogEnable: before shader model 3 what FOG leaves of a colour gives way to fogColor
+    std::array<double, 3> fogColor{};
+    PipelineState state; // every assignment of the pass applied to the defaults of its Direct3D version
+    Script script;       // default: Draw=Geometry;
     SourcePosition at;
 };
 

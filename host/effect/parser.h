@@ -43,8 +43,15 @@ struct StateObject {
 /// VertexShader X = compile vs_3_0 F(); and what a pass may set: nothing, a function, assembly.
 struct ShaderObject {
     std::optional<ShaderReference> reference;
-    bool assembly = false;
+    std::optional<TokenRange> assembly;
     bool streamOutput = false;
+};
+
+/// `Texture = <name>`; `bracket`: no word of another state stands there by mistake.
+struct TextureReference {
+    std::string name;
+    SourcePosition at;
+    bool bracket = false;
 };
 
 /// What parsing one view of the file gives.
@@ -52,15 +59,18 @@ struct Parsed {
     Effect effect;
     std::vector<TokenRange> blanks; // effect syntax, to be blanked out for the compilers
     std::set<std::string, std::less<>> functions;
-    std::map<std::string, int> samplerDimensions;                          // of samplers whose type says it: 1, 2, 3, 6 (cube)
-    std::set<std::string> srgbSamplers;                                    // with SRGBTexture = TRUE
-    std::vector<std::pair<std::string, SourcePosition>> textureReferences; // from sampler blocks, to be checked
-    std::set<std::string> otherTextures;                                   // of types that are no parameters: Texture2DArray, Texture2DMS
+    std::map<std::string, int> samplerDimensions;    // of samplers whose type says it: 1, 2, 3, 6 (cube)
+    std::set<std::string> srgbSamplers;              // with SRGBTexture = TRUE
+    std::vector<TextureReference> textureReferences; // from sampler blocks, to be checked
+    std::set<std::string> otherTextures;             // of types that are no parameters: Texture2DArray, Texture2DMS
+    std::string assembled;                           // functions of HLSL that shaders in assembly become
     std::vector<Diagnostic> errors;
 };
 
-/// As HLSL converts a number to the scalar of a type; words above 2^31 are negative as int.
+/// As HLSL converts a number to the scalar of a type; words above 2^31 are negative as int. Of a value also its shape: one scalar fills a
+/// vector, a longer one is cut.
 [[nodiscard]] double convertedTo(const Type& type, double value);
+[[nodiscard]] Constant convertedTo(const Type& type, Constant value);
 
 class Parser {
 public:
@@ -125,7 +135,6 @@ private:
     /// structures.cpp. What stands between a structure's braces; none when it cannot be read.
     std::shared_ptr<const std::vector<TypeMember>> members();
     bool member(std::vector<TypeMember>& list);
-    void setConstants(const std::string& name, const Type& type, const std::vector<double>& numbers, std::size_t& next);
     bool alias();
     bool constantBuffer();
     bool constantBufferHead();
@@ -136,6 +145,7 @@ private:
     bool declaration();
     bool declarator(Declarator d);
     bool staticValue(const Declarator& d);
+    std::optional<Constant> staticNumbers(Type type);
     bool skipValue();
     bool softenValue(std::size_t sign, std::size_t firstError);
     bool defaultValue(Parameter& parameter);
@@ -161,6 +171,28 @@ private:
     std::optional<Constant> constructor(int depth, const Resolver& resolve);
     std::optional<Constant> intrinsic(int depth, const Resolver& resolve);
     std::optional<std::vector<Constant>> callArguments(int depth, const Resolver& resolve);
+    /// functions.cpp: a call of a function of the file.
+    struct FunctionText {
+        std::size_t parameters = 0; // their opening bracket
+        std::size_t body = 0;       // its opening brace
+    };
+    struct Local {
+        std::string name;
+        Type type;
+        Constant value;
+    };
+    using Locals = std::map<std::string, Local, std::less<>>;
+    void rememberFunction(const Token& name, std::size_t parameters);
+    std::vector<Local> parametersOf(const FunctionText& function);
+    std::optional<Constant> called(int depth, const Resolver& resolve);
+    std::optional<Constant> runFunction(const FunctionText& function, Locals locals, const Token& call);
+    bool skipLocalStatement();
+    bool runStatement(std::optional<Constant>& returned);
+    bool runChoice(std::optional<Constant>& returned);
+    bool runLoop(std::optional<Constant>& returned);
+    bool runAssignments();
+    bool runAssignment(const std::optional<Type>& type);
+
     [[nodiscard]] const char* operatorHere(int& precedence, std::size_t& length) const;
     std::optional<double> number(const Token& token, bool& integral);
 
@@ -187,6 +219,12 @@ private:
     bool applyState(const Assignment& assignment, std::string_view objectType, States& states);
     bool applyToPass(const Assignment& assignment, Pass& pass, States& states);
     bool alphaTest(const Assignment& assignment, Pass& pass);
+    /// assembled.cpp: shaders in assembly, with what the pass gives their registers.
+    void assemble(Pass& pass);
+    void assemble(Pass& pass, bool vertex, const TokenRange& text);
+    void giveConstant(const Assignment& given, std::map<int, std::string>& constants) const;
+    std::string stageSampler(const Assignment& given);
+    [[nodiscard]] std::string textOf(const TokenRange& range) const;
     bool fixedFunction(const Assignment& assignment);
 
     // techniques.cpp
@@ -205,6 +243,7 @@ private:
     bool shaderValue(ShaderObject& shader);
     bool shaderValueHere(ShaderObject& shader);
     bool shaderByName(ShaderObject& shader);
+    std::string elementNamed(const std::string& array, double index, const Token& at);
     bool shaderArguments(std::vector<std::string>& arguments);
     bool shaderCall(ShaderObject& shader, bool call);
 
@@ -213,6 +252,10 @@ private:
     std::size_t at_ = 0;
     Parsed result_;
     std::map<std::string, Constant, std::less<>> constants_;
+    std::map<std::string, std::vector<FunctionText>, std::less<>> functionTexts_;
+    Locals* locals_ = nullptr;                    // of the function that is evaluated
+    int calls_ = 0;                               // that are evaluated, one inside of another
+    int steps_ = 0;                               // of statements in them
     std::set<std::string, std::less<>> changing_; // parameters, and constants that are made of them
     std::map<std::string, StateObject, std::less<>> stateObjects_;
     std::map<std::string, ShaderObject, std::less<>> shaderObjects_; // of arrays by "name[0]", "name[1]" ...
@@ -221,7 +264,11 @@ private:
     bool lenient_ = false;
     bool inBuffer_ = false; // between the braces of a constant buffer
     int shaderDepth_ = 0;
-    bool closesAngle_ = false; // a '>' ends `<value>` or annotations and is no operator
+    std::optional<TokenRange> vertexAssembly_; // of the pass in hand
+    std::optional<TokenRange> pixelAssembly_;
+    std::vector<Assignment> registers_; // that it gives: VertexShaderConstant[4] = ..., Texture[0] = ...
+    int assembled_ = 0;                 // shaders so far
+    bool closesAngle_ = false;          // a '>' ends `<value>` or annotations and is no operator
     Token end_;
 };
 

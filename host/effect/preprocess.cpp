@@ -106,7 +106,8 @@ private:
             start += line.size() + 1;
             const bool active = conditionals.empty() || conditionals.back().active;
             if (!line.empty() && line[0].is('#')) {
-                if (!flush(pending) || !directive(line, conditionals, depth)) return false;
+                const bool within = macros_.isOpenCall(pending) && !(line.size() > 1 && line[1].is("include"));
+                if ((!within && !flush(pending)) || !directive(line, conditionals, depth)) return false;
             } else if (active) {
                 pending.insert(pending.end(), line.begin(), line.end());
             }
@@ -321,9 +322,12 @@ private:
         outside_.reset();
         const std::optional<fs::path> path = find(*name, sources_[line[0].file].name, at, tried);
         if (!path && outside_) return fail(kOutside, at, outside_->text, outside_->hint);
-        if (!path)
+        if (!path) {
+            const auto folder = options_.search ? options_.search(*name) : std::nullopt;
             return fail(1001, at, fmt::format("cannot find include file '{}'", *name),
-                        fmt::format("looked for {}", fmt::join(tried, ", ")));
+                        folder ? fmt::format("-I {} finds it", shellWord(folder->string()))
+                               : fmt::format("looked for {}", fmt::join(tried, ", ")));
+        }
         if (once_.contains(path->string())) return true;
         including_.push_back(fs::path(sources_[line[0].file].name).parent_path());
         const bool good = process(sources_.add(path->string(), texts_[*path]), depth + 1);

@@ -18,6 +18,9 @@ namespace tegument {
 /// Reads a file, or says why not. Tests and the fuzzer give texts that are in no file.
 using FileReader = std::function<Result<std::string>(const std::filesystem::path&)>;
 
+/// The folder, to be named by -I, in which an include that was not found lies.
+using IncludeSearch = std::function<std::optional<std::filesystem::path>(const std::string& name)>;
+
 /// Reads the effect, and what lies within the roots; TG1014 for what is there and lies outside.
 [[nodiscard]] FileReader confinedReader(const std::filesystem::path& effect, Roots roots);
 
@@ -25,7 +28,8 @@ struct PreprocessOptions {
     std::vector<std::pair<std::string, std::string>> defines;
     std::vector<std::filesystem::path> includeFolders;
     FileReader read;
-    bool anyCase = false; // include files are looked for without regard to case where their own spelling finds none
+    IncludeSearch search = {}; // none: a missing include is not looked for
+    bool anyCase = false;      // include files are looked for without regard to case where their own spelling finds none
 };
 
 /// A `#pragma` that the compilers should see, before tokens[before].

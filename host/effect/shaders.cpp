@@ -3,6 +3,8 @@
 #include "host/effect/parser.h"
 #include "host/support/text.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace tegument {
@@ -67,6 +69,8 @@ bool Parser::shaderStatement(Pass& pass, const Token& stage) {
     if (tessellates && shader.reference && !refuse(2021, stage, fmt::format("{} is not supported", stage.text))) return false;
     if (slot != nullptr) *slot = std::move(shader.reference);
     pass.assemblyShaders += shader.assembly ? 1 : 0;
+    if (equalsIgnoreCase(stage.text, "VertexShader")) vertexAssembly_ = shader.assembly;
+    if (equalsIgnoreCase(stage.text, "PixelShader")) pixelAssembly_ = shader.assembly;
     pass.streamOutput = pass.streamOutput || shader.streamOutput;
     return true;
 }
@@ -106,10 +110,13 @@ bool Parser::shaderValueHere(ShaderObject& shader) {
         return true;
     }
     if (isWord("asm")) {
-        if (!refuse(2021, start, "assembly shaders are not supported", "write HLSL")) return false;
+        if (!lenient_) return fail(2021, start, "assembly shaders are not supported", "write HLSL");
         take();
-        shader.assembly = true;
-        return peek().is('{') ? skipBalanced() : unexpected("'{' of the assembly");
+        if (!peek().is('{')) return unexpected("'{' of the assembly");
+        const std::size_t first = mark() + 1;
+        if (!skipBalanced()) return false;
+        shader.assembly = TokenRange{first, mark() - 1};
+        return true;
     }
     for (const std::string_view wrapper : {"ConstructGSWithSO", "BindInterfaces"})
         if (isWord(wrapper)) {
@@ -158,10 +165,24 @@ std::optional<std::string> Parser::objectName(std::string_view what) {
     if (accept('[')) {
         const std::optional<Constant> index = expression();
         if (!index || !expect(']', "after the index")) return std::nullopt;
-        text = fmt::format("{}[{:.0f}]", text, index->numbers.empty() ? 0 : index->numbers[0]);
+        text = elementNamed(text, index->numbers.empty() ? 0 : index->numbers[0], name);
     }
     if (opening != '\0' && !expect(opening == '(' ? ')' : '>', fmt::format("after the name of {}", what))) return std::nullopt;
     return text;
+}
+
+/// `list[2]`. A host sets the index before it draws: until then one below the array is its first element, as in Microsoft's library, and
+/// one beyond it the last.
+std::string Parser::elementNamed(const std::string& array, double index, const Token& at) {
+    const auto named = [&](double i) { return fmt::format("{}[{:.0f}]", array, std::trunc(i)); };
+    const auto exists = [&](const std::string& name) { return shaderObjects_.contains(name) || stateObjects_.contains(name); };
+    if (!lenient_ || exists(named(index)) || !exists(named(0))) return named(index);
+    if (index < 0) return named(0);
+    double last = 0;
+    while (exists(named(last + 1)))
+        ++last;
+    warn(2019, position(at), fmt::format("'{}' has no element {:.0f}: its last one is taken", array, index));
+    return named(last);
 }
 
 /// The arguments for `uniform` parameters, each as written but for its spaces.

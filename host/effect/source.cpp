@@ -22,7 +22,7 @@ bool isDigit(char c) {
 
 class Lexer {
 public:
-    Lexer(const Sources& sources, int file) : sources_(sources), file_(file), text_(*sources[file].text) {
+    Lexer(const Sources& sources, int file, std::string_view text) : sources_(sources), file_(file), text_(text) {
         if (text_.starts_with("\xEF\xBB\xBF")) at_ = lineStart_ = 3;
     }
 
@@ -192,7 +192,16 @@ void quote(Diagnostic& diagnostic, const Sources& sources) {
 }
 
 LexResult lex(const Sources& sources, int file) {
-    return Lexer(sources, file).run();
+    return Lexer(sources, file, *sources[file].text).run();
+}
+
+std::vector<Token> tokensOf(const Sources& sources, std::string_view text, const Token& at) {
+    std::vector<Token> tokens = Lexer(sources, at.file, text).run().tokens;
+    for (Token& token : tokens) {
+        token.line = at.line;
+        token.column = at.column;
+    }
+    return tokens;
 }
 
 } // namespace tegument

@@ -62,5 +62,7 @@ struct LexResult {
 /// Splits a text into tokens; comments and spliced lines count as white space. TG1003 unterminated comment.
 /// An unterminated string becomes BadString: it is no error where `#if 0` removes it.
 [[nodiscard]] LexResult lex(const Sources& sources, int file);
+/// The tokens of a text that Sources keeps, all at the place of `at`.
+[[nodiscard]] std::vector<Token> tokensOf(const Sources& sources, std::string_view text, const Token& at);
 
 } // namespace tegument

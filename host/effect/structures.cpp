@@ -91,22 +91,4 @@ bool Parser::structure(std::size_t start, const Modifiers& modifiers) {
     return declarators(start, keyword, type, modifiers);
 }
 
-/// What expressions may ask for: a number, or the numbers of a structure, each by its path.
-void Parser::setConstants(const std::string& name, const Type& type, const std::vector<double>& numbers, std::size_t& next) {
-    if (type.members && type.elements > 0) return;
-    if (type.members) {
-        for (const TypeMember& member : *type.members)
-            setConstants(fmt::format("{}.{}", name, member.name), member.type, numbers, next);
-        return;
-    }
-    const auto count = static_cast<std::size_t>(type.scalarCount());
-    if (!type.isNumeric() || next + count > numbers.size()) return;
-    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(next);
-    constants_[name] = {.numbers = {first, first + static_cast<std::ptrdiff_t>(count)},
-                        .integral = type.base != BaseType::Float,
-                        .elements = type.elements,
-                        .rows = type.rows};
-    next += count;
-}
-
 } // namespace tegument

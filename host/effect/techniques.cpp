@@ -116,6 +116,9 @@ bool Parser::pass(Technique& technique) {
     if (peek().is('<') && !annotations(pass.annotations)) return false;
     const Token opened = peek();
     if (!expect('{', "of the pass")) return false;
+    vertexAssembly_.reset();
+    pixelAssembly_.reset();
+    registers_.clear();
     States states{.pipeline = technique.kind == TechniqueKind::D3D9 ? direct3D9Defaults() : direct3D10Defaults()};
     while (!accept('}')) {
         if (atEnd()) return fail(1102, opened, "this '{' is never closed");
@@ -130,6 +133,7 @@ bool Parser::pass(Technique& technique) {
     }
     if (technique.kind == TechniqueKind::D3D9) finishDirect3D9(states);
     pass.state = states.pipeline;
+    assemble(pass);
     technique.passes.push_back(std::move(pass));
     return true;
 }

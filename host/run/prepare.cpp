@@ -2,14 +2,12 @@
 
 #include "host/run/geometry.h"
 #include "host/run/pause.h"
-#include "host/support/parallel.h"
 #include "host/support/text.h"
-#include "host/support/threads.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
+#include <span>
 
 namespace tegument::run {
 
@@ -44,25 +42,17 @@ Result<void> checkTextureNames(const RunInput& input) {
     return {};
 }
 
-constexpr unsigned kAtOnce = 8; // each takes some 20 MB
-
-/// On several processors. Who may give the frame up is asked by this thread, after each few shaders.
-Result<Stages> compileStages(const RunInput& input, const std::vector<const Pass*>& passes) {
+/// Who may give the frame up is asked by this thread, after each few shaders.
+Result<Stages> compileInPieces(const RunInput& input, const std::vector<const Pass*>& passes) {
     const std::vector<StageKey> keys = stagesOf(passes);
-    const unsigned threads = std::min(availableThreads(), kAtOnce);
-    const std::size_t atOnce = input.options.pieces.goOn ? threads : std::max<std::size_t>(keys.size(), 1);
+    const std::size_t atOnce = input.options.pieces.goOn ? threadsToCompile() : std::max<std::size_t>(keys.size(), 1);
     Stages stages;
-    std::mutex mutex;
+    std::size_t ready = 0;
     for (std::size_t first = 0; first < keys.size(); first += atOnce) {
-        forEachInParallel(
-            std::min(atOnce, keys.size() - first),
-            [&](std::size_t item) {
-                auto shader = compileStage(input.effect, keys[first + item], input.options.compiler);
-                const std::scoped_lock lock(mutex);
-                stages.emplace(keys[first + item], std::move(shader));
-                if (input.options.compiling) input.options.compiling(stages.size(), keys.size());
-            },
-            {}, threads);
+        stages.merge(run::compileStages(input.effect, std::span(keys).subspan(first, std::min(atOnce, keys.size() - first)),
+                                        input.options.compiler, [&] {
+                                            if (input.options.compiling) input.options.compiling(++ready, keys.size());
+                                        }));
         if (const auto pause = pauseAfter(input.options); !pause) return pause.error();
     }
     return stages;
@@ -76,7 +66,7 @@ Result<void> compilePasses(const RunInput& input, Prepared& prepared) {
             prepared.programs.insert(*known);
         else
             unknown.push_back(pass);
-    const auto stages = compileStages(input, unknown);
+    const auto stages = compileInPieces(input, unknown);
     if (!stages) return stages.error();
     for (const Pass* pass : unknown) {
         auto program = compilePass(input.effect, *pass, input.options.compiler, *stages);

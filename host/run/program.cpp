@@ -1,33 +1,23 @@
 #include "host/run/program.h"
 
+#include "host/effect/entry_points.h"
 #include "host/run/geometry.h"
 #include "host/spirv/reflect.h"
+#include "host/support/parallel.h"
+#include "host/support/threads.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 namespace tegument::run {
 
 namespace {
 
-Result<void> checkStages(const Pass& pass) {
-    if (pass.hullShader || pass.domainShader)
-        return inputError(4003, pass.at, fmt::format("pass {} has a hull or a domain shader", pass.name),
-                          "this host runs vertex and pixel shaders");
-    if (pass.geometryShader)
-        return inputError(4003, pass.geometryShader->at, fmt::format("pass {} has a geometry shader", pass.name),
-                          "this host runs vertex, pixel and compute shaders");
-    if (!pass.vertexShader && !pass.computeShader)
-        return inputError(4002, pass.at, fmt::format("pass {} has no vertex shader", pass.name), "every pass that draws needs one");
-    for (const auto* stage : {&pass.vertexShader, &pass.pixelShader})
-        if (*stage && (*stage)->obstacle) return Error{Blame::Input, {*(*stage)->obstacle}};
-    for (const auto* stage : {&pass.vertexShader, &pass.pixelShader, &pass.computeShader})
-        if (*stage && !(*stage)->arguments.empty())
-            return inputError(4003, (*stage)->at, fmt::format("{} of pass {} is compiled with arguments", (*stage)->entry, pass.name),
-                              "write a function without uniform parameters that calls it: DXC takes no arguments here");
-    return {};
+Stage stageOf(ShaderKind kind) {
+    return kind == ShaderKind::Vertex ? Stage::Vertex : kind == ShaderKind::Compute ? Stage::Compute : Stage::Pixel;
 }
 
 StageKey keyOf(const ShaderReference& reference, Stage stage) {
@@ -126,18 +116,20 @@ bool discardsPixels(const std::vector<std::uint32_t>& spirv) {
 } // namespace
 
 std::vector<StageKey> stagesOf(const std::vector<const Pass*>& passes) {
-    std::vector<StageKey> keys;
-    const auto add = [&](const std::optional<ShaderReference>& reference, Stage stage) {
-        if (reference && std::ranges::find(keys, keyOf(*reference, stage)) == keys.end()) keys.push_back(keyOf(*reference, stage));
-    };
+    std::vector<const Pass*> drawn;
     for (const Pass* pass : passes) {
-        if (!checkStages(*pass)) break;
-        add(pass->computeShader, Stage::Compute);
-        if (pass->computeShader) continue;
-        add(pass->vertexShader, Stage::Vertex);
-        add(pass->pixelShader, Stage::Pixel);
+        if (!drawable(*pass)) break;
+        drawn.push_back(pass);
     }
+    std::vector<StageKey> keys;
+    for (const ShaderUse& use : entryPoints(drawn))
+        keys.push_back(keyOf(*use.shader, stageOf(use.kind)));
     return keys;
+}
+
+unsigned threadsToCompile() {
+    constexpr unsigned kAtOnce = 8; // each takes some 20 MB
+    return std::min(availableThreads(), kAtOnce);
 }
 
 Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler compiler) {
@@ -159,8 +151,23 @@ Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler 
     return error;
 }
 
+Stages compileStages(const Effect& effect, std::span<const StageKey> keys, Compiler compiler, const std::function<void()>& done) {
+    Stages stages;
+    std::mutex mutex;
+    forEachInParallel(
+        keys.size(),
+        [&](std::size_t item) {
+            auto shader = compileStage(effect, keys[item], compiler);
+            const std::scoped_lock lock(mutex);
+            stages.emplace(keys[item], std::move(shader));
+            if (done) done();
+        },
+        {}, threadsToCompile());
+    return stages;
+}
+
 Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler, const Stages& stages) {
-    if (const auto checked = checkStages(pass); !checked) return checked.error();
+    if (const auto checked = drawable(pass); !checked) return checked.error();
     if (pass.computeShader) return compileCompute(effect, pass, compiler, stages);
     PassProgram program;
     auto vertex = madeOf(effect, keyOf(*pass.vertexShader, Stage::Vertex), compiler, stages);

@@ -6,10 +6,12 @@
 #include "host/spirv/compile.h"
 #include "host/support/layout.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,8 +49,13 @@ using Stages = std::map<StageKey, Result<Shader>>;
 /// What these passes need, each once, up to the first pass that is refused unseen.
 [[nodiscard]] std::vector<StageKey> stagesOf(const std::vector<const Pass*>& passes);
 [[nodiscard]] Result<Shader> compileStage(const Effect& effect, const StageKey& key, Compiler compiler);
+/// How many are compiled at once.
+[[nodiscard]] unsigned threadsToCompile();
+/// On several processors; hears of each that is done.
+[[nodiscard]] Stages compileStages(const Effect& effect, std::span<const StageKey> keys, Compiler compiler,
+                                   const std::function<void()>& done = {});
 
-/// TG4002 a pass without vertex shader, TG4003 a stage or an argument that this host does not have, TG4062 a texture that is written and
+/// What drawable() says, TG4062 a texture that is written and
 /// belongs to no target; and what compiler and linker say. Compiles what is not among `stages`.
 [[nodiscard]] Result<PassProgram> compilePass(const Effect& effect, const Pass& pass, Compiler compiler, const Stages& stages = {});
 

@@ -89,10 +89,12 @@ Result<void> uploadTextures(const RunInput& input, const Prepared& prepared, Res
 }
 
 /// Mesa's software device (22.3 with LLVM 15) dies of an anisotropic look-up that brings gradients of its own. Where pixels have several
-/// samples it takes ten seconds and more for one picture, whatever its size: gradients beyond an outline are any number there.
-bool suffersFromAnisotropy(const RunInput& input, const gpu::Device& device, const Prepared& prepared) {
+/// samples it takes ten seconds and more for one picture, whatever its size: gradients beyond an outline are any number there. And it dies
+/// of a look-up with a level or a bias of its own where only one of the filters is POINT.
+bool suffersFromAnisotropy(const RunInput& input, const gpu::Device& device, const Prepared& prepared, const SamplerState& state) {
     if (!device.info().driver.starts_with("llvmpipe")) return false;
-    return input.options.samples > 1 || std::ranges::any_of(prepared.programs, [](const auto& program) {
+    const bool onePoint = (state.minFilter == Filter::Point) != (state.magFilter == Filter::Point);
+    return onePoint || input.options.samples > 1 || std::ranges::any_of(prepared.programs, [](const auto& program) {
                return program.second->pixel && spirv::readsByGradient(program.second->pixel->spirv);
            });
 }
@@ -112,7 +114,7 @@ Result<void> createSamplers(const RunInput& input, const Prepared& prepared, Res
                               fmt::format("a shader samples with {}, which the effect does not declare outside FX_ENTRY", name),
                               didYouMean(name, declared));
         SamplerState state = sampler->state;
-        if (suffersFromAnisotropy(input, resources.device, prepared)) state.maxAnisotropy = 1;
+        if (suffersFromAnisotropy(input, resources.device, prepared, state)) state.maxAnisotropy = 1;
         auto shared = resources.store.shared.find(state);
         if (!shared) {
             auto made = resources.device.createSampler(state);

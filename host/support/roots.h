@@ -4,6 +4,8 @@
 #include "host/support/result.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tegument {
@@ -21,6 +23,17 @@ struct Roots {
 /// itself), the project around it (the nearest folder above that holds .tegument-root; without one .git, .hg or .svn; never the home
 /// folder), and this library where it is part of it (the nearest folder above that holds hlsl/platform.fxh).
 [[nodiscard]] Roots rootsOf(const std::filesystem::path& file, const std::vector<std::filesystem::path>& named, const Roots& more = {});
+
+/// What an effect may name. Where there is neither a project nor `more`: also what lies below the common parent of the files that it and
+/// its includes name relatively and that are there, as in an unpacked archive, and below the working directory if the effect lies there;
+/// never the home folder, one of all users, or what only a symbolic link reaches.
+[[nodiscard]] Roots rootsOfEffect(const std::filesystem::path& file, const std::vector<std::filesystem::path>& named,
+                                  const Roots& more = {});
+
+/// The folder, to be named by -I, in which an include of this name would be found: within the roots, then in up to three folders above the
+/// effect. Looks at a bounded number of files.
+[[nodiscard]] std::optional<std::filesystem::path> folderOfInclude(const std::string& name, const std::filesystem::path& effect,
+                                                                   const Roots& roots);
 
 /// TG1014, with a hint that says how it may be read all the same.
 [[nodiscard]] Diagnostic outsideOf(const std::filesystem::path& file, SourcePosition at);

@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(Spellings, MatrixNames,
 /// What one parameter of an effect gets.
 ParameterBinding binding(const std::string& declaration, const AdoptOptions& options = {}) {
     Effect effect = foreign(declaration);
-    return adopt::bindParameter(effect.parameters[0], options, false);
+    return adopt::bindParameter(effect.parameters[0], options, 0);
 }
 
 struct BoundCase {
@@ -232,32 +232,38 @@ TEST_P(BoundParameters, get) {
 
 INSTANTIATE_TEST_SUITE_P(
     Declared, BoundParameters,
-    testing::Values(BoundCase{"by_semantic", "float4x4 foo : WorldViewProj;", "WORLDVIEWPROJECTION"},
-                    BoundCase{"by_name", "float4x4 g_mWorldViewProjection;", "WORLDVIEWPROJECTION"},
-                    BoundCase{"by_address_before_name", "float4x4 View < string SasBindAddress = \"Sas.Camera.Projection\"; >;",
-                              "PROJECTION"},
-                    BoundCase{"the_lights_place", "float3 p : POSITION < string Object = \"PointLight0\"; >;", "POSITION of the light"},
-                    BoundCase{"the_cameras_place", "float3 p : POSITION < string Object = \"Camera\"; >;", "CAMERAPOSITION"},
-                    BoundCase{"the_eye_by_name", "float3 g_vEyePos;", "CAMERAPOSITION"},
-                    BoundCase{"the_way_of_light", "float3 d : DIRECTION < string Object = \"DirectionalLight0\"; >;", "LIGHTDIRECTION"},
-                    BoundCase{"a_direction_that_nothing_turns_round", "float3 g_LightDir;", "TOLIGHT"},
-                    BoundCase{"a_light_with_a_number_s_way", "float3 d : LIGHTDIR0_DIRECTION;", "LIGHTDIRECTION"},
-                    BoundCase{"a_light_with_a_number_s_colour", "float3 c : LIGHTDIR0_COLOR;", "white"},
-                    BoundCase{"a_light_with_a_number_s_place", "float3 p : LIGHTPOINT0_POSITION;", "POSITION of the light"},
-                    BoundCase{"a_colour_by_address", "float3 c < string SasBindAddress = \"Sas.DirectionalLight[0].Color\"; >;", "white"},
-                    BoundCase{"a_colour_of_a_directional_light", "float3 DirLight0DiffuseColor;", "white"},
-                    BoundCase{"what_the_author_gave", "float4 diffuseColor = { 1, 0, 0, 1 };", "its default"},
-                    BoundCase{"white", "float4 diffuseColor;", "white"}, BoundCase{"a_power", "float shininess;", "20"},
-                    BoundCase{"what_only_the_scene_knows", "float3 LightPosition = { 1, 2, 3 };", "POSITION of the light"},
-                    BoundCase{"fog_that_begins_behind_everything", "float gFogStart;", "behind everything: no fog"},
-                    BoundCase{"fog_that_ends_there", "float g_fFogEnd;", "behind everything: no fog"},
-                    BoundCase{"fog_without_density", "float FogDensity;", "zero: no fog"},
-                    BoundCase{"fog_that_is_no_end_but_blended", "float fogBlend;", "zero: no fog"},
-                    BoundCase{"fog_that_the_author_begins_at_the_eye", "float FogStart = 0;", "zero: no fog"},
-                    BoundCase{"no_bones", "float4x4 gBones[4];", "identities: no bones"}, BoundCase{"zero", "float whatever;", "zero"},
-                    BoundCase{"zero_where_no_matrix_is_declared", "float World;", "zero"},
-                    BoundCase{"zero_where_two_numbers_are_declared", "float2 LightPosition;", "zero"},
-                    BoundCase{"zero_where_integers_are_declared", "int3 CameraPosition;", "zero"}),
+    testing::Values(
+        BoundCase{"by_semantic", "float4x4 foo : WorldViewProj;", "WORLDVIEWPROJECTION"},
+        BoundCase{"by_name", "float4x4 g_mWorldViewProjection;", "WORLDVIEWPROJECTION"},
+        BoundCase{"by_address_before_name", "float4x4 View < string SasBindAddress = \"Sas.Camera.Projection\"; >;", "PROJECTION"},
+        BoundCase{"the_lights_place", "float3 p : POSITION < string Object = \"PointLight0\"; >;", "POSITION of the light"},
+        BoundCase{"the_cameras_place", "float3 p : POSITION < string Object = \"Camera\"; >;", "CAMERAPOSITION"},
+        BoundCase{"the_eye_by_name", "float3 g_vEyePos;", "CAMERAPOSITION"},
+        BoundCase{"the_way_of_light", "float3 d : DIRECTION < string Object = \"DirectionalLight0\"; >;", "LIGHTDIRECTION"},
+        BoundCase{"a_direction_that_nothing_turns_round", "float3 g_LightDir;", "TOLIGHT"},
+        BoundCase{"a_light_with_a_number_s_way", "float3 d : LIGHTDIR0_DIRECTION;", "LIGHTDIRECTION"},
+        BoundCase{"a_light_with_a_number_s_colour", "float3 c : LIGHTDIR0_COLOR;", "white"},
+        BoundCase{"a_light_with_a_number_s_place", "float3 p : LIGHTPOINT0_POSITION;", "POSITION of the light"},
+        BoundCase{"a_colour_by_address", "float3 c < string SasBindAddress = \"Sas.DirectionalLight[0].Color\"; >;", "white"},
+        BoundCase{"a_colour_of_a_directional_light", "float3 DirLight0DiffuseColor;", "white"},
+        BoundCase{"what_the_author_gave", "float4 diffuseColor = { 1, 0, 0, 1 };", "its default"},
+        BoundCase{"white", "float4 diffuseColor;", "white"}, BoundCase{"a_power", "float shininess;", "20"},
+        BoundCase{"what_only_the_scene_knows", "float3 LightPosition = { 1, 2, 3 };", "POSITION of the light"},
+        BoundCase{"fog_that_begins_behind_everything", "float gFogStart;", "behind everything: no fog"},
+        BoundCase{"fog_that_ends_there", "float g_fFogEnd;", "behind everything: no fog"},
+        BoundCase{"fog_without_density", "float FogDensity;", "zero: no fog"},
+        BoundCase{"fog_that_is_no_end_but_blended", "float fogBlend;", "zero: no fog"},
+        BoundCase{"fog_that_the_author_begins_at_the_eye", "float FogStart = 0;", "zero: no fog"},
+        BoundCase{"a_light_that_the_host_switches_on", "bool light0Enable : LIGHTENABLE < string Object = \"Light 0\"; > = false;", "on"},
+        BoundCase{"a_light_that_is_on_by_name", "bool g_bSunEnabled;", "on"},
+        BoundCase{"no_light_that_only_sounds_like_it", "bool slightly;", "zero"}, BoundCase{"a_scale", "float g_fScale;", "one"},
+        BoundCase{"a_tone", "float3 _sepiaTone;", "one"}, BoundCase{"weights", "float sampleWeights[4];", "one, shared out"},
+        BoundCase{"a_factor_that_its_author_left_at_zero", "float scaleFactor = 0;", "zero"},
+        BoundCase{"the_eye_of_dxut", "float3 g_vEyePt;", "CAMERAPOSITION"}, BoundCase{"no_eye_in_an_option", "float3 eyeOption;", "zero"},
+        BoundCase{"no_bones", "float4x4 gBones[4];", "identities: no bones"}, BoundCase{"zero", "float whatever;", "zero"},
+        BoundCase{"zero_where_no_matrix_is_declared", "float World;", "zero"},
+        BoundCase{"zero_where_two_numbers_are_declared", "float2 LightPosition;", "zero"},
+        BoundCase{"zero_where_integers_are_declared", "int3 CameraPosition;", "zero"}),
     [](const testing::TestParamInfo<BoundCase>& tested) { return tested.param.name; });
 
 TEST(ForeignBindings, say_their_rule) {

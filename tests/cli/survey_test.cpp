@@ -164,6 +164,40 @@ TEST(ForeignPictures, with_several_samples_do_without_anisotropy_on_a_software_d
     EXPECT_EQ(picture("often", "8").image.pixels, without.image.pixels) << "Mesa takes ten seconds and more for it";
 }
 
+struct Lookup {
+    std::string name;
+    std::string filters;
+    std::string code; // of the pixel shader
+};
+void PrintTo(const Lookup& tested, std::ostream* out) {
+    *out << tested.code;
+}
+class AnisotropicLookups : public testing::TestWithParam<Lookup> {};
+
+// Mesa's software device died of them where only one of the two filters is POINT.
+TEST_P(AnisotropicLookups, are_drawn) {
+    const std::string file =
+        write("look-up.fx", "float4x4 m : WORLDVIEWPROJECTION; texture t; sampler s = sampler_state { Texture = <t>; MaxAnisotropy = 4; " +
+                                GetParam().filters +
+                                " };\nstruct V { float4 p : POSITION; float2 t : TEXCOORD0; };\n"
+                                "V VS(float4 p : POSITION, float2 t : TEXCOORD0) { V o; o.p = mul(p, m); o.t = t; return o; }\n"
+                                "float4 PS(float2 t : TEXCOORD0) : COLOR { " +
+                                GetParam().code +
+                                " }\n"
+                                "technique T { pass P { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }\n");
+    const Ran ran = tegument({"render", file, "--size", "32", "--samples", "1", "-o", (scratch() / "look-up.png").string()});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfASoftwareDevice, AnisotropicLookups,
+    testing::Values(Lookup{"in_a_loop", "MagFilter = Anisotropic; MinFilter = Point;",
+                           "float2 at = t; float h = 0; for (float b = 1; h < b; b -= 0.1) { at += 0.05; h = tex2Dlod(s, float4(at, 0, "
+                           "0)).r; } return h;"},
+                    Lookup{"with_a_level", "MagFilter = Point; MinFilter = Anisotropic;", "return tex2Dlod(s, float4(t, 0, 1));"},
+                    Lookup{"with_a_bias", "MinFilter = Point; MagFilter = Anisotropic;", "return tex2Dbias(s, float4(t, 0, 1));"}),
+    [](const testing::TestParamInfo<Lookup>& tested) { return tested.param.name; });
+
 // Who may read everything cannot read this one either: its name is longer than the system's longest.
 TEST(Survey, a_folder_that_cannot_be_read_is_told_and_the_others_are_drawn) {
     const fs::path before = fs::current_path();

@@ -282,6 +282,15 @@ TEST(ForeignValues, that_name_a_parameter_are_read_and_said) {
     EXPECT_EQ(warningOf("float x = 1; static const float2 a = 3; float b < float UIMin = a.x; > = a.x;"), "");
 }
 
+TEST(ForeignSamplers, may_read_a_texture_in_brackets_that_only_the_host_declares) {
+    for (const char* text :
+         {"sampler2D s : register(s0) { Texture = (SpriteTexture); };", "sampler s = sampler_state { Texture = <gMap>; };",
+          "SamplerState s { Filter = ANISOTROPIC; Texture = (Screen); };"}) {
+        EXPECT_TRUE(warns(foreign(text), 2012)) << text;
+        EXPECT_EQ(firstCode(load(text)), 2012) << text;
+    }
+}
+
 TEST(ForeignSamplers, that_name_two_textures_read_the_last_one) {
     const Effect effect = foreign("texture a; texture b; sampler s = sampler_state { Texture = <a>; Texture = <b>; };");
     EXPECT_EQ(effect.findSampler("s")->texture, "b");

@@ -28,6 +28,35 @@ TEST(Preprocessor, pasted_arguments_are_not_expanded) {
     EXPECT_NE(effect.findParameter("SkinMap"), nullptr);
 }
 
+TEST(Preprocessor, what_is_pasted_may_be_several_tokens) {
+    EXPECT_EQ(numbers(loaded("#define MEMBER(a, b) a##.##b\nfloat3 c = { 1, 2, 3 };\nfloat g = MEMBER(float3(4, 5, 6), y);"), "g"),
+              std::vector<double>{5});
+    EXPECT_EQ(numbers(loaded("#define SHIFT(o) 1 o##o 3\nfloat g = SHIFT(<);"), "g"), std::vector<double>{8});
+    EXPECT_EQ(numbers(loaded("#define CALL(f, a) f##(a, 3)\nfloat g = CALL(max, 2);"), "g"), std::vector<double>{3});
+}
+
+TEST(Preprocessor, pasted_strings_stand_side_by_side) {
+    const std::string joined = "#define FILE \"skin.png\"\n#define JOIN(a, b) a##b\n";
+    EXPECT_EQ(loaded(joined + "texture m < string ResourceName = JOIN(\"tex/\", FILE); >;")
+                  .findParameter("m")
+                  ->annotations.string("ResourceName"),
+              "tex/skin.png");
+    EXPECT_EQ(loaded(joined + "texture m < string ResourceName = JOIN(\"a\", \"b\") \"c\"; >;")
+                  .findParameter("m")
+                  ->annotations.string("ResourceName"),
+              "abc");
+    EXPECT_EQ(loaded(joined + "string s = JOIN(FILE, \".dds\");").findParameter("s")->name, "s");
+}
+
+TEST(Preprocessor, directives_stand_within_the_arguments_of_a_call) {
+    const std::string pick = "#define PICK(a, b) ((a) * 10 + (b))\n";
+    EXPECT_EQ(numbers(loaded(pick + "float g = PICK(\n#if 1\n 2\n#else\n 3\n#endif\n, 4);"), "g"), std::vector<double>{24});
+    EXPECT_EQ(numbers(loaded(pick + "float g = PICK(1,\n#define TWO 2\n TWO\n#undef ONE\n);"), "g"), std::vector<double>{12});
+    EXPECT_EQ(numbers(loaded(pick + "float g = PICK(PICK(0, 1),\n#ifdef NONE\n 5\n#elif 1\n (6)\n#endif\n);"), "g"),
+              std::vector<double>{16});
+    EXPECT_EQ(firstCode(load(pick + "float g = PICK(1,\n#if 1\n 2;\n#endif\n")), 1009) << "never closed";
+}
+
 TEST(Preprocessor, stringified_arguments_keep_their_text) {
     const Effect effect = loaded("#define NAMED(n) float n < string UIName = #n; >\nNAMED(gScale);");
     EXPECT_EQ(effect.findParameter("gScale")->annotations.string("UIName"), "gScale");

@@ -92,6 +92,7 @@ class Includes(Confined):
                 self.is_outside(self.run_it("info", self.effect(text + SHADERS + TECHNIQUE)))
 
     def test_every_command_that_reads_effects_is_confined(self):
+        self.make_project()
         path = self.including("../../secret.fxh")
         for command in (["info", path], ["check", path, "--target", "spirv-dxc"], ["flatten", path], ["render", path, "--size", "16", "-o", self.out / "x.png"]):
             with self.subTest(command[0]):
@@ -101,14 +102,24 @@ class Includes(Confined):
                 self.assertIn("TG1014", ran.stdout + ran.stderr)
 
     def test_a_project_shares_its_files(self):
-        """Without a mark the effect's folder is all; .git and the like, or an empty file, say how far a project reaches."""
+        """.git and the like, or an empty file, say how far a project reaches; without one it is what the effect names relatively."""
         path = self.including("../common/shared.fxh")
-        self.is_outside(self.run_it("info", path))
+        self.good("info", path)
         for mark in (".git", ".hg", ".svn", ".tegument-root"):
             with self.subTest(mark):
+                (self.effects / mark).mkdir()
+                self.is_outside(self.run_it("info", path))
+                (self.effects / mark).rmdir()
                 (self.project / mark).mkdir()
                 self.good("info", path)
                 (self.project / mark).rmdir()
+
+    def test_without_a_mark_links_and_absolute_names_lead_nowhere(self):
+        self.including("../common/shared.fxh")  # the common parent is the project's folder
+        ways = self.ways()
+        for what in ("absolute", "link", "link to a link", "linked folder", "absolute with dots", "device"):
+            with self.subTest(what):
+                self.is_outside(self.run_it("info", self.including(ways[what])))
 
     def test_the_home_folder_is_no_project(self):
         home = self.folder / "home"

@@ -31,7 +31,7 @@ int flatten(const FlattenArguments& arguments) {
     PreprocessOptions options{.defines = {}, .includeFolders = {}, .read = {}};
     for (const std::string& folder : arguments.includeFolders)
         options.includeFolders.emplace_back(folder);
-    const Roots roots = rootsOf(*file, options.includeFolders, {.folders = {}, .anywhere = arguments.anywhere});
+    const Roots roots = rootsOfEffect(*file, options.includeFolders, {.folders = {}, .anywhere = arguments.anywhere});
     options.read = confinedReader(*file, roots);
     const auto text = arguments.library ? flattenLibrary(*file, options) : flattenEffect(*file, options);
     if (!text) return fail(text.error(), false);

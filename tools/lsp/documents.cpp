@@ -87,7 +87,7 @@ const std::string* Documents::find(const std::string& path) const {
 }
 
 FileReader Documents::reader(const fs::path& effect, const LoadOptions& options) const {
-    return [this, confined = confinedReader(effect, rootsOf(effect, options.includeFolders, options.roots))](
+    return [this, confined = confinedReader(effect, rootsOfEffect(effect, options.includeFolders, options.roots))](
                const fs::path& path) -> Result<std::string> {
         if (const std::string* text = find(normal(path))) return *text;
         return confined(path);

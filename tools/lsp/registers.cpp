@@ -1,38 +1,18 @@
 #include "tools/lsp/registers.h"
 
+#include "host/adopt/adopt.h"
+#include "host/effect/entry_points.h"
 #include "host/spirv/dxil.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace tegument::lsp {
 
 namespace {
 
 constexpr std::uint32_t kRegisterBytes = 16; // four floats
-
-struct Entry {
-    const ShaderReference* shader = nullptr;
-    Stage stage = Stage::Pixel;
-};
-
-std::vector<Entry> entriesOf(const Effect& effect) {
-    std::vector<Entry> entries;
-    std::set<std::string> seen;
-    const auto add = [&](const std::optional<ShaderReference>& shader, Stage stage) {
-        if (shader && shader->code.empty() && shader->arguments.empty() && seen.insert(shader->entry).second)
-            entries.push_back({&*shader, stage});
-    };
-    for (const Technique& technique : effect.techniques)
-        for (const Pass& pass : technique.passes) {
-            add(pass.vertexShader, Stage::Vertex);
-            add(pass.pixelShader, Stage::Pixel);
-            add(pass.computeShader, Stage::Compute);
-        }
-    return entries;
-}
 
 char letterOf(ResourceKind kind) {
     switch (kind) {
@@ -74,25 +54,39 @@ void addOnce(std::vector<Diagnostic>& into, const std::vector<Diagnostic>& more)
     }
 }
 
-void compileEntry(Compiled& compiled, const Effect& effect, const Entry& entry) {
-    const Compiler compiler = defaultCompiler();
-    const ShaderRequest request{.code = effect.code,
-                                .file = effect.file.string(),
-                                .entry = entry.shader->entry,
-                                .stage = entry.stage,
-                                .defines = {},
-                                .includeFolders = {}};
-    const auto shader = compileShader(request, compiler);
-    if (!shader) {
-        std::vector<Diagnostic> failed = shader.error().diagnostics;
-        for (Diagnostic& one : failed)
-            if (one.at.line == 0) one.at = entry.shader->at; // the validator knows no lines
-        return addOnce(compiled.diagnostics, failed);
-    }
-    addOnce(compiled.diagnostics, shader->warnings);
-    const std::string where = " in " + entry.shader->entry;
+ShaderRequest requestOf(const Effect& effect, const ShaderUse& use) {
+    const bool own = !use.shader->code.empty();
+    return {.code = own ? use.shader->code : effect.code,
+            .file = effect.file.string(),
+            .entry = use.shader->entry,
+            .stage = use.kind == ShaderKind::Vertex    ? Stage::Vertex
+                     : use.kind == ShaderKind::Compute ? Stage::Compute
+                                                       : Stage::Pixel,
+            .defines = {},
+            .includeFolders = {},
+            .language2018 = own};
+}
+
+/// What is said of an entry point that is drawn.
+void addMessages(Compiled& compiled, const Effect& effect, const ShaderUse& use) {
+    if (use.shader->obstacle) return addOnce(compiled.diagnostics, {*use.shader->obstacle});
+    const auto shader = compileShader(requestOf(effect, use), defaultCompiler());
+    if (shader) return addOnce(compiled.diagnostics, shader->warnings);
+    std::vector<Diagnostic> failed = shader.error().diagnostics;
+    for (Diagnostic& one : failed)
+        if (one.at.line == 0) one.at = use.shader->at; // the validator knows no lines
+    addOnce(compiled.diagnostics, failed);
+}
+
+/// Where the file's own parameters are in a shader of its own words.
+void addRegisters(Compiled& compiled, const Effect& effect, const ShaderUse& use) {
+    if (!use.shader->arguments.empty() || !use.shader->code.empty()) return;
+    const ShaderRequest request = requestOf(effect, use);
+    const auto shader = compileShader(request, defaultCompiler());
+    if (!shader) return;
+    const std::string where = " in " + use.shader->entry;
     addConstants(compiled, shader->reflection, where);
-    if (compiler != Compiler::Dxc) return; // SPIR-V's bindings are no registers
+    if (defaultCompiler() != Compiler::Dxc) return; // SPIR-V's bindings are no registers
     if (const auto dxil = compileDxil(request)) addResources(compiled, dxil->reflection, where);
 }
 
@@ -100,9 +94,16 @@ void compileEntry(Compiled& compiled, const Effect& effect, const Entry& entry) 
 
 Compiled compile(const Effect& effect) {
     Compiled compiled;
-    if (direct3D9Intrinsic(effect) || !compilerAvailable(defaultCompiler())) return compiled;
-    for (const Entry& entry : entriesOf(effect))
-        compileEntry(compiled, effect, entry);
+    if (!compilerAvailable(defaultCompiler())) return compiled;
+    const bool adopts = !effect.ownDialect && defaultCompiler() == Compiler::Dxc;
+    if (!adopts && direct3D9Intrinsic(effect)) return compiled;
+    const Effect drawn = adopts ? adopted(effect).effect : Effect{};
+    const Effect& said = adopts ? drawn : effect;
+    for (const ShaderUse& use : entryPoints(said))
+        if (!use.undrawn && (adopts || use.shader->arguments.empty())) addMessages(compiled, said, use);
+    if (!direct3D9Intrinsic(effect))
+        for (const ShaderUse& use : entryPoints(effect))
+            if (!use.undrawn) addRegisters(compiled, effect, use);
     return compiled;
 }
 

@@ -14,8 +14,8 @@ struct Compiled {
     std::map<std::string, std::vector<std::string>> registers; // of a parameter: "c3 in SkinPS", "t0 in SkinPS"
 };
 
-/// Every entry point of the effect's passes by DXC, or by glslang where there is no DXC. What only Direct3D 9's compiler reads is left
-/// alone: nothing is found wrong with it, and nothing is known of it.
+/// Every entry point that is drawn, by DXC; of another host's effect as host/adopt spells it. Where there is no DXC glslang compiles what
+/// it can read: of the words of Direct3D 9 nothing is said.
 [[nodiscard]] Compiled compile(const Effect& effect);
 
 } // namespace tegument::lsp

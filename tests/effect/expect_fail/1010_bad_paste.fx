@@ -1,3 +1,3 @@
-// expect: 1010_bad_paste.fx(3,7): error TG1010: 'g' ## '(' in macro 'JOIN' is not one token
-#define JOIN(a, b) a ## b
-float JOIN(g, (1));
+// expect: 1010_bad_paste.fx(2,9): error TG1010: '##' at an end of macro 'JOIN'
+#define JOIN(a) a ##
+float JOIN(g);
